@@ -1,0 +1,109 @@
+using System;
+using System.Numerics;
+using System.Runtime.InteropServices;
+
+namespace Farseer.Engine.Bodies;
+
+/// <summary>What the solver reads and writes in every pass: exactly 32 bytes, two 16-byte halves, gathered and scattered by lanes.</summary>
+[StructLayout(LayoutKind.Sequential, Size = 32)]
+internal struct BodyState
+{
+    /// <summary>Velocity of the centre of mass, length/s.</summary>
+    public Vector2 LinearVelocity;
+
+    /// <summary>rad/s, positive turns the x axis towards the y axis.</summary>
+    public float AngularVelocity;
+
+    public float Spare;
+
+    /// <summary>Displacement since the start of the step.</summary>
+    public Vector2 DeltaPosition;
+
+    /// <summary>Sine and cosine of the turn since the start of the step (0 and 1 between steps).</summary>
+    public float DeltaSin;
+
+    public float DeltaCos;
+}
+
+/// <summary>Pose in double precision: the solver works on differences, so 10^7 m behaves as the origin. 32 bytes.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal struct BodyPose
+{
+    public double X;
+    public double Y;
+
+    /// <summary>Unwrapped angle, radians.</summary>
+    public double Angle;
+
+    public float Cos;
+    public float Sin;
+}
+
+/// <summary>Mass properties as the user set them, and the inverses in effect (0 for static and kinematic bodies).</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal struct BodyMass
+{
+    public float Mass;
+    public float Inertia;
+    public float InverseMass;
+    public float InverseInertia;
+}
+
+/// <summary>Accumulated force and torque, cleared at the end of each step.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal struct BodyForce
+{
+    public Vector2 Force;
+    public float Torque;
+}
+
+/// <summary>Drag coefficients, forces: -Linear·v - Quadratic·|v|·v, and -Rotational·ω·|ω| as a torque.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal struct BodyDrag
+{
+    public float Linear;
+    public float Quadratic;
+    public float Rotational;
+}
+
+[Flags]
+internal enum BodyFlags : uint
+{
+    None = 0,
+    Alive = 1,
+
+    /// <summary>Takes part in collision and motion; the original's <c>Body.Enabled</c>.</summary>
+    Enabled = 2,
+
+    /// <summary>Never moves by itself; infinite mass.</summary>
+    Static = 4,
+
+    /// <summary>Moves with the velocity that the user gives; infinite mass.</summary>
+    Kinematic = 8,
+
+    IgnoreGravity = 16,
+
+    /// <summary>Adds <see cref="BodyDrag.Quadratic"/>.</summary>
+    QuadraticDrag = 32,
+
+    /// <summary>The pose or a collider was changed from outside since the last step: its boxes must be found anew.</summary>
+    Moved = 64,
+
+    /// <summary>The state turned non-finite; disabled until the user sets finite values.</summary>
+    Quarantined = 128,
+}
+
+/// <summary>What a body is made from.</summary>
+internal struct BodyDef
+{
+    public double X;
+    public double Y;
+    public double Angle;
+    public Vector2 LinearVelocity;
+    public float AngularVelocity;
+    public float Mass;
+    public float Inertia;
+    public BodyDrag Drag;
+    public BodyFlags Flags;
+    public int UserIndex;
+}

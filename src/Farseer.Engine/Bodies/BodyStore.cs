@@ -1,0 +1,38 @@
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Bodies;
+
+/// <summary>All bodies, in columns grouped by who reads them together. A slot keeps its index for the life of the body.</summary>
+internal sealed class BodyStore
+{
+    private readonly ColumnSet _set = new ColumnSet();
+
+    public BodyStore()
+    {
+        State = _set.Add<BodyState>();
+        Pose = _set.Add<BodyPose>();
+        Mass = _set.Add<BodyMass>();
+        Force = _set.Add<BodyForce>();
+        Drag = _set.Add<BodyDrag>();
+        Flags = _set.Add<BodyFlags>();
+        UserIndex = _set.Add<int>();
+    }
+
+    public IdPool Ids { get; } = new IdPool();
+
+    public ColumnSet Set => _set;
+
+    public Column<BodyState> State { get; }
+
+    public Column<BodyPose> Pose { get; }
+
+    public Column<BodyMass> Mass { get; }
+
+    public Column<BodyForce> Force { get; }
+
+    public Column<BodyDrag> Drag { get; }
+
+    public Column<BodyFlags> Flags { get; }
+
+    public Column<int> UserIndex { get; }
+}

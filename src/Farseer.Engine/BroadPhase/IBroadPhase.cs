@@ -1,0 +1,59 @@
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.BroadPhase;
+
+[System.Flags]
+internal enum ProxyFlags : int
+{
+    None = 0,
+    Alive = 1,
+
+    /// <summary>Belongs to a static body: two such proxies never pair.</summary>
+    Static = 2,
+
+    /// <summary>Its fat box was set anew in this step (or it is new): it must look for pairs.</summary>
+    Moved = 4,
+}
+
+/// <summary>What the broad phase knows of a piece; the index is the piece's index.</summary>
+internal struct ProxyInfo
+{
+    public int Body;
+    public ProxyFlags Flags;
+}
+
+/// <summary>The boxes of all pieces. A fat box is the tight box plus predicted motion; it changes only when the tight box leaves it.</summary>
+internal sealed class ProxyStore
+{
+    private readonly ColumnSet _set = new ColumnSet();
+
+    public ProxyStore()
+    {
+        Fat = _set.Add<Box>();
+        Info = _set.Add<ProxyInfo>();
+    }
+
+    public Column<Box> Fat { get; }
+
+    public Column<ProxyInfo> Info { get; }
+
+    /// <summary>One past the highest proxy in use.</summary>
+    public int End { get; set; }
+
+    public ColumnSet Set => _set;
+}
+
+/// <summary>Finds overlapping fat boxes. Implementations differ in speed only: the sets of pairs are the same.</summary>
+internal interface IBroadPhase
+{
+    void Added(ProxyStore proxies, int proxy);
+
+    void Removed(ProxyStore proxies, int proxy);
+
+    /// <summary>
+    /// Appends every unordered pair of live proxies whose fat boxes overlap (touching counts), of which at least one is
+    /// <see cref="ProxyFlags.Moved"/>, not both <see cref="ProxyFlags.Static"/>, of different bodies; each pair once, in any order.
+    /// </summary>
+    void Collect(ProxyStore proxies, PairBuffer pairs);
+}

@@ -1,0 +1,33 @@
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.BroadPhase;
+
+/// <summary>A reused list of proxy pairs, packed as lower &lt;&lt; 32 | higher.</summary>
+internal sealed class PairBuffer
+{
+    private readonly Column<ulong> _pairs = new Column<ulong>(256);
+
+    public int Count { get; private set; }
+
+    public ulong this[int index] => _pairs[index];
+
+    public unsafe ulong* Pointer => _pairs.Pointer;
+
+    public void Clear() => Count = 0;
+
+    public void Add(int a, int b)
+    {
+        if (Count == _pairs.Capacity)
+        {
+            _pairs.EnsureCapacity(Count + 1);
+        }
+
+        _pairs[Count++] = Pack(a, b);
+    }
+
+    public static ulong Pack(int a, int b) => a < b ? ((ulong)(uint)a << 32) | (uint)b : ((ulong)(uint)b << 32) | (uint)a;
+
+    public static int Lower(ulong pair) => (int)(pair >> 32);
+
+    public static int Higher(ulong pair) => (int)(uint)pair;
+}

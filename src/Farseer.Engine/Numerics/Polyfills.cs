@@ -1,0 +1,25 @@
+#if !NET8_0_OR_GREATER
+// Compiler-recognised types that netstandard2.0 lacks; they cost nothing at run time.
+namespace System.Runtime.CompilerServices
+{
+    internal static class IsExternalInit
+    {
+    }
+
+    [System.AttributeUsage(System.AttributeTargets.Method)]
+    internal sealed class SkipLocalsInitAttribute : System.Attribute
+    {
+    }
+}
+
+namespace System.Diagnostics.CodeAnalysis
+{
+    [System.AttributeUsage(System.AttributeTargets.Parameter)]
+    internal sealed class NotNullWhenAttribute : System.Attribute
+    {
+        public NotNullWhenAttribute(bool returnValue) => ReturnValue = returnValue;
+
+        public bool ReturnValue { get; }
+    }
+}
+#endif

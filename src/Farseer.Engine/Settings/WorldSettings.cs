@@ -1,0 +1,32 @@
+using System.Numerics;
+
+namespace Farseer.Engine.Settings;
+
+/// <summary>How the friction coefficients of two colliders combine.</summary>
+internal enum FrictionMix
+{
+    Average,
+    Minimum,
+}
+
+/// <summary>The dials of one world. No dial carries a hidden unit of length: a scene scaled by a power of two gives scaled bits.</summary>
+internal sealed class WorldSettings
+{
+    /// <summary>Acceleration of every body that does not ignore gravity, length/s². Default (0, 0).</summary>
+    public Vector2 Gravity { get; set; }
+
+    /// <summary>Substeps a step: the accuracy dial. At least 1; default 5. The error falls fourfold for each doubling.</summary>
+    public int Substeps { get; set; } = 5;
+
+    /// <summary>Depth at which a contact rests, a length of the scene. 0 or more; default 0.05 (the original's).</summary>
+    public float AllowedPenetration { get; set; } = 0.05f;
+
+    /// <summary>Default average.</summary>
+    public FrictionMix FrictionMix { get; set; } = FrictionMix.Average;
+
+    /// <summary>The friction of a pair stays what it was when the pair was made (a quirk of the original). Default false.</summary>
+    public bool FreezePairFriction { get; set; }
+
+    /// <summary>Raise separation for pairs that only overlapped with their boxes (a quirk of the original). Default false.</summary>
+    public bool SeparateUntouchedPairs { get; set; }
+}

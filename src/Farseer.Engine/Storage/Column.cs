@@ -1,0 +1,106 @@
+using System;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+
+namespace Farseer.Engine.Storage;
+
+/// <summary>What a <see cref="ColumnSet"/> needs to know of a column: growth, and its bytes for hash and snapshot.</summary>
+internal interface IColumn
+{
+    void EnsureCapacity(int capacity);
+
+    unsafe byte* Bytes { get; }
+
+    int ElementSize { get; }
+}
+
+/// <summary>
+/// A growable array of small unmanaged records in pinned, 64-byte-aligned memory that the garbage collector owns. Kernels take
+/// <see cref="Pointer"/>; it stays valid until the column grows, which happens only between phases. New records are zero.
+/// </summary>
+internal sealed unsafe class Column<T> : IColumn
+    where T : unmanaged
+{
+    private const int Alignment = 64;
+
+    private byte[] _memory;
+    private int _capacity;
+#if !NET8_0_OR_GREATER
+    private GCHandle _pin;
+
+    // Without a pinned heap the array is pinned by a handle, which must be given back.
+    ~Column()
+    {
+        if (_pin.IsAllocated)
+        {
+            _pin.Free();
+        }
+    }
+#endif
+
+    public Column(int capacity = 0)
+    {
+        _memory = Array.Empty<byte>();
+        EnsureCapacity(Math.Max(capacity, 1));
+    }
+
+    public T* Pointer { get; private set; }
+
+    public int Capacity => _capacity;
+
+    byte* IColumn.Bytes => (byte*)Pointer;
+
+    int IColumn.ElementSize => sizeof(T);
+
+    public ref T this[int index]
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get
+        {
+            System.Diagnostics.Debug.Assert((uint)index < (uint)_capacity, "column index out of range");
+            return ref Pointer[index];
+        }
+    }
+
+    /// <summary>Grows to at least <paramref name="capacity"/> records, doubling, and keeps the content.</summary>
+    public void EnsureCapacity(int capacity)
+    {
+        if (capacity <= _capacity)
+        {
+            return;
+        }
+
+        int wanted = Math.Max(capacity, Math.Max(16, _capacity * 2));
+        long bytes = ((long)wanted * sizeof(T)) + Alignment;
+        if (bytes > int.MaxValue)
+        {
+            throw new OutOfMemoryException($"A column of {wanted} records of {sizeof(T)} bytes exceeds 2 GiB.");
+        }
+
+#if NET8_0_OR_GREATER
+        byte[] memory = GC.AllocateArray<byte>((int)bytes, pinned: true);
+        byte* start = (byte*)Unsafe.AsPointer(ref MemoryMarshal.GetArrayDataReference(memory));
+#else
+        byte[] memory = new byte[bytes];
+        GCHandle pin = GCHandle.Alloc(memory, GCHandleType.Pinned);
+        byte* start = (byte*)pin.AddrOfPinnedObject();
+#endif
+        T* aligned = (T*)(((nuint)start + (Alignment - 1)) & ~(nuint)(Alignment - 1));
+        if (_capacity > 0)
+        {
+            Unsafe.CopyBlock(aligned, Pointer, (uint)(_capacity * sizeof(T)));
+        }
+
+#if !NET8_0_OR_GREATER
+        if (_pin.IsAllocated)
+        {
+            _pin.Free();
+        }
+
+        _pin = pin;
+#endif
+        _memory = memory;
+        Pointer = aligned;
+        _capacity = wanted;
+    }
+}

@@ -1,0 +1,37 @@
+using System.Collections.Generic;
+
+namespace Farseer.Engine.Storage;
+
+/// <summary>Columns of equal length that grow together. Growth, state hash and snapshot are written once, here.</summary>
+internal sealed class ColumnSet
+{
+    private readonly List<IColumn> _columns = new List<IColumn>();
+
+    public IReadOnlyList<IColumn> Columns => _columns;
+
+    public int Capacity { get; private set; }
+
+    public Column<T> Add<T>()
+        where T : unmanaged
+    {
+        var column = new Column<T>(Capacity);
+        _columns.Add(column);
+        return column;
+    }
+
+    public void EnsureCapacity(int capacity)
+    {
+        if (capacity <= Capacity)
+        {
+            return;
+        }
+
+        int wanted = System.Math.Max(capacity, System.Math.Max(16, Capacity * 2));
+        for (int i = 0; i < _columns.Count; i++)
+        {
+            _columns[i].EnsureCapacity(wanted);
+        }
+
+        Capacity = wanted;
+    }
+}
