@@ -1,0 +1,23 @@
+namespace FarseerGames.FarseerPhysics.Collisions;
+
+/// <summary>What can be wrong with the outline of a shape; the answers of <see cref="Vertices.CheckPolygon"/>.</summary>
+public enum PolygonFault
+{
+    /// <summary>Nothing: a proper outline.</summary>
+    None = 0,
+
+    /// <summary>Fewer than 3 vertices.</summary>
+    TooFewVertices = 1,
+
+    /// <summary>A coordinate is infinite or not a number.</summary>
+    NotFinite = 2,
+
+    /// <summary>Two vertices that follow each other, or the last and the first, are at the same place.</summary>
+    RepeatedVertex = 3,
+
+    /// <summary>The area is 0: all vertices are on a line, or the parts of the outline cancel.</summary>
+    NoArea = 4,
+
+    /// <summary>Two edges cross, touch or run back on each other.</summary>
+    SelfIntersecting = 5,
+}

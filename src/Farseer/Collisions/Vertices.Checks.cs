@@ -1,0 +1,138 @@
+using System;
+using System.Numerics;
+
+namespace FarseerGames.FarseerPhysics.Collisions;
+
+/// <content>Checks of the outline.</content>
+public partial class Vertices
+{
+    /// <summary>Tells whether the outline is convex: it turns one way only, and once round.</summary>
+    /// <returns>True for a convex polygon; vertices on a straight side are allowed. False for fewer than 3 vertices or no
+    /// area.</returns>
+    public bool IsConvex()
+    {
+        if (Count < 3)
+        {
+            return false;
+        }
+
+        var area = SignedArea();
+        if (!(Math.Abs(area) > 0d) || double.IsInfinity(area))
+        {
+            return false;
+        }
+
+        var sign = area > 0d ? 1d : -1d;
+        var origin = this[0];
+        for (var i = 0; i < Count; i++)
+        {
+            var b = this[NextIndex(i)];
+            var c = this[NextIndex(NextIndex(i))];
+
+            // The first test finds dents. The second finds an outline that turns one way but goes round more than once (a star):
+            // seen from its first vertex it must run backwards somewhere.
+            if (sign * Cross(this[i], b, c) < 0d || sign * Cross(origin, this[i], b) < 0d)
+            {
+                return false;
+            }
+        }
+
+        return !HasSpike();
+    }
+
+    /// <summary>Tells whether the vertices are a proper outline: see <see cref="CheckPolygon"/>.</summary>
+    /// <returns>True if nothing is wrong with them.</returns>
+    public bool IsSimple() => CheckPolygon() == PolygonFault.None;
+
+    /// <summary>
+    /// Tells what, if anything, keeps the vertices from being the outline of a shape. The checks are exact for coordinates of
+    /// like size; there is no tolerance.
+    /// </summary>
+    /// <returns>The first fault found, in the order of <see cref="PolygonFault"/>.</returns>
+    /// <remarks>The time grows with the square of the number of vertices.</remarks>
+    public PolygonFault CheckPolygon()
+    {
+        if (Count < 3)
+        {
+            return PolygonFault.TooFewVertices;
+        }
+
+        foreach (var vertex in this)
+        {
+            if (!Require.IsFinite(vertex))
+            {
+                return PolygonFault.NotFinite;
+            }
+        }
+
+        for (var i = 0; i < Count; i++)
+        {
+            if (this[i] == this[NextIndex(i)])
+            {
+                return PolygonFault.RepeatedVertex;
+            }
+        }
+
+        if (!(Math.Abs(SignedArea()) > 0d))
+        {
+            return PolygonFault.NoArea;
+        }
+
+        return HasSpike() || HasCrossing() ? PolygonFault.SelfIntersecting : PolygonFault.None;
+    }
+
+    /// <summary>Whether two edges that follow each other run back on themselves.</summary>
+    private bool HasSpike()
+    {
+        for (var i = 0; i < Count; i++)
+        {
+            var a = this[i];
+            var b = this[NextIndex(i)];
+            var c = this[NextIndex(NextIndex(i))];
+            var dot = (((double)b.X - a.X) * ((double)c.X - b.X)) + (((double)b.Y - a.Y) * ((double)c.Y - b.Y));
+            if (dot < 0d && Cross(a, b, c) == 0d)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Whether two edges that do not follow each other touch.</summary>
+    private bool HasCrossing()
+    {
+        for (var i = 0; i < Count - 2; i++)
+        {
+            var a = this[i];
+            var b = this[i + 1];
+            var min = Vector2.Min(a, b);
+            var max = Vector2.Max(a, b);
+
+            // The last edge follows the first one, round the end.
+            var end = i == 0 ? Count - 1 : Count;
+            for (var j = i + 2; j < end; j++)
+            {
+                var c = this[j];
+                var d = this[NextIndex(j)];
+                if (Math.Max(c.X, d.X) < min.X || Math.Min(c.X, d.X) > max.X
+                    || Math.Max(c.Y, d.Y) < min.Y || Math.Min(c.Y, d.Y) > max.Y)
+                {
+                    continue;
+                }
+
+                // Boxes that overlap and neither edge wholly on one side of the other's line: they touch, also when all four
+                // points are on one line.
+                if (Straddles(a, b, c, d) && Straddles(c, d, a, b))
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
+
+    private static bool Straddles(Vector2 a, Vector2 b, Vector2 c, Vector2 d) =>
+        Math.Sign(Cross(a, b, c)) * Math.Sign(Cross(a, b, d)) <= 0;
+}
