@@ -1,4 +1,8 @@
+using System;
+using System.Collections.Generic;
 using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Shapes;
@@ -7,6 +11,13 @@ namespace Farseer.Engine.Shapes;
 internal sealed class ShapeStore
 {
     private readonly ColumnSet _vertexSet = new ColumnSet();
+    private readonly ColumnSet _pieceSet = new ColumnSet();
+    private readonly Column<Handle> _pieceHandles;
+
+    /// <summary>Freed vertex ranges, one list per power of two; last in, first out, so runs repeat exactly.</summary>
+    private readonly List<int>[] _freeRanges = new List<int>[31];
+
+    private int _vertexEnd;
 
     public ShapeStore()
     {
@@ -14,9 +25,19 @@ internal sealed class ShapeStore
         Normals = _vertexSet.Add<Vector2>();
         OutlineBefore = _vertexSet.Add<Vector2>();
         OutlineAfter = _vertexSet.Add<Vector2>();
+        Pieces = _pieceSet.Add<Piece>();
+        NextPiece = _pieceSet.Add<int>();
+        _pieceHandles = _pieceSet.Add<Handle>();
+        for (int i = 0; i < _freeRanges.Length; i++)
+        {
+            _freeRanges[i] = new List<int>();
+        }
     }
 
-    public Column<Piece> Pieces { get; } = new Column<Piece>();
+    public Column<Piece> Pieces { get; }
+
+    /// <summary>Per piece: the next piece of the same collider, -1 after the last.</summary>
+    public Column<int> NextPiece { get; }
 
     public Column<ColliderInfo> Colliders { get; } = new Column<ColliderInfo>();
 
@@ -29,7 +50,131 @@ internal sealed class ShapeStore
     /// <summary>Outward unit normal of edge i.</summary>
     public Column<Vector2> Normals { get; }
 
+    /// <summary>Outward normal of the outline edge that ends in vertex i.</summary>
     public Column<Vector2> OutlineBefore { get; }
 
+    /// <summary>
+    /// Outward normal of the outline edge that starts in vertex i. It is bit for bit the piece's own edge normal exactly where
+    /// edge i belongs to the outline: that comparison is how a contact routine knows a seam.
+    /// </summary>
     public Column<Vector2> OutlineAfter { get; }
+
+    /// <summary>Columns indexed by piece.</summary>
+    public ColumnSet PieceSet => _pieceSet;
+
+    /// <summary>Columns indexed by vertex.</summary>
+    public ColumnSet VertexSet => _vertexSet;
+
+    /// <summary>
+    /// Writes the pieces of <paramref name="geometry"/> in body coordinates, links them (<see cref="NextPiece"/>) and enters
+    /// them in the collider. Returns the first piece.
+    /// </summary>
+    public int AttachPieces(ShapeGeometry geometry, int body, int collider, Vector2 offset, Rotation rotationOffset)
+    {
+        int first = -1;
+        int previous = -1;
+        foreach (PieceGeometry source in geometry.Pieces)
+        {
+            Handle handle = PieceIds.Take();
+            int index = handle.Index;
+            _pieceSet.EnsureCapacity(PieceIds.End);
+            _pieceHandles[index] = handle;
+            NextPiece[index] = -1;
+            int count = source.Vertices.Length;
+            int start = TakeRange(count);
+            PieceBaker.Write(source, offset, rotationOffset, new PieceRange(this, start, count));
+            Pieces[index] = PieceBaker.Describe(source, body, collider, new PieceRange(this, start, count));
+            if (previous < 0)
+            {
+                first = index;
+            }
+            else
+            {
+                NextPiece[previous] = index;
+            }
+
+            previous = index;
+        }
+
+        Colliders.EnsureCapacity(collider + 1);
+        ref ColliderInfo info = ref Colliders[collider];
+        info.Body = body;
+        info.FirstPiece = first;
+        info.PieceCount = geometry.Pieces.Length;
+        return first;
+    }
+
+    /// <summary>Frees the pieces of a collider and their vertices.</summary>
+    public void DetachPieces(int collider)
+    {
+        ref ColliderInfo info = ref Colliders[collider];
+        int piece = info.PieceCount > 0 ? info.FirstPiece : -1;
+        while (piece >= 0)
+        {
+            int next = NextPiece[piece];
+            ReturnRange(Pieces[piece].VertexStart, Pieces[piece].VertexCount);
+            Pieces[piece] = default;
+            NextPiece[piece] = -1;
+            PieceIds.Return(_pieceHandles[piece]);
+            piece = next;
+        }
+
+        info.FirstPiece = -1;
+        info.PieceCount = 0;
+    }
+
+    /// <summary>The smallest box around a piece, formed in double precision and rounded outwards.</summary>
+    public unsafe Box TightBox(int piece, in BodyPose pose)
+    {
+        ref Piece p = ref Pieces[piece];
+        Vector2* v = Vertices.Pointer + p.VertexStart;
+        double cos = pose.Cos;
+        double sin = pose.Sin;
+        double minX = double.MaxValue;
+        double minY = double.MaxValue;
+        double maxX = -double.MaxValue;
+        double maxY = -double.MaxValue;
+        for (int i = 0; i < p.VertexCount; i++)
+        {
+            double x = (cos * v[i].X) - (sin * v[i].Y);
+            double y = (sin * v[i].X) + (cos * v[i].Y);
+            minX = x < minX ? x : minX;
+            maxX = x > maxX ? x : maxX;
+            minY = y < minY ? y : minY;
+            maxY = y > maxY ? y : maxY;
+        }
+
+        double r = p.Radius;
+        return Box.FromDouble(pose.X + (minX - r), pose.Y + (minY - r), pose.X + (maxX + r), pose.Y + (maxY + r));
+    }
+
+    private static int SizeClass(int count)
+    {
+        int size = 0;
+        while ((1 << size) < count)
+        {
+            size++;
+        }
+
+        return size;
+    }
+
+    private int TakeRange(int count)
+    {
+        int size = SizeClass(count);
+        List<int> free = _freeRanges[size];
+        if (free.Count > 0)
+        {
+            int reused = free[free.Count - 1];
+            free.RemoveAt(free.Count - 1);
+            return reused;
+        }
+
+        int start = _vertexEnd;
+        _vertexEnd += 1 << size;
+        _vertexSet.EnsureCapacity(_vertexEnd);
+        return start;
+    }
+
+    private void ReturnRange(int start, int count) => _freeRanges[SizeClass(count)].Add(start);
 }

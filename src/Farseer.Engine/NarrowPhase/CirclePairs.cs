@@ -1,0 +1,156 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
+
+namespace Farseer.Engine.NarrowPhase;
+
+/// <summary>Contacts of circles with circles and with hulls of at least two vertices: one point at most.</summary>
+internal static unsafe class CirclePairs
+{
+    /// <summary>Centres nearer than this share of the radii give no direction.</summary>
+    private const float ShortestArm = 1e-6f;
+
+    /// <summary>
+    /// A circle has one point of contact, whatever feature it rolls on: its impulses follow it from edge to edge.
+    /// </summary>
+    private const uint Id = 1;
+
+    public static void CircleCircle(in PairInput pair, out Manifold manifold)
+    {
+        manifold = default;
+        Vector2 a = pair.RotationA.Rotate(pair.Vertices[pair.A.VertexStart]);
+        Vector2 b = pair.RotationB.Rotate(pair.Vertices[pair.B.VertexStart]) + pair.Offset;
+        float x = b.X - a.X;
+        float y = b.Y - a.Y;
+        float sum = pair.A.Radius + pair.B.Radius;
+        float distance = (float)Math.Sqrt((x * x) + (y * y));
+        float separation = distance - sum;
+        if (!(separation <= pair.Margin))
+        {
+            return;
+        }
+
+        Vector2 normal = distance > ShortestArm * sum ? new Vector2(x / distance, y / distance) : new Vector2(0, 1);
+        manifold.Normal = normal;
+        manifold.Count = 1;
+        manifold.Point0.Anchor = a + (normal * (pair.A.Radius + (0.5f * separation)));
+        manifold.Point0.Separation = separation;
+        manifold.Point0.Id = Id;
+    }
+
+    public static void CircleHull(in PairInput pair, out Manifold manifold)
+    {
+        manifold = default;
+        var hull = new Hull(pair, pair.B);
+        Vector2 center = pair.RotationB.InverseRotate(pair.RotationA.Rotate(pair.Vertices[pair.A.VertexStart]) - pair.Offset);
+        if (!Touch(hull, center, pair.A.Radius, pair.Margin, pair.B.Extent, ref manifold))
+        {
+            return;
+        }
+
+        manifold.Normal = -pair.RotationB.Rotate(manifold.Normal);
+        manifold.Point0.Anchor = pair.RotationB.Rotate(manifold.Point0.Anchor) + pair.Offset;
+    }
+
+    public static void HullCircle(in PairInput pair, out Manifold manifold)
+    {
+        manifold = default;
+        var hull = new Hull(pair, pair.A);
+        Vector2 center = pair.RotationA.InverseRotate(pair.RotationB.Rotate(pair.Vertices[pair.B.VertexStart]) + pair.Offset);
+        if (!Touch(hull, center, pair.B.Radius, pair.Margin, pair.A.Extent, ref manifold))
+        {
+            return;
+        }
+
+        manifold.Normal = pair.RotationA.Rotate(manifold.Normal);
+        manifold.Point0.Anchor = pair.RotationA.Rotate(manifold.Point0.Anchor);
+    }
+
+    /// <summary>The contact in the hull's frame, its normal pointing from the hull to the circle.</summary>
+    private static bool Touch(in Hull hull, Vector2 center, float radius, float margin, float scale, ref Manifold manifold)
+    {
+        float sum = hull.Radius + radius;
+        int edge = 0;
+        int real = -1;
+        float best = float.MinValue;
+        float bestReal = float.MinValue;
+        for (int i = 0; i < hull.Count; i++)
+        {
+            float s = Vector2.Dot(hull.Normals[i], center - hull.Vertices[i]);
+            if (s > best)
+            {
+                best = s;
+                edge = i;
+            }
+
+            if (s > bestReal && hull.IsReal(i))
+            {
+                bestReal = s;
+                real = i;
+            }
+        }
+
+        if (best - sum > margin)
+        {
+            return false;
+        }
+
+        Vector2 start = hull.Vertices[edge];
+        Vector2 normal = hull.Normals[edge];
+        var tangent = new Vector2(-normal.Y, normal.X);
+        float along = Vector2.Dot(center - start, tangent);
+        float length = Vector2.Dot(hull.Vertices[hull.Next(edge)] - start, tangent);
+        if (best >= 0 && (along < 0 || along > length))
+        {
+            int vertex = along < 0 ? edge : hull.Next(edge);
+            return TouchVertex(hull, vertex, normal, center, radius, margin, scale, ref manifold);
+        }
+
+        if (edge != real && !hull.IsReal(edge))
+        {
+            // Beyond a seam lies the neighbour, which makes the contact; inside this piece the nearest outline edge leads out.
+            if (best > 0 || real < 0)
+            {
+                return false;
+            }
+
+            best = bestReal;
+            normal = hull.Normals[real];
+        }
+
+        float separation = best - sum;
+        manifold.Normal = normal;
+        manifold.Count = 1;
+        manifold.Point0.Anchor = center - (normal * (radius + (0.5f * separation)));
+        manifold.Point0.Separation = separation;
+        manifold.Point0.Id = Id;
+        return true;
+    }
+
+    private static bool TouchVertex(
+        in Hull hull, int vertex, Vector2 edgeNormal, Vector2 center, float radius, float margin, float scale, ref Manifold manifold)
+    {
+        Vector2 arm = center - hull.Vertices[vertex];
+        float distance = (float)Math.Sqrt((arm.X * arm.X) + (arm.Y * arm.Y));
+        float sum = hull.Radius + radius;
+        if (distance - sum > margin)
+        {
+            return false;
+        }
+
+        Vector2 normal = distance > ShortestArm * scale ? arm / distance : edgeNormal;
+        if (!hull.Admits(vertex, ref normal))
+        {
+            return false;
+        }
+
+        float separation = Vector2.Dot(arm, normal) - sum;
+        manifold.Normal = normal;
+        manifold.Count = 1;
+        manifold.Point0.Anchor = center - (normal * (radius + (0.5f * separation)));
+        manifold.Point0.Separation = separation;
+        manifold.Point0.Id = Id;
+        return true;
+    }
+}
