@@ -50,6 +50,28 @@ internal static class Require
         return value;
     }
 
+    public static float NotBelow(float value, float least, string name)
+    {
+        if (!(value >= least))
+        {
+            throw new ArgumentOutOfRangeException(name, value, $"{name} must not be below {least}.");
+        }
+
+        return value;
+    }
+
+    /// <summary>The unit vector of a direction that must have a length.</summary>
+    public static Vector2 Direction(Vector2 value, string name)
+    {
+        var length = value.Length();
+        if (!(length > 0f) || !IsFinite(length))
+        {
+            throw new ArgumentOutOfRangeException(name, value, $"{name} must be finite and not (0, 0).");
+        }
+
+        return value / length;
+    }
+
     public static int AtLeast(int value, int least, string name)
     {
         if (value < least)
