@@ -1,0 +1,102 @@
+using System;
+using Farseer.Fidelity.Scenes;
+
+namespace Farseer.Fidelity.Judging;
+
+/// <summary>
+/// The part of a recording's error that is its integrator's. The original moves a body with the
+/// velocity at the END of a step; the exact path uses the mean. The two differ by dt/2 times the
+/// change of velocity in that step, hence after any number of steps by at most dt/2 times the total
+/// variation of the velocity (exactly that for a free fall from rest: g dt t / 2). At an impact the
+/// moment itself is only known to one step, which displaces a body by up to dt times the jump.
+/// The same holds one derivative up, where the acceleration changes smoothly (drag, springs).
+/// </summary>
+public sealed class Discretisation
+{
+    /// <summary>Largest change of acceleration, against its size, that counts as smooth and not as a force switched on or off.</summary>
+    private const double SmoothShare = 0.5;
+
+    private readonly double[] _position;
+    private readonly double[] _rotation;
+    private readonly double[] _velocity;
+    private readonly double[] _angular;
+
+    public Discretisation(SceneFile file, Row[] rows, Impacts impacts)
+    {
+        _position = new double[rows.Length];
+        _rotation = new double[rows.Length];
+        _velocity = new double[rows.Length];
+        _angular = new double[rows.Length];
+        double gravity = Impacts.Gravity(file);
+        for (int k = 1; k < rows.Length; k++)
+        {
+            bool impact = impacts.Between(k - 1);
+            double share = impact ? file.Dt : file.Dt / 2;
+            double elapsed = (file.SampleSteps[k] - file.SampleSteps[k - 1]) * (double)file.Dt;
+            _position[k] = _position[k - 1] + (share * Speed(rows[k], rows[k - 1]));
+            _rotation[k] = _rotation[k - 1] + (share * Math.Abs(rows[k].AngularVelocity - rows[k - 1].AngularVelocity));
+
+            // The speed at an impact is that at a moment known to one step, on either side of it.
+            _velocity[k] = _velocity[k - 1] + (impact ? 2 * file.Dt * gravity : 0);
+            _angular[k] = _angular[k - 1];
+            if (k < 2 || impact || impacts.Between(k - 2))
+            {
+                continue;
+            }
+
+            double half = file.Dt / 2 / elapsed;
+            double before = Speed(rows[k - 1], rows[k - 2]);
+            double after = Speed(rows[k], rows[k - 1]);
+            double change = Math.Sqrt(Square(rows[k].VelocityX - (2 * rows[k - 1].VelocityX) + rows[k - 2].VelocityX) + Square(rows[k].VelocityY - (2 * rows[k - 1].VelocityY) + rows[k - 2].VelocityY));
+            _velocity[k] += change <= SmoothShare * Math.Max(before, after) ? half * change : 0;
+            double spinBefore = rows[k - 1].AngularVelocity - rows[k - 2].AngularVelocity;
+            double spinAfter = rows[k].AngularVelocity - rows[k - 1].AngularVelocity;
+            double spinChange = Math.Abs(spinAfter - spinBefore);
+            _angular[k] += spinChange <= SmoothShare * Math.Max(Math.Abs(spinBefore), Math.Abs(spinAfter)) ? half * spinChange : 0;
+        }
+    }
+
+    public Difference At(int row) => new(_position[row], _rotation[row], _velocity[row], _angular[row]);
+
+    public static double Speed(Row a, Row b) => Math.Sqrt(Square(a.VelocityX - b.VelocityX) + Square(a.VelocityY - b.VelocityY));
+
+    private static double Square(double value) => value * value;
+}
+
+/// <summary>Between which rows of a body its velocity jumps, as no force of the scene could make it.</summary>
+public sealed class Impacts
+{
+    /// <summary>A change of velocity above this many times gravity's is an impact.</summary>
+    private const double GravityShare = 4;
+
+    private readonly bool[] _between;
+
+    public Impacts(SceneFile file, Row[] rows, FloatTolerance rounding)
+    {
+        _between = new bool[Math.Max(0, rows.Length - 1)];
+        if (!SceneSizes.MayTouch(file))
+        {
+            return;
+        }
+
+        double gravity = Gravity(file);
+        double halfWidth = SceneSizes.SmallestHalfWidth(file);
+        for (int j = 0; j < _between.Length; j++)
+        {
+            double smooth = GravityShare * gravity * (file.SampleSteps[j + 1] - file.SampleSteps[j]) * file.Dt;
+            bool linear = Discretisation.Speed(rows[j + 1], rows[j]) > smooth + rounding.LinearVelocity;
+            bool angular = Math.Abs(rows[j + 1].AngularVelocity - rows[j].AngularVelocity) > (smooth / halfWidth) + rounding.AngularVelocity;
+            _between[j] = linear || angular;
+        }
+    }
+
+    /// <summary>Whether there is an impact between row <paramref name="row"/> and the next.</summary>
+    public bool Between(int row) => row >= 0 && row < _between.Length && _between[row];
+
+    public static double Gravity(SceneFile file)
+    {
+        double x = file.Gravity[0].GetDouble();
+        double y = file.Gravity[1].GetDouble();
+        return Math.Sqrt((x * x) + (y * y));
+    }
+}

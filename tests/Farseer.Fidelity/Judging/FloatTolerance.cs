@@ -1,0 +1,86 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.Json;
+using Farseer.Fidelity.Scenes;
+
+namespace Farseer.Fidelity.Judging;
+
+/// <summary>
+/// How far two correct single-precision runs may drift apart by rounding alone. One addition rounds by
+/// at most half an ulp; N independent ones walk away by about sqrt(N) ulps, so the tolerance is
+/// (2 + sqrt(N)) ulps of the largest magnitude. A contact point's place rounds by an ulp of the
+/// position, which turns a body of half-width r by ulp / r: where bodies touch, a rotation has that
+/// magnitude too, and an angular velocity that of the velocity over r.
+/// </summary>
+public sealed record FloatTolerance(double Position, double Rotation, double LinearVelocity, double AngularVelocity)
+{
+    public static FloatTolerance Of(SceneFile file, IEnumerable<Row[]> bodies)
+    {
+        List<Row> rows = bodies.SelectMany(r => r).ToList();
+        double position = Largest(rows, r => Math.Max(Math.Abs(r.X), Math.Abs(r.Y)));
+        double rotation = Largest(rows, r => Math.Abs(r.Rotation));
+        double velocity = Largest(rows, r => Math.Max(Math.Abs(r.VelocityX), Math.Abs(r.VelocityY)));
+        double angular = Largest(rows, r => Math.Abs(r.AngularVelocity));
+        if (SceneSizes.MayTouch(file))
+        {
+            double halfWidth = SceneSizes.SmallestHalfWidth(file);
+            rotation = Math.Max(rotation, position / halfWidth);
+            angular = Math.Max(angular, velocity / halfWidth);
+        }
+
+        double ulps = 2 + Math.Sqrt((double)file.Steps * (file.Refined?.DtDivisor ?? 1));
+        return new FloatTolerance(Ulp(position) * ulps, Ulp(rotation) * ulps, Ulp(velocity) * ulps, Ulp(angular) * ulps);
+    }
+
+    public static double Ulp(double magnitude) => magnitude == 0 ? 0 : MathF.BitIncrement((float)magnitude) - (float)magnitude;
+
+    private static double Largest(List<Row> rows, Func<Row, double> value) => rows.Count == 0 ? 0 : rows.Max(value);
+}
+
+/// <summary>The lengths of a scene that tolerances depend on, read from its arguments.</summary>
+public static class SceneSizes
+{
+    private const double DefaultAllowedPenetration = 0.05;
+
+    public static bool MayTouch(SceneFile file) => file.Geoms.Count > 1;
+
+    public static double AllowedPenetration(SceneFile file)
+    {
+        JsonElement value = Json.Optional(Json.Optional(file.Root, "settings"), "allowedPenetration");
+        return value.ValueKind == JsonValueKind.Number ? value.GetDouble() : DefaultAllowedPenetration;
+    }
+
+    public static double SmallestHalfWidth(SceneFile file)
+        => file.Geoms.Select(g => HalfWidth(file, g)).Where(w => w > 0).DefaultIfEmpty(double.PositiveInfinity).Min();
+
+    /// <summary>How far a polygon of a circle's edges stays inside the circle.</summary>
+    public static double Sagitta(MadeObject geom)
+    {
+        JsonElement radius = Json.Optional(geom.Args, "radius");
+        JsonElement edges = Json.Optional(geom.Args, "numberOfEdges");
+        return radius.ValueKind == JsonValueKind.Number && edges.ValueKind == JsonValueKind.Number
+            ? radius.GetDouble() * (1 - Math.Cos(Math.PI / edges.GetDouble()))
+            : 0;
+    }
+
+    private static double HalfWidth(SceneFile file, MadeObject geom)
+    {
+        double Argument(string name) => Json.Optional(geom.Args, name) is { ValueKind: JsonValueKind.Number } e ? e.GetDouble() : double.PositiveInfinity;
+        double width = Math.Min(Argument("radius"), Math.Min(Argument("width"), Argument("height")) / 2);
+        if (double.IsFinite(width))
+        {
+            return width;
+        }
+
+        JsonElement named = Json.Optional(geom.Args, "vertices");
+        JsonElement points = named.ValueKind == JsonValueKind.String ? Json.Optional(Json.Optional(file.Root, "vertices"), named.GetString()!) : named;
+        if (points.ValueKind != JsonValueKind.Array || points.GetArrayLength() == 0)
+        {
+            return 0;
+        }
+
+        double Extent(int axis) => points.EnumerateArray().Max(p => p[axis].GetDouble()) - points.EnumerateArray().Min(p => p[axis].GetDouble());
+        return Math.Min(Extent(0), Extent(1)) / 2;
+    }
+}

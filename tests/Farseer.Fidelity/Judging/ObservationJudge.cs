@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using System.Text.Json;
+using Farseer.Fidelity.Scenes;
+
+namespace Farseer.Fidelity.Judging;
+
+/// <summary>
+/// Judges the values observed with every row. What counts (numbers of things, flags, names) must be
+/// that of the same sample or of a neighbour, for a change may fall on the other side of a sample;
+/// what measures may be off by the spread between iteration counts, by the integrator's error (see
+/// <see cref="Discretisation"/>) and by rounding. Of the contact pairs, the pairs are compared and not
+/// the numbers of their contacts: those are the original's vertices.
+/// </summary>
+public static class ObservationJudge
+{
+    public static IEnumerable<Check> Judge(SceneFile file, int iterations, Recording ours)
+    {
+        foreach ((string expression, JsonElement[] expected) in file.Recordings[iterations].Observed)
+        {
+            JsonElement[] got = ours.Observed[expression];
+            if (expression == "simulator.ContactPairs")
+            {
+                yield return Counted(expression, expected.Select(Pairs).ToArray(), got.Select(Pairs).ToArray(), file);
+            }
+            else if (expected.All(IsCount))
+            {
+                yield return Counted(expression, expected.Select(e => new[] { e.ToString() }).ToArray(), got.Select(e => new[] { e.ToString() }).ToArray(), file);
+            }
+            else
+            {
+                yield return Measured(file, iterations, expression, expected, got);
+            }
+        }
+    }
+
+    private static bool IsCount(JsonElement value) => value.ValueKind switch
+    {
+        JsonValueKind.Number => value.TryGetInt32(out _),
+        JsonValueKind.Array => value.GetArrayLength() == 0,
+        _ => true,
+    };
+
+    private static string[] Pairs(JsonElement value) => value.EnumerateArray().Select(p => p.GetString()!.Split(':')[0]).ToArray();
+
+    private static Check Counted(string what, string[][] expected, string[][] got, SceneFile file)
+    {
+        for (int k = 0; k < expected.Length; k++)
+        {
+            string[][] near = expected[Math.Max(0, k - 1)..Math.Min(expected.Length, k + 2)];
+            string[] unknown = got[k].Except(near.SelectMany(n => n)).ToArray();
+            string[] lost = near.Aggregate((a, b) => a.Intersect(b).ToArray()).Except(got[k]).ToArray();
+            if (unknown.Length + lost.Length > 0)
+            {
+                string update = file.SampleSteps[k].ToString(CultureInfo.InvariantCulture);
+                return Check.Of(what, $"after {update} [{string.Join(", ", got[k])}], in the original [{string.Join(", ", expected[k])}]");
+            }
+        }
+
+        return Check.Of(what, null);
+    }
+
+    private static Check Measured(SceneFile file, int iterations, string what, JsonElement[] expected, JsonElement[] got)
+    {
+        double magnitude = expected.Select(ValueComparer.Magnitude).Max();
+        double limit = FloatTolerance.Ulp(magnitude) * (2 + Math.Sqrt(file.Steps));
+        foreach (Recording other in file.Recordings.Values)
+        {
+            limit = Math.Max(limit, other.Observed[what].Zip(expected, ValueComparer.Difference).Max());
+        }
+
+        if (what.EndsWith("Rotation", StringComparison.Ordinal))
+        {
+            limit += file.Refined?.FromRecorded.Rotation ?? 0;
+        }
+
+        if (expected.All(e => e.ValueKind == JsonValueKind.Number))
+        {
+            double[] values = expected.Select(e => e.GetDouble()).ToArray();
+            for (int k = 2; k < values.Length; k++)
+            {
+                double updates = file.SampleSteps[k] - file.SampleSteps[k - 1];
+                limit += Math.Abs(values[k] - (2 * values[k - 1]) + values[k - 2]) / updates / 2;
+            }
+        }
+
+        Worst worst = new();
+        for (int k = 0; k < expected.Length; k++)
+        {
+            worst.Take(ValueComparer.Difference(expected[k], got[k]), limit, "after " + file.SampleSteps[k].ToString(CultureInfo.InvariantCulture));
+        }
+
+        return worst.ToCheck(what);
+    }
+}

@@ -1,0 +1,69 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.Json;
+using Farseer.Fidelity.Running;
+using Farseer.Fidelity.Scenes;
+
+namespace Farseer.Fidelity.Judging;
+
+/// <summary>Judges the answers to queries and the masses and inertias: equal up to rounding.</summary>
+public static class QueryJudge
+{
+    /// <summary>A query is a short chain of single-precision operations; each may round by an ulp of the largest number in it.</summary>
+    private const double Operations = 16;
+
+    private static readonly double Ulp = Math.Pow(2, -23);
+
+    public static IEnumerable<Check> Queries(SceneFile file, int iterations, Recording ours)
+    {
+        IReadOnlyList<JsonElement> expected = file.Recordings[iterations].QueryResults;
+        if (expected.Count == 0)
+        {
+            return [];
+        }
+
+        Difference moved = RowJudge.LargestLimits(file, iterations);
+        Worst worst = new();
+        for (int i = 0; i < expected.Count; i++)
+        {
+            SceneQuery query = file.Queries[i];
+            double magnitude = query.Args.Select(ValueComparer.Magnitude).Append(ValueComparer.Magnitude(expected[i])).Max();
+
+            // What is asked after some steps is asked of bodies that may be off by the limits of the trajectory.
+            bool inMotion = query.AfterStep > 0 && (moved.Position > 0 || moved.Rotation > 0);
+            double travelled = inMotion
+                ? Math.Max(moved.Position, moved.LinearVelocity) + ((moved.Rotation + moved.AngularVelocity) * magnitude) + (moved.Position * SpinOf(file, iterations))
+                : 0;
+            double error = ValueComparer.Difference(expected[i], ours.QueryResults[i]);
+            worst.Take(error, (Operations * Ulp * magnitude) + travelled, query + ": expected " + expected[i] + ", got " + ours.QueryResults[i]);
+        }
+
+        Check check = worst.ToCheck("queries");
+        return [check.Passed ? check with { Where = string.Empty } : check];
+    }
+
+    public static IEnumerable<Check> MassProperties(SceneFile file, RunResult run, Func<string, string, double?>? closedForm)
+    {
+        Worst worst = new();
+        bool any = false;
+        foreach (JsonProperty body in Json.Members(file.Root, "massProperties"))
+        {
+            double[] got = run.MassProperties[body.Name];
+            int i = 0;
+            foreach (JsonProperty property in body.Value.EnumerateObject())
+            {
+                double expected = closedForm?.Invoke(body.Name, property.Name) ?? property.Value.GetDouble();
+                worst.Take(Math.Abs(got[i] - expected), Operations * Ulp * Math.Abs(expected), $"{body.Name}.{property.Name}: expected {expected:g9}, got {got[i]:g9}");
+                i++;
+                any = true;
+            }
+        }
+
+        Check check = worst.ToCheck("massProperties");
+        return any ? [check.Passed ? check with { Where = string.Empty } : check] : [];
+    }
+
+    private static double SpinOf(SceneFile file, int iterations)
+        => file.Recordings[iterations].Rows.Values.SelectMany(r => r).Select(r => Math.Abs(r.AngularVelocity)).DefaultIfEmpty(0).Max();
+}

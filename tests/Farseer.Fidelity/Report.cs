@@ -1,0 +1,62 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Farseer.Fidelity.Judging;
+
+namespace Farseer.Fidelity;
+
+/// <summary>Prints the verdicts: one line a scene, its checks under it where they failed or were asked for, and the sum.</summary>
+public sealed class Report
+{
+    private const string Rules = """
+        Limits. Trajectories: against `refined` at most the original's own error at its own settings
+        (differenceFromRecorded); scenes without it: against the recording within the spread between 5 and
+        100 iterations plus the error of its first-order integrator (dt/2 times the variation of the
+        velocity, dt times its jumps). Both plus rounding ((2 + sqrt(steps)) ulps) and, where bodies may
+        touch, AllowedPenetration on positions. Beside an impact a velocity may be any between the rows
+        around it. Events: same kinds, pairs and order, shifted by 2 updates plus the time to cross
+        AllowedPenetration and the circle's sagitta. Not compared: number, place and depth of contacts.
+        """;
+
+    private readonly TextWriter _output;
+    private readonly bool _verbose;
+    private readonly List<Verdict> _verdicts = [];
+
+    public Report(TextWriter output, bool verbose)
+    {
+        _output = output;
+        _verbose = verbose;
+    }
+
+    public bool AnyFailed => _verdicts.Any(v => v.Outcome == Outcome.Fail);
+
+    public void Begin()
+    {
+        _output.WriteLine(Rules);
+        _output.WriteLine();
+    }
+
+    public void Add(Verdict verdict)
+    {
+        _verdicts.Add(verdict);
+        string reason = verdict.Reason.Length == 0 ? string.Empty : "  (" + verdict.Reason + ")";
+        _output.WriteLine(Word(verdict.Outcome) + " " + verdict.Scene + reason);
+        foreach (Check check in verdict.Checks.Where(c => _verbose || !c.Passed || c.Limit > 0))
+        {
+            _output.WriteLine((check.Passed ? "       " : "     ! ") + check);
+        }
+    }
+
+    /// <summary>The last line, which a program may read.</summary>
+    public void End()
+        => _output.WriteLine($"{Count(Outcome.Pass)} passed, {Count(Outcome.Fail)} failed, {Count(Outcome.Skip)} skipped");
+
+    private int Count(Outcome outcome) => _verdicts.Count(v => v.Outcome == outcome);
+
+    private static string Word(Outcome outcome) => outcome switch
+    {
+        Outcome.Pass => "PASS",
+        Outcome.Fail => "FAIL",
+        _ => "SKIP",
+    };
+}

@@ -1,0 +1,145 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+
+namespace Farseer.Fidelity.Scenes;
+
+/// <summary>One scene file, read whole: how to build and step it, and what the original did with it.</summary>
+public sealed class SceneFile
+{
+    private SceneFile(string path, JsonElement root)
+    {
+        Path = path;
+        Root = root;
+    }
+
+    public string Path { get; }
+
+    public JsonElement Root { get; }
+
+    public string Name { get; private init; } = string.Empty;
+
+    public string Category { get; private init; } = string.Empty;
+
+    public string? Quirk { get; private init; }
+
+    public JsonElement Gravity { get; private init; }
+
+    public float Dt { get; private init; }
+
+    public int Steps { get; private init; }
+
+    public int[] Iterations { get; private init; } = [];
+
+    public int[] SampleSteps { get; private init; } = [];
+
+    public IReadOnlyList<MadeObject> Bodies { get; private init; } = [];
+
+    public IReadOnlyList<MadeObject> Geoms { get; private init; } = [];
+
+    public IReadOnlyList<MadeObject> Joints { get; private init; } = [];
+
+    public IReadOnlyList<MadeObject> Springs { get; private init; } = [];
+
+    public IReadOnlyList<SceneAction> Actions { get; private init; } = [];
+
+    public IReadOnlyList<SceneQuery> Queries { get; private init; } = [];
+
+    public IReadOnlyList<string> Observe { get; private init; } = [];
+
+    public Difference? Spread { get; private init; }
+
+    /// <summary>By how much a tiny displacement of the start grows; at least 1.</summary>
+    public double Growth { get; private init; } = 1;
+
+    public Refined? Refined { get; private init; }
+
+    /// <summary>By iteration count.</summary>
+    public IReadOnlyDictionary<int, Recording> Recordings { get; private init; } = new Dictionary<int, Recording>();
+
+    /// <summary>Reads every scene of a folder, in the order of their names.</summary>
+    public static IReadOnlyList<SceneFile> ReadFolder(string folder)
+    {
+        if (!Directory.Exists(folder))
+        {
+            throw new BadSceneException($"There is no folder '{folder}'.");
+        }
+
+        string[] paths = Directory.GetFiles(folder, "*.json");
+        if (paths.Length == 0)
+        {
+            throw new BadSceneException($"The folder '{folder}' has no scene file (*.json).");
+        }
+
+        Array.Sort(paths, StringComparer.Ordinal);
+        return paths.Select(Read).ToList();
+    }
+
+    public static SceneFile Read(string path)
+    {
+        try
+        {
+            using FileStream stream = File.OpenRead(path);
+            using JsonDocument document = JsonDocument.Parse(stream);
+            return Parse(path, document.RootElement.Clone());
+        }
+        catch (Exception e) when (e is JsonException or InvalidOperationException or FormatException or KeyNotFoundException or IOException or UnauthorizedAccessException)
+        {
+            throw new BadSceneException($"{System.IO.Path.GetFileName(path)}: {e.Message.ReplaceLineEndings(" ")}");
+        }
+        catch (BadSceneException e)
+        {
+            throw new BadSceneException($"{System.IO.Path.GetFileName(path)}: {e.Message}");
+        }
+    }
+
+    private static SceneFile Parse(string path, JsonElement root)
+    {
+        if (root.ValueKind != JsonValueKind.Object)
+        {
+            throw new BadSceneException("a scene is a JSON object.");
+        }
+
+        int steps = Json.Required(root, "steps").GetInt32();
+        float dt = Json.Required(root, "dt").GetSingle();
+        if (steps < 0 || !float.IsFinite(dt) || dt <= 0)
+        {
+            throw new BadSceneException($"steps {steps} and dt {dt} must be at least 0 and above 0.");
+        }
+
+        int[] sampleSteps = Json.Items(root, "sampleSteps").Select(e => e.GetInt32()).ToArray();
+        int[] iterations = Json.Items(root, "iterations").Select(e => e.GetInt32()).ToArray();
+        if (iterations.Length == 0)
+        {
+            throw new BadSceneException("'iterations' is missing or empty.");
+        }
+
+        JsonElement spread = Json.Optional(root, "spread");
+        JsonElement between = Json.Optional(spread, "between5And100Iterations");
+        JsonElement perturbed = Json.Optional(spread, "underTinyPerturbation");
+        return new SceneFile(path, root)
+        {
+            Name = Json.Text(root, "name"),
+            Category = Json.Text(root, "category"),
+            Quirk = Json.OptionalText(root, "quirk"),
+            Gravity = Json.Required(root, "gravity"),
+            Dt = dt,
+            Steps = steps,
+            Iterations = iterations,
+            SampleSteps = sampleSteps,
+            Bodies = Json.Items(root, "bodies").Select(SceneParts.ReadObject).ToList(),
+            Geoms = Json.Items(root, "geoms").Select(SceneParts.ReadObject).ToList(),
+            Joints = Json.Items(root, "joints").Select(SceneParts.ReadObject).ToList(),
+            Springs = Json.Items(root, "springs").Select(SceneParts.ReadObject).ToList(),
+            Actions = Json.Items(root, "actions").Select(SceneParts.ReadAction).ToList(),
+            Queries = Json.Items(root, "queries").Select(SceneParts.ReadQuery).ToList(),
+            Observe = Json.Items(root, "observe").Select(e => e.GetString()!).ToList(),
+            Spread = between.ValueKind == JsonValueKind.Object ? SceneParts.ReadDifference(between) : null,
+            Growth = perturbed.ValueKind == JsonValueKind.Object ? SceneParts.ReadGrowth(perturbed) : 1,
+            Refined = SceneParts.ReadRefined(Json.Optional(root, "refined"), sampleSteps.Length),
+            Recordings = iterations.ToDictionary(n => n, n => SceneParts.ReadRecording(root, n, sampleSteps.Length)),
+        };
+    }
+}
