@@ -1,1 +1,4 @@
-return 0;
+using System;
+using Farseer.Accuracy;
+
+return Cli.Run(args, Console.Out, Console.Error);

@@ -1,0 +1,108 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+
+namespace Farseer.Accuracy;
+
+/// <summary>The command line: runs scenes, lists them, or prints the table of goals.</summary>
+internal static class Cli
+{
+    private const int Failed = 1;
+    private const int Misused = 2;
+
+    private const string Help = """
+        Accuracy of the simulator against closed forms and exact statics.
+
+          --scene NAME=P        a scene and its parameter; may be repeated
+          --iterations N[,N..]  values of PhysicsSimulator.Iterations (default 5)
+          --dt S[,S..]          step lengths, seconds or fractions such as 1/240 (default 1/60)
+          --penetration F       AllowedPenetration as a share of the smallest body extent, 0 to 1e-4 (default 0)
+          --runs N              runs for the clock: the first warms up, the median of the others counts (default 1)
+          --csv FILE            writes the rows to a file too
+          list                  the scenes, their parameters and metrics
+          goals [SCENE..]       the figures at the default dial beside their limits; exit code 1 if one fails
+        """;
+
+    public static int Run(string[] args, TextWriter output, TextWriter errors)
+    {
+        try
+        {
+            if (args.Length == 0 || args[0] is "--help" or "-h" or "help")
+            {
+                output.WriteLine(Help);
+                return 0;
+            }
+
+            switch (args[0])
+            {
+                case "list":
+                    List(output);
+                    return 0;
+                case "goals":
+                    return Goals.Print(args[1..], output) ? 0 : Failed;
+                default:
+                    RunScenes(Options.Parse(args), output);
+                    return 0;
+            }
+        }
+        catch (UsageException mistake)
+        {
+            errors.WriteLine(mistake.Message);
+            return Misused;
+        }
+    }
+
+    /// <summary>What every run states before its figures.</summary>
+    public static string Settings(double penetrationShare) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"settings: AllowedPenetration = {penetrationShare:G3} of the smallest body extent; drag coefficients 0; no sleeping; ")
+        + "references at t = steps × the float step that Update receives.";
+
+    private static void List(TextWriter output)
+    {
+        foreach (SceneInfo scene in Catalogue.Scenes)
+        {
+            output.WriteLine($"{scene.Name}=P");
+            output.WriteLine($"    P: {scene.Parameter}, {scene.Range}; usual: {string.Join(' ', scene.Usual)}");
+            output.WriteLine($"    metrics: {string.Join(' ', scene.Metrics)}");
+        }
+    }
+
+    private static void RunScenes(Options options, TextWriter output)
+    {
+        using StreamWriter? csv = OpenCsv(options.CsvPath);
+        csv?.WriteLine(Row.CsvHeader);
+        output.WriteLine(Settings(options.PenetrationShare));
+        output.WriteLine($"{"scene",-26} {"iterations",10} {"dt",10} {"metric",-27} {"value",13} {"ns/body-step",13}  note");
+        foreach (SceneChoice choice in options.Scenes)
+        {
+            foreach (double dt in options.Dts)
+            {
+                foreach (int iterations in options.Iterations)
+                {
+                    List<Row> rows = Runner.Run(choice, new Dial(iterations, dt, options.PenetrationShare), options.Runs);
+                    foreach (Row row in rows)
+                    {
+                        output.WriteLine(string.Create(
+                            CultureInfo.InvariantCulture,
+                            $"{row.Scene,-26} {row.Iterations,10} {row.Dt,10:G6} {row.Metric,-27} {row.Value,13:G6} {row.NanosecondsPerBodyStep,13:G6}  {row.Note}"));
+                        csv?.WriteLine(row.ToCsv());
+                    }
+                }
+            }
+        }
+    }
+
+    private static StreamWriter? OpenCsv(string? path)
+    {
+        try
+        {
+            return path is null ? null : new StreamWriter(path);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw new UsageException($"--csv: {e.Message}");
+        }
+    }
+}

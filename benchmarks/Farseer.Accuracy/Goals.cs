@@ -1,0 +1,187 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+
+namespace Farseer.Accuracy;
+
+/// <summary>The accuracy that the project promises at the default dial, checked by running.</summary>
+internal static class Goals
+{
+    private static readonly int[] _dialSweep = [4, 8, 16, 32];
+
+    private static readonly (string Scene, string Metric, double Limit)[] _limits =
+    [
+        ("S01_free_flight=10", "pos_error_m", 1e-6),
+        ("S01b_linear_drag=2", "vel_rel_error", 1e-5),
+        ("S01b_linear_drag=2", "dist_rel_error", 1e-5),
+        ("S02_spin=10", "angle_error_rad", 1e-4),
+        ("S02_spin=50", "angle_error_rad", 1e-4),
+        ("S02_spin=50", "omega_rel_error", 1e-6),
+        ("S04_pair=0.5", "momentum_rel_error", 1e-6),
+        ("S04_pair=0.5", "sep_speed_rel_error", 1e-6),
+        ("S04_pair=0.5", "ke_rel_error", 1e-6),
+        ("S04_pair=1", "momentum_rel_error", 1e-6),
+        ("S04_pair=1", "sep_speed_rel_error", 1e-6),
+        ("S04_pair=1", "ke_rel_error", 1e-6),
+        ("S04_pair=31", "momentum_rel_error", 1e-6),
+        ("S04_pair=31", "sep_speed_rel_error", 1e-6),
+        ("S04_pair=31", "ke_rel_error", 1e-6),
+        ("S05_friction_slide=0.3", "dist_rel_error", 3e-4),
+        ("S06_incline=0.5", "threshold_error_deg", 0.01),
+        ("S15_stack=10", "height_error_pct_of_box", 0.1),
+        ("S15_stack=20", "height_error_pct_of_box", 0.4),
+        ("S15_stack=40", "height_error_pct_of_box", 2),
+        ("S16_pyramid=20", "max_displacement_mm", 10),
+        ("S16_pyramid=20", "rms_speed_mmps", 1),
+        ("S17_mass_ratio=100", "height_error_mm", 2),
+        ("S17_mass_ratio=1000", "height_error_mm", 20),
+        ("S18_arch=1", "max_displacement_mm", 8),
+        ("S18b_cards=20", "max_displacement_mm", 0.5),
+
+        // "No pop" to the rounding of a float at 0.5 m, 6e-8 m, with room for the last bit.
+        ("S19_overlap=0.5", "pop_height_mm", 1e-4),
+        ("S19b_overlap_stack=0.25", "top_overshoot_m", 0.02),
+    ];
+
+    private static readonly (string Scene, string Metric)[] _noFloor =
+    [
+        ("S15_stack=20", "height_error_pct_of_box"),
+        ("S16_pyramid=10", "max_displacement_mm"),
+        ("S17_mass_ratio=100", "height_error_mm"),
+    ];
+
+    /// <summary>Prints the table; true if every row passes.</summary>
+    /// <param name="only">Names of scenes, full or short; empty for all.</param>
+    /// <param name="output">Where the table goes.</param>
+    public static bool Print(string[] only, TextWriter output)
+    {
+        foreach (string name in only)
+        {
+            if (Catalogue.Find(name) is null)
+            {
+                throw new UsageException($"no scene is called '{name}'; see 'list'.");
+            }
+        }
+
+        var table = new Table(only, output);
+        output.WriteLine(Cli.Settings(0));
+        output.WriteLine($"{"scene",-38} {"metric",-27} {"value",13} {"limit",13}  result");
+        foreach ((string scene, string metric, double limit) in _limits)
+        {
+            if (table.Wants(scene))
+            {
+                table.Check(scene, metric, table.Value(scene, metric), limit);
+            }
+        }
+
+        CheckFarStack(table);
+        CheckSizes(table);
+        foreach ((string scene, string metric) in _noFloor)
+        {
+            CheckNoFloor(table, scene, metric);
+        }
+
+        output.WriteLine($"{table.Passed} passed, {table.FailedCount} failed");
+        return table.FailedCount == 0;
+    }
+
+    /// <summary>A million metres out, each figure of the stack is at most 1.1 times that at the origin.</summary>
+    private static void CheckFarStack(Table table)
+    {
+        const string Far = "S22_far_stack=1e6";
+        if (!table.Wants(Far))
+        {
+            return;
+        }
+
+        foreach (string metric in Catalogue.Find("S22_far_stack")!.Metrics)
+        {
+            double near = table.Value("S15_stack=10", metric);
+            double far = table.Value(Far, metric);
+            if (metric == "stood")
+            {
+                table.Check(Far, metric, 1 - far, 1 - near);
+                continue;
+            }
+
+            // A figure of exactly 0 at the origin must not forbid a rounding elsewhere: a double at 1e6 m is 1e-10 m apart, in percent 1e-8.
+            table.Check(Far, metric, far, (1.1 * near) + 1e-7);
+        }
+    }
+
+    private static void CheckSizes(Table table)
+    {
+        const string Metric = "height_error_pct_of_box";
+        foreach (string size in new[] { "0.01", "0.1", "100" })
+        {
+            string scene = $"S23_size={size}";
+            if (table.Wants(scene))
+            {
+                table.Check(scene, Metric, table.Value(scene, Metric), 1.2 * table.Value("S23_size=1", Metric));
+            }
+        }
+    }
+
+    /// <summary>Each doubling of the dial divides the error by 2.5 at least.</summary>
+    private static void CheckNoFloor(Table table, string scene, string metric)
+    {
+        if (!table.Wants(scene))
+        {
+            return;
+        }
+
+        for (int i = 1; i < _dialSweep.Length; i++)
+        {
+            double coarse = table.Value(scene, metric, _dialSweep[i - 1]);
+            double fine = table.Value(scene, metric, _dialSweep[i]);
+            table.Check($"{scene} iterations {_dialSweep[i - 1]}->{_dialSweep[i]}", metric, fine, coarse / 2.5);
+        }
+    }
+
+    private sealed class Table
+    {
+        private readonly List<SceneInfo> _only = [];
+        private readonly Dictionary<string, List<Row>> _done = [];
+        private readonly TextWriter _output;
+
+        public Table(string[] only, TextWriter output)
+        {
+            foreach (string name in only)
+            {
+                _only.Add(Catalogue.Find(name)!);
+            }
+
+            _output = output;
+        }
+
+        public int Passed { get; private set; }
+
+        public int FailedCount { get; private set; }
+
+        public bool Wants(string scene) => _only.Count == 0 || _only.Contains(Options.ParseScene(scene).Scene);
+
+        public double Value(string scene, string metric, int iterations = Options.DefaultIterations)
+        {
+            string key = $"{scene} {iterations}";
+            if (!_done.TryGetValue(key, out List<Row>? rows))
+            {
+                rows = Runner.Run(Options.ParseScene(scene), new Dial(iterations, Options.DefaultDt, 0), 1);
+                _done.Add(key, rows);
+            }
+
+            return rows.Find(row => row.Metric == metric)!.Value;
+        }
+
+        public void Check(string scene, string metric, double value, double limit)
+        {
+            bool passes = value <= limit && value < Runner.Exploded;
+            Passed += passes ? 1 : 0;
+            FailedCount += passes ? 0 : 1;
+            _output.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{scene,-38} {metric,-27} {value,13:G6} {limit,13:G6}  {(passes ? "PASS" : "FAIL")}"));
+            _output.Flush();
+        }
+    }
+}

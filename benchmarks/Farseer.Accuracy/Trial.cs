@@ -1,0 +1,58 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+
+namespace Farseer.Accuracy;
+
+/// <summary>The settings of a run.</summary>
+/// <param name="Iterations">The accuracy dial of the simulator.</param>
+/// <param name="Dt">Step length asked for, seconds.</param>
+/// <param name="PenetrationShare"><c>AllowedPenetration</c> as a share of the smallest body extent of the scene.</param>
+internal readonly record struct Dial(int Iterations, double Dt, double PenetrationShare);
+
+/// <summary>A coordinate is not finite or beyond 3·10⁷, or the engine has put a body out of action.</summary>
+internal sealed class ExplodedException : Exception
+{
+}
+
+/// <summary>One run of one scene: makes its worlds, collects its metrics and its cost.</summary>
+internal sealed class Trial
+{
+    private readonly List<(string Name, double Value)> _metrics = [];
+    private long _ticks;
+    private double _bodySteps;
+
+    public Trial(double parameter, Dial dial)
+    {
+        Parameter = parameter;
+        Dial = dial;
+    }
+
+    public double Parameter { get; }
+
+    public Dial Dial { get; }
+
+    public IReadOnlyList<(string Name, double Value)> Metrics => _metrics;
+
+    public double NanosecondsPerBodyStep => _bodySteps == 0 ? 0 : 1e9 * _ticks / Stopwatch.Frequency / _bodySteps;
+
+    public void Record(string metric, double value) => _metrics.Add((metric, value));
+
+    /// <summary>Builds and plays a world and books its cost.</summary>
+    /// <param name="play">Fills the world and runs it.</param>
+    /// <param name="gravity">Acceleration downwards.</param>
+    /// <param name="bodySize">The smallest extent of a body in it.</param>
+    public void World(Action<Rig> play, double gravity = 10, double bodySize = 1)
+    {
+        using var rig = new Rig(Dial, gravity, bodySize);
+        try
+        {
+            play(rig);
+        }
+        finally
+        {
+            _ticks += rig.Ticks;
+            _bodySteps += rig.BodySteps;
+        }
+    }
+}
