@@ -1,56 +1,8 @@
 using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using Farseer.Fidelity.Judging;
-using Farseer.Fidelity.Scenes;
 
 namespace Farseer.Fidelity;
 
-/// <summary>Exit code 0: no scene failed; 1: one failed; 2: the input cannot be used.</summary>
 public static class Program
 {
-    public static int Main(string[] args) => Run(args, Console.Out, Console.Error);
-
-    public static int Run(string[] args, TextWriter output, TextWriter error)
-    {
-        try
-        {
-            Options options = Options.Parse(args);
-            IReadOnlyList<SceneFile> scenes = Chosen(options);
-            if (options.List)
-            {
-                foreach (SceneFile scene in scenes)
-                {
-                    output.WriteLine(scene.Category + " " + scene.Name);
-                }
-
-                return 0;
-            }
-
-            Report report = new(output, options.Verbose);
-            report.Begin();
-            foreach (SceneFile scene in scenes)
-            {
-                report.Add(SceneJudge.Judge(scene));
-            }
-
-            report.End();
-            return report.AnyFailed ? 1 : 0;
-        }
-        catch (BadSceneException e)
-        {
-            error.WriteLine(e.Message);
-            return 2;
-        }
-    }
-
-    private static IReadOnlyList<SceneFile> Chosen(Options options)
-    {
-        List<SceneFile> scenes = SceneFile.ReadFolder(options.Folder)
-            .Where(s => options.Categories.Count == 0 || options.Categories.Contains(s.Category))
-            .Where(s => options.Scene is null || s.Name == options.Scene)
-            .ToList();
-        return scenes.Count > 0 ? scenes : throw new BadSceneException($"No scene of '{options.Folder}' is of that name or category.");
-    }
+    public static int Main(string[] args) => FolderRun.Run(args, Console.Out, Console.Error);
 }

@@ -12,6 +12,21 @@ public static class Quirks
 {
     private static readonly Dictionary<string, string[]> FlagsByScene = new(StringComparer.Ordinal)
     {
+        ["collision_category"] = ["OneSidedCategoryFilter"],
+        ["friction_changed_in_contact"] = ["PairFrictionFrozen"],
+        ["geom_rotation_offset"] = ["OffsetTurnedByRotationOffset"],
+
+        // No quirk text of its own, but its events hold the separations of boxes that only overlap.
+        ["head_on_equal"] = ["SeparationWithoutContact"],
+        ["head_on_unequal"] = ["SeparationWithoutContact"],
+        ["impulses"] = ["ImpulseDividedByMassTwice"],
+        ["moi_factories"] = ["EllipseInertiaFromRectangle", "PolygonInertiaUnsigned"],
+        ["oncollision_false"] = ["SeparationWithoutContact"],
+        ["onseparation"] = ["SeparationWithoutContact"],
+        ["remove_geom"] = ["NoSeparationOnRemoval"],
+        ["rotation_set"] = ["RotationSetAddsRevolutions"],
+        ["sensor"] = ["SensorMakesBodyStatic", "SeparationWithoutContact"],
+        ["simulator_paused"] = ["ForcesAccumulateWhilePaused"],
     };
 
     private static Type? EnumType => Facade.FindType("Farseer201Quirks");

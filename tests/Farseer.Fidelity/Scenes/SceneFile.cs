@@ -116,6 +116,12 @@ public sealed class SceneFile
             throw new BadSceneException("'iterations' is missing or empty.");
         }
 
+        JsonElement gravity = Json.Required(root, "gravity");
+        if (gravity.ValueKind != JsonValueKind.Array || gravity.GetArrayLength() != 2 || gravity.EnumerateArray().Any(e => e.ValueKind != JsonValueKind.Number))
+        {
+            throw new BadSceneException($"'gravity' must be two numbers, not {gravity}.");
+        }
+
         JsonElement spread = Json.Optional(root, "spread");
         JsonElement between = Json.Optional(spread, "between5And100Iterations");
         JsonElement perturbed = Json.Optional(spread, "underTinyPerturbation");
@@ -124,7 +130,7 @@ public sealed class SceneFile
             Name = Json.Text(root, "name"),
             Category = Json.Text(root, "category"),
             Quirk = Json.OptionalText(root, "quirk"),
-            Gravity = Json.Required(root, "gravity"),
+            Gravity = gravity,
             Dt = dt,
             Steps = steps,
             Iterations = iterations,

@@ -1,0 +1,76 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Farseer.Fidelity.Judging;
+using Farseer.Fidelity.Scenes;
+using Xunit;
+
+namespace Farseer.Tests.Fidelity;
+
+/// <summary>The judge itself: it must accept the original and refuse what is wrong.</summary>
+public sealed class JudgeTests
+{
+    public static TheoryData<string> AllScenes => new(ReferenceData.Scenes.Select(s => s.Name));
+
+    public static TheoryData<string> MovingScenes => new(ReferenceData.Scenes.Where(s => s.SampleSteps.Length > 1 && s.Recordings[5].Rows.Count > 0).Select(s => s.Name));
+
+    [Theory]
+    [MemberData(nameof(AllScenes))]
+    public void Judge_OriginalAtFiveIterations_Passes(string name)
+    {
+        SceneFile scene = ReferenceData.Scene(name);
+        Recording original = scene.Recordings[5];
+
+        IEnumerable<Check> checks = RowJudge.Judge(scene, 5, original, null)
+            .Concat(EventJudge.Judge(scene, 5, original))
+            .Concat(ObservationJudge.Judge(scene, 5, original))
+            .Concat(QueryJudge.Queries(scene, 5, original));
+
+        Assert.All(checks, c => Assert.True(c.Passed, c.ToString()));
+    }
+
+    [Theory]
+    [MemberData(nameof(MovingScenes))]
+    public void Judge_BodyMovedByThreeLimits_Fails(string name)
+    {
+        SceneFile scene = ReferenceData.Scene(name);
+        string body = scene.Recordings[5].Rows.Keys.First();
+        double limit = RowJudge.LargestLimits(scene, 5).Position;
+        Recording moved = With(scene.Recordings[5], body, r => r with { X = r.X + (3 * limit) + 1e-6 });
+
+        Assert.Contains(RowJudge.Judge(scene, 5, moved, null), c => c.What == "position" && !c.Passed);
+    }
+
+    [Fact]
+    public void Judge_NotANumber_Fails()
+    {
+        SceneFile scene = ReferenceData.Scene("free_fall");
+        Recording broken = With(scene.Recordings[5], scene.Recordings[5].Rows.Keys.First(), r => r with { VelocityY = double.NaN });
+
+        Assert.Contains(RowJudge.Judge(scene, 5, broken, null), c => c.What == "linearVelocity" && !c.Passed);
+    }
+
+    [Fact]
+    public void Judge_EventMissingExtraLateOrOutOfOrder_Fails()
+    {
+        SceneFile scene = ReferenceData.Scene("remove_geom");
+        Recording original = scene.Recordings[5];
+        IReadOnlyList<SceneEvent> events = original.Events!;
+        SceneEvent late = events[0] with { Runs = [(events[0].Runs[0].First + 20, events[0].Runs[0].Last)] };
+        SceneEvent extra = events[0] with { Type = "OnSeparation" };
+
+        Assert.True(Passes(scene, original with { Events = events }));
+        Assert.False(Passes(scene, original with { Events = events.Skip(1).ToList() }));
+        Assert.False(Passes(scene, original with { Events = events.Append(extra).ToList() }));
+        Assert.False(Passes(scene, original with { Events = events.Skip(1).Prepend(late).ToList() }));
+        Assert.False(Passes(scene, original with { Events = events.Reverse().ToList() }));
+    }
+
+    private static bool Passes(SceneFile scene, Recording recording) => EventJudge.Judge(scene, 5, recording).All(c => c.Passed);
+
+    private static Recording With(Recording recording, string body, Func<Row, Row> change)
+    {
+        Dictionary<string, Row[]> rows = recording.Rows.ToDictionary(p => p.Key, p => p.Key == body ? p.Value.Select(change).ToArray() : p.Value);
+        return recording with { Rows = rows };
+    }
+}

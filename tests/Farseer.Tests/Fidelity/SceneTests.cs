@@ -1,0 +1,74 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Farseer.Fidelity.Judging;
+using Farseer.Fidelity.Scenes;
+using Xunit;
+
+namespace Farseer.Tests.Fidelity;
+
+/// <summary>Every reference scene, run through the public API and judged as the fidelity runner judges it.</summary>
+public sealed class SceneTests
+{
+    /// <summary>The scenes that need a part that is not built yet, with that part.</summary>
+    private static readonly Dictionary<string, string> NotBuiltYet = new(StringComparer.Ordinal)
+    {
+        ["chain_pin"] = "ComplexFactory",
+        ["chain_revolute"] = "ComplexFactory",
+        ["fluid_circle"] = "FluidDragController",
+        ["inactivity"] = "InactivityController",
+        ["joint_angle"] = "JointFactory",
+        ["joint_angle_limit"] = "JointFactory",
+        ["joint_break"] = "JointFactory",
+        ["joint_fixed_angle"] = "JointFactory",
+        ["joint_fixed_angle_limit"] = "JointFactory",
+        ["joint_fixed_revolute_pendulum"] = "JointFactory",
+        ["joint_pin"] = "JointFactory",
+        ["joint_revolute"] = "JointFactory",
+        ["joint_revolute_free"] = "JointFactory",
+        ["joint_slider"] = "JointFactory",
+        ["joint_softness"] = "JointFactory",
+        ["spring_angle"] = "SpringFactory",
+        ["spring_break"] = "SpringFactory",
+        ["spring_fixed_angle"] = "SpringFactory",
+        ["spring_fixed_linear"] = "SpringFactory",
+        ["spring_linear"] = "SpringFactory",
+        ["track"] = "ComplexFactory",
+        ["wave"] = "WaveController",
+    };
+
+    public static TheoryData<string> BuiltScenes => new(ReferenceData.Scenes.Select(s => s.Name).Where(n => !NotBuiltYet.ContainsKey(n)));
+
+    [Theory]
+    [MemberData(nameof(BuiltScenes))]
+    public void Scene_RunThroughTheApi_MeetsItsReference(string name)
+    {
+        Verdict verdict = SceneJudge.Judge(ReferenceData.Scene(name));
+
+        string failed = string.Join(Environment.NewLine, verdict.Checks.Where(c => !c.Passed));
+        Assert.True(verdict.Outcome == Outcome.Pass, $"{verdict.Outcome} {verdict.Reason}{Environment.NewLine}{failed}");
+    }
+
+    [Fact]
+    public void SkippedScenes_AreThoseThatNeedAPartNotBuiltYet()
+    {
+        List<string> skipped = [];
+        foreach (SceneFile scene in ReferenceData.Scenes.Where(s => NotBuiltYet.ContainsKey(s.Name)))
+        {
+            Verdict verdict = SceneJudge.Judge(scene);
+            if (verdict.Outcome == Outcome.Skip && verdict.Reason.Contains(NotBuiltYet[scene.Name], StringComparison.Ordinal))
+            {
+                skipped.Add(scene.Name);
+            }
+        }
+
+        Assert.Equal(NotBuiltYet.Keys.Order(StringComparer.Ordinal), skipped);
+    }
+
+    [Fact]
+    public void ClosedForms_AreAtMostEight_AndNameScenes()
+    {
+        Assert.InRange(ClosedForms.ByScene.Count, 0, 8);
+        Assert.All(ClosedForms.ByScene.Keys, name => ReferenceData.Scene(name));
+    }
+}
