@@ -1,0 +1,74 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
+
+namespace Farseer.Engine.Tests.NarrowPhase;
+
+/// <summary>Two shapes in a store, posed at will.</summary>
+internal sealed unsafe class PairFixture
+{
+    public PairFixture(ShapeGeometry a, ShapeGeometry b)
+    {
+        Store = new ShapeStore();
+        FirstA = Store.AttachPieces(a, 0, 0, Vector2.Zero, Rotation.Identity);
+        FirstB = Store.AttachPieces(b, 1, 1, Vector2.Zero, Rotation.Identity);
+    }
+
+    public ShapeStore Store { get; }
+
+    public int FirstA { get; }
+
+    public int FirstB { get; }
+
+    public PairFixture Flipped() => new PairFixture(Store, FirstB, FirstA);
+
+    private PairFixture(ShapeStore store, int a, int b)
+    {
+        Store = store;
+        FirstA = a;
+        FirstB = b;
+    }
+
+    public static Rotation Turn(double angle) => new Rotation((float)Math.Cos(angle), (float)Math.Sin(angle));
+
+    public PairInput Input(int a, int b, double angleA, double angleB, Vector2 offset, float margin) => new PairInput
+    {
+        Vertices = Store.Vertices.Pointer,
+        Normals = Store.Normals.Pointer,
+        OutlineBefore = Store.OutlineBefore.Pointer,
+        OutlineAfter = Store.OutlineAfter.Pointer,
+        A = Store.Pieces[a],
+        B = Store.Pieces[b],
+        RotationA = Turn(angleA),
+        RotationB = Turn(angleB),
+        Offset = offset,
+        Margin = margin,
+    };
+
+    public Manifold Collide(double angleA, double angleB, Vector2 offset, float margin)
+    {
+        Collision.Collide(Input(FirstA, FirstB, angleA, angleB, offset, margin), out Manifold manifold);
+        return manifold;
+    }
+
+    /// <summary>Every pair of pieces of the two shapes, in order.</summary>
+    public Manifold[] CollideAll(double angleA, double angleB, Vector2 offset, float margin)
+    {
+        var result = new System.Collections.Generic.List<Manifold>();
+        for (int a = FirstA; a >= 0; a = Store.NextPiece[a])
+        {
+            for (int b = FirstB; b >= 0; b = Store.NextPiece[b])
+            {
+                Collision.Collide(Input(a, b, angleA, angleB, offset, margin), out Manifold manifold);
+                if (manifold.Count > 0)
+                {
+                    result.Add(manifold);
+                }
+            }
+        }
+
+        return result.ToArray();
+    }
+}
