@@ -1,0 +1,46 @@
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.BroadPhase;
+
+/// <summary>Boxes as four arrays for the eight-wide test, with empty boxes behind the last one so that a test may run over the end.</summary>
+internal sealed unsafe class BoxRows
+{
+    private readonly ColumnSet _set = new ColumnSet();
+    private readonly Column<float> _minX;
+    private readonly Column<float> _minY;
+    private readonly Column<float> _maxX;
+    private readonly Column<float> _maxY;
+
+    public BoxRows()
+    {
+        _minX = _set.Add<float>();
+        _minY = _set.Add<float>();
+        _maxX = _set.Add<float>();
+        _maxY = _set.Add<float>();
+        SetCount(0);
+    }
+
+    public int Count { get; private set; }
+
+    /// <summary>Valid until the next <see cref="SetCount"/>.</summary>
+    public WideBoxes Wide { get; private set; }
+
+    /// <summary>Sets the length; old boxes stay, new ones are undefined, the padding is empty.</summary>
+    public void SetCount(int count)
+    {
+        // Twice the width, because a Vector of the netstandard2.0 asset may be wider than eight lanes.
+        _set.EnsureCapacity(count + (2 * WideBoxes.Width));
+        var wide = default(WideBoxes);
+        wide.MinX = _minX.Pointer;
+        wide.MinY = _minY.Pointer;
+        wide.MaxX = _maxX.Pointer;
+        wide.MaxY = _maxY.Pointer;
+        Wide = wide;
+        Count = count;
+        for (int i = count; i < count + (2 * WideBoxes.Width); i++)
+        {
+            wide.SetEmpty(i);
+        }
+    }
+}

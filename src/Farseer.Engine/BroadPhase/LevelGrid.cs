@@ -1,0 +1,241 @@
+using System.Collections.Generic;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.BroadPhase;
+
+/// <summary>
+/// The fastest pair finder: what moves is sorted each time into uniform grids, one a size class (<see cref="GridLevel"/>); what has been
+/// still for a while waits in a packed tree (<see cref="PackedTree"/>), which only moved boxes ask. O(active + pairs), where active are
+/// the boxes that moved lately; a standing world costs a look at its flags. Scale-free: cells are measured in boxes.
+/// </summary>
+/// <remarks>
+/// The larger box of a pair asks the grid of the smaller: few large boxes then cost a few rows of cells each, while the other way
+/// round every small box would ask every coarser grid.
+/// A box is put into the tree when keeping it in the grids has cost as much as rebuilding the tree: at worst twice the cost of knowing
+/// in advance. The rule counts boxes, not time, so runs repeat exactly.
+/// </remarks>
+internal sealed unsafe class LevelGrid : IBroadPhase
+{
+    // Collects without motion after which a box is thought to rest.
+    private const int RestAfter = 16;
+
+    // The cost of building one box into the tree, in boxes sorted into a grid.
+    private const int BuildCost = 4;
+
+    private const int NotInTree = -1;
+
+    private readonly List<GridLevel> _grids = new List<GridLevel>();
+    private readonly SizeLevels _levels = new SizeLevels();
+    private readonly PackedTree _tree = new PackedTree();
+    private readonly IndexList _active = new IndexList();
+    private readonly IndexList _resting = new IndexList();
+    private readonly IndexList _hits = new IndexList();
+    private readonly Column<Residence> _residence = new Column<Residence>(1);
+    private int _known;
+    private long _debt;
+
+    public void Added(ProxyStore proxies, int proxy)
+    {
+        Know(proxy + 1);
+        Leave(proxy);
+    }
+
+    public void Removed(ProxyStore proxies, int proxy)
+    {
+        Know(proxy + 1);
+        Leave(proxy);
+    }
+
+    public void Collect(ProxyStore proxies, PairBuffer pairs)
+    {
+        Know(proxies.End);
+        int seekers = GatherActive(proxies);
+        _debt += _resting.Count;
+        if (_debt > 0 && _debt >= (long)BuildCost * (_tree.Count + _resting.Count))
+        {
+            Settle(proxies);
+        }
+
+        if (seekers == 0)
+        {
+            return;
+        }
+
+        AskTree(proxies, pairs);
+        Box* boxes = proxies.Fat.Pointer;
+        _levels.Assign(boxes, _active.Pointer, _active.Count);
+        while (_grids.Count < _levels.Count)
+        {
+            _grids.Add(new GridLevel());
+        }
+
+        for (int l = 0; l < _levels.Count; l++)
+        {
+            _grids[l].Build(proxies, _levels.Members(l), _levels.Size(l), _levels.MaxSize(l));
+        }
+
+        for (int coarse = 0; coarse < _levels.Count; coarse++)
+        {
+            GridLevel grid = _grids[coarse];
+            if (grid.Seekers > 0)
+            {
+                grid.CollectWithin(pairs);
+            }
+
+            for (int fine = 0; fine < coarse; fine++)
+            {
+                AskFiner(grid, _grids[fine], pairs);
+            }
+        }
+    }
+
+    private static void AskFiner(GridLevel coarse, GridLevel fine, PairBuffer pairs)
+    {
+        if (coarse.Seekers + fine.Seekers == 0)
+        {
+            return;
+        }
+
+        for (int i = 0; i < coarse.Count; i++)
+        {
+            if (fine.Seekers > 0 || PairRule.Seeks(coarse.Entries[i].Info.Flags))
+            {
+                fine.CollectAgainst(coarse.Bounds(i), coarse.Entries[i], pairs);
+            }
+        }
+    }
+
+    // Lists the live boxes outside the tree, and those of them that rest; moved boxes leave the tree. Returns how many seek pairs.
+    private int GatherActive(ProxyStore proxies)
+    {
+        _active.Clear();
+        _resting.Clear();
+        ProxyInfo* info = proxies.Info.Pointer;
+        Residence* residence = _residence.Pointer;
+        int seekers = 0;
+        for (int i = 0; i < proxies.End; i++)
+        {
+            ProxyFlags flags = info[i].Flags;
+            if ((flags & ProxyFlags.Alive) == 0)
+            {
+                continue;
+            }
+
+            if ((flags & ProxyFlags.Moved) != 0)
+            {
+                Leave(i);
+                seekers++;
+                _active.Add(i);
+            }
+            else if (residence[i].TreeSlot == NotInTree)
+            {
+                _active.Add(i);
+                residence[i].StillFor++;
+                if (residence[i].StillFor >= RestAfter || (flags & ProxyFlags.Static) != 0)
+                {
+                    _resting.Add(i);
+                }
+            }
+        }
+
+        return seekers;
+    }
+
+    // Rebuilds the tree with the resting boxes in it. They leave the list of the grids at once, so that none is found twice.
+    private void Settle(ProxyStore proxies)
+    {
+        for (int slot = 0; slot < _tree.SlotCount; slot++)
+        {
+            int proxy = _tree.Proxy(slot);
+            if (proxy >= 0)
+            {
+                _resting.Add(proxy);
+            }
+        }
+
+        _tree.Build(proxies.Fat.Pointer, _resting.Pointer, _resting.Count);
+        for (int slot = 0; slot < _tree.SlotCount; slot++)
+        {
+            _residence.Pointer[_tree.Proxy(slot)].TreeSlot = slot;
+        }
+
+        int kept = 0;
+        int* active = _active.Pointer;
+        for (int i = 0; i < _active.Count; i++)
+        {
+            if (_residence.Pointer[active[i]].TreeSlot == NotInTree)
+            {
+                active[kept++] = active[i];
+            }
+        }
+
+        _active.SetCount(kept);
+        _debt = 0;
+    }
+
+    private void AskTree(ProxyStore proxies, PairBuffer pairs)
+    {
+        if (_tree.Count == 0)
+        {
+            return;
+        }
+
+        Box* boxes = proxies.Fat.Pointer;
+        ProxyInfo* info = proxies.Info.Pointer;
+        for (int i = 0; i < _active.Count; i++)
+        {
+            int proxy = _active.Pointer[i];
+            if (!PairRule.Seeks(info[proxy].Flags))
+            {
+                continue;
+            }
+
+            _hits.Clear();
+            _tree.Overlap(boxes[proxy], _hits);
+            for (int k = 0; k < _hits.Count; k++)
+            {
+                int other = _hits.Pointer[k];
+                if ((info[other].Flags & ProxyFlags.Alive) != 0 && PairRule.Wants(info[proxy], info[other]))
+                {
+                    pairs.Add(proxy, other);
+                }
+            }
+        }
+    }
+
+    private void Know(int end)
+    {
+        if (end > _known)
+        {
+            _residence.EnsureCapacity(end);
+            for (int i = _known; i < end; i++)
+            {
+                _residence.Pointer[i].TreeSlot = NotInTree;
+            }
+
+            _known = end;
+        }
+    }
+
+    private void Leave(int proxy)
+    {
+        ref Residence residence = ref _residence[proxy];
+        if (residence.TreeSlot != NotInTree)
+        {
+            _tree.Remove(residence.TreeSlot);
+            residence.TreeSlot = NotInTree;
+        }
+
+        residence.StillFor = 0;
+    }
+
+    private struct Residence
+    {
+        /// <summary>The slot in the tree, or −1 while the box is in the grids.</summary>
+        public int TreeSlot;
+
+        /// <summary>Collects since the box last moved.</summary>
+        public int StillFor;
+    }
+}

@@ -1,0 +1,92 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Farseer.Engine.Numerics;
+
+/// <summary>
+/// Eight boxes in four arrays, one a bound, tested at once against one box. Comparisons have no rounding, so every lane width gives the
+/// same mask.
+/// </summary>
+internal unsafe struct WideBoxes
+{
+    /// <summary>Boxes a test looks at; arrays need this many readable elements from any tested index on.</summary>
+    public const int Width = 8;
+
+    public float* MinX;
+    public float* MinY;
+    public float* MaxX;
+    public float* MaxY;
+
+    /// <summary>Bit i is set if box <paramref name="index"/> + i shares a point with <paramref name="box"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly uint Overlaps(int index, in Box box)
+    {
+#if NET8_0_OR_GREATER
+        Vector256<float> inside = Vector256.LessThanOrEqual(Vector256.Load(MinX + index), Vector256.Create(box.MaxX))
+            & Vector256.GreaterThanOrEqual(Vector256.Load(MaxX + index), Vector256.Create(box.MinX))
+            & Vector256.LessThanOrEqual(Vector256.Load(MinY + index), Vector256.Create(box.MaxY))
+            & Vector256.GreaterThanOrEqual(Vector256.Load(MaxY + index), Vector256.Create(box.MinY));
+        return inside.ExtractMostSignificantBits();
+#else
+        uint mask = 0;
+        for (int lane = 0; lane < Width; lane += Vector<float>.Count)
+        {
+            int i = index + lane;
+            Vector<int> inside = Vector.LessThanOrEqual(Read(MinX + i), new Vector<float>(box.MaxX))
+                & Vector.GreaterThanOrEqual(Read(MaxX + i), new Vector<float>(box.MinX))
+                & Vector.LessThanOrEqual(Read(MinY + i), new Vector<float>(box.MaxY))
+                & Vector.GreaterThanOrEqual(Read(MaxY + i), new Vector<float>(box.MinY));
+            if (!inside.Equals(Vector<int>.Zero))
+            {
+                for (int k = 0; k < Vector<float>.Count; k++)
+                {
+                    mask |= (uint)(inside[k] & 1) << (lane + k);
+                }
+            }
+        }
+
+        return mask & 0xFF;
+#endif
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Set(int index, in Box box)
+    {
+        MinX[index] = box.MinX;
+        MinY[index] = box.MinY;
+        MaxX[index] = box.MaxX;
+        MaxY[index] = box.MaxY;
+    }
+
+    public readonly Box Get(int index) => new Box(MinX[index], MinY[index], MaxX[index], MaxY[index]);
+
+    /// <summary>A box that overlaps nothing, not even itself.</summary>
+    public readonly void SetEmpty(int index) =>
+        Set(index, new Box(float.PositiveInfinity, float.PositiveInfinity, float.NegativeInfinity, float.NegativeInfinity));
+
+    /// <summary>The index of the lowest set bit of a mask that is not zero.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int LowestLane(uint mask)
+    {
+#if NET8_0_OR_GREATER
+        return BitOperations.TrailingZeroCount(mask);
+#else
+        int lane = 0;
+        while ((mask & 1) == 0)
+        {
+            mask >>= 1;
+            lane++;
+        }
+
+        return lane;
+#endif
+    }
+
+#if !NET8_0_OR_GREATER
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector<float> Read(float* from) => Unsafe.ReadUnaligned<Vector<float>>(from);
+#endif
+}

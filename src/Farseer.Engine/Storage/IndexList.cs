@@ -1,0 +1,35 @@
+using System.Runtime.CompilerServices;
+
+namespace Farseer.Engine.Storage;
+
+/// <summary>A reused list of indices that keeps its memory.</summary>
+internal sealed unsafe class IndexList
+{
+    private readonly Column<int> _items = new Column<int>(1);
+
+    public int Count { get; private set; }
+
+    public int* Pointer => _items.Pointer;
+
+    public int this[int position] => _items[position];
+
+    public void Clear() => Count = 0;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Add(int index)
+    {
+        if (Count == _items.Capacity)
+        {
+            _items.EnsureCapacity(Count + 1);
+        }
+
+        _items.Pointer[Count++] = index;
+    }
+
+    /// <summary>Sets the length; what lies beyond the old one is undefined until written.</summary>
+    public void SetCount(int count)
+    {
+        _items.EnsureCapacity(count);
+        Count = count;
+    }
+}
