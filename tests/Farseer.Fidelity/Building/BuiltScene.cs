@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Runtime.CompilerServices;
+using System.Text.Json;
 using Farseer.Fidelity.Running;
 using Farseer.Fidelity.Scenes;
 
@@ -26,6 +27,9 @@ public sealed class BuiltScene
     public ValueReader Values { get; }
 
     public Caller Caller { get; }
+
+    /// <summary>Counts, control points and places of each path, just after its factory returned.</summary>
+    public Dictionary<string, JsonElement> PathResults { get; } = [];
 
     public EventLog Events { get; } = new();
 

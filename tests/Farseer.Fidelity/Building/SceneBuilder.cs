@@ -1,7 +1,5 @@
 using System;
-using System.Collections;
 using System.Collections.Generic;
-using System.Linq;
 using System.Numerics;
 using System.Reflection;
 using System.Text.Json;
@@ -41,7 +39,7 @@ public static class SceneBuilder
 
         foreach (JsonElement path in Json.Items(file.Root, "paths"))
         {
-            AddPath(scene, path);
+            PathBuilder.Add(scene, path);
         }
 
         foreach (MadeObject geom in file.Geoms)
@@ -132,28 +130,6 @@ public static class SceneBuilder
                 scene.Events.Add("Broke", id, string.Empty);
                 return null;
             });
-        }
-    }
-
-    private static void AddPath(BuiltScene scene, JsonElement path)
-    {
-        object factory = Facade.Factory("ComplexFactory");
-        foreach (JsonProperty property in Json.Members(path, "complexFactory"))
-        {
-            SetProperty(scene, factory, property.Name, property.Value);
-        }
-
-        string id = Json.Text(path, "id");
-        Dictionary<string, object> known = new() { ["physicsSimulator"] = scene.Simulator };
-        object made = scene.Caller.Make(factory, Json.Text(path, "factory"), Json.Optional(path, "args"), known);
-        scene.Add(id, made);
-        foreach ((string list, string part) in new[] { ("Bodies", "body"), ("Geoms", "geom"), ("Joints", "joint"), ("Springs", "spring") })
-        {
-            int index = 0;
-            foreach (object item in ((IEnumerable)Facade.Get(made, list)!).Cast<object>().ToList())
-            {
-                scene.Add($"{id}.{part}{index++}", item);
-            }
         }
     }
 }

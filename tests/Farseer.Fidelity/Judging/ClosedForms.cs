@@ -1,19 +1,144 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
+using System.Text.Json;
 using Farseer.Fidelity.Scenes;
 
 namespace Farseer.Fidelity.Judging;
 
 /// <summary>A closed form that stands in for the original's numbers where a decision here is truer than the original.</summary>
 /// <param name="Reason">Which decision, in one line.</param>
-/// <param name="Row">The state of a body at a time, or null where the original's row stays the reference.</param>
+/// <param name="Row">The state of a body at a time, or null where the original's rows stay the reference.</param>
 /// <param name="MassProperty">A mass property of a body, or null where the original's stays the reference.</param>
-public sealed record ClosedForm(string Reason, Func<SceneFile, string, double, Row?>? Row, Func<SceneFile, string, string, double?>? MassProperty);
+public sealed record ClosedForm(string Reason, Func<SceneFile, string, double, Row>? Row, Func<SceneFile, string, string, double?>? MassProperty);
 
 /// <summary>The scenes judged by a closed form: at most eight.</summary>
 public static class ClosedForms
 {
+    private const double LinearDrag = 0.001;
+
     public static IReadOnlyDictionary<string, ClosedForm> ByScene { get; } = new Dictionary<string, ClosedForm>(StringComparer.Ordinal)
     {
+        ["head_on_equal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn, null),
+        ["head_on_unequal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn, null),
+        ["incline_circle_rolls"] = new("a circle is a true circle, so it rolls without the losses of a polygon", Rolling, null),
+        ["rest_L"] = new("the inertia of a concave polygon is the integral over its area", null, PolygonInertia),
     };
+
+    /// <summary>
+    /// Two circles meet when |p + v t| = 2 r (p, v relative). With n the line of centres then, each body's
+    /// velocity changes by j n / m with j = (1 + e) (v . n) / (1/mA + 1/mB), e = 1; nothing turns them.
+    /// </summary>
+    private static Row HeadOn(SceneFile file, string body, double time)
+    {
+        Circle a = new(file.Bodies[0]);
+        Circle b = new(file.Bodies[1]);
+        (double px, double py) = (b.X - a.X, b.Y - a.Y);
+        (double vx, double vy) = (b.VelocityX - a.VelocityX, b.VelocityY - a.VelocityY);
+        double speedSquared = (vx * vx) + (vy * vy);
+        double closing = (px * vx) + (py * vy);
+        double reach = a.Radius + b.Radius;
+        double gapSquared = (px * px) + (py * py) - (reach * reach);
+        double meeting = (-closing - Math.Sqrt((closing * closing) - (speedSquared * gapSquared))) / speedSquared;
+        (double nx, double ny) = ((px + (vx * meeting)) / reach, (py + (vy * meeting)) / reach);
+        double impulse = 2 * ((vx * nx) + (vy * ny)) / ((1 / a.Mass) + (1 / b.Mass));
+        Circle own = body == file.Bodies[0].Id ? a : b;
+        double change = time < meeting ? 0 : (body == file.Bodies[0].Id ? impulse : -impulse) / own.Mass;
+        (double jumpX, double jumpY) = (change * nx, change * ny);
+        double after = time - meeting;
+        return new Row(
+            own.X + (own.VelocityX * time) + (jumpX * after),
+            own.Y + (own.VelocityY * time) + (jumpY * after),
+            0,
+            own.VelocityX + jumpX,
+            own.VelocityY + jumpY,
+            0);
+    }
+
+    /// <summary>
+    /// A cylinder rolling from rest down a slope s: (m + I / r^2) v' = m g sin s - c v with I = m r^2 / 2
+    /// and the default drag c, hence v = (m g sin s / c)(1 - e^(-c t / (1.5 m))); the angle is the way / r.
+    /// It rests at AllowedPenetration in the slope.
+    /// </summary>
+    private static Row Rolling(SceneFile file, string body, double time)
+    {
+        Circle wheel = new(file.Bodies[0]);
+        double slope = Property(file.Bodies[1], "rotation").GetDouble();
+        double thickness = Json.Required(file.Bodies[1].Args, "height").GetDouble();
+        double final = wheel.Mass * Impacts.Gravity(file) * Math.Sin(slope) / LinearDrag;
+        double rate = LinearDrag / (1.5 * wheel.Mass);
+        double speed = final * (1 - Math.Exp(-rate * time));
+        double way = final * (time - ((1 - Math.Exp(-rate * time)) / rate));
+        (double alongX, double alongY) = (Math.Cos(slope), Math.Sin(slope));
+        (double upX, double upY) = (alongY, -alongX);
+        double height = (wheel.X * upX) + (wheel.Y * upY);
+        double settled = time > 0 ? (thickness / 2) + wheel.Radius - SceneSizes.AllowedPenetration(file) : height;
+        return new Row(
+            wheel.X + (way * alongX) + ((settled - height) * upX),
+            wheel.Y + (way * alongY) + ((settled - height) * upY),
+            way / wheel.Radius,
+            speed * alongX,
+            speed * alongY,
+            speed / wheel.Radius);
+    }
+
+    /// <summary>
+    /// Over the triangles (0, p, q) of the outline, with d = p x q: the area is the sum of d / 2, the centroid c
+    /// that of (p + q) d / 6 over it, and the integral of r^2 that of d (p.p + p.q + q.q) / 12, less area c.c.
+    /// </summary>
+    private static double? PolygonInertia(SceneFile file, string body, string property)
+    {
+        MadeObject made = file.Bodies.Single(b => b.Id == body);
+        if (made.Factory != "CreatePolygonBody" || !property.EndsWith("omentOfInertia", StringComparison.Ordinal))
+        {
+            return null;
+        }
+
+        double[][] points = Json.Required(Json.Required(file.Root, "vertices"), Json.Text(made.Args, "vertices")).EnumerateArray()
+            .Select(p => new[] { p[0].GetDouble(), p[1].GetDouble() }).ToArray();
+        double area = 0;
+        double momentX = 0;
+        double momentY = 0;
+        double second = 0;
+        for (int i = 0; i < points.Length; i++)
+        {
+            double[] p = points[i];
+            double[] q = points[(i + 1) % points.Length];
+            double cross = (p[0] * q[1]) - (p[1] * q[0]);
+            area += cross / 2;
+            momentX += (p[0] + q[0]) * cross / 6;
+            momentY += (p[1] + q[1]) * cross / 6;
+            second += cross * ((p[0] * p[0]) + (p[1] * p[1]) + (p[0] * q[0]) + (p[1] * q[1]) + (q[0] * q[0]) + (q[1] * q[1])) / 12;
+        }
+
+        double inertia = Json.Required(made.Args, "mass").GetDouble() * ((second / area) - (((momentX * momentX) + (momentY * momentY)) / (area * area)));
+        return property == "momentOfInertia" ? inertia : 1 / inertia;
+    }
+
+    private static JsonElement Property(MadeObject made, string name) => made.Properties.FirstOrDefault(p => p.Key == name).Value;
+
+    private readonly struct Circle
+    {
+        public Circle(MadeObject body)
+        {
+            Radius = Json.Required(body.Args, "radius").GetDouble();
+            Mass = Json.Required(body.Args, "mass").GetDouble();
+            JsonElement position = Property(body, "position");
+            JsonElement velocity = Property(body, "linearVelocity");
+            (X, Y) = (position[0].GetDouble(), position[1].GetDouble());
+            (VelocityX, VelocityY) = velocity.ValueKind == JsonValueKind.Array ? (velocity[0].GetDouble(), velocity[1].GetDouble()) : (0, 0);
+        }
+
+        public double Radius { get; }
+
+        public double Mass { get; }
+
+        public double X { get; }
+
+        public double Y { get; }
+
+        public double VelocityX { get; }
+
+        public double VelocityY { get; }
+    }
 }

@@ -64,6 +64,20 @@ public static class QueryJudge
         return any ? [check.Passed ? check with { Where = string.Empty } : check] : [];
     }
 
+    /// <summary>Paths as their factory made them: equal counts, places to the rounding of the curve they follow.</summary>
+    public static IEnumerable<Check> Paths(SceneFile file, RunResult run)
+    {
+        foreach (JsonProperty path in Json.Members(file.Root, "pathResults"))
+        {
+            JsonElement got = run.PathResults[path.Name];
+            foreach (JsonProperty property in path.Value.EnumerateObject())
+            {
+                double limit = property.Name.EndsWith("Count", StringComparison.Ordinal) ? 0 : Operations * Ulp * ValueComparer.Magnitude(property.Value);
+                yield return new Check(path.Name + "." + property.Name, ValueComparer.Difference(property.Value, Json.Optional(got, property.Name)), limit, string.Empty);
+            }
+        }
+    }
+
     private static double SpinOf(SceneFile file, int iterations)
         => file.Recordings[iterations].Rows.Values.SelectMany(r => r).Select(r => Math.Abs(r.AngularVelocity)).DefaultIfEmpty(0).Max();
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 using Farseer.Fidelity.Scenes;
 
 namespace Farseer.Fidelity.Judging;
@@ -16,12 +17,17 @@ public static class RowJudge
 
     private static readonly string[] Names = ["position", "rotation", "linearVelocity", "angularVelocity"];
 
-    public static IEnumerable<Check> Judge(SceneFile file, int iterations, Recording ours, Func<string, double, Row?>? closedForm)
+    public static IEnumerable<Check> Judge(SceneFile file, int iterations, Recording ours, Func<string, double, Row>? closedForm)
     {
         IReadOnlyDictionary<string, Row[]> reference = file.Refined?.Rows ?? file.Recordings[iterations].Rows;
         if (reference.Count == 0)
         {
             return [];
+        }
+
+        if (closedForm is not null)
+        {
+            reference = reference.Keys.ToDictionary(b => b, b => file.SampleSteps.Select(s => closedForm(b, s * (double)file.Dt)).ToArray());
         }
 
         FloatTolerance rounding = FloatTolerance.Of(file, reference.Values);
@@ -33,8 +39,7 @@ public static class RowJudge
             for (int k = 0; k < expected.Length; k++)
             {
                 Row got = ours.Rows[body][k];
-                Row wanted = closedForm?.Invoke(body, file.SampleSteps[k] * (double)file.Dt) ?? expected[k];
-                Difference error = Errors(got, wanted, expected, impacts, k);
+                Difference error = Errors(got, expected, impacts, k);
                 Difference limit = Limits(file, rounding, discretisation?.At(k));
                 string where = body + " after " + file.SampleSteps[k].ToString(CultureInfo.InvariantCulture);
                 worst[0].Take(error.Position, limit.Position, where);
@@ -102,8 +107,9 @@ public static class RowJudge
     /// The differences of one row. Beside an impact the moment decides which velocity a sample shows, so
     /// there a velocity may be any between those of the rows around the impact.
     /// </summary>
-    private static Difference Errors(Row got, Row wanted, Row[] expected, Impacts impacts, int k)
+    private static Difference Errors(Row got, Row[] expected, Impacts impacts, int k)
     {
+        Row wanted = expected[k];
         double position = Math.Sqrt(((got.X - wanted.X) * (got.X - wanted.X)) + ((got.Y - wanted.Y) * (got.Y - wanted.Y)));
         double turn = Math.Abs(got.Rotation - wanted.Rotation) % (2 * Math.PI);
         double linear = Discretisation.Speed(got, wanted);

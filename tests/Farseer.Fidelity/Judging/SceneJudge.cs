@@ -76,13 +76,14 @@ public static class SceneJudge
 
     private static IEnumerable<Check> JudgeRun(SceneFile file, int iterations, RunResult run, ClosedForm? closedForm)
     {
-        Func<string, double, Row?>? row = closedForm?.Row is { } form ? (body, time) => form(file, body, time) : null;
+        Func<string, double, Row>? row = closedForm?.Row is { } form ? (body, time) => form(file, body, time) : null;
         Func<string, string, double?>? mass = closedForm?.MassProperty is { } massForm ? (body, property) => massForm(file, body, property) : null;
         return RowJudge.Judge(file, iterations, run.Recording, row)
             .Concat(EventJudge.Judge(file, iterations, run.Recording))
             .Concat(ObservationJudge.Judge(file, iterations, run.Recording))
             .Concat(QueryJudge.Queries(file, iterations, run.Recording))
-            .Concat(QueryJudge.MassProperties(file, run, mass));
+            .Concat(QueryJudge.MassProperties(file, run, mass))
+            .Concat(QueryJudge.Paths(file, run));
     }
 
     private static bool Differs(RunResult a, RunResult b)

@@ -40,7 +40,7 @@ public sealed class SceneRunner
             runner._observed.ToDictionary(p => p.Key, p => p.Value.ToArray()),
             scene.Events.ToEvents(),
             runner._answers);
-        return new RunResult(recording, runner.MassProperties());
+        return new RunResult(recording, runner.MassProperties(), scene.PathResults);
     }
 
     private void StepThrough()
@@ -193,5 +193,5 @@ public sealed class SceneRunner
     private static JsonElement Element(JsonNode? node) => JsonSerializer.SerializeToElement(node);
 }
 
-/// <summary>A run: what was recorded, and the masses and inertias at its end, by body.</summary>
-public sealed record RunResult(Recording Recording, IReadOnlyDictionary<string, double[]> MassProperties);
+/// <summary>A run: what was recorded, the masses and inertias at its end by body, and the paths as they were made.</summary>
+public sealed record RunResult(Recording Recording, IReadOnlyDictionary<string, double[]> MassProperties, IReadOnlyDictionary<string, JsonElement> PathResults);
