@@ -125,7 +125,7 @@ public static partial class Calculator
 
     /// <summary>The heading of a vector.</summary>
     /// <param name="vector">The vector.</param>
-    /// <returns>-pi to pi: 0 for (0, -1), pi/2 for (1, 0).</returns>
+    /// <returns>-pi to pi: 0 for (0, -1), pi/2 for (1, 0); 0 or pi for (0, 0).</returns>
     public static float VectorToRadians(Vector2 vector) => ATan2(vector.X, -vector.Y);
 
     /// <summary>The unit vector of a heading.</summary>

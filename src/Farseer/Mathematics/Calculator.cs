@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Farseer.Engine.Numerics;
 
 namespace FarseerGames.FarseerPhysics.Mathematics;
 
@@ -21,25 +22,25 @@ public static partial class Calculator
     /// <summary>The sine.</summary>
     /// <param name="angle">The angle, in radians.</param>
     /// <returns>-1 to 1; not a number unless the angle is finite.</returns>
-    public static float Sin(float angle) => Require.IsFinite(angle) ? (float)StableTrigonometry.Sin(angle) : float.NaN;
+    public static float Sin(float angle) => StableMath.Sin(angle);
 
     /// <summary>The cosine.</summary>
     /// <param name="angle">The angle, in radians.</param>
     /// <returns>-1 to 1; not a number unless the angle is finite.</returns>
-    public static float Cos(float angle) => Require.IsFinite(angle) ? (float)StableTrigonometry.Cos(angle) : float.NaN;
+    public static float Cos(float angle) => StableMath.Cos(angle);
 
     /// <summary>The arc cosine.</summary>
     /// <param name="value">-1 to 1.</param>
     /// <returns>0 to pi; not a number for a value outside -1 to 1.</returns>
     public static float ACos(float value) =>
-        value >= -1f && value <= 1f ? (float)StableTrigonometry.Acos(value) : float.NaN;
+        (float)StableMath.Atan2(Math.Sqrt((1d - value) * (1d + value)), value);
 
     /// <summary>The angle of the vector (x, y) from the x axis.</summary>
     /// <param name="y">The y coordinate.</param>
     /// <param name="x">The x coordinate.</param>
-    /// <returns>-pi to pi; 0 for (0, 0); not a number unless both coordinates are finite.</returns>
+    /// <returns>-pi to pi; 0 for (0, 0); not a number if a coordinate is not. The sign of a zero counts, as usual.</returns>
     public static float ATan2(float y, float x) =>
-        Require.IsFinite(x) && Require.IsFinite(y) ? (float)StableTrigonometry.Atan2(y, x) : float.NaN;
+        StableMath.Atan2(y, x);
 
     /// <summary>Turns degrees into radians.</summary>
     /// <param name="degrees">An angle in degrees.</param>
