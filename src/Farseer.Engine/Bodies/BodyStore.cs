@@ -16,6 +16,9 @@ internal sealed class BodyStore
         Drag = _set.Add<BodyDrag>();
         Flags = _set.Add<BodyFlags>();
         UserIndex = _set.Add<int>();
+        Motion = _set.Add<BodyMotion>();
+        Drive = _set.Add<BodyDrive>();
+        Residual = _set.Add<BodyResidual>();
     }
 
     public IdPool Ids { get; } = new IdPool();
@@ -35,4 +38,10 @@ internal sealed class BodyStore
     public Column<BodyFlags> Flags { get; }
 
     public Column<int> UserIndex { get; }
+
+    public Column<BodyMotion> Motion { get; }
+
+    public Column<BodyDrive> Drive { get; }
+
+    public Column<BodyResidual> Residual { get; }
 }

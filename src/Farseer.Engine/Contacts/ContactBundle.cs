@@ -1,0 +1,97 @@
+using System.Runtime.InteropServices;
+using Farseer.Engine.Numerics;
+
+namespace Farseer.Engine.Contacts;
+
+/// <summary>
+/// Eight contacts of one colour, a lane each: pair, ids, impulses and constraint together, so that the narrow phase rewrites
+/// the row in place and nothing is copied. Symbols are those of docs/Notation.md: n the normal from A to B, t = (ny, -nx) the
+/// tangent; for an anchor r, an = r·n and at = r×n, with which
+/// <code>
+/// vn = n·(vB - vA) + wB·atB - wA·atA        vt = t·(vB - vA) - wB·anB + wA·anA
+/// s  = base + n·(dB - dA) + (cB·anB + sB·atB) - (cA·anA + sA·atA)
+/// </code>
+/// where d, c, s are the displacement and turn since the start of the step. A lane without a contact, and the second point of
+/// a contact that has one, carry a base separation so large that no impulse ever arises.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct ContactBundle
+{
+    public const int Lanes = Wide.BundleLanes;
+
+    /// <summary>Separation of a point that does not exist. Finite also after the division by the substep.</summary>
+    public const float NoPoint = 1e30f;
+
+    public fixed int BodyA[Lanes];
+    public fixed int BodyB[Lanes];
+
+    /// <summary>Index of the contact record; -1 in an empty lane.</summary>
+    public fixed int Contact[Lanes];
+
+    public fixed float NormalX[Lanes];
+    public fixed float NormalY[Lanes];
+    public fixed float Friction[Lanes];
+    public fixed float MassA[Lanes];
+    public fixed float InertiaA[Lanes];
+    public fixed float MassB[Lanes];
+    public fixed float InertiaB[Lanes];
+
+    public ContactPointLanes Point0;
+    public ContactPointLanes Point1;
+
+    /// <summary>Normal responses kii = mA + mB + iA·atAi² + iB·atBi² and the coupling k12 = mA + mB + iA·atA1·atA2 + iB·atB1·atB2.</summary>
+    public fixed float K11[Lanes];
+    public fixed float K22[Lanes];
+    public fixed float K12[Lanes];
+
+    /// <summary>1/(k11·k22 - k12²), or 0 where the points are too close together for the block: then row by row.</summary>
+    public fixed float InverseDeterminant[Lanes];
+
+    /// <summary>Tangent masses 1/(mA + mB + iA·anA² + iB·anB²) per point.</summary>
+    public fixed float TangentMass0[Lanes];
+    public fixed float TangentMass1[Lanes];
+
+    /// <summary>h/τ of the feed-forward: how fast it follows the impulse.</summary>
+    public fixed float FeedRate[Lanes];
+
+    /// <summary>1 for a contact with one point, whose feed-forward follows its own impulse; else 0.</summary>
+    public fixed float Single[Lanes];
+
+    /// <summary>1 for a contact of a deep island, else 0.</summary>
+    public fixed float Deep[Lanes];
+
+    /// <summary>Combined restitution; 0: the restitution pass skips the contact.</summary>
+    public fixed float Restitution[Lanes];
+
+    public fixed int Island[Lanes];
+    public fixed int Level[Lanes];
+}
+
+/// <summary>One point of each contact of a bundle.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct ContactPointLanes
+{
+    public const int Lanes = Wide.BundleLanes;
+
+    public fixed float NormalArmA[Lanes];
+    public fixed float TangentArmA[Lanes];
+    public fixed float NormalArmB[Lanes];
+    public fixed float TangentArmB[Lanes];
+
+    /// <summary>Separation beyond the allowed penetration, less the arms: see the formula of s.</summary>
+    public fixed float Base[Lanes];
+
+    /// <summary>Impulses of the present substep (λn, λt) and of the one before, for the extrapolated warm start.</summary>
+    public fixed float Normal[Lanes];
+    public fixed float Tangent[Lanes];
+    public fixed float PreviousNormal[Lanes];
+    public fixed float PreviousTangent[Lanes];
+
+    /// <summary>Feed-forward impulse φ.</summary>
+    public fixed float Feed[Lanes];
+
+    /// <summary>Speed at which the surfaces are to part after an impact; 0: no impact in this substep.</summary>
+    public fixed float Bounce[Lanes];
+
+    public fixed uint Id[Lanes];
+}

@@ -1,0 +1,317 @@
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
+
+namespace Farseer.Engine.Contacts;
+
+/// <summary>
+/// The passes of a substep over the contacts of a colour, on lanes. Both points of a contact are solved together as a 2×2
+/// complementarity problem: solving them in turn gives a small one-sided torque each pass and tall stacks rock (stack of 40:
+/// 166 mm instead of 35). Friction acts in the relax pass only: in the biased pass its bound contains the push-out impulse
+/// and large pyramids shake for ever.
+/// </summary>
+internal static unsafe class ContactKernel
+{
+    /// <summary>
+    /// Applies the impulses of the substep before, extrapolated by a third of their change (a free momentum term for the
+    /// block solver), friction kept within its cone.
+    /// </summary>
+    public static void WarmStart(ContactBundle* bundles, int count, BodyState* bodies)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            ContactBundle* row = bundles + i;
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
+                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+                Wide friction = Wide.Load(row->Friction + lane);
+                Extrapolate(ref row->Point0, lane, friction, out Wide normal0, out Wide tangent0);
+                Extrapolate(ref row->Point1, lane, friction, out Wide normal1, out Wide tangent1);
+                ApplyNormal(row, lane, ref a, ref b, normal0, normal1);
+                ApplyTangent(row, lane, ref a, ref b, tangent0, tangent1);
+                BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
+                BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
+            }
+        }
+    }
+
+    /// <summary>
+    /// The biased pass: normal impulses that also remove overlap, softly. With φ in place of 0 as the value towards which the
+    /// impulse leaks, the static sag is a tenth of the plain soft contact's. Contacts of deep islands are solved hard here;
+    /// their overlap goes in <see cref="PushOut"/>.
+    /// </summary>
+    public static void SolveBiased(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
+    {
+        Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
+        Wide biasRate = Wide.Splat(c.BiasRate * ContactCoefficients.MassScale);
+        Wide massScale = Wide.Splat(ContactCoefficients.MassScale);
+        Wide leak = Wide.Splat(ContactCoefficients.ImpulseScale);
+        for (int i = 0; i < count; i++)
+        {
+            ContactBundle* row = bundles + i;
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1);
+                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
+                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+                NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
+                Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
+                Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
+
+                WideMask apart0 = s0 > Wide.Zero;
+                WideMask apart1 = s1 > Wide.Zero;
+                if (anyDeep)
+                {
+                    WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
+                    s0 = Wide.Select(deep, Wide.Max(s0, Wide.Zero), s0);
+                    s1 = Wide.Select(deep, Wide.Max(s1, Wide.Zero), s1);
+                    apart0 = apart0 | deep;
+                    apart1 = apart1 | deep;
+                }
+
+                Wide soft0 = (massScale * v0) + (biasRate * s0)
+                    + (Wide.Load(row->K11 + lane) * leak * (lambda0 - Wide.Load(row->Point0.Feed + lane)));
+                Wide soft1 = (massScale * v1) + (biasRate * s1)
+                    + (Wide.Load(row->K22 + lane) * leak * (lambda1 - Wide.Load(row->Point1.Feed + lane)));
+                Wide r0 = Wide.Select(apart0, v0 + (s0 * inverseSubstep), soft0);
+                Wide r1 = Wide.Select(apart1, v1 + (s1 * inverseSubstep), soft1);
+                SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
+                x0.Store(row->Point0.Normal + lane);
+                x1.Store(row->Point1.Normal + lane);
+                ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
+                BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
+                BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
+            }
+        }
+    }
+
+    /// <summary>
+    /// Moves the contacts of deep islands apart. The velocities found here move the bodies and are then forgotten, and so are
+    /// the impulses, so that a deep overlap never becomes speed.
+    /// </summary>
+    public static void PushOut(ContactBundle* bundles, int count, BodyState* bodies, float recoveryRate, in ContactCoefficients c)
+    {
+        Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
+        Wide rate = Wide.Splat(recoveryRate);
+        for (int i = 0; i < count; i++)
+        {
+            ContactBundle* row = bundles + i;
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
+                GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1);
+                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
+                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+                NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
+                Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
+                Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
+                Wide r0 = v0 + (s0 * Wide.Select(s0 > Wide.Zero, inverseSubstep, rate));
+                Wide r1 = v1 + (s1 * Wide.Select(s1 > Wide.Zero, inverseSubstep, rate));
+                SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
+                Wide push0 = Wide.Select(deep, x0 - lambda0, Wide.Zero);
+                Wide push1 = Wide.Select(deep, x1 - lambda1, Wide.Zero);
+                ApplyNormal(row, lane, ref a, ref b, push0, push1);
+                BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
+                BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
+            }
+        }
+    }
+
+    /// <summary>
+    /// The relax pass at the new positions: the same block without bias and softness, so that no push-out velocity is left,
+    /// then friction within the cone of the true normal impulses, then the feed-forward follows.
+    /// </summary>
+    public static void Relax(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c)
+    {
+        Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
+        Wide share = Wide.Splat(ContactCoefficients.FeedShare);
+        for (int i = 0; i < count; i++)
+        {
+            ContactBundle* row = bundles + i;
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1);
+                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
+                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+                NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
+                Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
+                Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
+                Wide r0 = v0 + (Wide.Max(s0, Wide.Zero) * inverseSubstep) - Wide.Load(row->Point0.Bounce + lane);
+                Wide r1 = v1 + (Wide.Max(s1, Wide.Zero) * inverseSubstep) - Wide.Load(row->Point1.Bounce + lane);
+                SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
+                x0.Store(row->Point0.Normal + lane);
+                x1.Store(row->Point1.Normal + lane);
+                ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
+                SolveFriction(row, lane, ref a, ref b, x0, x1);
+                BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
+                BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
+
+                // Only the load common to both points is fed forward: with each point's own, random piles creep.
+                Wide single = Wide.Load(row->Single + lane);
+                Wide common = Wide.Min(x0, x1);
+                Wide load = Wide.Select(single > Wide.Zero, x0, common);
+                Wide feedRate = Wide.Load(row->FeedRate + lane);
+                Wide feed0 = Wide.Load(row->Point0.Feed + lane);
+                Wide feed1 = Wide.Load(row->Point1.Feed + lane);
+                Wide.Min(x0, feed0 + (feedRate * ((share * load) - feed0))).Store(row->Point0.Feed + lane);
+                Wide.Min(x1, feed1 + (feedRate * ((share * load) - feed1))).Store(row->Point1.Feed + lane);
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Extrapolate(ref ContactPointLanes point, int lane, Wide friction, out Wide normal, out Wide tangent)
+    {
+        Wide share = Wide.Splat(ContactCoefficients.Extrapolation);
+        fixed (ContactPointLanes* p = &point)
+        {
+            Wide oldNormal = Wide.Load(p->Normal + lane);
+            Wide oldTangent = Wide.Load(p->Tangent + lane);
+            normal = Wide.Max(oldNormal + (share * (oldNormal - Wide.Load(p->PreviousNormal + lane))), Wide.Zero);
+            Wide bound = friction * normal;
+            tangent = oldTangent + (share * (oldTangent - Wide.Load(p->PreviousTangent + lane)));
+            tangent = Wide.Max(Wide.Min(tangent, bound), -bound);
+            oldNormal.Store(p->PreviousNormal + lane);
+            oldTangent.Store(p->PreviousTangent + lane);
+            normal.Store(p->Normal + lane);
+            tangent.Store(p->Tangent + lane);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void GatherSeparations(ContactBundle* row, int lane, BodyState* bodies, out Wide s0, out Wide s1)
+    {
+        BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta a);
+        BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta b);
+        Wide moved = (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
+        s0 = PointSeparation(ref row->Point0, lane, a, b, moved);
+        s1 = PointSeparation(ref row->Point1, lane, a, b, moved);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Wide PointSeparation(ref ContactPointLanes point, int lane, in WideDelta a, in WideDelta b, Wide moved)
+    {
+        fixed (ContactPointLanes* p = &point)
+        {
+            Wide turnedB = (b.Cos * Wide.Load(p->NormalArmB + lane)) + (b.Sin * Wide.Load(p->TangentArmB + lane));
+            Wide turnedA = (a.Cos * Wide.Load(p->NormalArmA + lane)) + (a.Sin * Wide.Load(p->TangentArmA + lane));
+            return (Wide.Load(p->Base + lane) + moved) + (turnedB - turnedA);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void NormalVelocities(ContactBundle* row, int lane, in WideVelocity a, in WideVelocity b, out Wide v0, out Wide v1)
+    {
+        Wide un = (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
+        v0 = un + ((b.W * Wide.Load(row->Point0.TangentArmB + lane)) - (a.W * Wide.Load(row->Point0.TangentArmA + lane)));
+        v1 = un + ((b.W * Wide.Load(row->Point1.TangentArmB + lane)) - (a.W * Wide.Load(row->Point1.TangentArmA + lane)));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void ApplyNormal(ContactBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide p0, Wide p1)
+    {
+        Wide sum = p0 + p1;
+        Wide px = Wide.Load(row->NormalX + lane) * sum;
+        Wide py = Wide.Load(row->NormalY + lane) * sum;
+        Wide massA = Wide.Load(row->MassA + lane);
+        Wide massB = Wide.Load(row->MassB + lane);
+        a.X = a.X - (massA * px);
+        a.Y = a.Y - (massA * py);
+        b.X = b.X + (massB * px);
+        b.Y = b.Y + (massB * py);
+        a.W = a.W - (Wide.Load(row->InertiaA + lane)
+            * ((Wide.Load(row->Point0.TangentArmA + lane) * p0) + (Wide.Load(row->Point1.TangentArmA + lane) * p1)));
+        b.W = b.W + (Wide.Load(row->InertiaB + lane)
+            * ((Wide.Load(row->Point0.TangentArmB + lane) * p0) + (Wide.Load(row->Point1.TangentArmB + lane) * p1)));
+    }
+
+    // t = (ny, -nx), and r×t = -an.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void ApplyTangent(ContactBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide p0, Wide p1)
+    {
+        Wide sum = p0 + p1;
+        Wide px = Wide.Load(row->NormalY + lane) * sum;
+        Wide py = -(Wide.Load(row->NormalX + lane) * sum);
+        Wide massA = Wide.Load(row->MassA + lane);
+        Wide massB = Wide.Load(row->MassB + lane);
+        a.X = a.X - (massA * px);
+        a.Y = a.Y - (massA * py);
+        b.X = b.X + (massB * px);
+        b.Y = b.Y + (massB * py);
+        a.W = a.W + (Wide.Load(row->InertiaA + lane)
+            * ((Wide.Load(row->Point0.NormalArmA + lane) * p0) + (Wide.Load(row->Point1.NormalArmA + lane) * p1)));
+        b.W = b.W - (Wide.Load(row->InertiaB + lane)
+            * ((Wide.Load(row->Point0.NormalArmB + lane) * p0) + (Wide.Load(row->Point1.NormalArmB + lane) * p1)));
+    }
+
+    /// <summary>Two friction rows in turn; the second sees the first's change through the coupling of the tangent arms.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void SolveFriction(ContactBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide normal0, Wide normal1)
+    {
+        Wide friction = Wide.Load(row->Friction + lane);
+        Wide ut = (Wide.Load(row->NormalY + lane) * (b.X - a.X)) - (Wide.Load(row->NormalX + lane) * (b.Y - a.Y));
+        Wide armA0 = Wide.Load(row->Point0.NormalArmA + lane);
+        Wide armB0 = Wide.Load(row->Point0.NormalArmB + lane);
+        Wide v0 = ut + ((a.W * armA0) - (b.W * armB0));
+        Wide old0 = Wide.Load(row->Point0.Tangent + lane);
+        Wide bound0 = friction * normal0;
+        Wide new0 = Wide.Max(Wide.Min(old0 - (Wide.Load(row->TangentMass0 + lane) * v0), bound0), -bound0);
+        new0.Store(row->Point0.Tangent + lane);
+        Wide change0 = new0 - old0;
+
+        Wide armA1 = Wide.Load(row->Point1.NormalArmA + lane);
+        Wide armB1 = Wide.Load(row->Point1.NormalArmB + lane);
+        Wide coupling = Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane)
+            + (Wide.Load(row->InertiaA + lane) * armA0 * armA1) + (Wide.Load(row->InertiaB + lane) * armB0 * armB1);
+        Wide v1 = ut + ((a.W * armA1) - (b.W * armB1)) + (coupling * change0);
+        Wide old1 = Wide.Load(row->Point1.Tangent + lane);
+        Wide bound1 = friction * normal1;
+        Wide new1 = Wide.Max(Wide.Min(old1 - (Wide.Load(row->TangentMass1 + lane) * v1), bound1), -bound1);
+        new1.Store(row->Point1.Tangent + lane);
+        ApplyTangent(row, lane, ref a, ref b, change0, new1 - old1);
+    }
+
+    /// <summary>
+    /// Finds x ≥ 0 with w = K(x - λ) + r ≥ 0 and x·w = 0. Written with b = r - Kλ, the four cases are: both points push,
+    /// only the first, only the second, none; all are computed and the valid one selected, so there is no branch. Where the
+    /// points nearly coincide (the determinant is stored as 0) the rows are solved in turn.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void SolveBlock(
+        ContactBundle* row, int lane, Wide lambda0, Wide lambda1, Wide r0, Wide r1, out Wide x0, out Wide x1)
+    {
+        Wide k11 = Wide.Load(row->K11 + lane);
+        Wide k22 = Wide.Load(row->K22 + lane);
+        Wide k12 = Wide.Load(row->K12 + lane);
+        Wide inverse = Wide.Load(row->InverseDeterminant + lane);
+        Wide zero = Wide.Zero;
+        Wide b0 = r0 - ((k11 * lambda0) + (k12 * lambda1));
+        Wide b1 = r1 - ((k12 * lambda0) + (k22 * lambda1));
+
+        Wide both0 = inverse * ((k12 * b1) - (k22 * b0));
+        Wide both1 = inverse * ((k12 * b0) - (k11 * b1));
+        Wide only0 = Wide.Max(-b0 / k11, zero);
+        Wide only1 = Wide.Max(-b1 / k22, zero);
+
+        // Row by row from the present impulses; also what stands where rounding leaves no case exactly valid.
+        Wide turn0 = Wide.Max(-(b0 + (k12 * lambda1)) / k11, zero);
+        Wide turn1 = Wide.Max(-(b1 + (k12 * turn0)) / k22, zero);
+
+        WideMask second = (b0 + (k12 * only1)) >= zero;
+        WideMask first = (b1 + (k12 * only0)) >= zero;
+        WideMask none = (b0 >= zero) & (b1 >= zero);
+        WideMask block = inverse > zero;
+        WideMask pair = (both0 >= zero) & (both1 >= zero);
+        x0 = Wide.Select(second, zero, turn0);
+        x1 = Wide.Select(second, only1, turn1);
+        x0 = Wide.Select(first, only0, x0);
+        x1 = Wide.Select(first, zero, x1);
+        x0 = Wide.Select(none, zero, x0);
+        x1 = Wide.Select(none, zero, x1);
+        x0 = Wide.Select(pair, both0, x0);
+        x1 = Wide.Select(pair, both1, x1);
+        x0 = Wide.Select(block, x0, turn0);
+        x1 = Wide.Select(block, x1, turn1);
+    }
+}

@@ -1,0 +1,126 @@
+using System;
+using System.Runtime.InteropServices;
+using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Contacts;
+
+[Flags]
+internal enum ContactFlags : int
+{
+    None = 0,
+
+    /// <summary>The surfaces touch, or will within this step.</summary>
+    Touching = 1,
+
+    /// <summary>Gives impulses: both colliders respond and at least one body can move.</summary>
+    Solid = 2,
+
+    /// <summary>A handler cancelled the response for this step.</summary>
+    Vetoed = 4,
+
+    /// <summary>A listener of either collider wants the points: the manifold is kept.</summary>
+    Heard = 8,
+}
+
+/// <summary>A pair of pieces whose fat boxes overlap. Its impulses and its constraint live in a lane of a <see cref="ContactBundle"/>.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal struct ContactRecord
+{
+    public int PieceA;
+    public int PieceB;
+    public int BodyA;
+    public int BodyB;
+    public int ColliderA;
+    public int ColliderB;
+
+    /// <summary>Colour of its row, or -1: not in the graph, <see cref="Row"/> then counts in the idle list.</summary>
+    public int Color;
+    public int Row;
+    public ContactFlags Flags;
+
+    /// <summary>Friction when the pair was made, for worlds that freeze it.</summary>
+    public float FirstFriction;
+}
+
+/// <summary>All pairs, the map from pieces to pairs, and the list of pairs without a row.</summary>
+internal sealed class ContactStore
+{
+    private readonly ColumnSet _set = new ColumnSet();
+    private readonly Column<int> _free = new Column<int>();
+    private readonly Column<int> _idle = new Column<int>();
+    private int _freeCount;
+
+    public ContactStore()
+    {
+        Records = _set.Add<ContactRecord>();
+        Manifolds = _set.Add<Manifold>();
+    }
+
+    public Column<ContactRecord> Records { get; }
+
+    /// <summary>Last manifold of pairs that a listener hears, and of pairs without a row.</summary>
+    public Column<Manifold> Manifolds { get; }
+
+    public PairMap Map { get; } = new PairMap();
+
+    public int Count { get; private set; }
+
+    /// <summary>One past the highest record in use.</summary>
+    public int End { get; private set; }
+
+    public int IdleCount { get; private set; }
+
+    public int Idle(int position) => _idle[position];
+
+    public int Create(ulong key, in ContactRecord record)
+    {
+        int index;
+        if (_freeCount > 0)
+        {
+            index = _free[--_freeCount];
+        }
+        else
+        {
+            index = End++;
+            _set.EnsureCapacity(End);
+        }
+
+        Records[index] = record;
+        Manifolds[index] = default;
+        Map.Add(key, index);
+        Count++;
+        AddIdle(index);
+        return index;
+    }
+
+    /// <summary>Forgets a pair that is in the idle list.</summary>
+    public void Destroy(int index, ulong key)
+    {
+        RemoveIdle(index);
+        Map.Remove(key);
+        Records[index] = default;
+        Records[index].PieceA = -1;
+        _free.EnsureCapacity(_freeCount + 1);
+        _free[_freeCount++] = index;
+        Count--;
+    }
+
+    public void AddIdle(int index)
+    {
+        _idle.EnsureCapacity(IdleCount + 1);
+        ref ContactRecord record = ref Records[index];
+        record.Color = -1;
+        record.Row = IdleCount;
+        _idle[IdleCount++] = index;
+    }
+
+    public void RemoveIdle(int index)
+    {
+        int row = Records[index].Row;
+        int last = _idle[--IdleCount];
+        _idle[row] = last;
+        Records[last].Row = row;
+        Records[index].Row = -1;
+    }
+}

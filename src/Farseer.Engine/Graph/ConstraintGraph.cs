@@ -1,0 +1,151 @@
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Graph;
+
+/// <summary>
+/// Colours contacts so that those of one colour can be solved side by side. A body remembers its colours in a mask; a new
+/// contact takes the lowest colour that neither body has. Contacts with a static or kinematic body have colours of their own,
+/// solved last, so that the ground has the last word.
+/// </summary>
+internal sealed unsafe class ConstraintGraph
+{
+    /// <summary>Colours of contacts between two bodies that can move.</summary>
+    public const int DynamicColors = 40;
+
+    /// <summary>All colours but the overflow, which is the last of the array; bits of the masks.</summary>
+    public const int MaskedColors = 63;
+
+    /// <summary>Contacts between moving bodies for which no colour was free.</summary>
+    public const int DynamicOverflow = MaskedColors;
+
+    /// <summary>Contacts with the ground for which no colour was free.</summary>
+    public const int StaticOverflow = MaskedColors + 1;
+
+    public const int ColorCount = MaskedColors + 2;
+
+    private readonly Column<ulong> _masks = new Column<ulong>();
+    private readonly Column<int> _degree = new Column<int>();
+    private readonly GraphColor[] _colors = new GraphColor[ColorCount];
+
+    // Order of solving: moving pairs, their overflow, ground pairs, their overflow.
+    private readonly int[] _order = new int[ColorCount];
+
+    public ConstraintGraph()
+    {
+        int next = 0;
+        for (int i = 0; i < DynamicColors; i++)
+        {
+            _order[next++] = i;
+        }
+
+        _order[next++] = DynamicOverflow;
+        for (int i = DynamicColors; i < MaskedColors; i++)
+        {
+            _order[next++] = i;
+        }
+
+        _order[next] = StaticOverflow;
+        for (int i = 0; i < ColorCount; i++)
+        {
+            _colors[i] = new GraphColor(i >= MaskedColors);
+        }
+    }
+
+    public int RowCount { get; private set; }
+
+    /// <summary>Rows were added or removed since the islands were last built.</summary>
+    public bool Changed { get; set; }
+
+    /// <summary>The colour solved in place <paramref name="position"/>.</summary>
+    public GraphColor InOrder(int position) => _colors[_order[position]];
+
+    public GraphColor this[int color] => _colors[color];
+
+    /// <summary>Number of rows at a body.</summary>
+    public int Degree(int body) => _degree[body];
+
+    public int* Degrees => _degree.Pointer;
+
+    public void EnsureBodies(int capacity)
+    {
+        _masks.EnsureCapacity(capacity);
+        _degree.EnsureCapacity(capacity);
+    }
+
+    public void Add(int contact, ref ContactRecord record, bool movesA, bool movesB)
+    {
+        int color = Choose(record.BodyA, record.BodyB, movesA, movesB);
+        GraphColor rows = _colors[color];
+        int row = rows.AddRow();
+        ContactBundle* bundle = rows.BundleOf(row);
+        int lane = rows.LaneOf(row);
+        bundle->BodyA[lane] = record.BodyA;
+        bundle->BodyB[lane] = record.BodyB;
+        bundle->Contact[lane] = contact;
+        record.Color = color;
+        record.Row = row;
+        Mark(record.BodyA, color, movesA);
+        Mark(record.BodyB, color, movesB);
+        RowCount++;
+        Changed = true;
+    }
+
+    public void Remove(ref ContactRecord record, Column<ContactRecord> records)
+    {
+        int color = record.Color;
+        int row = record.Row;
+        int moved = _colors[color].RemoveRow(row);
+        if (moved >= 0)
+        {
+            records[moved].Row = row;
+        }
+
+        Unmark(record.BodyA, color);
+        Unmark(record.BodyB, color);
+        record.Color = -1;
+        RowCount--;
+        Changed = true;
+    }
+
+    private int Choose(int a, int b, bool movesA, bool movesB)
+    {
+        if (movesA && movesB)
+        {
+            return LowestClear(_masks[a] | _masks[b], 0, DynamicColors, DynamicOverflow);
+        }
+
+        return LowestClear(movesA ? _masks[a] : _masks[b], DynamicColors, MaskedColors, StaticOverflow);
+    }
+
+    private static int LowestClear(ulong mask, int from, int to, int overflow)
+    {
+        for (int i = from; i < to; i++)
+        {
+            if ((mask & (1UL << i)) == 0)
+            {
+                return i;
+            }
+        }
+
+        return overflow;
+    }
+
+    private void Mark(int body, int color, bool moves)
+    {
+        _degree[body]++;
+        if (moves && color < MaskedColors)
+        {
+            _masks[body] |= 1UL << color;
+        }
+    }
+
+    private void Unmark(int body, int color)
+    {
+        _degree[body]--;
+        if (color < MaskedColors)
+        {
+            _masks[body] &= ~(1UL << color);
+        }
+    }
+}
