@@ -137,13 +137,13 @@ internal static unsafe class ContactKernel
                 NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
                 Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
-                Wide r0 = v0 + (Wide.Max(s0, Wide.Zero) * inverseSubstep) - Wide.Load(row->Point0.Bounce + lane);
-                Wide r1 = v1 + (Wide.Max(s1, Wide.Zero) * inverseSubstep) - Wide.Load(row->Point1.Bounce + lane);
+                Wide r0 = v0 + (Wide.Max(s0, Wide.Zero) * inverseSubstep);
+                Wide r1 = v1 + (Wide.Max(s1, Wide.Zero) * inverseSubstep);
                 SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
                 x0.Store(row->Point0.Normal + lane);
                 x1.Store(row->Point1.Normal + lane);
                 ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
-                SolveFriction(row, lane, ref a, ref b, x0, x1);
+                SolveFriction(row, lane, ref a, ref b, x0, x1, WideMask.All);
                 BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
 
@@ -245,9 +245,13 @@ internal static unsafe class ContactKernel
             * ((Wide.Load(row->Point0.NormalArmB + lane) * p0) + (Wide.Load(row->Point1.NormalArmB + lane) * p1)));
     }
 
-    /// <summary>Two friction rows in turn; the second sees the first's change through the coupling of the tangent arms.</summary>
+    /// <summary>
+    /// Two friction rows in turn; the second sees the first's change through the coupling of the tangent arms. Lanes that are
+    /// not <paramref name="active"/> keep their impulses.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void SolveFriction(ContactBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide normal0, Wide normal1)
+    internal static void SolveFriction(
+        ContactBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide normal0, Wide normal1, WideMask active)
     {
         Wide friction = Wide.Load(row->Friction + lane);
         Wide ut = (Wide.Load(row->NormalY + lane) * (b.X - a.X)) - (Wide.Load(row->NormalX + lane) * (b.Y - a.Y));
@@ -257,6 +261,7 @@ internal static unsafe class ContactKernel
         Wide old0 = Wide.Load(row->Point0.Tangent + lane);
         Wide bound0 = friction * normal0;
         Wide new0 = Wide.Max(Wide.Min(old0 - (Wide.Load(row->TangentMass0 + lane) * v0), bound0), -bound0);
+        new0 = Wide.Select(active, new0, old0);
         new0.Store(row->Point0.Tangent + lane);
         Wide change0 = new0 - old0;
 
@@ -268,6 +273,7 @@ internal static unsafe class ContactKernel
         Wide old1 = Wide.Load(row->Point1.Tangent + lane);
         Wide bound1 = friction * normal1;
         Wide new1 = Wide.Max(Wide.Min(old1 - (Wide.Load(row->TangentMass1 + lane) * v1), bound1), -bound1);
+        new1 = Wide.Select(active, new1, old1);
         new1.Store(row->Point1.Tangent + lane);
         ApplyTangent(row, lane, ref a, ref b, change0, new1 - old1);
     }

@@ -15,6 +15,17 @@ internal readonly struct WideMask
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public WideMask(Mask v) => _v = v;
 
+    /// <summary>Every lane set.</summary>
+    public static WideMask All
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+#if NET8_0_OR_GREATER
+        get => new WideMask(Mask.AllBitsSet);
+#else
+        get => new WideMask(~Mask.Zero);
+#endif
+    }
+
     public Mask Raw
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

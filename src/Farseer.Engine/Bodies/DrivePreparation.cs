@@ -1,0 +1,46 @@
+using System.Numerics;
+
+namespace Farseer.Engine.Bodies;
+
+/// <summary>Works out, once a step, what a substep does to each body of the solver from outside.</summary>
+internal static unsafe class DrivePreparation
+{
+    public static void Prepare(BodyStore bodies, int* list, int count, Vector2 gravity, double substep)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            int body = list[i];
+            ref BodyDrive drive = ref bodies.Drive[body];
+            BodyFlags flags = bodies.Flags[body];
+            if ((flags & (BodyFlags.Static | BodyFlags.Kinematic)) != 0)
+            {
+                drive = default;
+                drive.LinearKeep = 1;
+                drive.AngularKeep = 1;
+                continue;
+            }
+
+            ref BodyMass mass = ref bodies.Mass[body];
+            ref BodyForce force = ref bodies.Force[body];
+            ref BodyDrag drag = ref bodies.Drag[body];
+            ref BodyState state = ref bodies.State[body];
+            Vector2 pull = (flags & BodyFlags.IgnoreGravity) != 0 ? Vector2.Zero : gravity;
+
+            // Quadratic and rotational drag are taken at the step's speed; substeps would differ in the third order only.
+            double rate = drag.Linear;
+            if ((flags & BodyFlags.QuadraticDrag) != 0)
+            {
+                Vector2 v = state.LinearVelocity;
+                rate += drag.Quadratic * System.Math.Sqrt(((double)v.X * v.X) + ((double)v.Y * v.Y));
+            }
+
+            var law = new DragLaw(rate * mass.InverseMass, substep);
+            drive.X = (float)((pull.X + ((double)force.Force.X * mass.InverseMass)) * law.First);
+            drive.Y = (float)((pull.Y + ((double)force.Force.Y * mass.InverseMass)) * law.First);
+            drive.W = (float)((double)force.Torque * mass.InverseInertia * substep);
+            drive.LinearKeep = (float)law.Keep;
+            double spin = (double)drag.Rotational * mass.InverseInertia * System.Math.Abs((double)state.AngularVelocity);
+            drive.AngularKeep = (float)(1 / (1 + (spin * substep)));
+        }
+    }
+}

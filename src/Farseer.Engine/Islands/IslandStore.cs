@@ -1,0 +1,254 @@
+using System;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Islands;
+
+/// <summary>
+/// Groups of bodies that touch, and in each the support levels: how many contacts away the ground is. They are found anew
+/// only when rows came or went. A level's slot collects the largest sag of its contacts; their sum is the island's.
+/// </summary>
+internal sealed unsafe class IslandStore
+{
+    private readonly Column<int> _parent = new Column<int>();
+    private readonly Column<int> _level = new Column<int>();
+    private readonly Column<int> _start = new Column<int>();
+    private readonly Column<int> _neighbours = new Column<int>();
+    private readonly Column<int> _queue = new Column<int>();
+    private readonly Column<int> _islandOf = new Column<int>();
+    private readonly Column<int> _firstSlot = new Column<int>();
+    private readonly Column<float> _slotSag = new Column<float>();
+
+    public int Count { get; private set; }
+
+    /// <summary>One past the last slot.</summary>
+    public int SlotCount { get; private set; }
+
+    public float* SlotSag => _slotSag.Pointer;
+
+    /// <summary>First slot of each island; the entry after the last island is <see cref="SlotCount"/>.</summary>
+    public int* FirstSlot => _firstSlot.Pointer;
+
+    /// <summary>Finds islands and levels of all rows and writes both into the rows.</summary>
+    /// <param name="graph">The rows.</param>
+    /// <param name="bodyEnd">One past the highest body.</param>
+    /// <param name="moves">1 for a body that can move.</param>
+    public void Build(ConstraintGraph graph, int bodyEnd, byte* moves)
+    {
+        EnsureBodies(bodyEnd, graph.RowCount);
+        Union(graph, bodyEnd, moves);
+        FindLevels(graph, bodyEnd, moves);
+        NumberIslands(bodyEnd, moves);
+        WriteRows(graph, moves);
+    }
+
+    private void EnsureBodies(int bodyEnd, int rows)
+    {
+        _parent.EnsureCapacity(bodyEnd);
+        _level.EnsureCapacity(bodyEnd);
+        _islandOf.EnsureCapacity(bodyEnd);
+        _start.EnsureCapacity(bodyEnd + 1);
+        _queue.EnsureCapacity(bodyEnd);
+        _neighbours.EnsureCapacity(Math.Max(1, rows * 2));
+    }
+
+    private void Union(ConstraintGraph graph, int bodyEnd, byte* moves)
+    {
+        int* parent = _parent.Pointer;
+        for (int i = 0; i < bodyEnd; i++)
+        {
+            parent[i] = i;
+        }
+
+        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        {
+            GraphColor color = graph[c];
+            for (int r = 0; r < color.RowCount; r++)
+            {
+                ContactBundle* row = color.BundleOf(r);
+                int lane = color.LaneOf(r);
+                int a = row->BodyA[lane];
+                int b = row->BodyB[lane];
+                if (moves[a] != 0 && moves[b] != 0)
+                {
+                    a = Find(parent, a);
+                    b = Find(parent, b);
+
+                    // The lower index becomes the root, whatever the order of the rows.
+                    if (a < b)
+                    {
+                        parent[b] = a;
+                    }
+                    else
+                    {
+                        parent[a] = b;
+                    }
+                }
+            }
+        }
+    }
+
+    private static int Find(int* parent, int i)
+    {
+        while (parent[i] != i)
+        {
+            parent[i] = parent[parent[i]];
+            i = parent[i];
+        }
+
+        return i;
+    }
+
+    /// <summary>Breadth first from the bodies on the ground; bodies that nothing carries get level 0 too.</summary>
+    private void FindLevels(ConstraintGraph graph, int bodyEnd, byte* moves)
+    {
+        int* start = _start.Pointer;
+        int* level = _level.Pointer;
+        int* queue = _queue.Pointer;
+        int* neighbours = _neighbours.Pointer;
+        for (int i = 0; i < bodyEnd; i++)
+        {
+            start[i] = 0;
+            level[i] = -1;
+        }
+
+        start[bodyEnd] = 0;
+        int queued = 0;
+        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        {
+            GraphColor color = graph[c];
+            for (int r = 0; r < color.RowCount; r++)
+            {
+                ContactBundle* row = color.BundleOf(r);
+                int lane = color.LaneOf(r);
+                int a = row->BodyA[lane];
+                int b = row->BodyB[lane];
+                if (moves[a] != 0 && moves[b] != 0)
+                {
+                    start[a + 1]++;
+                    start[b + 1]++;
+                }
+                else
+                {
+                    int body = moves[a] != 0 ? a : b;
+                    if (level[body] < 0)
+                    {
+                        level[body] = 0;
+                        queue[queued++] = body;
+                    }
+                }
+            }
+        }
+
+        for (int i = 0; i < bodyEnd; i++)
+        {
+            start[i + 1] += start[i];
+        }
+
+        FillNeighbours(graph, moves, start, neighbours);
+        for (int head = 0; head < queued; head++)
+        {
+            int body = queue[head];
+            int end = body == 0 ? 0 : start[body];
+            for (int k = body == 0 ? 0 : start[body - 1]; k < end; k++)
+            {
+                int other = neighbours[k];
+                if (level[other] < 0)
+                {
+                    level[other] = level[body] + 1;
+                    queue[queued++] = other;
+                }
+            }
+        }
+    }
+
+    // After filling, start[i] is the end of body i's range (and start[i - 1] its beginning).
+    private static void FillNeighbours(ConstraintGraph graph, byte* moves, int* start, int* neighbours)
+    {
+        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        {
+            GraphColor color = graph[c];
+            for (int r = 0; r < color.RowCount; r++)
+            {
+                ContactBundle* row = color.BundleOf(r);
+                int lane = color.LaneOf(r);
+                int a = row->BodyA[lane];
+                int b = row->BodyB[lane];
+                if (moves[a] != 0 && moves[b] != 0)
+                {
+                    neighbours[start[a]++] = b;
+                    neighbours[start[b]++] = a;
+                }
+            }
+        }
+    }
+
+    private void NumberIslands(int bodyEnd, byte* moves)
+    {
+        int* parent = _parent.Pointer;
+        int* level = _level.Pointer;
+        int* islandOf = _islandOf.Pointer;
+        _firstSlot.EnsureCapacity(bodyEnd + 1);
+        int* firstSlot = _firstSlot.Pointer;
+        Count = 0;
+        for (int i = 0; i < bodyEnd; i++)
+        {
+            islandOf[i] = -1;
+            if (moves[i] == 0)
+            {
+                continue;
+            }
+
+            int root = Find(parent, i);
+            if (root == i)
+            {
+                firstSlot[Count] = 0;
+                islandOf[i] = Count++;
+            }
+            else
+            {
+                islandOf[i] = islandOf[root];
+            }
+
+            int island = islandOf[i];
+            firstSlot[island] = Math.Max(firstSlot[island], level[i] + 1);
+        }
+
+        int total = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            int levels = Math.Max(firstSlot[i], 1);
+            firstSlot[i] = total;
+            total += levels;
+        }
+
+        firstSlot[Count] = total;
+        SlotCount = total;
+        _slotSag.EnsureCapacity(Math.Max(total, 1));
+    }
+
+    private void WriteRows(ConstraintGraph graph, byte* moves)
+    {
+        int* level = _level.Pointer;
+        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        {
+            GraphColor color = graph[c];
+            for (int r = 0; r < color.RowCount; r++)
+            {
+                ContactBundle* row = color.BundleOf(r);
+                int lane = color.LaneOf(r);
+                int a = row->BodyA[lane];
+                int b = row->BodyB[lane];
+                int body = moves[a] != 0 ? a : b;
+                int other = moves[a] != 0 && moves[b] != 0 ? b : body;
+
+                // A contact belongs to the level of its upper body; the ground carries level 0.
+                int height = Math.Max(0, Math.Max(level[body], level[other]));
+                int island = _islandOf[body];
+                row->Island[lane] = island;
+                row->Level[lane] = _firstSlot[island] + height;
+            }
+        }
+    }
+}

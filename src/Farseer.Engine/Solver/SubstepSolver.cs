@@ -1,0 +1,170 @@
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Solver;
+
+/// <summary>What the solver works on in one step.</summary>
+internal unsafe ref struct SolverInput
+{
+    public BodyStore Bodies;
+    public ConstraintGraph Graph;
+
+    /// <summary>Bodies with constraints, padded to whole bundles with body 0.</summary>
+    public int* List;
+    public int PaddedCount;
+    public int Substeps;
+    public float Substep;
+
+    /// <summary>Share of a deep overlap that goes in one step.</summary>
+    public float Recovery;
+    public bool AnyDeep;
+    public bool AnyBounce;
+}
+
+/// <summary>
+/// The substeps of a step: small steps with one pass of each kind beat many passes on a large one at the same cost. Each
+/// substep: velocities, warm start, biased pass, positions, relax pass, impacts.
+/// </summary>
+internal sealed unsafe class SubstepSolver
+{
+    /// <summary>Sweeps over the contacts that bounce; an impact runs on through as many touching bodies.</summary>
+    private const int BounceSweeps = 6;
+
+    private readonly Column<BodyState> _saved = new Column<BodyState>();
+
+    public void Solve(in SolverInput input)
+    {
+        BodyState* states = input.Bodies.State.Pointer;
+        BodyMotion* motions = input.Bodies.Motion.Pointer;
+        BodyDrive* drives = input.Bodies.Drive.Pointer;
+        var coefficients = new ContactCoefficients(input.Substep);
+        for (int substep = 0; substep < input.Substeps; substep++)
+        {
+            if (input.AnyBounce)
+            {
+                PrepareBounce(input, states, coefficients);
+            }
+
+            Integrator.IntegrateVelocities(input.List, input.PaddedCount, states, motions, drives);
+            WarmStart(input.Graph, states);
+            SolveBiased(input.Graph, states, coefficients, input.AnyDeep);
+            if (input.AnyDeep)
+            {
+                PushOutAndMove(input, states, motions, coefficients);
+            }
+            else
+            {
+                Integrator.IntegratePositions(input.List, input.PaddedCount, states, motions, input.Substep);
+            }
+
+            Relax(input.Graph, states, coefficients);
+            if (input.AnyBounce)
+            {
+                Bounce(input.Graph, states);
+            }
+        }
+    }
+
+    private static void WarmStart(ConstraintGraph graph, BodyState* states)
+    {
+        for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+        {
+            GraphColor color = graph.InOrder(i);
+            ContactKernel.WarmStart(color.Bundles, color.BundleCount, states);
+        }
+    }
+
+    private static void SolveBiased(ConstraintGraph graph, BodyState* states, in ContactCoefficients c, bool anyDeep)
+    {
+        for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+        {
+            GraphColor color = graph.InOrder(i);
+            ContactKernel.SolveBiased(color.Bundles, color.BundleCount, states, c, anyDeep);
+        }
+    }
+
+    private static void Relax(ConstraintGraph graph, BodyState* states, in ContactCoefficients c)
+    {
+        for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+        {
+            GraphColor color = graph.InOrder(i);
+            ContactKernel.Relax(color.Bundles, color.BundleCount, states, c);
+        }
+    }
+
+    private static void PrepareBounce(in SolverInput input, BodyState* states, in ContactCoefficients c)
+    {
+        for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+        {
+            GraphColor color = input.Graph.InOrder(i);
+            BounceKernel.Prepare(color.Bundles, color.BundleCount, states, input.Bodies.Drive.Pointer, c);
+        }
+    }
+
+    private static void Bounce(ConstraintGraph graph, BodyState* states)
+    {
+        for (int sweep = 0; sweep < BounceSweeps; sweep++)
+        {
+            for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+            {
+                GraphColor color = graph.InOrder(i);
+                BounceKernel.Apply(color.Bundles, color.BundleCount, states, sweep == BounceSweeps - 1);
+            }
+        }
+    }
+
+    /// <summary>Moves everything with the velocities that push deep islands apart, and then forgets these velocities.</summary>
+    private void PushOutAndMove(in SolverInput input, BodyState* states, BodyMotion* motions, in ContactCoefficients c)
+    {
+        _saved.EnsureCapacity(input.PaddedCount);
+        BodyState* saved = _saved.Pointer;
+        for (int i = 0; i < input.PaddedCount; i++)
+        {
+            saved[i] = states[input.List[i]];
+        }
+
+        float rate = RecoveryRate(input.Recovery, input.Substeps) * c.InverseSubstep;
+        for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+        {
+            GraphColor color = input.Graph.InOrder(i);
+            ContactKernel.PushOut(color.Bundles, color.BundleCount, states, rate, c);
+        }
+
+        Integrator.IntegratePositions(input.List, input.PaddedCount, states, motions, input.Substep);
+        for (int i = 0; i < input.PaddedCount; i++)
+        {
+            BodyState* state = states + input.List[i];
+            state->LinearVelocity = saved[i].LinearVelocity;
+            state->AngularVelocity = saved[i].AngularVelocity;
+        }
+    }
+
+    /// <summary>Share r a substep with which n substeps remove the share of a step: 1 - (1 - r)^n = share, by bisection.</summary>
+    private static float RecoveryRate(float share, int substeps)
+    {
+        double low = 0;
+        double high = 1;
+        for (int i = 0; i < 40; i++)
+        {
+            double middle = (low + high) / 2;
+            double left = 1;
+            for (int k = 0; k < substeps; k++)
+            {
+                left *= 1 - middle;
+            }
+
+            if (1 - left < share)
+            {
+                low = middle;
+            }
+            else
+            {
+                high = middle;
+            }
+        }
+
+        return (float)low;
+    }
+}
