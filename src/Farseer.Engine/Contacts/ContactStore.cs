@@ -88,7 +88,7 @@ internal sealed class ContactStore
 
         Records[index] = record;
         Manifolds[index] = default;
-        Map.Add(key, index);
+        Map.Set(key, index);
         Count++;
         AddIdle(index);
         return index;

@@ -27,6 +27,12 @@ internal sealed class WorldSettings
     /// <summary>The friction of a pair stays what it was when the pair was made (a quirk of the original). Default false.</summary>
     public bool FreezePairFriction { get; set; }
 
+    /// <summary>Share of a deep overlap that is removed in one step, without becoming speed. 0 to 1; default 0.8.</summary>
+    public float Recovery { get; set; } = 0.8f;
+
+    /// <summary>A pair collides if only one side wants the other (a quirk of the original). Default false: both must.</summary>
+    public bool OneSidedFilter { get; set; }
+
     /// <summary>Raise separation for pairs that only overlapped with their boxes (a quirk of the original). Default false.</summary>
     public bool SeparateUntouchedPairs { get; set; }
 }

@@ -1,9 +1,12 @@
 using System;
-using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Islands;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
+using Farseer.Engine.Solver;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
@@ -12,6 +15,28 @@ namespace Farseer.Engine.Simulation;
 /// <summary>Owns the stores of one simulation. The facades create it, fill it and step it.</summary>
 internal sealed partial class World
 {
+    private readonly ContactStore _contacts = new ContactStore();
+    private readonly ConstraintGraph _graph = new ConstraintGraph();
+    private readonly IslandStore _islands = new IslandStore();
+    private readonly FeedForwardSettings _feedForward = new FeedForwardSettings();
+    private readonly SubstepSolver _solver = new SubstepSolver();
+    private readonly ContactStage _contactStage = new ContactStage();
+    private readonly ContactEvents _events = new ContactEvents();
+    private readonly BoxStage _boxes = new BoxStage();
+    private readonly BodyLists _lists = new BodyLists();
+    private float _lastSubstep;
+
+    public World()
+    {
+        // Body 0 is the dummy that empty lanes point at; it never moves and has no mass.
+        Bodies.Ids.Take();
+        EnsureBodies(1);
+        Bodies.State[0] = new BodyState { DeltaCos = 1 };
+        Bodies.Pose[0] = new BodyPose { Cos = 1 };
+        Bodies.Drive[0] = new BodyDrive { LinearKeep = 1, AngularKeep = 1 };
+        Bodies.Flags[0] = BodyFlags.Static;
+    }
+
     public WorldSettings Settings { get; } = new WorldSettings();
 
     public StepProfile Profile { get; } = new StepProfile();
@@ -20,58 +45,69 @@ internal sealed partial class World
 
     public BodyStore Bodies { get; } = new BodyStore();
 
+    public ProxyStore Proxies { get; } = new ProxyStore();
+
     public IStepHooks? Hooks { get; set; }
 
-    /// <summary>Swappable at any time: pairs already found are kept.</summary>
-    public IBroadPhase BroadPhase { get; set; } = null!;
+    /// <summary>Swappable between steps: pairs already found are kept, and the new one starts with all proxies.</summary>
+    public IBroadPhase BroadPhase { get; private set; } = new BruteForce();
 
-    /// <summary>True while a step runs: structural changes then wait until its end.</summary>
+    /// <summary>True while a step runs: removals then wait for the next one.</summary>
     public bool IsStepping { get; private set; }
 
-    public int ContactCount => throw new NotImplementedException();
+    /// <summary>Pairs of pieces in contact.</summary>
+    public int ContactCount
+    {
+        get
+        {
+            Purge();
+            int count = 0;
+            for (int i = 0; i < _contacts.End; i++)
+            {
+                ref ContactRecord record = ref _contacts.Records[i];
+                if (record.PieceA >= 0 && (record.Flags & ContactFlags.Touching) != 0)
+                {
+                    count++;
+                }
+            }
 
-    public Handle CreateBody(in BodyDef def) => throw new NotImplementedException();
+            return count;
+        }
+    }
 
-    /// <summary>Removes the body with its colliders and contacts; inside a step, at its end.</summary>
-    public void DestroyBody(Handle body) => throw new NotImplementedException();
+    public void SetBroadPhase(IBroadPhase broadPhase)
+    {
+        BroadPhase = broadPhase;
+        for (int i = 0; i < Proxies.End; i++)
+        {
+            if ((Proxies.Info[i].Flags & ProxyFlags.Alive) != 0)
+            {
+                broadPhase.Added(Proxies, i);
+            }
+        }
+    }
 
-    public Handle CreateCollider(Handle body, ShapeGeometry shape, in ColliderDef def) => throw new NotImplementedException();
+    /// <summary>Advances by <paramref name="dt"/> seconds, above 0 and finite.</summary>
+    public void Step(float dt)
+    {
+        if (!(dt > 0) || float.IsInfinity(dt))
+        {
+            throw new ArgumentOutOfRangeException(nameof(dt), dt, "A step must be a finite time above 0.");
+        }
 
-    public void DestroyCollider(Handle collider) => throw new NotImplementedException();
+        if (IsStepping)
+        {
+            throw new InvalidOperationException("The world is already in a step: a callback must not start another.");
+        }
 
-    /// <summary>Teleports a body; legal at any time, also from hooks.</summary>
-    public void SetPosition(Handle body, double x, double y) => throw new NotImplementedException();
-
-    public void SetAngle(Handle body, double angle) => throw new NotImplementedException();
-
-    /// <summary>Mass and inertia; both above 0 and finite.</summary>
-    public void SetMass(Handle body, float mass, float inertia) => throw new NotImplementedException();
-
-    /// <summary>Sets and clears flags (static, enabled, ignore gravity, ...) with everything that follows from them.</summary>
-    public void SetFlags(Handle body, BodyFlags set, BodyFlags clear) => throw new NotImplementedException();
-
-    /// <summary>After a change of a collider's filter: its pairs are judged anew in the next step.</summary>
-    public void Refilter(Handle collider) => throw new NotImplementedException();
-
-    public ref ColliderInfo Collider(Handle collider) => throw new NotImplementedException();
-
-    /// <summary>Advances by <paramref name="dt"/> seconds.</summary>
-    public void Step(float dt) => throw new NotImplementedException();
-
-    /// <summary>World box of a collider at its present pose.</summary>
-    public void GetColliderBox(Handle collider, out Vector2 min, out Vector2 max) => throw new NotImplementedException();
-
-    /// <summary>Calls <paramref name="visitor"/> for every pair in contact, in the order of the colliders.</summary>
-    public void VisitContacts(IContactVisitor visitor) => throw new NotImplementedException();
-
-    /// <summary>64-bit hash of the state of all bodies (poses, velocities), equal on every platform.</summary>
-    public ulong StateHash() => throw new NotImplementedException();
-
-    /// <summary>Deepest overlap of two solid colliders at the end of the last step, 0 if none.</summary>
-    public float LargestPenetration() => throw new NotImplementedException();
-}
-
-internal interface IContactVisitor
-{
-    void Visit(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points);
+        IsStepping = true;
+        try
+        {
+            RunStages(dt);
+        }
+        finally
+        {
+            IsStepping = false;
+        }
+    }
 }

@@ -35,6 +35,9 @@ internal sealed class IdPool
         _free.Add(handle.Index);
     }
 
+    /// <summary>The present handle of a slot in use.</summary>
+    public Handle HandleOf(int index) => new Handle(index, _generations[index]);
+
     public bool IsLive(Handle handle) =>
         handle.Generation != 0 && (uint)handle.Index < (uint)_generations.Count && _generations[handle.Index] == handle.Generation;
 

@@ -1,0 +1,120 @@
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Solver;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>Which bodies the phases of this step work on: those that can move, those with constraints, those in free flight.</summary>
+internal sealed unsafe class BodyLists
+{
+    private readonly Column<byte> _moves = new Column<byte>();
+    private readonly Column<int> _active = new Column<int>();
+    private readonly Column<int> _solver = new Column<int>();
+    private readonly Column<int> _free = new Column<int>();
+
+    /// <summary>1 for each body that forces and contacts may move.</summary>
+    public byte* Moves => _moves.Pointer;
+
+    /// <summary>Bodies that can move, kinematic ones included.</summary>
+    public int* Active => _active.Pointer;
+
+    public int ActiveCount { get; private set; }
+
+    public int* Solver => _solver.Pointer;
+
+    public int SolverCount { get; private set; }
+
+    /// <summary>Count of <see cref="Solver"/> filled up to whole bundles with body 0.</summary>
+    public int PaddedSolverCount { get; private set; }
+
+    public int FreeCount { get; private set; }
+
+    /// <summary>Sorts the bodies; one whose state is not finite is taken out of the simulation and marked.</summary>
+    public void Collect(BodyStore bodies)
+    {
+        int end = bodies.Ids.End;
+        _moves.EnsureCapacity(end);
+        _active.EnsureCapacity(end);
+        byte* moves = _moves.Pointer;
+        BodyFlags* flags = bodies.Flags.Pointer;
+        ActiveCount = 0;
+        for (int i = 0; i < end; i++)
+        {
+            BodyFlags f = flags[i];
+            moves[i] = 0;
+            if ((f & (BodyFlags.Alive | BodyFlags.Enabled | BodyFlags.Static)) != (BodyFlags.Alive | BodyFlags.Enabled))
+            {
+                continue;
+            }
+
+            if (!FinishBodies.IsFinite(bodies, i))
+            {
+                flags[i] = (f & ~BodyFlags.Enabled) | BodyFlags.Quarantined | BodyFlags.Moved;
+                continue;
+            }
+
+            _active[ActiveCount++] = i;
+            moves[i] = (f & BodyFlags.Kinematic) == 0 ? (byte)1 : (byte)0;
+        }
+    }
+
+    /// <summary>Bodies with rows go to the solver; the others fly free and cost nothing there.</summary>
+    public void Split(BodyStore bodies, ConstraintGraph graph)
+    {
+        _solver.EnsureCapacity(ActiveCount + Wide.BundleLanes);
+        _free.EnsureCapacity(ActiveCount);
+        SolverCount = 0;
+        FreeCount = 0;
+        for (int i = 0; i < ActiveCount; i++)
+        {
+            int body = _active[i];
+            if (graph.Degree(body) > 0)
+            {
+                _solver[SolverCount++] = body;
+            }
+            else
+            {
+                _free[FreeCount++] = body;
+            }
+        }
+
+        PaddedSolverCount = SolverCount;
+        while (PaddedSolverCount % Wide.BundleLanes != 0)
+        {
+            _solver[PaddedSolverCount++] = 0;
+        }
+    }
+
+    public void FlyFree(BodyStore bodies, Vector2 gravity, float dt, float substep)
+    {
+        for (int i = 0; i < FreeCount; i++)
+        {
+            int body = _free[i];
+            bool pulled = (bodies.Flags[body] & (BodyFlags.IgnoreGravity | BodyFlags.Kinematic)) == 0;
+            FreeFlight.Advance(bodies, body, pulled ? gravity : Vector2.Zero, dt, substep);
+        }
+    }
+
+    public void PrepareDrives(BodyStore bodies, Vector2 gravity, float substep) =>
+        DrivePreparation.Prepare(bodies, _solver.Pointer, SolverCount, gravity, substep);
+
+    /// <summary>Takes over the solver's displacements, and uses up all forces.</summary>
+    public void Finish(BodyStore bodies)
+    {
+        FinishBodies.Run(bodies, _solver.Pointer, SolverCount);
+        for (int i = 0; i < FreeCount; i++)
+        {
+            FinishBodies.UpdateRotor(ref bodies.Pose[_free[i]]);
+        }
+
+        BodyForce* force = bodies.Force.Pointer;
+        int end = bodies.Ids.End;
+        for (int i = 0; i < end; i++)
+        {
+            force[i] = default;
+        }
+    }
+}

@@ -1,0 +1,100 @@
+using System;
+using System.Numerics;
+using System.Runtime.InteropServices;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>
+/// Keeps the fat boxes around the pieces. A body that has moved less than its boxes allow costs a comparison; work is
+/// proportional to what left its box.
+/// </summary>
+internal sealed unsafe class BoxStage
+{
+    /// <summary>A fat box is larger than the tight one by this share of the piece's extent, and by twice the step's motion.</summary>
+    private const float MarginShare = 0.2f;
+    private const float MotionShare = 2f;
+
+    /// <summary>Contacts are kept up to this share of the extent apart; boxes must overlap before that.</summary>
+    private const float SkinShare = 0.02f;
+
+    private readonly Column<FitRecord> _fits = new Column<FitRecord>();
+
+    public void Update(World world, float dt)
+    {
+        BodyStore bodies = world.Bodies;
+        int end = bodies.Ids.End;
+        _fits.EnsureCapacity(end);
+        float pull = (Math.Abs(world.Settings.Gravity.X) + Math.Abs(world.Settings.Gravity.Y)) * dt;
+        for (int body = 1; body < end; body++)
+        {
+            BodyFlags flags = bodies.Flags[body];
+            if ((flags & BodyFlags.Moved) != 0)
+            {
+                bodies.Flags[body] = flags & ~BodyFlags.Moved;
+                Fit(world, body, dt, pull);
+            }
+            else if ((flags & (BodyFlags.Alive | BodyFlags.Enabled | BodyFlags.Static)) == (BodyFlags.Alive | BodyFlags.Enabled)
+                && HasLeft(bodies, body, dt, pull))
+            {
+                Fit(world, body, dt, pull);
+            }
+        }
+    }
+
+    private bool HasLeft(BodyStore bodies, int body, float dt, float pull)
+    {
+        ref FitRecord fit = ref _fits[body];
+        ref BodyPose pose = ref bodies.Pose[body];
+        float travel = (float)(Math.Abs(pose.X - fit.X) + Math.Abs(pose.Y - fit.Y) + (Math.Abs(pose.Angle - fit.Angle) * fit.Reach));
+        return !(travel + Motion(bodies.State[body], fit.Reach, dt, pull) <= fit.Margin);
+    }
+
+    private static float Motion(in BodyState state, float reach, float dt, float pull) =>
+        (Math.Abs(state.LinearVelocity.X) + Math.Abs(state.LinearVelocity.Y) + pull + (Math.Abs(state.AngularVelocity) * reach)) * dt;
+
+    private void Fit(World world, int body, float dt, float pull)
+    {
+        ref BodyPose pose = ref world.Bodies.Pose[body];
+        bool alive = (world.Bodies.Flags[body] & (BodyFlags.Alive | BodyFlags.Enabled)) == (BodyFlags.Alive | BodyFlags.Enabled);
+        bool isStatic = (world.Bodies.Flags[body] & BodyFlags.Static) != 0;
+        float margin = float.MaxValue;
+        float reach = 0;
+        for (int collider = world.FirstCollider(body); collider >= 0; collider = world.NextCollider(collider))
+        {
+            for (int piece = world.Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = world.Shapes.NextPiece[piece])
+            {
+                float pieceReach = world.Shapes.Pieces[piece].Reach;
+                float motion = isStatic ? 0 : Motion(world.Bodies.State[body], pieceReach, dt, pull);
+                float size = world.Shapes.Pieces[piece].Extent;
+                float spare = isStatic ? SkinShare * size : (MarginShare * size) + (MotionShare * motion);
+                Box tight = world.Shapes.TightBox(piece, pose);
+                Expand(ref tight, spare);
+                world.SetProxy(piece, tight, alive, isStatic);
+                margin = Math.Min(margin, spare - (SkinShare * size));
+                reach = Math.Max(reach, pieceReach);
+            }
+        }
+
+        _fits[body] = new FitRecord { X = pose.X, Y = pose.Y, Angle = pose.Angle, Reach = reach, Margin = margin };
+    }
+
+    private static void Expand(ref Box box, float spare)
+    {
+        box = Box.FromDouble((double)box.MinX - spare, (double)box.MinY - spare, (double)box.MaxX + spare, (double)box.MaxY + spare);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    private struct FitRecord
+    {
+        public double X;
+        public double Y;
+        public double Angle;
+        public float Reach;
+        public float Margin;
+    }
+}

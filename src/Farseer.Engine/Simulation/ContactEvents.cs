@@ -1,0 +1,238 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>
+/// Tells the facade which pairs of colliders touch and which no longer do. Pieces of the same two colliders make one event.
+/// The order is that of the colliders' creation, so it does not depend on broad phase, colours or threads.
+/// </summary>
+internal sealed unsafe class ContactEvents
+{
+    private readonly RadixSort _sort = new RadixSort();
+    private readonly Column<ContactPoint> _points = new Column<ContactPoint>();
+    private readonly Column<int> _contacts = new Column<int>();
+    private Column<ulong> _keys = new Column<ulong>();
+    private Column<PairOfColliders> _pairs = new Column<PairOfColliders>();
+    private Column<ulong> _oldKeys = new Column<ulong>();
+    private Column<PairOfColliders> _oldPairs = new Column<PairOfColliders>();
+    private int _oldCount;
+    private int _count;
+
+    public void Raise(World world, ContactStore contacts, ConstraintGraph graph, bool anyHeard)
+    {
+        IStepHooks? hooks = world.Hooks;
+        if (hooks == null || (!anyHeard && _oldCount == 0))
+        {
+            return;
+        }
+
+        int count = Gather(world, contacts);
+        _count = 0;
+        int i = 0;
+        while (i < count)
+        {
+            int end = i + 1;
+            while (end < count && _keys[end] == _keys[i])
+            {
+                end++;
+            }
+
+            ref ContactRecord first = ref contacts.Records[_contacts[i]];
+            var pair = new PairOfColliders { A = first.ColliderA, B = first.ColliderB };
+            int position = _count++;
+            _pairs.EnsureCapacity(_count);
+            _keys[position] = _keys[i];
+            _pairs[position] = pair;
+            if (!RaiseContact(world, contacts, graph, hooks, i, end, pair) && world.Settings.SeparateUntouchedPairs)
+            {
+                _pairs[position].Gone = true;
+            }
+
+            i = end;
+        }
+
+        RaiseSeparations(world, hooks, _count);
+        (_keys, _oldKeys) = (_oldKeys, _keys);
+        (_pairs, _oldPairs) = (_oldPairs, _pairs);
+        _oldCount = _count;
+        _count = 0;
+    }
+
+    /// <summary>A collider goes: the pairs of it that touched separate.</summary>
+    public void ColliderRemoved(World world, int collider)
+    {
+        // Within the raising of events the pair may stand in the list of this step, of the last one, or in both.
+        for (int i = 0; i < _count; i++)
+        {
+            Part(world, ref _pairs[i], collider, true);
+        }
+
+        for (int i = 0; i < _oldCount; i++)
+        {
+            Part(world, ref _oldPairs[i], collider, !IsIn(_keys, _count, _oldKeys[i]));
+        }
+    }
+
+    private static void Part(World world, ref PairOfColliders pair, int collider, bool raise)
+    {
+        if (!pair.Gone && (pair.A == collider || pair.B == collider))
+        {
+            pair.Gone = true;
+            if (raise && Wants(world, pair, ColliderFlags.WantsSeparation))
+            {
+                world.Hooks?.OnSeparation(pair.A, pair.B);
+            }
+        }
+    }
+
+    private static bool IsIn(Column<ulong> keys, int count, ulong key)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            if (keys[i] == key)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Collects the points of contact <paramref name="index"/> for a reader, at the poses of the step's start.</summary>
+    public static int WritePoints(World world, in ContactRecord record, in Manifold manifold, ContactPoint* target)
+    {
+        ref BodyPose poseA = ref world.Bodies.Pose[record.BodyA];
+        for (int k = 0; k < manifold.Count; k++)
+        {
+            ManifoldPoint point = k == 0 ? manifold.Point0 : manifold.Point1;
+            target[k] = new ContactPoint
+            {
+                X = poseA.X + point.Anchor.X,
+                Y = poseA.Y + point.Anchor.Y,
+                Normal = manifold.Normal,
+                Separation = point.Separation,
+                FeatureId = point.Id,
+            };
+        }
+
+        return manifold.Count;
+    }
+
+    private static bool Wants(World world, in PairOfColliders pair, ColliderFlags flag) =>
+        ((world.Shapes.Colliders[pair.A].Flags | world.Shapes.Colliders[pair.B].Flags) & flag) != 0;
+
+    private int Gather(World world, ContactStore contacts)
+    {
+        int count = 0;
+        _keys.EnsureCapacity(contacts.Count);
+        _contacts.EnsureCapacity(contacts.Count);
+        for (int i = 0; i < contacts.End; i++)
+        {
+            ref ContactRecord record = ref contacts.Records[i];
+            if (record.PieceA >= 0 && (record.Flags & ContactFlags.Heard) != 0 && IsReported(world, record))
+            {
+                _keys[count] = Key(world, record);
+                _contacts[count++] = i;
+            }
+        }
+
+        _sort.Sort(_keys.Pointer, _contacts.Pointer, count);
+        return count;
+    }
+
+    // The quirk of the original treats a pair whose boxes overlap as one that separates in every step.
+    private static bool IsReported(World world, in ContactRecord record)
+    {
+        if ((record.Flags & ContactFlags.Touching) != 0)
+        {
+            return true;
+        }
+
+        return world.Settings.SeparateUntouchedPairs
+            && Box.Overlap(
+                world.Shapes.TightBox(record.PieceA, world.Bodies.Pose[record.BodyA]),
+                world.Shapes.TightBox(record.PieceB, world.Bodies.Pose[record.BodyB]));
+    }
+
+    private static ulong Key(World world, in ContactRecord record) =>
+        ((ulong)(uint)world.Shapes.Colliders[record.ColliderA].Order << 32) | (uint)world.Shapes.Colliders[record.ColliderB].Order;
+
+    /// <returns>False if the pair gives no response in this step.</returns>
+    private bool RaiseContact(
+        World world, ContactStore contacts, ConstraintGraph graph, IStepHooks hooks, int start, int end, in PairOfColliders pair)
+    {
+        _points.EnsureCapacity(2 * (end - start));
+        int points = 0;
+        if ((world.Shapes.Colliders[pair.A].Flags & world.Shapes.Colliders[pair.B].Flags & ColliderFlags.Alive) == 0)
+        {
+            return false;
+        }
+        for (int i = start; i < end; i++)
+        {
+            ref ContactRecord record = ref contacts.Records[_contacts[i]];
+            if ((record.Flags & ContactFlags.Touching) != 0)
+            {
+                points += WritePoints(world, record, contacts.Manifolds[_contacts[i]], _points.Pointer + points);
+            }
+        }
+
+        bool accepted = points > 0;
+        if (points > 0 && Wants(world, pair, ColliderFlags.WantsContact))
+        {
+            accepted = hooks.OnContact(pair.A, pair.B, new ReadOnlySpan<ContactPoint>(_points.Pointer, points));
+        }
+
+        for (int i = start; i < end && !accepted; i++)
+        {
+            ref ContactRecord record = ref contacts.Records[_contacts[i]];
+            record.Flags |= ContactFlags.Vetoed;
+            if (record.Color >= 0)
+            {
+                GraphColor color = graph[record.Color];
+                ContactRowWriter.Mute(color.BundleOf(record.Row), color.LaneOf(record.Row));
+            }
+        }
+
+        if (!accepted && world.Settings.SeparateUntouchedPairs && Wants(world, pair, ColliderFlags.WantsSeparation))
+        {
+            hooks.OnSeparation(pair.A, pair.B);
+        }
+
+        return accepted;
+    }
+
+    /// <summary>Both lists are sorted: what is in the old one only has separated.</summary>
+    private void RaiseSeparations(World world, IStepHooks hooks, int pairs)
+    {
+        int next = 0;
+        for (int i = 0; i < _oldCount; i++)
+        {
+            while (next < pairs && _keys[next] < _oldKeys[i])
+            {
+                next++;
+            }
+
+            bool still = next < pairs && _keys[next] == _oldKeys[i];
+            PairOfColliders pair = _oldPairs[i];
+            if (!still && !pair.Gone && Wants(world, pair, ColliderFlags.WantsSeparation))
+            {
+                hooks.OnSeparation(pair.A, pair.B);
+            }
+        }
+    }
+
+    private struct PairOfColliders
+    {
+        public int A;
+        public int B;
+        public bool Gone;
+    }
+}

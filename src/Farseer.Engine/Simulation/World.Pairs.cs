@@ -1,0 +1,186 @@
+using Farseer.Engine.Bodies;
+using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>Proxies, the making of pairs, and the end of what was removed.</summary>
+internal sealed partial class World
+{
+    private readonly PairBuffer _pairs = new PairBuffer();
+    private readonly RadixSort _pairSort = new RadixSort();
+    private readonly Column<byte> _staleBodies = new Column<byte>();
+    private bool _anyStale;
+
+    /// <summary>Gives a piece a new fat box and makes it look for pairs.</summary>
+    internal void SetProxy(int piece, in Box fat, bool alive, bool isStatic)
+    {
+        ref ProxyInfo info = ref Proxies.Info[piece];
+        if (!alive || (Shapes.Colliders[Shapes.Pieces[piece].Collider].Flags & ColliderFlags.Alive) == 0)
+        {
+            RemoveProxy(piece);
+            return;
+        }
+
+        bool known = (info.Flags & ProxyFlags.Alive) != 0;
+        Proxies.Fat[piece] = fat;
+        info.Body = Shapes.Pieces[piece].Body;
+        info.Flags = ProxyFlags.Alive | ProxyFlags.Moved | (isStatic ? ProxyFlags.Static : ProxyFlags.None);
+        if (!known)
+        {
+            BroadPhase.Added(Proxies, piece);
+        }
+    }
+
+    /// <summary>After a change of a collider's filter: its pairs are judged anew in the next step.</summary>
+    public void Refilter(Handle collider)
+    {
+        Require(collider, Shapes.ColliderIds, nameof(collider));
+        int body = Shapes.Colliders[collider.Index].Body;
+        MarkStale(body);
+        Bodies.Flags[body] |= BodyFlags.Moved;
+    }
+
+    private void RemoveProxy(int piece)
+    {
+        ref ProxyInfo info = ref Proxies.Info[piece];
+        if ((info.Flags & ProxyFlags.Alive) != 0)
+        {
+            info.Flags = ProxyFlags.None;
+            BroadPhase.Removed(Proxies, piece);
+        }
+    }
+
+    private void MarkStale(int body)
+    {
+        _staleBodies.EnsureCapacity(Bodies.Ids.End);
+        _staleBodies[body] = 1;
+        _anyStale = true;
+    }
+
+    private unsafe void FindPairs()
+    {
+        _pairs.Clear();
+        BroadPhase.Collect(Proxies, _pairs);
+        for (int i = 0; i < Proxies.End; i++)
+        {
+            Proxies.Info[i].Flags &= ~ProxyFlags.Moved;
+        }
+
+        _pairSort.Sort(_pairs.Pointer, _pairs.Count);
+        for (int i = 0; i < _pairs.Count; i++)
+        {
+            ulong key = _pairs[i];
+            if (!_contacts.Map.Contains(key))
+            {
+                TryCreatePair(key);
+            }
+        }
+    }
+
+    private void TryCreatePair(ulong key)
+    {
+        int a = PairBuffer.Lower(key);
+        int b = PairBuffer.Higher(key);
+        int colliderA = Shapes.Pieces[a].Collider;
+        int colliderB = Shapes.Pieces[b].Collider;
+        if (Shapes.Colliders[colliderA].Order > Shapes.Colliders[colliderB].Order)
+        {
+            (a, b) = (b, a);
+            (colliderA, colliderB) = (colliderB, colliderA);
+        }
+
+        if (!PassesFilter(Shapes.Colliders[colliderA], Shapes.Colliders[colliderB])
+            || (Hooks != null && !Hooks.AcceptPair(colliderA, colliderB)))
+        {
+            return;
+        }
+
+        var record = new ContactRecord
+        {
+            PieceA = a,
+            PieceB = b,
+            BodyA = Shapes.Pieces[a].Body,
+            BodyB = Shapes.Pieces[b].Body,
+            ColliderA = colliderA,
+            ColliderB = colliderB,
+        };
+        record.FirstFriction = ContactUpdate.MixFriction(ContactInput(0, 1), record);
+        _contacts.Create(key, record);
+    }
+
+    private bool PassesFilter(in ColliderInfo a, in ColliderInfo b)
+    {
+        if ((a.Flags & b.Flags & ColliderFlags.CollisionEnabled) == 0 || (a.Group != 0 && a.Group == b.Group))
+        {
+            return false;
+        }
+
+        bool aWants = (a.CollidesWith & b.Categories) != 0;
+        bool bWants = (b.CollidesWith & a.Categories) != 0;
+        return Settings.OneSidedFilter ? aWants || bWants : aWants && bWants;
+    }
+
+    /// <summary>Ends what was removed or changed since the last step: pairs first, then colliders, then bodies. Not within a step.</summary>
+    private void Purge()
+    {
+        if (!IsStepping)
+        {
+            PurgeNow();
+        }
+    }
+
+    private void PurgeNow()
+    {
+        if (_deadColliderCount == 0 && _deadBodyCount == 0 && !_anyStale)
+        {
+            return;
+        }
+
+        for (int i = 0; i < _contacts.End; i++)
+        {
+            ref ContactRecord record = ref _contacts.Records[i];
+            if (record.PieceA >= 0 && IsOver(record))
+            {
+                ContactStage.Drop(_contacts, _graph, i);
+            }
+        }
+
+        for (int i = 0; i < _deadColliderCount; i++)
+        {
+            int collider = _deadColliders[i].Index;
+            Unlink(collider);
+            Shapes.DetachPieces(collider);
+            Shapes.ColliderIds.Return(_deadColliders[i]);
+        }
+
+        for (int i = 0; i < _deadBodyCount; i++)
+        {
+            Bodies.Ids.Return(_deadBodies[i]);
+        }
+
+        for (int i = 0; _anyStale && i < _staleBodies.Capacity; i++)
+        {
+            _staleBodies[i] = 0;
+        }
+
+        _deadColliderCount = 0;
+        _deadBodyCount = 0;
+        _anyStale = false;
+    }
+
+    private bool IsOver(in ContactRecord record)
+    {
+        if (_anyStale && (IsStale(record.BodyA) || IsStale(record.BodyB)))
+        {
+            return true;
+        }
+
+        return (Shapes.Colliders[record.ColliderA].Flags & Shapes.Colliders[record.ColliderB].Flags & ColliderFlags.Alive) == 0;
+    }
+
+    private bool IsStale(int body) => body < _staleBodies.Capacity && _staleBodies[body] != 0;
+}

@@ -1,0 +1,178 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+internal interface IContactVisitor
+{
+    void Visit(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points);
+}
+
+/// <summary>What readers ask of the world between steps.</summary>
+internal sealed partial class World
+{
+    private readonly Column<ulong> _visitKeys = new Column<ulong>();
+    private readonly Column<int> _visitContacts = new Column<int>();
+    private readonly Column<ContactPoint> _visitPoints = new Column<ContactPoint>();
+
+    /// <summary>World box of a collider at its present pose.</summary>
+    public void GetColliderBox(Handle collider, out Vector2 min, out Vector2 max)
+    {
+        ref ColliderInfo info = ref Collider(collider);
+        min = new Vector2(float.MaxValue, float.MaxValue);
+        max = new Vector2(float.MinValue, float.MinValue);
+        for (int piece = info.FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
+        {
+            Box box = Shapes.TightBox(piece, Bodies.Pose[info.Body]);
+            min = Vector2.Min(min, new Vector2(box.MinX, box.MinY));
+            max = Vector2.Max(max, new Vector2(box.MaxX, box.MaxY));
+        }
+    }
+
+    /// <summary>
+    /// Calls <paramref name="visitor"/> for every pair of colliders that touched in the last step, in the order of the colliders,
+    /// with the points at the present poses and the impulses of the last substep taken for the whole step.
+    /// </summary>
+    public unsafe void VisitContacts(IContactVisitor visitor)
+    {
+        Purge();
+        int count = 0;
+        _visitKeys.EnsureCapacity(Math.Max(1, _contacts.Count));
+        _visitContacts.EnsureCapacity(Math.Max(1, _contacts.Count));
+        for (int i = 0; i < _contacts.End; i++)
+        {
+            ref ContactRecord record = ref _contacts.Records[i];
+            if (record.PieceA >= 0 && (record.Flags & ContactFlags.Touching) != 0)
+            {
+                _visitKeys[count] = ((ulong)(uint)Shapes.Colliders[record.ColliderA].Order << 32)
+                    | (uint)Shapes.Colliders[record.ColliderB].Order;
+                _visitContacts[count++] = i;
+            }
+        }
+
+        _pairSort.Sort(_visitKeys.Pointer, _visitContacts.Pointer, count);
+        int start = 0;
+        while (start < count)
+        {
+            int end = start;
+            int points = 0;
+            while (end < count && _visitKeys[end] == _visitKeys[start])
+            {
+                _visitPoints.EnsureCapacity(points + 2);
+                ref ContactRecord record = ref _contacts.Records[_visitContacts[end]];
+                Manifold manifold = CollideNow(record);
+                points += ContactEvents.WritePoints(this, record, manifold, _visitPoints.Pointer + points);
+                AddImpulses(record, points - manifold.Count, manifold.Count);
+                end++;
+            }
+
+            ref ContactRecord first = ref _contacts.Records[_visitContacts[start]];
+            visitor.Visit(first.ColliderA, first.ColliderB, new ReadOnlySpan<ContactPoint>(_visitPoints.Pointer, points));
+            start = end;
+        }
+    }
+
+    /// <summary>64-bit hash (FNV-1a) of the poses and velocities of all live bodies, in order; equal on every platform.</summary>
+    public unsafe ulong StateHash()
+    {
+        ulong hash = 14695981039346656037UL;
+        for (int body = 1; body < Bodies.Ids.End; body++)
+        {
+            if ((Bodies.Flags[body] & BodyFlags.Alive) != 0)
+            {
+                BodyPose pose = Bodies.Pose[body];
+                BodyState state = Bodies.State[body];
+                hash = Hash(hash, *(ulong*)&pose.X);
+                hash = Hash(hash, *(ulong*)&pose.Y);
+                hash = Hash(hash, *(ulong*)&pose.Angle);
+                hash = Hash(hash, (uint)FloatBits.ToInt(state.LinearVelocity.X));
+                hash = Hash(hash, (uint)FloatBits.ToInt(state.LinearVelocity.Y));
+                hash = Hash(hash, (uint)FloatBits.ToInt(state.AngularVelocity));
+            }
+        }
+
+        return hash;
+    }
+
+    /// <summary>Deepest overlap of two responding colliders at the present poses, 0 if none.</summary>
+    public float LargestPenetration()
+    {
+        Purge();
+        float deepest = 0;
+        for (int i = 0; i < _contacts.End; i++)
+        {
+            ref ContactRecord record = ref _contacts.Records[i];
+            if (record.PieceA >= 0 && (record.Flags & ContactFlags.Solid) != 0)
+            {
+                Manifold manifold = CollideNow(record);
+                deepest = manifold.Count > 0 ? Math.Max(deepest, -manifold.Point0.Separation) : deepest;
+                deepest = manifold.Count > 1 ? Math.Max(deepest, -manifold.Point1.Separation) : deepest;
+            }
+        }
+
+        return deepest;
+    }
+
+    private static ulong Hash(ulong hash, ulong value)
+    {
+        for (int i = 0; i < 8; i++)
+        {
+            hash = (hash ^ (value & 0xFF)) * 1099511628211UL;
+            value >>= 8;
+        }
+
+        return hash;
+    }
+
+    private unsafe Manifold CollideNow(in ContactRecord record)
+    {
+        ref BodyPose a = ref Bodies.Pose[record.BodyA];
+        ref BodyPose b = ref Bodies.Pose[record.BodyB];
+        PairInput pair;
+        pair.Vertices = Shapes.Vertices.Pointer;
+        pair.Normals = Shapes.Normals.Pointer;
+        pair.OutlineBefore = Shapes.OutlineBefore.Pointer;
+        pair.OutlineAfter = Shapes.OutlineAfter.Pointer;
+        pair.A = Shapes.Pieces[record.PieceA];
+        pair.B = Shapes.Pieces[record.PieceB];
+        pair.RotationA = new Rotation(a.Cos, a.Sin);
+        pair.RotationB = new Rotation(b.Cos, b.Sin);
+        pair.Offset = new Vector2((float)(b.X - a.X), (float)(b.Y - a.Y));
+        pair.Margin = 0.02f * Math.Min(pair.A.Extent, pair.B.Extent);
+        pair.OldId = 0;
+        Collision.Collide(pair, out Manifold manifold);
+        return manifold;
+    }
+
+    private unsafe void AddImpulses(in ContactRecord record, int from, int count)
+    {
+        if (record.Color < 0)
+        {
+            return;
+        }
+
+        Graph.GraphColor color = _graph[record.Color];
+        ContactBundle* bundle = color.BundleOf(record.Row);
+        int lane = color.LaneOf(record.Row);
+        for (int k = from; k < from + count; k++)
+        {
+            ref ContactPoint point = ref _visitPoints[k];
+            if (point.FeatureId == bundle->Point0.Id[lane])
+            {
+                point.NormalImpulse = bundle->Point0.Normal[lane] * Settings.Substeps;
+                point.TangentImpulse = bundle->Point0.Tangent[lane] * Settings.Substeps;
+            }
+            else if (point.FeatureId == bundle->Point1.Id[lane])
+            {
+                point.NormalImpulse = bundle->Point1.Normal[lane] * Settings.Substeps;
+                point.TangentImpulse = bundle->Point1.Tangent[lane] * Settings.Substeps;
+            }
+        }
+    }
+}

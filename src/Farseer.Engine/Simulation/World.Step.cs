@@ -1,0 +1,96 @@
+using System;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Solver;
+using Farseer.Engine.Stepping;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>The table of contents of a step: one line a phase.</summary>
+internal sealed partial class World
+{
+    private void RunStages(float dt)
+    {
+        Profile.Begin();
+        PurgeNow();
+        _lists.Collect(Bodies);
+        Profile.End(StepStage.DeferredChanges);
+
+        _boxes.Update(this, dt);
+        FindPairs();
+        Profile.End(StepStage.BroadPhase);
+
+        float substep = dt / Settings.Substeps;
+        _contactStage.Update(ContactInput(dt, substep), _graph);
+        _events.Raise(this, _contacts, _graph, _contactStage.AnyHeard);
+        Profile.End(StepStage.NarrowPhase);
+
+        bool anyDeep = UpdateIslands(substep);
+        Profile.End(StepStage.GraphAndIslands);
+
+        Hooks?.ApplyForces(dt);
+        Profile.End(StepStage.Forces);
+
+        Solve(dt, substep, anyDeep);
+        Profile.End(StepStage.Solve);
+
+        _lists.Finish(Bodies);
+        _lastSubstep = substep;
+        Profile.End(StepStage.Finish);
+    }
+
+    private unsafe ContactUpdateInput ContactInput(float dt, float substep)
+    {
+        ContactUpdateInput input;
+        input.Shapes = Shapes;
+        input.Bodies = Bodies;
+        input.Contacts = _contacts;
+        input.Fat = Proxies.Fat.Pointer;
+        input.Moves = _lists.Moves;
+        input.Settings = Settings;
+        input.Dt = dt;
+        input.ImpulseScale = _lastSubstep > 0 ? substep / _lastSubstep : 1f;
+        input.Substep = substep;
+        return input;
+    }
+
+    private unsafe bool UpdateIslands(float substep)
+    {
+        if (_graph.RowCount == 0)
+        {
+            return false;
+        }
+
+        if (_graph.Changed)
+        {
+            _islands.Build(_graph, Bodies.Ids.End, _lists.Moves);
+            _graph.Changed = false;
+        }
+
+        System.Numerics.Vector2 g = Settings.Gravity;
+        float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
+        return _feedForward.Apply(_islands, _graph, gravity, new ContactCoefficients(substep));
+    }
+
+    private unsafe void Solve(float dt, float substep, bool anyDeep)
+    {
+        _lists.Split(Bodies, _graph);
+        _lists.FlyFree(Bodies, Settings.Gravity, dt, substep);
+        if (_lists.SolverCount == 0)
+        {
+            return;
+        }
+
+        _lists.PrepareDrives(Bodies, Settings.Gravity, substep);
+        SolverInput input;
+        input.Bodies = Bodies;
+        input.Graph = _graph;
+        input.List = _lists.Solver;
+        input.PaddedCount = _lists.PaddedSolverCount;
+        input.Substeps = Settings.Substeps;
+        input.Substep = substep;
+        input.Recovery = Settings.Recovery;
+        input.AnyDeep = anyDeep;
+        input.AnyBounce = _contactStage.AnyBounce;
+        _solver.Solve(input);
+    }
+}
