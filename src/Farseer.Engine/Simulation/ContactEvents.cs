@@ -106,7 +106,7 @@ internal sealed unsafe class ContactEvents
         return false;
     }
 
-    /// <summary>Collects the points of contact <paramref name="index"/> for a reader, at the poses of the step's start.</summary>
+    /// <summary>Writes the points of a contact for a reader, at the poses of the step's start.</summary>
     public static int WritePoints(World world, in ContactRecord record, in Manifold manifold, ContactPoint* target)
     {
         ref BodyPose poseA = ref world.Bodies.Pose[record.BodyA];
