@@ -21,6 +21,12 @@ internal static unsafe class Collision
             return;
         }
 
+        if (pair.A.Kind == ShapeKind.Box && pair.B.Kind == ShapeKind.Box)
+        {
+            BoxBox.Collide(pair, out manifold);
+            return;
+        }
+
         bool circleA = pair.A.Kind == ShapeKind.Circle;
         bool circleB = pair.B.Kind == ShapeKind.Circle;
         if (circleA)

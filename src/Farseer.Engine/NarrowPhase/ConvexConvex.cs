@@ -14,7 +14,7 @@ internal static unsafe class ConvexConvex
     /// B's axis must be better than A's by this share of the smaller piece's extent. Where faces are almost parallel both
     /// serve equally well, and a normal that jumps between them from step to step would cost the stack its rest.
     /// </summary>
-    private const float ReferenceBias = 0.001f;
+    public const float ReferenceBias = 0.001f;
 
     public static void Collide(in PairInput pair, out Manifold manifold)
     {
@@ -71,6 +71,9 @@ internal static unsafe class ConvexConvex
     {
         manifold.Normal = rotation.Rotate(manifold.Normal);
         manifold.Point0.Anchor = rotation.Rotate(manifold.Point0.Anchor) + origin;
-        manifold.Point1.Anchor = rotation.Rotate(manifold.Point1.Anchor) + origin;
+        if (manifold.Count == 2)
+        {
+            manifold.Point1.Anchor = rotation.Rotate(manifold.Point1.Anchor) + origin;
+        }
     }
 }
