@@ -1,0 +1,72 @@
+using System;
+using System.Globalization;
+
+namespace Farseer.Samples;
+
+/// <summary>Reads the words after a command.</summary>
+internal static class CommandLine
+{
+    private static readonly string[] _runOptions = ["--steps", "--iterations", "--dt", "--json"];
+    private static readonly string[] _watchOptions = ["--iterations", "--dt"];
+
+    public static void None(string verb, ReadOnlySpan<string> words)
+    {
+        if (words.Length > 0)
+        {
+            throw new UsageException($"'{verb}' takes no arguments, not '{words[0]}'");
+        }
+    }
+
+    public static RunOptions Run(string verb, ReadOnlySpan<string> words)
+    {
+        string[] known = verb == "watch" ? _watchOptions : _runOptions;
+        RunOptions options = new(string.Empty);
+        for (int i = 0; i < words.Length; i++)
+        {
+            string word = words[i];
+            if (!word.StartsWith('-'))
+            {
+                options = options.Scene.Length == 0
+                    ? options with { Scene = word }
+                    : throw new UsageException($"'{verb}' takes one scene, not '{options.Scene}' and '{word}'");
+                continue;
+            }
+
+            if (Array.IndexOf(known, word) < 0)
+            {
+                throw new UsageException($"'{verb}' has no option '{word}'{Names.Suggestion(word, known)}");
+            }
+
+            if (word == "--json")
+            {
+                options = options with { Json = true };
+                continue;
+            }
+
+            string? value = ++i < words.Length ? words[i] : null;
+            options = word switch
+            {
+                "--steps" => options with { Steps = Whole(word, value) },
+                "--iterations" => options with { Iterations = Whole(word, value) },
+                _ => options with { Dt = Seconds(word, value) },
+            };
+        }
+
+        return options.Scene.Length > 0
+            ? options
+            : throw new UsageException($"'{verb}' needs the name of a scene or a scene file; 'list' shows the names");
+    }
+
+    private static int Whole(string option, string? text) =>
+        int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= 1
+            ? value
+            : throw Bad(option, "a whole number of at least 1", text);
+
+    private static float Seconds(string option, string? text) =>
+        float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out float value) && value > 0f && float.IsFinite(value)
+            ? value
+            : throw Bad(option, "a number of seconds above 0", text);
+
+    private static UsageException Bad(string option, string wanted, string? text) =>
+        new(text is null ? $"{option} needs {wanted}" : $"{option} needs {wanted}, not '{text}'");
+}

@@ -1,0 +1,33 @@
+using System;
+
+namespace Farseer.Samples.Commands;
+
+/// <summary>Prints the commands.</summary>
+internal static class HelpCommand
+{
+    private const string Words = """
+        Farseer samples
+
+          list                      the scenes and what they show
+          run <scene|file.json>     run to the end and print the results
+              --steps N             updates instead of the scene's own number
+              --iterations N        the accuracy dial of the simulator (default 5)
+              --dt S                seconds an update
+              --json                one JSON object instead of tables
+          watch <scene|file.json>   live in the terminal
+              --iterations N, --dt S
+              keys: space pause, right or n one step, + and - speed, r restart, q quit
+          check                     run all scenes and compare with what must come out
+          help                      this
+
+        Without arguments: a menu in a terminal, otherwise the scene falling-stack.
+        A scene file is described in docs/SceneFormat.md.
+        Exit code: 0 fine, 1 a check failed, 2 wrong use or a broken file.
+        """;
+
+    public static int Execute()
+    {
+        Console.WriteLine(Words);
+        return 0;
+    }
+}

@@ -1,0 +1,75 @@
+using System;
+using System.IO;
+using Farseer.Scenes;
+using Spectre.Console;
+
+namespace Farseer.Samples.Commands;
+
+/// <summary>Runs one scene to its end and prints what came out.</summary>
+internal static class RunCommand
+{
+    private const int StepsBeforeJudging = 20;
+
+    /// <summary>Below this nobody waits long enough to want a bar.</summary>
+    private static readonly TimeSpan _long = TimeSpan.FromSeconds(1.0);
+
+    public static int Execute(RunOptions options)
+    {
+        Scene scene = SceneSelection.Find(options.Scene);
+        SceneRun run = Start(scene, options);
+        while (!run.IsFinished && run.Done < StepsBeforeJudging)
+        {
+            run.Step();
+        }
+
+        if (!options.Json && !Console.IsOutputRedirected && run.Remaining > _long)
+        {
+            StepWithBar(run);
+        }
+
+        while (!run.IsFinished)
+        {
+            run.Step();
+        }
+
+        RunResult result = run.Result();
+        if (options.Json)
+        {
+            using Stream output = Console.OpenStandardOutput();
+            Report.Json(result, output);
+        }
+        else
+        {
+            Report.Tables(result);
+        }
+
+        return result.AllOk ? 0 : 1;
+    }
+
+    /// <summary>What the simulator refuses of the command line's numbers is wrong use as well.</summary>
+    private static SceneRun Start(Scene scene, RunOptions options)
+    {
+        try
+        {
+            return new SceneRun(scene, options);
+        }
+        catch (ArgumentException e)
+        {
+            throw new UsageException(e.Message.ReplaceLineEndings(" "));
+        }
+    }
+
+    private static void StepWithBar(SceneRun run) =>
+        AnsiConsole.Progress()
+            .AutoClear(true)
+            .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn())
+            .Start(context =>
+            {
+                ProgressTask bar = context.AddTask(Markup.Escape(run.Scene.Name), true, run.Steps);
+                while (!run.IsFinished)
+                {
+                    run.Step();
+                    bar.Value = run.Done;
+                }
+            });
+}

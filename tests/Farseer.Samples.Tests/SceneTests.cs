@@ -1,0 +1,119 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using Farseer.Scenes;
+using FarseerGames.FarseerPhysics;
+using FarseerGames.FarseerPhysics.Collisions;
+using Xunit;
+
+namespace Farseer.Samples.Tests;
+
+public class SceneTests
+{
+    public static TheoryData<string> Names
+    {
+        get
+        {
+            TheoryData<string> names = [];
+            foreach (Scene scene in SceneLibrary.All)
+            {
+                names.Add(scene.Name);
+            }
+
+            return names;
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Names))]
+    public void Scene_RunToItsEnd_PassesItsChecks(string name)
+    {
+        Scene scene = SceneLibrary.Find(name)!;
+
+        scene.RunToEnd();
+
+        IReadOnlyList<SceneOutcome> outcomes = scene.Check();
+        Assert.NotEmpty(outcomes);
+        Assert.True(outcomes.All(o => o.Ok), string.Join(Environment.NewLine, outcomes.Where(o => !o.Ok)
+            .Select(o => string.Create(CultureInfo.InvariantCulture, $"{o.Name}: {o.Value} {o.Relation} {o.Limit}"))));
+    }
+
+    [Theory]
+    [MemberData(nameof(Names))]
+    public void Scene_WarmWithHandlers_AllocatesNothing(string name)
+    {
+        // A first run of the same scene compiles every method that the second one will use.
+        RunAndCount(SceneLibrary.Find(name)!);
+
+        (long bytes, int events) = RunAndCount(SceneLibrary.Find(name)!);
+
+        Assert.Equal(0, bytes);
+        Assert.True(events > 0 || name == "projectiles", "No handler was ever called.");
+    }
+
+    [Theory]
+    [MemberData(nameof(Names))]
+    public void Scene_BuiltTwice_EndsInTheSameState(string name)
+    {
+        Scene scene = SceneLibrary.Find(name)!;
+        ulong first = Shorter(scene);
+
+        // The same instance again: Build must start over.
+        ulong second = Shorter(scene);
+
+        Assert.Equal(first, second);
+    }
+
+    [Fact]
+    public void Library_Names_AreUniqueAndTypeable()
+    {
+        IReadOnlyList<Scene> all = SceneLibrary.All;
+
+        Assert.True(all.Count >= 16);
+        Assert.Equal(all.Count, all.Select(s => s.Name).Distinct().Count());
+        Assert.Equal(all.Count, all.Select(s => s.Title).Distinct().Count());
+        Assert.All(all, s => Assert.Matches("^[a-z]+(-[a-z]+)*$", s.Name));
+        Assert.NotNull(SceneLibrary.Find(SceneLibrary.DefaultName));
+    }
+
+    private static ulong Shorter(Scene scene)
+    {
+        PhysicsSimulator simulator = new();
+        scene.Build(simulator);
+        for (int step = 0; step < 100; step++)
+        {
+            scene.Step(simulator, step, scene.Dt);
+        }
+
+        return simulator.StateHash;
+    }
+
+    /// <summary>Bytes of the second half of a run, when the stores have their size, and the number of events heard.</summary>
+    private static (long Bytes, int Events) RunAndCount(Scene scene)
+    {
+        PhysicsSimulator simulator = new();
+        scene.Build(simulator);
+        scene.Step(simulator, 0, scene.Dt);
+        int events = 0;
+        foreach (Geom geom in simulator.GeomList)
+        {
+            geom.OnCollision += (first, second, contacts) =>
+            {
+                events++;
+                return true;
+            };
+            geom.OnSeparation += (first, second) => events++;
+        }
+
+        long bytes = 0;
+        for (int step = 1; step < scene.Steps; step++)
+        {
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            scene.Step(simulator, step, scene.Dt);
+            bytes += step >= scene.Steps / 2 ? GC.GetAllocatedBytesForCurrentThread() - before : 0;
+        }
+
+        return (bytes, events);
+    }
+}
