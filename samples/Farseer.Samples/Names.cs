@@ -6,7 +6,7 @@ namespace Farseer.Samples;
 /// <summary>Guesses what a mistyped name was meant to be.</summary>
 internal static class Names
 {
-    /// <summary>"; did you mean ...?" for the nearest name, or nothing when none is near.</summary>
+    /// <summary>" (did you mean ...?)" for the nearest name, or nothing when none is near.</summary>
     public static string Suggestion(string word, IEnumerable<string> names)
     {
         string? best = null;
@@ -23,7 +23,7 @@ internal static class Names
         }
 
         // More than half of the word wrong is a different word.
-        return best is not null && least <= Math.Max(2, word.Length / 2) ? $"; did you mean '{best}'?" : string.Empty;
+        return best is not null && least <= Math.Max(2, word.Length / 2) ? $" (did you mean '{best}'?)" : string.Empty;
     }
 
     /// <summary>Insertions, deletions, replacements and swaps of neighbours that turn one word into the other.</summary>

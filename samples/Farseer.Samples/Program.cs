@@ -19,8 +19,12 @@ internal static class Program
     {
         if (Console.IsOutputRedirected)
         {
-            // A pipe has no width; tables are laid out for the narrowest common terminal.
+            // A pipe has no width; tables are laid out for the narrowest common terminal. And no colours: some build
+            // servers announce that they show them, but a file or another program does not want them.
             AnsiConsole.Profile.Width = 80;
+            AnsiConsole.Profile.Capabilities.Ansi = false;
+            AnsiConsole.Profile.Capabilities.ColorSystem = ColorSystem.NoColors;
+            AnsiConsole.Profile.Capabilities.Interactive = false;
         }
 
         try

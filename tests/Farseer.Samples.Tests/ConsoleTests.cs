@@ -27,7 +27,7 @@ public sealed class ConsoleTests : IDisposable
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 
     [Theory]
-    [InlineData("run piramid", "there is no scene 'piramid'; did you mean 'pyramid'?")]
+    [InlineData("run piramid", "there is no scene 'piramid' (did you mean 'pyramid'?")]
     [InlineData("run stack", "did you mean 'falling-stack'?")]
     [InlineData("run no-such-file.json", "no-such-file.json: no such file")]
     [InlineData("run", "needs the name of a scene")]
@@ -38,9 +38,9 @@ public sealed class ConsoleTests : IDisposable
     [InlineData("run pyramid --iterations -3", "--iterations needs a whole number")]
     [InlineData("run pyramid --dt 0", "--dt needs a number of seconds above 0, not '0'")]
     [InlineData("run pyramid --dt NaN", "--dt needs a number")]
-    [InlineData("run pyramid --step 5", "has no option '--step'; did you mean '--steps'?")]
+    [InlineData("run pyramid --step 5", "has no option '--step' (did you mean '--steps'?")]
     [InlineData("watch pyramid", "'watch' needs a terminal")]
-    [InlineData("wach pyramid", "there is no command 'wach'; did you mean 'watch'?")]
+    [InlineData("wach pyramid", "there is no command 'wach' (did you mean 'watch'?")]
     [InlineData("pyramid", "did you mean 'run pyramid'")]
     [InlineData("list all", "'list' takes no arguments")]
     public async Task Console_WrongUse_SaysOneLineAndExitsWith2(string arguments, string expected) =>
