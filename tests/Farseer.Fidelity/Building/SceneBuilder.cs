@@ -73,7 +73,7 @@ public static class SceneBuilder
                 Facade.Set(scene.Simulator, name, made);
                 break;
             case "inactivityController":
-                object controller = Facade.Get(scene.Simulator, name)!;
+                object controller = Facade.Get(scene.Simulator, "InactivityController")!;
                 foreach (JsonProperty property in value.EnumerateObject())
                 {
                     SetProperty(scene, controller, property.Name, property.Value);
