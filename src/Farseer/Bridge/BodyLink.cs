@@ -1,0 +1,200 @@
+using System;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
+
+namespace FarseerGames.FarseerPhysics.Bridge;
+
+/// <summary>
+/// Where a body's state is: in its own fields while it belongs to no world, otherwise in the columns of the world. The
+/// references are formed anew on every use, since columns move when they grow.
+/// </summary>
+internal sealed class BodyLink
+{
+    public BodyState State;
+    public BodyPose Pose;
+    public BodyMass Mass;
+    public BodyForce Force;
+    public BodyDrag Drag;
+
+    private World? _world;
+    private Handle _handle;
+
+    /// <summary>What the user asked for; the world may hold the body as static on top while it is not simulated itself.</summary>
+    public BodyFlags UserFlags { get; set; }
+
+    /// <summary>False while only geoms of the body are in the simulator: then it is an obstacle that nothing moves.</summary>
+    public bool IsSimulated { get; private set; }
+
+    public World? World => _world;
+
+    public Handle Handle => _handle;
+
+    public ref BodyState StateRef
+    {
+        get
+        {
+            if (_world is null)
+            {
+                return ref State;
+            }
+
+            return ref _world.Bodies.State[_handle.Index];
+        }
+    }
+
+    public ref BodyPose PoseRef
+    {
+        get
+        {
+            if (_world is null)
+            {
+                return ref Pose;
+            }
+
+            return ref _world.Bodies.Pose[_handle.Index];
+        }
+    }
+
+    public ref BodyMass MassRef
+    {
+        get
+        {
+            if (_world is null)
+            {
+                return ref Mass;
+            }
+
+            return ref _world.Bodies.Mass[_handle.Index];
+        }
+    }
+
+    public ref BodyForce ForceRef
+    {
+        get
+        {
+            if (_world is null)
+            {
+                return ref Force;
+            }
+
+            return ref _world.Bodies.Force[_handle.Index];
+        }
+    }
+
+    public ref BodyDrag DragRef
+    {
+        get
+        {
+            if (_world is null)
+            {
+                return ref Drag;
+            }
+
+            return ref _world.Bodies.Drag[_handle.Index];
+        }
+    }
+
+    private BodyFlags EngineFlags => IsSimulated ? UserFlags : UserFlags | BodyFlags.Static;
+
+    /// <summary>Moves the state into the columns of <paramref name="world"/>.</summary>
+    public void Attach(World world, bool isSimulated)
+    {
+        IsSimulated = isSimulated;
+        _handle = world.CreateBody(new BodyDef
+        {
+            X = Pose.X,
+            Y = Pose.Y,
+            Angle = Pose.Angle,
+            LinearVelocity = State.LinearVelocity,
+            AngularVelocity = State.AngularVelocity,
+            Mass = Mass.Mass,
+            Inertia = Mass.Inertia,
+            Drag = Drag,
+            Flags = EngineFlags,
+        });
+        _world = world;
+        ForceRef = Force;
+    }
+
+    /// <summary>Moves the state back out of the columns and gives the slot up.</summary>
+    public void Detach()
+    {
+        World world = _world!;
+        Handle handle = _handle;
+        State = StateRef;
+        Pose = PoseRef;
+        Mass = MassRef;
+        Force = ForceRef;
+        Drag = DragRef;
+        _world = null;
+        _handle = default;
+        IsSimulated = false;
+        world.DestroyBody(handle);
+    }
+
+    public void SetSimulated(bool value)
+    {
+        if (IsSimulated != value)
+        {
+            IsSimulated = value;
+            PushFlags();
+        }
+    }
+
+    public void SetUserFlags(BodyFlags flags)
+    {
+        UserFlags = flags;
+        PushFlags();
+    }
+
+    public void SetMass(float mass, float inertia)
+    {
+        if (_world is null)
+        {
+            Mass.Mass = mass;
+            Mass.Inertia = inertia;
+        }
+        else
+        {
+            _world.SetMass(_handle, mass, inertia);
+        }
+    }
+
+    public void SetPosition(double x, double y)
+    {
+        if (_world is null)
+        {
+            Pose.X = x;
+            Pose.Y = y;
+        }
+        else
+        {
+            _world.SetPosition(_handle, x, y);
+        }
+    }
+
+    public void SetAngle(double angle)
+    {
+        if (_world is null)
+        {
+            Pose.Angle = angle;
+            Pose.Cos = (float)Math.Cos(angle);
+            Pose.Sin = (float)Math.Sin(angle);
+        }
+        else
+        {
+            _world.SetAngle(_handle, angle);
+        }
+    }
+
+    private void PushFlags()
+    {
+        if (_world is not null)
+        {
+            const BodyFlags Owned = BodyFlags.Enabled | BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.IgnoreGravity | BodyFlags.QuadraticDrag;
+            BodyFlags flags = EngineFlags;
+            _world.SetFlags(_handle, flags & Owned, Owned & ~flags);
+        }
+    }
+}

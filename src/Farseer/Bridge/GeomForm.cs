@@ -1,0 +1,64 @@
+using System.Numerics;
+using Farseer.Engine.Shapes;
+using FarseerGames.FarseerPhysics.Collisions;
+
+namespace FarseerGames.FarseerPhysics.Bridge;
+
+/// <summary>What a geom collides as; its vertices are for drawing and for the queries of the original.</summary>
+internal enum FormKind
+{
+    /// <summary>Any simple polygon.</summary>
+    Outline,
+
+    /// <summary>A true circle of <see cref="GeomForm.Radius"/>.</summary>
+    Circle,
+
+    /// <summary>A rectangle about the origin of <see cref="GeomForm.Size"/>.</summary>
+    Box,
+
+    /// <summary>All points within <see cref="GeomForm.Radius"/> of a segment.</summary>
+    Capsule,
+
+    /// <summary>A line without thickness that collides on both sides.</summary>
+    Segment,
+
+    /// <summary>Lines that collide on one side, without seams.</summary>
+    Chain,
+}
+
+/// <summary>The shape of a geom before it is an engine shape. Geoms that copy one another share it; it never changes.</summary>
+internal sealed class GeomForm
+{
+    private ShapeGeometry? _shape;
+
+    public GeomForm(FormKind kind, Vector2[] points, float radius, Vector2 size, bool loop)
+    {
+        Kind = kind;
+        Points = points;
+        Radius = radius;
+        Size = size;
+        IsLoop = loop;
+    }
+
+    public FormKind Kind { get; }
+
+    /// <summary>Outline, segment or chain; the ends of a capsule's segment; empty otherwise.</summary>
+    public Vector2[] Points { get; }
+
+    public float Radius { get; }
+
+    /// <summary>Width and height of a box.</summary>
+    public Vector2 Size { get; }
+
+    public bool IsLoop { get; }
+
+    /// <summary>Built when first needed: cutting a concave outline costs time.</summary>
+    public ShapeGeometry Shape => _shape ??= ShapeBuilder.Build(this);
+
+    public static GeomForm Circle(float radius) => new GeomForm(FormKind.Circle, System.Array.Empty<Vector2>(), radius, default, false);
+
+    public static GeomForm Box(float width, float height) =>
+        new GeomForm(FormKind.Box, System.Array.Empty<Vector2>(), 0, new Vector2(width, height), false);
+
+    public static GeomForm Outline(Vertices vertices) => new GeomForm(FormKind.Outline, vertices.ToArray(), 0, default, true);
+}

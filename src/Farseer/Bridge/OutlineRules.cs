@@ -1,0 +1,83 @@
+using System;
+using System.Globalization;
+using System.Numerics;
+using FarseerGames.FarseerPhysics.Collisions;
+
+namespace FarseerGames.FarseerPhysics.Bridge;
+
+/// <summary>What the library accepts as an outline: repeated, collinear and clockwise vertices are put right, the rest is refused.</summary>
+internal static class OutlineRules
+{
+    /// <summary>A copy in the documented order, without vertices that repeat the one before.</summary>
+    public static Vertices Normalised(Vertices vertices, string name)
+    {
+        Check.NotNull(vertices, name);
+        var outline = new Vertices();
+        for (int i = 0; i < vertices.Count; i++)
+        {
+            Vector2 vertex = vertices[i];
+            Check.Finite(vertex, name);
+            if (outline.Count == 0 || outline[outline.Count - 1] != vertex)
+            {
+                outline.Add(vertex);
+            }
+        }
+
+        while (outline.Count > 1 && outline[0] == outline[outline.Count - 1])
+        {
+            outline.RemoveAt(outline.Count - 1);
+        }
+
+        PolygonFault fault = outline.CheckPolygon();
+        if (fault != PolygonFault.None)
+        {
+            throw new ArgumentException(Message(fault, outline.Count), name);
+        }
+
+        outline.ForceCounterClockWiseOrder();
+        return outline;
+    }
+
+    /// <summary>A copy without points that repeat the one before, for a chain.</summary>
+    public static Vertices NormalisedChain(Vertices points, bool loop, string name)
+    {
+        Check.NotNull(points, name);
+        var chain = new Vertices();
+        for (int i = 0; i < points.Count; i++)
+        {
+            Vector2 point = Check.Finite(points[i], name);
+            if (chain.Count == 0 || chain[chain.Count - 1] != point)
+            {
+                chain.Add(point);
+            }
+        }
+
+        if (loop && chain.Count > 1 && chain[0] == chain[chain.Count - 1])
+        {
+            chain.RemoveAt(chain.Count - 1);
+        }
+
+        int least = loop ? 3 : 2;
+        if (chain.Count < least)
+        {
+            throw new ArgumentException(
+                "The chain has " + chain.Count.ToString(CultureInfo.InvariantCulture) + " different points; it needs at least "
+                + least.ToString(CultureInfo.InvariantCulture) + ".",
+                name);
+        }
+
+        return chain;
+    }
+
+    private static string Message(PolygonFault fault, int count)
+    {
+        string many = count.ToString(CultureInfo.InvariantCulture);
+        return fault switch
+        {
+            PolygonFault.TooFewVertices => "The outline has " + many + " different vertices; it needs at least 3.",
+            PolygonFault.NoArea => "The outline of " + many + " vertices has no area.",
+            PolygonFault.SelfIntersecting => "The outline of " + many + " vertices touches or crosses itself.",
+            _ => "The outline of " + many + " vertices has the fault " + fault + ".",
+        };
+    }
+}

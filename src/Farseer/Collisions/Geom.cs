@@ -1,0 +1,293 @@
+using System;
+using System.Numerics;
+using System.Threading;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Factories;
+
+namespace FarseerGames.FarseerPhysics.Collisions;
+
+/// <summary>
+/// Gives a <see cref="Body"/> a shape that collides: any simple polygon, convex or not, or one of the shapes that
+/// <see cref="GeomFactory"/> makes. Several geoms may share a body.
+/// </summary>
+public partial class Geom : IDisposable, IEquatable<Geom>
+{
+    private static int s_lastId;
+
+    internal readonly GeomLink Link;
+
+    private readonly int _id = GetNextId();
+    private Body? _body;
+    private GeomForm? _form;
+    private Vertices _localVertices = new Vertices();
+    private Vector2 _offset;
+    private float _rotationOffset;
+    private float _offsetCos = 1;
+    private float _offsetSin;
+    private float _collisionGridCellSize;
+    private Grid? _grid;
+
+    /// <summary>Makes a geom without body and vertices; give it both before it is added to a simulator.</summary>
+    public Geom() => Link = new GeomLink(this);
+
+    /// <summary>Makes a polygon geom. The vertices are copied; they may be in any order and are put into the documented one.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="vertices">A simple outline about the body's position; at least three vertices.</param>
+    /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">The outline has fewer than three vertices, no area, or crosses itself.</exception>
+    public Geom(Body body, Vertices vertices, float collisionGridCellSize)
+        : this(body, vertices, Vector2.Zero, 0, collisionGridCellSize)
+    {
+    }
+
+    /// <summary>Makes a polygon geom that sits at an offset from its body.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="vertices">A simple outline; at least three vertices.</param>
+    /// <param name="offset">Place of the geom in body coordinates.</param>
+    /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
+    /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">The outline has fewer than three vertices, no area, or crosses itself.</exception>
+    public Geom(Body body, Vertices vertices, Vector2 offset, float rotationOffset, float collisionGridCellSize)
+        : this()
+    {
+        CheckBody(body, nameof(body));
+        Vertices outline = OutlineRules.Normalised(vertices, nameof(vertices));
+        SetOffset(offset, rotationOffset);
+        _collisionGridCellSize = CellSize(collisionGridCellSize, outline);
+        SetForm(GeomForm.Outline(outline), outline);
+        Join(body);
+    }
+
+    /// <summary>Makes a copy of a geom for another body, with the same offset: shape, material and filters are copied, handlers and tag are not.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="geometry">The geom to copy.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    public Geom(Body body, Geom geometry)
+        : this(body, geometry, Check.NotNull(geometry, nameof(geometry))._offset, geometry._rotationOffset)
+    {
+    }
+
+    /// <summary>Makes a copy of a geom for another body at another offset: shape, material and filters are copied, handlers and tag are not.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="geometry">The geom to copy.</param>
+    /// <param name="offset">Place of the geom in body coordinates.</param>
+    /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    public Geom(Body body, Geom geometry, Vector2 offset, float rotationOffset)
+        : this()
+    {
+        CheckBody(body, nameof(body));
+        Check.NotNull(geometry, nameof(geometry));
+        SetOffset(offset, rotationOffset);
+        _collisionGridCellSize = geometry._collisionGridCellSize;
+        _grid = geometry._grid;
+        _form = geometry._form;
+        _localVertices = new Vertices(geometry._localVertices);
+        Link.CopyFrom(geometry.Link);
+        Join(body);
+    }
+
+    internal Geom(Body body, GeomForm form, Vertices localVertices, Vector2 offset, float rotationOffset, float cellSize)
+        : this()
+    {
+        CheckBody(body, nameof(body));
+        SetOffset(offset, rotationOffset);
+        _collisionGridCellSize = CellSize(cellSize, localVertices);
+        SetForm(form, localVertices);
+        Join(body);
+    }
+
+    /// <summary>Handles the contact of two geoms.</summary>
+    /// <param name="geometry1">The geom whose handler is called.</param>
+    /// <param name="geometry2">The geom that it touches.</param>
+    /// <param name="contactList">
+    /// The contacts, deepest first. Positions are world coordinates, normals point from the geom created first to the other,
+    /// whichever of them is <paramref name="geometry1"/>; separations are negative where they overlap. The list is used again:
+    /// copy what you want to keep.
+    /// </param>
+    /// <returns>False to cancel the response in this step.</returns>
+    public delegate bool CollisionEventHandler(Geom geometry1, Geom geometry2, ContactList contactList);
+
+    /// <summary>Handles the separation of two geoms.</summary>
+    /// <param name="geometry1">The geom whose handler is called.</param>
+    /// <param name="geometry2">The geom that it touched.</param>
+    public delegate void SeparationEventHandler(Geom geometry1, Geom geometry2);
+
+    /// <summary>True once <see cref="Dispose()"/> was called.</summary>
+    public bool IsDisposed { get; private set; }
+
+    /// <summary>The body that carries the geom; null only for a geom made without one.</summary>
+    public Body Body => _body!;
+
+    /// <summary>Anything the user wants to keep with the geom. Default null.</summary>
+    public object? Tag { get; set; }
+
+    /// <summary>
+    /// The outline in geom coordinates, in the documented order. A circle has the number of edges it was made with, although it
+    /// collides as a true circle; a rectangle has 16. Do not change the list: use <see cref="SetVertices"/>.
+    /// </summary>
+    public Vertices LocalVertices => _localVertices;
+
+    /// <summary>Cell size of <see cref="Grid"/>. Setting it drops the grid, which is made anew when next asked for.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public float CollisionGridCellSize
+    {
+        get => _collisionGridCellSize;
+        set
+        {
+            _collisionGridCellSize = CellSize(value, _localVertices);
+            _grid = null;
+        }
+    }
+
+    /// <summary>Precomputed distances around the outline; made when first asked for. Collisions do not need it.</summary>
+    public Grid Grid
+    {
+        get
+        {
+            if (_grid is null)
+            {
+                ComputeCollisionGrid();
+            }
+
+            return _grid!;
+        }
+    }
+
+    internal int Id => _id;
+
+    internal GeomForm? Form => _form;
+
+    internal Vector2 Offset => _offset;
+
+    internal float RotationOffset => _rotationOffset;
+
+    internal PhysicsSimulator? Simulator { get; set; }
+
+    internal Membership Membership { get; set; }
+
+    /// <summary>The next number of the order of creation, which decides which geom of a pair is "A".</summary>
+    /// <returns>A number that was not given out before in this process.</returns>
+    public static int GetNextId() => Interlocked.Increment(ref s_lastId);
+
+    /// <summary>Moves the geom to another body. In a simulator it takes effect at the next update.</summary>
+    /// <param name="bodyToSet">The new body.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="bodyToSet"/> is null.</exception>
+    /// <exception cref="ObjectDisposedException">The geom or the body is disposed.</exception>
+    public void SetBody(Body bodyToSet)
+    {
+        ThrowIfDisposed();
+        CheckBody(bodyToSet, nameof(bodyToSet));
+        if (ReferenceEquals(bodyToSet, _body))
+        {
+            return;
+        }
+
+        if (Simulator is not null && bodyToSet.Simulator is not null && !ReferenceEquals(Simulator, bodyToSet.Simulator))
+        {
+            throw new ArgumentException("The body belongs to another simulator than the geom.", nameof(bodyToSet));
+        }
+
+        _body?.RemoveGeom(this);
+        Join(bodyToSet);
+        Simulator?.NoteChanged(this);
+    }
+
+    /// <summary>Gives the geom another outline; it is a polygon from then on. In a simulator it takes effect at the next update.</summary>
+    /// <param name="vertices">A simple outline; at least three vertices. It is copied.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="vertices"/> is null.</exception>
+    /// <exception cref="ArgumentException">The outline has fewer than three vertices, no area, or crosses itself.</exception>
+    public void SetVertices(Vertices vertices)
+    {
+        ThrowIfDisposed();
+        Vertices outline = OutlineRules.Normalised(vertices, nameof(vertices));
+        if (_collisionGridCellSize <= 0)
+        {
+            _collisionGridCellSize = CellSize(0, outline);
+        }
+
+        SetForm(GeomForm.Outline(outline), outline);
+        Simulator?.NoteChanged(this);
+    }
+
+    /// <summary>Makes <see cref="Grid"/> now, so that no later call has to wait for it.</summary>
+    public void ComputeCollisionGrid()
+    {
+        var grid = new Grid();
+        grid.ComputeGrid(this, _collisionGridCellSize);
+        _grid = grid;
+    }
+
+    /// <summary>
+    /// Disposes the geom: it takes no further part in collisions and is swept out of the simulator at its next update. Calling it
+    /// again does nothing.
+    /// </summary>
+    public void Dispose()
+    {
+        Dispose(true);
+        GC.SuppressFinalize(this);
+    }
+
+    /// <summary>Does the work of <see cref="Dispose()"/>.</summary>
+    /// <param name="disposing">True when called by <see cref="Dispose()"/>.</param>
+    protected virtual void Dispose(bool disposing)
+    {
+        if (IsDisposed)
+        {
+            return;
+        }
+
+        IsDisposed = true;
+        if (disposing)
+        {
+            _body?.RemoveGeom(this);
+            Simulator?.NoteDisposed(this);
+        }
+    }
+
+    internal void ThrowIfDisposed()
+    {
+        if (IsDisposed)
+        {
+            throw new ObjectDisposedException(nameof(Geom));
+        }
+    }
+
+    private static void CheckBody(Body body, string name)
+    {
+        Check.NotNull(body, name);
+        body.ThrowIfDisposed();
+    }
+
+    private static float CellSize(float value, Vertices vertices)
+    {
+        Check.Finite(value, "collisionGridCellSize");
+        return value > 0 || vertices.Count == 0 ? value : GeomFactory.Instance.CalculateGridCellSizeFromAABB(vertices);
+    }
+
+    private void Join(Body body)
+    {
+        _body = body;
+        body.AddGeom(this);
+        _worldPose = default;
+    }
+
+    private void SetOffset(Vector2 offset, float rotationOffset)
+    {
+        _offset = Check.Finite(offset, nameof(offset));
+        _rotationOffset = Check.Finite(rotationOffset, nameof(rotationOffset));
+        _offsetCos = (float)Math.Cos(rotationOffset);
+        _offsetSin = (float)Math.Sin(rotationOffset);
+    }
+
+    private void SetForm(GeomForm form, Vertices localVertices)
+    {
+        _form = form;
+        _localVertices = localVertices;
+        _grid = null;
+        _worldPose = default;
+    }
+}

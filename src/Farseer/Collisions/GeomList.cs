@@ -1,0 +1,88 @@
+using System.Collections.Generic;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics.Collisions;
+
+/// <summary>
+/// A list of geoms that tells of additions and removals. That of a simulator is a view of what it simulates:
+/// <see cref="Add"/> and <see cref="Remove"/> then stand for those of the simulator, which take effect at the next update.
+/// </summary>
+public class GeomList : List<Geom>
+{
+    /// <summary>Handles a change of the list.</summary>
+    /// <param name="geom">The geom added or removed.</param>
+    public delegate void ContentsChangedEventHandler(Geom geom);
+
+    /// <summary>Called when a geom has been added. Use with +=. Default null.</summary>
+    public ContentsChangedEventHandler? Added { get; set; }
+
+    /// <summary>Called when a geom has been removed. Use with +=. Default null.</summary>
+    public ContentsChangedEventHandler? Removed { get; set; }
+
+    internal PhysicsSimulator? Owner { get; set; }
+
+    /// <summary>Adds a geom.</summary>
+    /// <param name="geom">The geom.</param>
+    /// <exception cref="System.ArgumentNullException"><paramref name="geom"/> is null.</exception>
+    public new void Add(Geom geom)
+    {
+        Check.NotNull(geom, nameof(geom));
+        if (Owner is null)
+        {
+            TakeIn(geom);
+        }
+        else
+        {
+            Owner.Add(geom);
+        }
+    }
+
+    /// <summary>Removes a geom; one that is not in the list is ignored.</summary>
+    /// <param name="geom">The geom.</param>
+    /// <exception cref="System.ArgumentNullException"><paramref name="geom"/> is null.</exception>
+    public new void Remove(Geom geom)
+    {
+        Check.NotNull(geom, nameof(geom));
+        if (Owner is null)
+        {
+            TakeOut(geom);
+        }
+        else
+        {
+            Owner.Remove(geom);
+        }
+    }
+
+    /// <summary>Takes disposed geoms out of the list. A simulator does it by itself at each update.</summary>
+    /// <returns>How many there were.</returns>
+    public int RemoveDisposed()
+    {
+        int count = 0;
+        for (int i = Count - 1; i >= 0; i--)
+        {
+            if (this[i].IsDisposed)
+            {
+                Geom removed = this[i];
+                RemoveAt(i);
+                Removed?.Invoke(removed);
+                count++;
+            }
+        }
+
+        return count;
+    }
+
+    internal void TakeIn(Geom geom)
+    {
+        base.Add(geom);
+        Added?.Invoke(geom);
+    }
+
+    internal void TakeOut(Geom geom)
+    {
+        if (base.Remove(geom))
+        {
+            Removed?.Invoke(geom);
+        }
+    }
+}

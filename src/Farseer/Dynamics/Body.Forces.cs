@@ -1,0 +1,154 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics.Dynamics;
+
+/// <content>Velocities, forces, torques and impulses.</content>
+public partial class Body
+{
+    /// <summary>
+    /// Velocity of the centre of mass, length/s. It is a reference: <c>body.LinearVelocity.X = 5</c> and
+    /// <c>body.LinearVelocity = v</c> both work. Use the reference at once; do not keep it over an update. Default (0, 0).
+    /// </summary>
+    public ref Vector2 LinearVelocity => ref Link.StateRef.LinearVelocity;
+
+    /// <summary>Angular velocity, rad/s. It is a reference, as <see cref="LinearVelocity"/>. Default 0.</summary>
+    public ref float AngularVelocity => ref Link.StateRef.AngularVelocity;
+
+    /// <summary>Force gathered since the last update.</summary>
+    public Vector2 Force => Link.ForceRef.Force;
+
+    /// <summary>Torque gathered since the last update.</summary>
+    public float Torque => Link.ForceRef.Torque;
+
+    internal Vector2 Impulse { get; private set; }
+
+    /// <summary>Adds a force at the centre of mass; it acts during the next update and is then used up.</summary>
+    /// <param name="amount">Force in world axes; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The force is not finite.</exception>
+    public void ApplyForce(Vector2 amount) => ApplyForce(ref amount);
+
+    /// <summary>Adds a force at the centre of mass; it acts during the next update and is then used up.</summary>
+    /// <param name="amount">Force in world axes; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The force is not finite.</exception>
+    public void ApplyForce(ref Vector2 amount)
+    {
+        ThrowIfDisposed();
+        Link.ForceRef.Force += Check.Finite(amount, nameof(amount));
+    }
+
+    /// <summary>Adds a force that acts at a point of the body.</summary>
+    /// <param name="amount">Force in world axes; finite.</param>
+    /// <param name="point">Point in body coordinates; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A value is not finite.</exception>
+    public void ApplyForceAtLocalPoint(Vector2 amount, Vector2 point) => ApplyForceAtLocalPoint(ref amount, ref point);
+
+    /// <summary>Adds a force that acts at a point of the body.</summary>
+    /// <param name="amount">Force in world axes; finite.</param>
+    /// <param name="point">Point in body coordinates; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A value is not finite.</exception>
+    public void ApplyForceAtLocalPoint(ref Vector2 amount, ref Vector2 point)
+    {
+        ThrowIfDisposed();
+        Check.Finite(amount, nameof(amount));
+        Check.Finite(point, nameof(point));
+        AddForceAt(amount, Turned(in Link.PoseRef, point));
+    }
+
+    /// <summary>Adds a force that acts at a point of the world.</summary>
+    /// <param name="amount">Force in world axes; finite.</param>
+    /// <param name="point">Point in world coordinates; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A value is not finite.</exception>
+    public void ApplyForceAtWorldPoint(Vector2 amount, Vector2 point) => ApplyForceAtWorldPoint(ref amount, ref point);
+
+    /// <summary>Adds a force that acts at a point of the world.</summary>
+    /// <param name="amount">Force in world axes; finite.</param>
+    /// <param name="point">Point in world coordinates; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A value is not finite.</exception>
+    public void ApplyForceAtWorldPoint(ref Vector2 amount, ref Vector2 point)
+    {
+        ThrowIfDisposed();
+        Check.Finite(amount, nameof(amount));
+        Check.Finite(point, nameof(point));
+        AddForceAt(amount, OffsetOf(point));
+    }
+
+    /// <summary>Drops the force gathered since the last update.</summary>
+    public void ClearForce() => Link.ForceRef.Force = Vector2.Zero;
+
+    /// <summary>Adds a torque; it acts during the next update and is then used up.</summary>
+    /// <param name="torque">Torque, force times length; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The torque is not finite.</exception>
+    public void ApplyTorque(float torque)
+    {
+        ThrowIfDisposed();
+        Link.ForceRef.Torque += Check.Finite(torque, nameof(torque));
+    }
+
+    /// <summary>Drops the torque gathered since the last update.</summary>
+    public void ClearTorque() => Link.ForceRef.Torque = 0;
+
+    /// <summary>
+    /// Stores an impulse at the centre of mass; at the next update it changes the velocity by amount / mass (see
+    /// <see cref="Farseer201Quirks.ImpulseDividedByMassTwice"/>).
+    /// </summary>
+    /// <param name="amount">Impulse, mass times velocity; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The impulse is not finite.</exception>
+    public void ApplyImpulse(Vector2 amount) => ApplyImpulse(ref amount);
+
+    /// <summary>
+    /// Stores an impulse at the centre of mass; at the next update it changes the velocity by amount / mass (see
+    /// <see cref="Farseer201Quirks.ImpulseDividedByMassTwice"/>).
+    /// </summary>
+    /// <param name="amount">Impulse, mass times velocity; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The impulse is not finite.</exception>
+    public void ApplyImpulse(ref Vector2 amount)
+    {
+        ThrowIfDisposed();
+        Impulse += Check.Finite(amount, nameof(amount));
+        Simulator?.NoteImpulse(this);
+    }
+
+    /// <summary>Drops the impulse stored since the last update.</summary>
+    public void ClearImpulse() => Impulse = Vector2.Zero;
+
+    /// <summary>Changes the angular velocity at once by amount / moment of inertia.</summary>
+    /// <param name="amount">Angular impulse; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The impulse is not finite.</exception>
+    public void ApplyAngularImpulse(float amount) => ApplyAngularImpulse(ref amount);
+
+    /// <summary>Changes the angular velocity at once by amount / moment of inertia.</summary>
+    /// <param name="amount">Angular impulse; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The impulse is not finite.</exception>
+    public void ApplyAngularImpulse(ref float amount)
+    {
+        ThrowIfDisposed();
+        AngularVelocity += Check.Finite(amount, nameof(amount)) * InverseMomentOfInertia;
+    }
+
+    /// <summary>Stops the body: velocities, force, torque and stored impulse become zero.</summary>
+    public void ResetDynamics()
+    {
+        LinearVelocity = Vector2.Zero;
+        AngularVelocity = 0;
+        Link.ForceRef = default;
+        Impulse = Vector2.Zero;
+    }
+
+    /// <summary>Turns the stored impulse into velocity.</summary>
+    internal void UseImpulse(bool dividedTwice)
+    {
+        float inverseMass = InverseMass;
+        LinearVelocity += Impulse * (dividedTwice ? inverseMass * inverseMass : inverseMass);
+        Impulse = Vector2.Zero;
+    }
+
+    private void AddForceAt(Vector2 force, Vector2 offset)
+    {
+        ref BodyForce gathered = ref Link.ForceRef;
+        gathered.Force += force;
+        gathered.Torque += (offset.X * force.Y) - (offset.Y * force.X);
+    }
+}

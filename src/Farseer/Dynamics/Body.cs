@@ -1,0 +1,249 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Collisions;
+
+namespace FarseerGames.FarseerPhysics.Dynamics;
+
+/// <summary>
+/// Reacts to forces, torques and impulses. A body has no shape; attach one or more <see cref="Geom"/> objects to let it collide.
+/// All members work before the body is added to a <see cref="PhysicsSimulator"/> and after it is removed. Units are the
+/// scene's own; angles are radians, a positive one turns the x axis towards the y axis.
+/// </summary>
+public partial class Body : IDisposable
+{
+    private const float DefaultDragCoefficient = 0.001f;
+
+    internal readonly BodyLink Link = new BodyLink();
+
+    private UpdatedEventHandler? _updated;
+
+    /// <summary>Makes a body of mass 1 and moment of inertia 1 at the origin.</summary>
+    public Body()
+    {
+        Link.Mass = new BodyMass { Mass = 1, Inertia = 1 };
+        Link.Drag = new BodyDrag { Linear = DefaultDragCoefficient, Quadratic = DefaultDragCoefficient, Rotational = DefaultDragCoefficient };
+        Link.UserFlags = BodyFlags.Enabled;
+        Link.Pose.Cos = 1;
+        Link.State.DeltaCos = 1;
+    }
+
+    /// <summary>
+    /// Makes a body with the mass, the moment of inertia and the linear and rotational drag coefficients of another; nothing
+    /// else is copied.
+    /// </summary>
+    /// <param name="body">The body to copy.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
+    public Body(Body body)
+        : this()
+    {
+        Check.NotNull(body, nameof(body));
+        Mass = body.Mass;
+        MomentOfInertia = body.MomentOfInertia;
+        LinearDragCoefficient = body.LinearDragCoefficient;
+        RotationalDragCoefficient = body.RotationalDragCoefficient;
+    }
+
+    /// <summary>Handles a change of a body's place.</summary>
+    /// <param name="position">The new position.</param>
+    /// <param name="rotation">The new rotation, radians.</param>
+    public delegate void UpdatedEventHandler(ref Vector2 position, ref float rotation);
+
+    /// <summary>Raised when the body is disposed.</summary>
+    public event EventHandler<EventArgs>? Disposed;
+
+    /// <summary>Handlers called when the body has moved in an update, and when its position or rotation is set. Use with +=.</summary>
+    public UpdatedEventHandler? Updated
+    {
+        get => _updated;
+        set
+        {
+            _updated = value;
+            Simulator?.NoteListener(this);
+        }
+    }
+
+    /// <summary>Anything the user wants to keep with the body. Default null.</summary>
+    public object? Tag { get; set; }
+
+    /// <summary>True once <see cref="Dispose()"/> was called.</summary>
+    public bool IsDisposed { get; private set; }
+
+    /// <summary>Mass; finite and above 0. Default 1. A static body keeps its mass, but acts as if it were infinite.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
+    public float Mass
+    {
+        get => Link.MassRef.Mass;
+        set => SetMass(Check.Positive(value, nameof(value)), MomentOfInertia);
+    }
+
+    /// <summary>Moment of inertia about the body's position, mass times length squared; finite and above 0. Default 1.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
+    public float MomentOfInertia
+    {
+        get => Link.MassRef.Inertia;
+        set => SetMass(Mass, Check.Positive(value, nameof(value)));
+    }
+
+    /// <summary>1 / <see cref="Mass"/>, or 0 for a static or kinematic body.</summary>
+    public float InverseMass => HasInfiniteMass ? 0 : 1 / Mass;
+
+    /// <summary>1 / <see cref="MomentOfInertia"/>, or 0 for a static or kinematic body.</summary>
+    public float InverseMomentOfInertia => HasInfiniteMass ? 0 : 1 / MomentOfInertia;
+
+    /// <summary>False takes the body and its geoms out of motion and collision until it is true again. Default true.</summary>
+    public bool Enabled
+    {
+        get => (Link.UserFlags & BodyFlags.Enabled) != 0;
+        set => SetFlag(BodyFlags.Enabled, value);
+    }
+
+    /// <summary>A static body never moves by itself and acts as infinitely heavy. Default false.</summary>
+    public bool IsStatic
+    {
+        get => (Link.UserFlags & BodyFlags.Static) != 0;
+        set => SetFlag(BodyFlags.Static, value);
+    }
+
+    /// <summary>
+    /// A kinematic body moves with the velocity that it is given and nothing slows or turns it: a lift, a door. Default false.
+    /// (An addition to the original.)
+    /// </summary>
+    public bool IsKinematic
+    {
+        get => (Link.UserFlags & BodyFlags.Kinematic) != 0;
+        set => SetFlag(BodyFlags.Kinematic, value);
+    }
+
+    /// <summary>True leaves gravity out for this body. Default false.</summary>
+    public bool IgnoreGravity
+    {
+        get => (Link.UserFlags & BodyFlags.IgnoreGravity) != 0;
+        set => SetFlag(BodyFlags.IgnoreGravity, value);
+    }
+
+    /// <summary>Adds the quadratic drag to the linear one. Default false.</summary>
+    public bool IsQuadraticDragEnabled
+    {
+        get => (Link.UserFlags & BodyFlags.QuadraticDrag) != 0;
+        set => SetFlag(BodyFlags.QuadraticDrag, value);
+    }
+
+    /// <summary>c of the drag force −c·v; at least 0. Default 0.001.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float LinearDragCoefficient
+    {
+        get => Link.DragRef.Linear;
+        set => Link.DragRef.Linear = Check.NotNegative(value, nameof(value));
+    }
+
+    /// <summary>q of the drag force −q·|v|·v, used while <see cref="IsQuadraticDragEnabled"/>; at least 0. Default 0.001.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float QuadraticDragCoefficient
+    {
+        get => Link.DragRef.Quadratic;
+        set => Link.DragRef.Quadratic = Check.NotNegative(value, nameof(value));
+    }
+
+    /// <summary>r of the drag torque −r·ω·|ω|; at least 0. Default 0.001.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float RotationalDragCoefficient
+    {
+        get => Link.DragRef.Rotational;
+        set => Link.DragRef.Rotational = Check.NotNegative(value, nameof(value));
+    }
+
+    /// <summary>True lets an inactivity controller disable the body when it rests. Default false.</summary>
+    public bool IsAutoIdle { get; set; }
+
+    /// <summary>How long the body has been slower than <see cref="MinimumVelocity"/>, milliseconds; kept by an inactivity controller.</summary>
+    public float IdleTime { get; set; }
+
+    /// <summary>Speed from which on the body counts as moving, length/s. Default 55.</summary>
+    public float MinimumVelocity { get; set; } = 55;
+
+    /// <summary>True if the speed of the body is at least <see cref="MinimumVelocity"/>.</summary>
+    public bool Moves => LinearVelocity.LengthSquared() >= MinimumVelocity * MinimumVelocity;
+
+    internal PhysicsSimulator? Simulator { get; set; }
+
+    internal Membership Membership { get; set; }
+
+    /// <summary>Geoms made for this body, in the order of their creation; null until there is one.</summary>
+    internal List<Geom>? Geoms { get; private set; }
+
+    private bool HasInfiniteMass => (Link.UserFlags & (BodyFlags.Static | BodyFlags.Kinematic)) != 0;
+
+    /// <summary>
+    /// Disposes the body and its geoms: they take no further part in collisions and are swept out of the simulator at its next
+    /// update. Calling it again does nothing.
+    /// </summary>
+    public void Dispose()
+    {
+        Dispose(true);
+        GC.SuppressFinalize(this);
+    }
+
+    /// <summary>Does the work of <see cref="Dispose()"/>.</summary>
+    /// <param name="disposing">True when called by <see cref="Dispose()"/>.</param>
+    protected virtual void Dispose(bool disposing)
+    {
+        if (IsDisposed)
+        {
+            return;
+        }
+
+        IsDisposed = true;
+        if (!disposing)
+        {
+            return;
+        }
+
+        if (Geoms is not null)
+        {
+            for (int i = Geoms.Count - 1; i >= 0; i--)
+            {
+                Geoms[i].Dispose();
+            }
+        }
+
+        Simulator?.NoteDisposed(this);
+        Disposed?.Invoke(this, EventArgs.Empty);
+    }
+
+    internal void AddGeom(Geom geom) => (Geoms ??= new List<Geom>(1)).Add(geom);
+
+    internal void RemoveGeom(Geom geom) => Geoms?.Remove(geom);
+
+    internal void RaiseUpdated()
+    {
+        if (_updated is not null)
+        {
+            Vector2 position = Position;
+            float rotation = Rotation;
+            _updated(ref position, ref rotation);
+        }
+    }
+
+    internal void ThrowIfDisposed()
+    {
+        if (IsDisposed)
+        {
+            throw new ObjectDisposedException(nameof(Body));
+        }
+    }
+
+    private void SetMass(float mass, float inertia)
+    {
+        ThrowIfDisposed();
+        Link.SetMass(mass, inertia);
+    }
+
+    private void SetFlag(BodyFlags flag, bool on)
+    {
+        ThrowIfDisposed();
+        Link.SetUserFlags(on ? Link.UserFlags | flag : Link.UserFlags & ~flag);
+    }
+}

@@ -1,0 +1,83 @@
+using System.Collections.Generic;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics.Dynamics;
+
+/// <summary>
+/// A list of bodys that tells of additions and removals. That of a simulator is a view of what it simulates:
+/// <see cref="Add"/> and <see cref="Remove"/> then stand for those of the simulator, which take effect at the next update.
+/// </summary>
+public class BodyList : List<Body>
+{
+    /// <summary>Handles a change of the list.</summary>
+    /// <param name="body">The body added or removed.</param>
+    public delegate void ContentsChangedEventHandler(Body body);
+
+    /// <summary>Called when a body has been added. Use with +=. Default null.</summary>
+    public ContentsChangedEventHandler? Added { get; set; }
+
+    /// <summary>Called when a body has been removed. Use with +=. Default null.</summary>
+    public ContentsChangedEventHandler? Removed { get; set; }
+
+    internal PhysicsSimulator? Owner { get; set; }
+
+    /// <summary>Adds a body.</summary>
+    /// <param name="body">The body.</param>
+    /// <exception cref="System.ArgumentNullException"><paramref name="body"/> is null.</exception>
+    public new void Add(Body body)
+    {
+        Check.NotNull(body, nameof(body));
+        if (Owner is null)
+        {
+            TakeIn(body);
+        }
+        else
+        {
+            Owner.Add(body);
+        }
+    }
+
+    /// <summary>Removes a body; one that is not in the list is ignored.</summary>
+    /// <param name="body">The body.</param>
+    /// <exception cref="System.ArgumentNullException"><paramref name="body"/> is null.</exception>
+    public new void Remove(Body body)
+    {
+        Check.NotNull(body, nameof(body));
+        if (Owner is null)
+        {
+            TakeOut(body);
+        }
+        else
+        {
+            Owner.Remove(body);
+        }
+    }
+
+    /// <summary>Takes disposed bodys out of the list. A simulator does it by itself at each update.</summary>
+    public void RemoveDisposed()
+    {
+        for (int i = Count - 1; i >= 0; i--)
+        {
+            if (this[i].IsDisposed)
+            {
+                Body removed = this[i];
+                RemoveAt(i);
+                Removed?.Invoke(removed);
+            }
+        }
+    }
+
+    internal void TakeIn(Body body)
+    {
+        base.Add(body);
+        Added?.Invoke(body);
+    }
+
+    internal void TakeOut(Body body)
+    {
+        if (base.Remove(body))
+        {
+            Removed?.Invoke(body);
+        }
+    }
+}

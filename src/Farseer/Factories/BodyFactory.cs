@@ -1,0 +1,172 @@
+using System;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
+
+namespace FarseerGames.FarseerPhysics.Factories;
+
+/// <summary>
+/// Makes bodies and works out their moments of inertia. Each method exists with and without a simulator as its first argument;
+/// one that is given adds the new body to it.
+/// </summary>
+public class BodyFactory
+{
+    private BodyFactory()
+    {
+    }
+
+    /// <summary>The shared instance.</summary>
+    public static BodyFactory Instance { get; } = new BodyFactory();
+
+    /// <summary>
+    /// Quirks of the inertia formulas that the overloads without a simulator use too; those with one use the quirks of both.
+    /// Default <see cref="Farseer201Quirks.None"/>. (An addition to the original.)
+    /// </summary>
+    public Farseer201Quirks Quirks { get; set; }
+
+    /// <summary>Makes a body with the inertia of a rectangle, m (w² + h²) / 12, and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="width">Width; finite and above 0.</param>
+    /// <param name="height">Height; finite and above 0.</param>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
+    public Body CreateRectangleBody(PhysicsSimulator physicsSimulator, float width, float height, float mass) =>
+        Added(physicsSimulator, CreateRectangleBody(width, height, mass));
+
+    /// <summary>Makes a body with the inertia of a rectangle, m (w² + h²) / 12.</summary>
+    /// <param name="width">Width; finite and above 0.</param>
+    /// <param name="height">Height; finite and above 0.</param>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
+    public Body CreateRectangleBody(float width, float height, float mass)
+    {
+        double w = Check.Positive(width, nameof(width));
+        double h = Check.Positive(height, nameof(height));
+        return Make(mass, ((w * w) + (h * h)) / 12);
+    }
+
+    /// <summary>Makes a body with the inertia of a disc, m r² / 2, and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
+    public Body CreateCircleBody(PhysicsSimulator physicsSimulator, float radius, float mass) =>
+        Added(physicsSimulator, CreateCircleBody(radius, mass));
+
+    /// <summary>Makes a body with the inertia of a disc, m r² / 2.</summary>
+    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
+    public Body CreateCircleBody(float radius, float mass)
+    {
+        double r = Check.Positive(radius, nameof(radius));
+        return Make(mass, r * r / 2);
+    }
+
+    /// <summary>Makes a body with the inertia of an ellipse, m (rx² + ry²) / 4, and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to; its quirks decide (see <see cref="Farseer201Quirks.EllipseInertiaFromRectangle"/>).</param>
+    /// <param name="xRadius">Radius along x; finite and above 0.</param>
+    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
+    public Body CreateEllipseBody(PhysicsSimulator physicsSimulator, float xRadius, float yRadius, float mass) =>
+        Added(physicsSimulator, Ellipse(xRadius, yRadius, mass, Check.NotNull(physicsSimulator, nameof(physicsSimulator)).Quirks));
+
+    /// <summary>Makes a body with the inertia of an ellipse, m (rx² + ry²) / 4.</summary>
+    /// <param name="xRadius">Radius along x; finite and above 0.</param>
+    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
+    public Body CreateEllipseBody(float xRadius, float yRadius, float mass) => Ellipse(xRadius, yRadius, mass, Farseer201Quirks.None);
+
+    /// <summary>Makes a body with the inertia of a polygon about its centroid, at the centroid, and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to; its quirks decide (see <see cref="Farseer201Quirks.PolygonInertiaUnsigned"/>).</param>
+    /// <param name="vertices">A simple outline; not changed.</param>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">The outline has fewer than three vertices, no area, or crosses itself.</exception>
+    public Body CreatePolygonBody(PhysicsSimulator physicsSimulator, Vertices vertices, float mass) =>
+        Added(physicsSimulator, Polygon(vertices, mass, Check.NotNull(physicsSimulator, nameof(physicsSimulator)).Quirks));
+
+    /// <summary>Makes a body with the inertia of a polygon about its centroid, at the centroid.</summary>
+    /// <param name="vertices">A simple outline; not changed.</param>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="vertices"/> is null.</exception>
+    /// <exception cref="ArgumentException">The outline has fewer than three vertices, no area, or crosses itself.</exception>
+    public Body CreatePolygonBody(Vertices vertices, float mass) => Polygon(vertices, mass, Farseer201Quirks.None);
+
+    /// <summary>Makes a plain body with a given moment of inertia and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <param name="momentOfInertia">Moment of inertia; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
+    public Body CreateBody(PhysicsSimulator physicsSimulator, float mass, float momentOfInertia) =>
+        Added(physicsSimulator, CreateBody(mass, momentOfInertia));
+
+    /// <summary>Makes a plain body with a given moment of inertia.</summary>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <param name="momentOfInertia">Moment of inertia; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
+    public Body CreateBody(float mass, float momentOfInertia)
+    {
+        Check.Positive(mass, nameof(mass));
+        Check.Positive(momentOfInertia, nameof(momentOfInertia));
+        return new Body { Mass = mass, MomentOfInertia = momentOfInertia };
+    }
+
+    /// <summary>Makes a body like another (see <see cref="Body(Body)"/>) and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="body">The body to copy.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    public Body CreateBody(PhysicsSimulator physicsSimulator, Body body) => Added(physicsSimulator, CreateBody(body));
+
+    /// <summary>Makes a body like another (see <see cref="Body(Body)"/>).</summary>
+    /// <param name="body">The body to copy.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
+    public Body CreateBody(Body body) => new Body(body);
+
+    private Body Ellipse(float xRadius, float yRadius, float mass, Farseer201Quirks quirks)
+    {
+        double x = Check.Positive(xRadius, nameof(xRadius));
+        double y = Check.Positive(yRadius, nameof(yRadius));
+        bool wrong = x != y && ((quirks | Quirks) & Farseer201Quirks.EllipseInertiaFromRectangle) != 0;
+        return Make(mass, ((x * x) + (y * y)) / (wrong ? 12 : 4));
+    }
+
+    private Body Polygon(Vertices vertices, float mass, Farseer201Quirks quirks)
+    {
+        Vertices outline = OutlineRules.Normalised(vertices, nameof(vertices));
+        bool wrong = ((quirks | Quirks) & Farseer201Quirks.PolygonInertiaUnsigned) != 0;
+        Body body = Make(mass, wrong ? outline.GetMomentOfInertiaOfAbsoluteTriangles() : outline.GetMomentOfInertia());
+        body.Position = outline.GetCentroid();
+        return body;
+    }
+
+    private static Body Make(float mass, double inertiaPerMass)
+    {
+        Check.Positive(mass, nameof(mass));
+        return new Body { Mass = mass, MomentOfInertia = (float)(mass * inertiaPerMass) };
+    }
+
+    private static Body Added(PhysicsSimulator physicsSimulator, Body body)
+    {
+        Check.NotNull(physicsSimulator, nameof(physicsSimulator)).Add(body);
+        return body;
+    }
+}

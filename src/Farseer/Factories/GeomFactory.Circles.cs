@@ -1,0 +1,220 @@
+using System;
+using System.Numerics;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
+
+namespace FarseerGames.FarseerPhysics.Factories;
+
+/// <content>Circles and ellipses.</content>
+public partial class GeomFactory
+{
+    /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateCircleGeom(PhysicsSimulator physicsSimulator, Body body, float radius, int numberOfEdges) =>
+        Added(physicsSimulator, CreateCircleGeom(body, radius, numberOfEdges));
+
+    /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateCircleGeom(Body body, float radius, int numberOfEdges) =>
+        CreateCircleGeom(body, radius, numberOfEdges, Vector2.Zero, 0, 0);
+
+    /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateCircleGeom(PhysicsSimulator physicsSimulator, Body body, float radius, int numberOfEdges, float collisionGridCellSize) =>
+        Added(physicsSimulator, CreateCircleGeom(body, radius, numberOfEdges, collisionGridCellSize));
+
+    /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateCircleGeom(Body body, float radius, int numberOfEdges, float collisionGridCellSize) =>
+        CreateCircleGeom(body, radius, numberOfEdges, Vector2.Zero, 0, collisionGridCellSize);
+
+    /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="offset">Place of the geom in body coordinates.</param>
+    /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateCircleGeom(PhysicsSimulator physicsSimulator, Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset) =>
+        Added(physicsSimulator, CreateCircleGeom(body, radius, numberOfEdges, offset, rotationOffset));
+
+    /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="offset">Place of the geom in body coordinates.</param>
+    /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateCircleGeom(Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset) =>
+        CreateCircleGeom(body, radius, numberOfEdges, offset, rotationOffset, 0);
+
+    /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="offset">Place of the geom in body coordinates.</param>
+    /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
+    /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateCircleGeom(PhysicsSimulator physicsSimulator, Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize) =>
+        Added(physicsSimulator, CreateCircleGeom(body, radius, numberOfEdges, offset, rotationOffset, collisionGridCellSize));
+
+    /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="offset">Place of the geom in body coordinates.</param>
+    /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
+    /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateCircleGeom(Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize)
+    {
+        Check.Positive(radius, nameof(radius));
+        Check.AtLeast(numberOfEdges, 3, nameof(numberOfEdges));
+        return new Geom(body, GeomForm.Circle(radius), Vertices.CreateCircle(radius, numberOfEdges), offset, rotationOffset, collisionGridCellSize);
+    }
+
+    /// <summary>Makes an ellipse as a polygon of the number of edges given and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="xRadius">Radius along x; finite and above 0.</param>
+    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateEllipseGeom(PhysicsSimulator physicsSimulator, Body body, float xRadius, float yRadius, int numberOfEdges) =>
+        Added(physicsSimulator, CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges));
+
+    /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="xRadius">Radius along x; finite and above 0.</param>
+    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateEllipseGeom(Body body, float xRadius, float yRadius, int numberOfEdges) =>
+        CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, Vector2.Zero, 0, 0);
+
+    /// <summary>Makes an ellipse as a polygon of the number of edges given and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="xRadius">Radius along x; finite and above 0.</param>
+    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateEllipseGeom(PhysicsSimulator physicsSimulator, Body body, float xRadius, float yRadius, int numberOfEdges, float collisionGridCellSize) =>
+        Added(physicsSimulator, CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, collisionGridCellSize));
+
+    /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="xRadius">Radius along x; finite and above 0.</param>
+    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateEllipseGeom(Body body, float xRadius, float yRadius, int numberOfEdges, float collisionGridCellSize) =>
+        CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, Vector2.Zero, 0, collisionGridCellSize);
+
+    /// <summary>Makes an ellipse as a polygon of the number of edges given and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="xRadius">Radius along x; finite and above 0.</param>
+    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="offset">Place of the geom in body coordinates.</param>
+    /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateEllipseGeom(PhysicsSimulator physicsSimulator, Body body, float xRadius, float yRadius, int numberOfEdges, Vector2 offset, float rotationOffset) =>
+        Added(physicsSimulator, CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, offset, rotationOffset));
+
+    /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="xRadius">Radius along x; finite and above 0.</param>
+    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="offset">Place of the geom in body coordinates.</param>
+    /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateEllipseGeom(Body body, float xRadius, float yRadius, int numberOfEdges, Vector2 offset, float rotationOffset) =>
+        CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, offset, rotationOffset, 0);
+
+    /// <summary>Makes an ellipse as a polygon of the number of edges given and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="xRadius">Radius along x; finite and above 0.</param>
+    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="offset">Place of the geom in body coordinates.</param>
+    /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
+    /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateEllipseGeom(PhysicsSimulator physicsSimulator, Body body, float xRadius, float yRadius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize) =>
+        Added(physicsSimulator, CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, offset, rotationOffset, collisionGridCellSize));
+
+    /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="xRadius">Radius along x; finite and above 0.</param>
+    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="offset">Place of the geom in body coordinates.</param>
+    /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
+    /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateEllipseGeom(Body body, float xRadius, float yRadius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize)
+    {
+        Check.Positive(xRadius, nameof(xRadius));
+        Check.Positive(yRadius, nameof(yRadius));
+        Check.AtLeast(numberOfEdges, 3, nameof(numberOfEdges));
+        return new Geom(body, Vertices.CreateEllipse(xRadius, yRadius, numberOfEdges), offset, rotationOffset, collisionGridCellSize);
+    }
+}

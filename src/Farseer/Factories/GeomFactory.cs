@@ -1,0 +1,86 @@
+using System;
+using System.Numerics;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
+
+namespace FarseerGames.FarseerPhysics.Factories;
+
+/// <summary>
+/// Makes geoms, their vertices, and picks the cell size of their grids. Each method exists with and without a simulator as its
+/// first argument; one that is given adds the new geom to it.
+/// </summary>
+public partial class GeomFactory
+{
+    private float _gridCellSizeAABBFactor = 0.1f;
+
+    private GeomFactory()
+    {
+    }
+
+    /// <summary>The shared instance.</summary>
+    public static GeomFactory Instance { get; } = new GeomFactory();
+
+    /// <summary>What part of the shorter side of its box a geom's grid cell is, where no size is given. Default 0.1.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
+    public float GridCellSizeAABBFactor
+    {
+        get => _gridCellSizeAABBFactor;
+        set => _gridCellSizeAABBFactor = Check.Positive(value, nameof(value));
+    }
+
+    /// <summary>The cell size picked for an outline: the shorter side of its box times <see cref="GridCellSizeAABBFactor"/>.</summary>
+    /// <param name="vertices">The outline.</param>
+    /// <returns>The cell size.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="vertices"/> is null.</exception>
+    /// <exception cref="ArgumentException"><paramref name="vertices"/> is empty.</exception>
+    public float CalculateGridCellSizeFromAABB(Vertices vertices) => new AABB(vertices).GetShortestSide() * _gridCellSizeAABBFactor;
+
+    /// <summary>Makes a copy of a geom for another body: shape, material and filters are copied, handlers and tag are not and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="geometry">The geom to copy.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateGeom(PhysicsSimulator physicsSimulator, Body body, Geom geometry) =>
+        Added(physicsSimulator, CreateGeom(body, geometry));
+
+    /// <summary>Makes a copy of a geom for another body: shape, material and filters are copied, handlers and tag are not.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="geometry">The geom to copy.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateGeom(Body body, Geom geometry) =>
+         new Geom(body, geometry);
+
+    /// <summary>Makes a copy of a geom for another body at another offset and adds it.</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="geometry">The geom to copy.</param>
+    /// <param name="offset">Place of the geom in body coordinates.</param>
+    /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateGeom(PhysicsSimulator physicsSimulator, Body body, Geom geometry, Vector2 offset, float rotationOffset) =>
+        Added(physicsSimulator, CreateGeom(body, geometry, offset, rotationOffset));
+
+    /// <summary>Makes a copy of a geom for another body at another offset.</summary>
+    /// <param name="body">The body to attach to.</param>
+    /// <param name="geometry">The geom to copy.</param>
+    /// <param name="offset">Place of the geom in body coordinates.</param>
+    /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
+    /// <returns>The geom.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
+    public Geom CreateGeom(Body body, Geom geometry, Vector2 offset, float rotationOffset) =>
+         new Geom(body, geometry, offset, rotationOffset);
+
+    private static Geom Added(PhysicsSimulator physicsSimulator, Geom geom)
+    {
+        Check.NotNull(physicsSimulator, nameof(physicsSimulator)).Add(geom);
+        return geom;
+    }
+}

@@ -1,0 +1,69 @@
+using System;
+
+namespace FarseerGames.FarseerPhysics;
+
+/// <summary>
+/// Behaviours of Farseer Physics 2.0.1 that deviate from physics or from its own manual. By default the library does the right
+/// thing; a game that was tuned to one of these asks for it with <see cref="PhysicsSimulator.Quirks"/>. Set the quirks before
+/// anything is added: what a factory or a pair in contact has already worked out is not worked out again.
+/// </summary>
+[Flags]
+public enum Farseer201Quirks
+{
+    /// <summary>No quirk: the default.</summary>
+    None = 0,
+
+    /// <summary><see cref="Dynamics.Body.ApplyImpulse(System.Numerics.Vector2)"/> divides by the mass twice: Δv = J / m² instead of J / m.</summary>
+    ImpulseDividedByMassTwice = 1,
+
+    /// <summary>
+    /// The moment of inertia of an ellipse body is m (rx² + ry²) / 12 with the radii unless both are equal: a third of the right
+    /// m (rx² + ry²) / 4.
+    /// </summary>
+    EllipseInertiaFromRectangle = 2,
+
+    /// <summary>
+    /// The moment of inertia of a polygon body adds the absolute values of its triangles: exact for convex outlines, wrong for
+    /// outlines with an edge that the centroid sees from behind (an L of 6 squares: 1105.8 instead of 1157.3).
+    /// </summary>
+    PolygonInertiaUnsigned = 4,
+
+    /// <summary>
+    /// Setting <see cref="Dynamics.Body.Rotation"/> adds the whole turns of the value to <see cref="Dynamics.Body.Revolutions"/>
+    /// instead of setting it.
+    /// </summary>
+    RotationSetAddsRevolutions = 8,
+
+    /// <summary>
+    /// The friction of a pair is worked out once, when the pair is made; later changes of
+    /// <see cref="Collisions.Geom.FrictionCoefficient"/> do not reach a pair in contact.
+    /// </summary>
+    PairFrictionFrozen = 16,
+
+    /// <summary>
+    /// <see cref="Collisions.Geom.OnSeparation"/> is raised on every step for pairs whose boxes overlap without contact and for
+    /// pairs whose contact an <see cref="Collisions.Geom.OnCollision"/> handler cancelled.
+    /// </summary>
+    SeparationWithoutContact = 32,
+
+    /// <summary>No <see cref="Collisions.Geom.OnSeparation"/> when a touching geom is removed or disposed.</summary>
+    NoSeparationOnRemoval = 64,
+
+    /// <summary>
+    /// Two geoms collide if one of them wants the other; by default both must: each one's
+    /// <see cref="Collisions.Geom.CollidesWith"/> must hold a category of the other.
+    /// </summary>
+    OneSidedCategoryFilter = 128,
+
+    /// <summary>Forces and torques applied while the simulator is not enabled add up and act at once when it is enabled again.</summary>
+    ForcesAccumulateWhilePaused = 256,
+
+    /// <summary>The offset of a geom is turned by body rotation + rotation offset instead of by the body rotation alone.</summary>
+    OffsetTurnedByRotationOffset = 512,
+
+    /// <summary>Setting <see cref="Collisions.Geom.IsSensor"/> also sets <see cref="Dynamics.Body.IsStatic"/> of its body to the same value.</summary>
+    SensorMakesBodyStatic = 1024,
+
+    /// <summary>All quirks.</summary>
+    All = 2047,
+}

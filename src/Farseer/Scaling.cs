@@ -1,0 +1,83 @@
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics;
+
+/// <summary>
+/// Lets the simulator update less often under load. While enabled, the time given to <see cref="PhysicsSimulator.Update(float)"/>
+/// is gathered until <see cref="UpdateInterval"/> has passed and then simulated in one step. The interval grows by a tenth of the
+/// maximum while real time runs ahead of the given time, up to <see cref="MaximumUpdateInterval"/>, and shrinks back afterwards.
+/// </summary>
+public class Scaling
+{
+    private readonly float _preferredUpdateInterval;
+    private float _maximumUpdateInterval;
+    private float _updateInterval;
+    private float _gathered;
+
+    /// <summary>Makes a scaling that is not yet enabled.</summary>
+    /// <param name="preferredUpdateInterval">Interval without load, seconds; above 0.</param>
+    /// <param name="maximumUpdateInterval">Largest interval under load, seconds; at least the preferred one.</param>
+    /// <exception cref="System.ArgumentOutOfRangeException">An interval is not finite or not above 0.</exception>
+    public Scaling(float preferredUpdateInterval, float maximumUpdateInterval)
+    {
+        _preferredUpdateInterval = Check.Positive(preferredUpdateInterval, nameof(preferredUpdateInterval));
+        _maximumUpdateInterval = Check.Positive(maximumUpdateInterval, nameof(maximumUpdateInterval));
+        _updateInterval = preferredUpdateInterval;
+    }
+
+    /// <summary>Default false.</summary>
+    public bool Enabled { get; set; }
+
+    /// <summary>Largest interval under load, seconds. Default of a simulator: 0.01.</summary>
+    /// <exception cref="System.ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
+    public float MaximumUpdateInterval
+    {
+        get => _maximumUpdateInterval;
+        set => _maximumUpdateInterval = Check.Positive(value, nameof(value));
+    }
+
+    /// <summary>Interval in force, seconds. Default of a simulator: 0.001.</summary>
+    /// <exception cref="System.ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
+    public float UpdateInterval
+    {
+        get => _updateInterval;
+        set => _updateInterval = Check.Positive(value, nameof(value));
+    }
+
+    /// <summary>Shrinks the interval by a tenth of the maximum, not below the preferred one.</summary>
+    public void DecreaseUpdateInterval()
+    {
+        float next = _updateInterval - (0.1f * _maximumUpdateInterval);
+        _updateInterval = next > _preferredUpdateInterval ? next : _preferredUpdateInterval;
+    }
+
+    /// <summary>Grows the interval by a tenth of the maximum, up to it.</summary>
+    public void IncreaseUpdateInterval()
+    {
+        float next = _updateInterval + (0.1f * _maximumUpdateInterval);
+        _updateInterval = next < _maximumUpdateInterval ? next : _maximumUpdateInterval;
+    }
+
+    /// <summary>Gathers time and tells how much of it to simulate now.</summary>
+    /// <param name="dt">Time that passed, seconds; finite and at least 0.</param>
+    /// <returns><paramref name="dt"/> itself while not enabled; otherwise 0, or the gathered time once the interval is full.</returns>
+    /// <exception cref="System.ArgumentOutOfRangeException"><paramref name="dt"/> is negative or not finite.</exception>
+    public float GetUpdateInterval(float dt)
+    {
+        Check.NotNegative(dt, nameof(dt));
+        if (!Enabled)
+        {
+            return dt;
+        }
+
+        _gathered += dt;
+        if (_gathered < _updateInterval)
+        {
+            return 0;
+        }
+
+        float step = _gathered;
+        _gathered = 0;
+        return step;
+    }
+}
