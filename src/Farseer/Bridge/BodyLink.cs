@@ -1,5 +1,5 @@
-using System;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Simulation;
 using Farseer.Engine.Storage;
 
@@ -25,6 +25,9 @@ internal sealed class BodyLink
 
     /// <summary>False while only geoms of the body are in the simulator: then it is an obstacle that nothing moves.</summary>
     public bool IsSimulated { get; private set; }
+
+    /// <summary>How many colliders the body carries in the world.</summary>
+    public int Colliders { get; set; }
 
     public World? World => _world;
 
@@ -179,8 +182,9 @@ internal sealed class BodyLink
         if (_world is null)
         {
             Pose.Angle = angle;
-            Pose.Cos = (float)Math.Cos(angle);
-            Pose.Sin = (float)Math.Sin(angle);
+            StableMath.SinCos(angle, out double sin, out double cos);
+            Pose.Cos = (float)cos;
+            Pose.Sin = (float)sin;
         }
         else
         {

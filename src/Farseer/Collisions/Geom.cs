@@ -169,6 +169,9 @@ public partial class Geom : IDisposable, IEquatable<Geom>
 
     internal Membership Membership { get; set; }
 
+    /// <summary>True from the moment an update knows that it will take the geom out until it has.</summary>
+    internal bool IsLeaving { get; set; }
+
     /// <summary>The next number of the order of creation, which decides which geom of a pair is "A".</summary>
     /// <returns>A number that was not given out before in this process.</returns>
     public static int GetNextId() => Interlocked.Increment(ref s_lastId);

@@ -19,6 +19,9 @@ public partial class Body : IDisposable
     internal readonly BodyLink Link = new BodyLink();
 
     private UpdatedEventHandler? _updated;
+    private double _toldX;
+    private double _toldY;
+    private double _toldAngle;
 
     /// <summary>Makes a body of mass 1 and moment of inertia 1 at the origin.</summary>
     public Body()
@@ -171,6 +174,12 @@ public partial class Body : IDisposable
 
     internal Membership Membership { get; set; }
 
+    /// <summary>True while the body is in its simulator's list of stored impulses.</summary>
+    internal bool IsImpulseNoted { get; set; }
+
+    /// <summary>True while the body is in its simulator's list of those that want to hear of their moves.</summary>
+    internal bool IsListenerNoted { get; set; }
+
     /// <summary>Geoms made for this body, in the order of their creation; null until there is one.</summary>
     internal List<Geom>? Geoms { get; private set; }
 
@@ -223,7 +232,19 @@ public partial class Body : IDisposable
         {
             Vector2 position = Position;
             float rotation = Rotation;
+            _toldX = PositionX;
+            _toldY = PositionY;
+            _toldAngle = Link.PoseRef.Angle;
             _updated(ref position, ref rotation);
+        }
+    }
+
+    /// <summary>Calls the handlers if the place differs from what they heard last.</summary>
+    internal void TellIfMoved()
+    {
+        if (PositionX != _toldX || PositionY != _toldY || Link.PoseRef.Angle != _toldAngle)
+        {
+            RaiseUpdated();
         }
     }
 

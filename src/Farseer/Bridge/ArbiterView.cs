@@ -1,0 +1,77 @@
+using System;
+using Farseer.Engine.Simulation;
+using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
+
+namespace FarseerGames.FarseerPhysics.Bridge;
+
+/// <summary>The pairs in contact as arbiters, made when asked for, so that nobody pays who does not ask.</summary>
+internal sealed class ArbiterView : IContactVisitor
+{
+    private readonly PhysicsSimulator _simulator;
+    private readonly ObjectTable _table;
+    private readonly Pool<Arbiter> _pool = new Pool<Arbiter>();
+
+    public ArbiterView(PhysicsSimulator simulator, ObjectTable table)
+    {
+        _simulator = simulator;
+        _table = table;
+    }
+
+    public ArbiterList List { get; } = new ArbiterList();
+
+    /// <summary>Set by each step; the list is filled anew when next asked for.</summary>
+    public bool IsStale { get; set; }
+
+    public ArbiterList Fresh(World world)
+    {
+        if (IsStale)
+        {
+            Clear();
+            world.VisitContacts(this);
+            IsStale = false;
+        }
+
+        return List;
+    }
+
+    public void Clear()
+    {
+        for (int i = 0; i < List.Count; i++)
+        {
+            if (List[i].IsOwned)
+            {
+                Release(List[i]);
+            }
+        }
+
+        List.Clear();
+    }
+
+    public void Visit(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points)
+    {
+        Geom? a = _table.Geom(colliderA);
+        Geom? b = _table.Geom(colliderB);
+        if (a is null || b is null)
+        {
+            return;
+        }
+
+        bool flip = a.Id > b.Id;
+        Arbiter arbiter = _pool.Fetch();
+        arbiter.IsOwned = true;
+        arbiter.GeomA = flip ? b : a;
+        arbiter.GeomB = flip ? a : b;
+        int most = Math.Min(_simulator.MaxContactsToDetect, _simulator.MaxContactsToResolve);
+        ContactCopy.Fill(arbiter.ContactList, points, arbiter.GeomA, arbiter.GeomB, flip, most);
+        List.Add(arbiter);
+    }
+
+    private void Release(Arbiter arbiter)
+    {
+        arbiter.ContactList.Clear();
+        arbiter.GeomA = null!;
+        arbiter.GeomB = null!;
+        _pool.Insert(arbiter);
+    }
+}

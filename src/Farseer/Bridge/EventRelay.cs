@@ -1,0 +1,132 @@
+using System;
+using System.Runtime.ExceptionServices;
+using Farseer.Engine.Simulation;
+using FarseerGames.FarseerPhysics.Collisions;
+
+namespace FarseerGames.FarseerPhysics.Bridge;
+
+/// <summary>
+/// Passes the engine's events on to the handlers of the user. An exception from a handler does not tear the step apart: the first
+/// one is kept and thrown again when the step is complete.
+/// </summary>
+internal sealed class EventRelay : IStepHooks
+{
+    private readonly PhysicsSimulator _simulator;
+    private readonly ObjectTable _table;
+    private readonly ContactList _contacts = new ContactList(16);
+    private ExceptionDispatchInfo? _failure;
+
+    public EventRelay(PhysicsSimulator simulator, ObjectTable table)
+    {
+        _simulator = simulator;
+        _table = table;
+    }
+
+    /// <summary>The collider in use, whose handlers may refuse a pair; null for a user's own, which asks by itself.</summary>
+    public EngineCollider? Collider { get; set; }
+
+    public bool AcceptPair(int colliderA, int colliderB)
+    {
+        if (!Find(colliderA, colliderB, out Geom a, out Geom b, out _))
+        {
+            return false;
+        }
+
+        bool oneSided = (_simulator.Quirks & Farseer201Quirks.OneSidedCategoryFilter) != 0;
+        if (oneSided && (a.CollisionCategories & b.CollidesWith) == 0 && (b.CollisionCategories & a.CollidesWith) == 0)
+        {
+            return false;
+        }
+
+        try
+        {
+            return Collider is null || Collider.Accept(a, b);
+        }
+        catch (Exception exception)
+        {
+            Keep(exception);
+            return true;
+        }
+    }
+
+    public bool OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points)
+    {
+        if (!Find(colliderA, colliderB, out Geom a, out Geom b, out bool flip))
+        {
+            return false;
+        }
+
+        int most = Math.Min(_simulator.MaxContactsToDetect, _simulator.MaxContactsToResolve);
+        ContactCopy.Fill(_contacts, points, a, b, flip, most);
+        try
+        {
+            return Ask(a, b) && Ask(b, a);
+        }
+        catch (Exception exception)
+        {
+            Keep(exception);
+            return true;
+        }
+    }
+
+    public void OnSeparation(int colliderA, int colliderB)
+    {
+        if (Find(colliderA, colliderB, out Geom a, out Geom b, out _))
+        {
+            Separate(a, b);
+        }
+    }
+
+    public void ApplyForces(float dt) => _simulator.ApplyForces();
+
+    /// <summary>Tells both geoms, the older one first, that they have parted.</summary>
+    public void Separate(Geom a, Geom b)
+    {
+        try
+        {
+            a.OnSeparation?.Invoke(a, b);
+            b.OnSeparation?.Invoke(b, a);
+        }
+        catch (Exception exception)
+        {
+            Keep(exception);
+        }
+    }
+
+    public void Keep(Exception exception) => _failure ??= ExceptionDispatchInfo.Capture(exception);
+
+    /// <summary>Throws what a handler threw during the step.</summary>
+    public void Rethrow()
+    {
+        ExceptionDispatchInfo? failure = _failure;
+        _failure = null;
+        failure?.Throw();
+    }
+
+    /// <summary>A handler that empties the list leaves nothing to respond to, which is the same as returning false.</summary>
+    private bool Ask(Geom geom, Geom other) =>
+        geom.OnCollision is null || (geom.OnCollision(geom, other, _contacts) && _contacts.Count > 0);
+
+    /// <summary>The two geoms, the one created first as a. False if one is gone already, though its collider still is there.</summary>
+    private bool Find(int colliderA, int colliderB, out Geom a, out Geom b, out bool flip)
+    {
+        Geom? first = _table.Geom(colliderA);
+        Geom? second = _table.Geom(colliderB);
+        a = first!;
+        b = second!;
+        flip = false;
+        if (first is null || second is null || first.IsDisposed || second.IsDisposed)
+        {
+            return false;
+        }
+
+        if (first.Id > second.Id)
+        {
+            a = second;
+            b = first;
+            flip = true;
+        }
+
+        return true;
+    }
+}

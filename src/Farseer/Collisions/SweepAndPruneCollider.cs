@@ -1,0 +1,77 @@
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Interfaces;
+
+namespace FarseerGames.FarseerPhysics.Collisions;
+
+/// <summary>Keeps the boxes sorted along both axes: good when geoms move little between updates.</summary>
+public partial class SweepAndPruneCollider : IBroadPhaseCollider, IEngineCollider
+{
+    private readonly EngineCollider _core;
+
+    /// <summary>Makes a collider for a simulator; set <see cref="PhysicsSimulator.BroadPhaseCollider"/> to use it.</summary>
+    /// <param name="physicsSimulator">The simulator.</param>
+    /// <exception cref="System.ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
+    public SweepAndPruneCollider(PhysicsSimulator physicsSimulator) =>
+        _core = new EngineCollider(physicsSimulator, new Farseer.Engine.BroadPhase.SweepAndPrune());
+
+    /// <inheritdoc/>
+    public event BroadPhaseCollisionHandler OnBroadPhaseCollision
+    {
+        add => _core.Add(value);
+        remove => _core.Remove(value);
+    }
+
+    EngineCollider IEngineCollider.Core => _core;
+
+    /// <summary>The simulator calls it; the collider already knows its geoms by then, so it does nothing.</summary>
+    /// <param name="geom">The geom.</param>
+    public void Add(Geom geom) => Check.NotNull(geom, nameof(geom));
+
+    /// <summary>The simulator calls it; geoms leave the collider by themselves, so it does nothing.</summary>
+    public void ProcessDisposedGeoms()
+    {
+    }
+
+    /// <summary>The simulator calls it; geoms leave the collider by themselves, so it does nothing.</summary>
+    public void ProcessRemovedGeoms()
+    {
+    }
+
+    /// <summary>The pairs are found within <see cref="PhysicsSimulator.Update(float)"/>; a call from outside does nothing.</summary>
+    public void Update()
+    {
+    }
+
+    /// <summary>The pairs found by the last <see cref="Run"/>. The simulation does not use it.</summary>
+    public CollisionPairDictionary CollisionPairs { get; } = new CollisionPairDictionary();
+
+    /// <summary>Tells if two geoms would become a pair once their boxes overlap.</summary>
+    /// <param name="g1">One geom.</param>
+    /// <param name="g2">The other geom.</param>
+    /// <returns>False if a filter, a disabled body or two static bodies forbid it.</returns>
+    /// <exception cref="System.ArgumentNullException">A geom is null.</exception>
+    public static bool DoCollision(Geom g1, Geom g2) =>
+        EngineCollider.MayCollide(Check.NotNull(g1, nameof(g1)), Check.NotNull(g2, nameof(g2)));
+
+    /// <summary>Teleports are found by themselves, so there is nothing to force and it does nothing.</summary>
+    public void ForceNonIncrementalUpdate()
+    {
+    }
+
+    /// <summary>Fills <see cref="CollisionPairs"/> with the pairs whose boxes overlap now. For inspection.</summary>
+    public void Run()
+    {
+        CollisionPairs.Clear();
+        GeomList geoms = _core.Owner.GeomList;
+        for (int i = 0; i < geoms.Count; i++)
+        {
+            for (int j = i + 1; j < geoms.Count; j++)
+            {
+                if (AABB.Intersect(geoms[i].AABB, geoms[j].AABB) && DoCollision(geoms[i], geoms[j]))
+                {
+                    CollisionPairs.AddPair(geoms[i], geoms[j]);
+                }
+            }
+        }
+    }
+}

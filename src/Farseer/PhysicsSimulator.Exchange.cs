@@ -1,0 +1,269 @@
+using System.Collections.Generic;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
+
+namespace FarseerGames.FarseerPhysics;
+
+/// <content>
+/// Works off what waits. Only what waits at the start of an update is looked at: a handler that adds more while it runs makes it
+/// wait for the next one. If a handler throws, what is left stays in the queues.
+/// </content>
+public partial class PhysicsSimulator
+{
+    private void TakeInAndOut()
+    {
+        if (_geomsIn.Count > 0)
+        {
+            int count = _geomsIn.Count;
+            for (int i = 0; i < count; i++)
+            {
+                TakeIn(_geomsIn[i]);
+            }
+
+            _geomsIn.RemoveRange(0, count);
+        }
+
+        if (_bodiesIn.Count > 0)
+        {
+            int count = _bodiesIn.Count;
+            for (int i = 0; i < count; i++)
+            {
+                TakeIn(_bodiesIn[i]);
+            }
+
+            _bodiesIn.RemoveRange(0, count);
+        }
+
+        if (_geomsOut.Count + _geomsDisposed.Count + _bodiesOut.Count + _bodiesDisposed.Count > 0)
+        {
+            RemoveWaiting();
+        }
+
+        if (_geomsChanged.Count > 0)
+        {
+            int count = _geomsChanged.Count;
+            for (int i = 0; i < count; i++)
+            {
+                Remake(_geomsChanged[i]);
+            }
+
+            _geomsChanged.RemoveRange(0, count);
+        }
+    }
+
+    private void RemoveWaiting()
+    {
+        MarkLeaving(_geomsOut);
+        MarkLeaving(_geomsDisposed);
+        if ((_quirks & Farseer201Quirks.NoSeparationOnRemoval) == 0 && _geomsOut.Count + _geomsDisposed.Count > 0)
+        {
+            _departures.Collect(World);
+        }
+
+        bool removed = _geomsOut.Count > 0;
+        bool disposed = _geomsDisposed.Count > 0;
+        TakeOut(_geomsOut);
+        int bodies = _bodiesOut.Count;
+        for (int i = 0; i < bodies; i++)
+        {
+            if (_bodiesOut[i].Membership == Membership.RemoveQueued)
+            {
+                TakeOut(_bodiesOut[i]);
+            }
+        }
+
+        _bodiesOut.RemoveRange(0, bodies);
+        TakeOut(_geomsDisposed);
+        bodies = _bodiesDisposed.Count;
+        for (int i = 0; i < bodies; i++)
+        {
+            SweepDisposed(_bodiesDisposed[i]);
+        }
+
+        _bodiesDisposed.RemoveRange(0, bodies);
+        _arbiters.IsStale = true;
+        if (removed)
+        {
+            _broadPhaseCollider.ProcessRemovedGeoms();
+        }
+
+        if (disposed)
+        {
+            _broadPhaseCollider.ProcessDisposedGeoms();
+        }
+
+        _departures.Tell(_relay);
+    }
+
+    private static void MarkLeaving(List<Geom> geoms)
+    {
+        for (int i = 0; i < geoms.Count; i++)
+        {
+            geoms[i].IsLeaving = geoms[i].Membership == Membership.RemoveQueued || geoms[i].IsDisposed;
+        }
+    }
+
+    private void TakeIn(Geom geom)
+    {
+        if (geom.Membership != Membership.AddQueued || !ReferenceEquals(geom.Simulator, this))
+        {
+            return;
+        }
+
+        _geomsWaiting--;
+        if (geom.IsDisposed)
+        {
+            Forget(geom);
+            return;
+        }
+
+        geom.Membership = Membership.Added;
+        AttachCollider(geom);
+        GeomList.TakeIn(geom);
+        _broadPhaseCollider.Add(geom);
+    }
+
+    private void TakeIn(Body body)
+    {
+        if (body.Membership != Membership.AddQueued || !ReferenceEquals(body.Simulator, this))
+        {
+            return;
+        }
+
+        if (body.IsDisposed)
+        {
+            body.Membership = Membership.None;
+            ReleaseIfUnused(body);
+            return;
+        }
+
+        body.Membership = Membership.Added;
+        AttachBody(body);
+        BodyList.TakeIn(body);
+    }
+
+    private void TakeOut(List<Geom> geoms)
+    {
+        int count = geoms.Count;
+        for (int i = 0; i < count; i++)
+        {
+            Geom geom = geoms[i];
+            if (geom.IsLeaving)
+            {
+                geom.IsLeaving = false;
+                if (geom.Membership == Membership.AddQueued)
+                {
+                    _geomsWaiting--;
+                    Forget(geom);
+                }
+                else if (geom.Membership != Membership.None)
+                {
+                    TakeOut(geom);
+                }
+            }
+        }
+
+        geoms.RemoveRange(0, count);
+    }
+
+    private void TakeOut(Geom geom)
+    {
+        Body? carrier = geom.Link.AttachedBody;
+        DetachCollider(geom);
+        Forget(geom);
+        if (carrier is not null && !ReferenceEquals(carrier, geom.Body))
+        {
+            ReleaseIfUnused(carrier);
+        }
+
+        GeomList.TakeOut(geom);
+    }
+
+    private void TakeOut(Body body)
+    {
+        body.Membership = Membership.None;
+        body.Link.SetSimulated(false);
+        DetachIfUnused(body);
+        ReleaseIfUnused(body);
+        BodyList.TakeOut(body);
+    }
+
+    private void SweepDisposed(Body body)
+    {
+        if (body.Membership == Membership.AddQueued)
+        {
+            body.Membership = Membership.None;
+            ReleaseIfUnused(body);
+        }
+        else if (body.Membership != Membership.None)
+        {
+            TakeOut(body);
+        }
+    }
+
+    /// <summary>A geom got another body or outline: its collider is made anew.</summary>
+    private void Remake(Geom geom)
+    {
+        if (!geom.Link.IsAttached || !ReferenceEquals(geom.Simulator, this))
+        {
+            return;
+        }
+
+        Body? carrier = geom.Link.AttachedBody;
+        DetachCollider(geom);
+        geom.Body.Simulator = this;
+        AttachCollider(geom);
+        if (carrier is not null && !ReferenceEquals(carrier, geom.Body))
+        {
+            ReleaseIfUnused(carrier);
+        }
+    }
+
+    private void AttachBody(Body body)
+    {
+        bool isSimulated = body.Membership != Membership.None;
+        if (body.Link.World is null)
+        {
+            body.Link.Attach(World, isSimulated);
+            _table.SetBody(body.Link.Handle.Index, body);
+        }
+        else
+        {
+            body.Link.SetSimulated(isSimulated);
+        }
+
+        if (body.Impulse != System.Numerics.Vector2.Zero)
+        {
+            NoteImpulse(body);
+        }
+
+        NoteListener(body);
+    }
+
+    private void AttachCollider(Geom geom)
+    {
+        AttachBody(geom.Body);
+        geom.Body.Link.Colliders++;
+        geom.Link.Attach(World, (_quirks & Farseer201Quirks.OneSidedCategoryFilter) != 0);
+        _table.SetGeom(geom.Link.Handle.Index, geom);
+    }
+
+    private void DetachCollider(Geom geom)
+    {
+        Body carrier = geom.Link.AttachedBody!;
+        _table.SetGeom(geom.Link.Handle.Index, null);
+        geom.Link.Detach();
+        carrier.Link.Colliders--;
+        DetachIfUnused(carrier);
+    }
+
+    private void DetachIfUnused(Body body)
+    {
+        if (body.Link.World is not null && body.Link.Colliders == 0 && !body.Link.IsSimulated)
+        {
+            _table.SetBody(body.Link.Handle.Index, null);
+            body.Link.Detach();
+        }
+    }
+}

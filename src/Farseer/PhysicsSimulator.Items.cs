@@ -1,0 +1,263 @@
+using System;
+using System.Collections.Generic;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
+
+namespace FarseerGames.FarseerPhysics;
+
+/// <content>
+/// What comes and goes. Additions and removals, also those from within handlers, wait for the next update, which takes them in
+/// before the broad phase: geoms, then bodies; then out in the same order.
+/// </content>
+public partial class PhysicsSimulator
+{
+    private readonly List<Geom> _geomsIn = new List<Geom>();
+    private readonly List<Body> _bodiesIn = new List<Body>();
+    private readonly List<Geom> _geomsOut = new List<Geom>();
+    private readonly List<Body> _bodiesOut = new List<Body>();
+    private readonly List<Geom> _geomsDisposed = new List<Geom>();
+    private readonly List<Body> _bodiesDisposed = new List<Body>();
+    private readonly List<Geom> _geomsChanged = new List<Geom>();
+    private int _geomsWaiting;
+    private bool _clearWaits;
+
+    /// <summary>Adds a body; it takes part from the next update on.</summary>
+    /// <param name="body">The body.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
+    /// <exception cref="ArgumentException">The body is in this or another simulator already.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator or the body is disposed.</exception>
+    public void Add(Body body)
+    {
+        ThrowIfDisposed();
+        Check.NotNull(body, nameof(body)).ThrowIfDisposed();
+        if (body.Simulator is not null && !ReferenceEquals(body.Simulator, this))
+        {
+            throw new ArgumentException("The body belongs to another simulator.", nameof(body));
+        }
+
+        switch (body.Membership)
+        {
+            case Membership.RemoveQueued:
+                body.Membership = Membership.Added;
+                return;
+            case Membership.None:
+                body.Membership = Membership.AddQueued;
+                body.Simulator = this;
+                _bodiesIn.Add(body);
+                return;
+            default:
+                throw new ArgumentException("The body was added to this simulator before.", nameof(body));
+        }
+    }
+
+    /// <summary>Adds a geom; it takes part from the next update on. Its body need not be added: it is then an obstacle that nothing moves.</summary>
+    /// <param name="geometry">The geom.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="geometry"/> is null.</exception>
+    /// <exception cref="ArgumentException">
+    /// The geom is in this or another simulator already, its body is in another one, or it has no body or no vertices.
+    /// </exception>
+    /// <exception cref="ObjectDisposedException">The simulator or the geom is disposed.</exception>
+    public void Add(Geom geometry)
+    {
+        ThrowIfDisposed();
+        Check.NotNull(geometry, nameof(geometry)).ThrowIfDisposed();
+        if (geometry.Body is null || geometry.Form is null)
+        {
+            throw new ArgumentException("The geom has no " + (geometry.Body is null ? "body" : "vertices") + " yet.", nameof(geometry));
+        }
+
+        if ((geometry.Simulator is not null && !ReferenceEquals(geometry.Simulator, this))
+            || (geometry.Body.Simulator is not null && !ReferenceEquals(geometry.Body.Simulator, this)))
+        {
+            throw new ArgumentException("The geom or its body belongs to another simulator.", nameof(geometry));
+        }
+
+        switch (geometry.Membership)
+        {
+            case Membership.RemoveQueued:
+                geometry.Membership = Membership.Added;
+                return;
+            case Membership.None:
+                geometry.Membership = Membership.AddQueued;
+                geometry.Simulator = this;
+                geometry.Body.Simulator = this;
+                _geomsIn.Add(geometry);
+                _geomsWaiting++;
+                return;
+            default:
+                throw new ArgumentException("The geom was added to this simulator before.", nameof(geometry));
+        }
+    }
+
+    /// <summary>Removes a body at the next update. Its geoms stay: without it they are obstacles that nothing moves.</summary>
+    /// <param name="body">The body; one that is in no simulator is ignored.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
+    /// <exception cref="ArgumentException">The body belongs to another simulator.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    public void Remove(Body body)
+    {
+        ThrowIfDisposed();
+        Check.NotNull(body, nameof(body));
+        if (body.Simulator is not null && !ReferenceEquals(body.Simulator, this))
+        {
+            throw new ArgumentException("The body belongs to another simulator.", nameof(body));
+        }
+
+        if (body.Membership == Membership.AddQueued)
+        {
+            body.Membership = Membership.None;
+            ReleaseIfUnused(body);
+        }
+        else if (body.Membership == Membership.Added)
+        {
+            body.Membership = Membership.RemoveQueued;
+            _bodiesOut.Add(body);
+        }
+    }
+
+    /// <summary>Removes a geom at the next update.</summary>
+    /// <param name="geometry">The geom; one that is in no simulator is ignored.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="geometry"/> is null.</exception>
+    /// <exception cref="ArgumentException">The geom belongs to another simulator.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    public void Remove(Geom geometry)
+    {
+        ThrowIfDisposed();
+        Check.NotNull(geometry, nameof(geometry));
+        if (geometry.Simulator is not null && !ReferenceEquals(geometry.Simulator, this))
+        {
+            throw new ArgumentException("The geom belongs to another simulator.", nameof(geometry));
+        }
+
+        if (geometry.Membership == Membership.AddQueued)
+        {
+            _geomsWaiting--;
+            Forget(geometry);
+        }
+        else if (geometry.Membership == Membership.Added)
+        {
+            geometry.Membership = Membership.RemoveQueued;
+            _geomsOut.Add(geometry);
+        }
+    }
+
+    /// <summary>
+    /// Takes everything out at once, without events; from within a handler, at the end of the update. The settings stay. The items
+    /// are not disposed and can be added again.
+    /// </summary>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    public void Clear()
+    {
+        ThrowIfDisposed();
+        if (_isUpdating)
+        {
+            _clearWaits = true;
+            return;
+        }
+
+        _clearWaits = false;
+        DropQueued();
+        for (int i = 0; i < _table.GeomEnd; i++)
+        {
+            if (_table.Geom(i) is { } geom)
+            {
+                TakeOut(geom);
+            }
+        }
+
+        for (int i = 0; i < _table.BodyEnd; i++)
+        {
+            if (_table.Body(i) is { } body)
+            {
+                TakeOut(body);
+            }
+        }
+
+        GeomList.Clear();
+        BodyList.Clear();
+        ForgetImpulses();
+        _arbiters.Clear();
+        _arbiters.IsStale = false;
+    }
+
+    internal void NoteDisposed(Body body) => _bodiesDisposed.Add(body);
+
+    internal void NoteDisposed(Geom geom) => _geomsDisposed.Add(geom);
+
+    internal void NoteChanged(Geom geom)
+    {
+        if (geom.Membership == Membership.Added || geom.Membership == Membership.RemoveQueued)
+        {
+            _geomsChanged.Add(geom);
+        }
+    }
+
+    private static void Forget(Geom geom)
+    {
+        geom.Membership = Membership.None;
+        geom.Simulator = null;
+        ReleaseIfUnused(geom.Body);
+    }
+
+    /// <summary>A body belongs to a simulator as long as it, or a geom of it, is in it or waits for it.</summary>
+    private static void ReleaseIfUnused(Body body)
+    {
+        if (body.Membership != Membership.None)
+        {
+            return;
+        }
+
+        if (body.Geoms is not null)
+        {
+            foreach (Geom geom in body.Geoms)
+            {
+                if (geom.Membership != Membership.None)
+                {
+                    return;
+                }
+            }
+        }
+
+        body.Simulator = null;
+    }
+
+    private void ForgetImpulses()
+    {
+        foreach (Body body in _impulses)
+        {
+            body.IsImpulseNoted = false;
+        }
+
+        _impulses.Clear();
+    }
+
+    private void DropQueued()
+    {
+        foreach (Geom geom in _geomsIn)
+        {
+            if (geom.Membership == Membership.AddQueued)
+            {
+                Forget(geom);
+            }
+        }
+
+        foreach (Body body in _bodiesIn)
+        {
+            if (body.Membership == Membership.AddQueued)
+            {
+                body.Membership = Membership.None;
+                ReleaseIfUnused(body);
+            }
+        }
+
+        _geomsIn.Clear();
+        _bodiesIn.Clear();
+        _geomsOut.Clear();
+        _bodiesOut.Clear();
+        _geomsDisposed.Clear();
+        _bodiesDisposed.Clear();
+        _geomsChanged.Clear();
+        _geomsWaiting = 0;
+    }
+}

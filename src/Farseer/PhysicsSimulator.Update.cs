@@ -1,0 +1,245 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using Farseer.Engine.Stepping;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Dynamics;
+
+namespace FarseerGames.FarseerPhysics;
+
+/// <content>The update and how long its parts took.</content>
+public partial class PhysicsSimulator
+{
+    private readonly List<Body> _impulses = new List<Body>();
+    private readonly List<Body> _listeners = new List<Body>();
+    private bool _isUpdating;
+
+    /// <summary>True measures the times below; false, the default, costs nothing.</summary>
+    public bool EnableDiagnostics { get; set; }
+
+    /// <summary>Milliseconds that the last update took in all; −1 until measured.</summary>
+    public float UpdateTime { get; private set; } = -1;
+
+    /// <summary>Milliseconds for taking items in and out; −1 until measured.</summary>
+    public float CleanUpTime { get; private set; } = -1;
+
+    /// <summary>Milliseconds for finding the pairs; −1 until measured.</summary>
+    public float BroadPhaseCollisionTime { get; private set; } = -1;
+
+    /// <summary>Milliseconds for the contacts of the pairs, with their events; −1 until measured.</summary>
+    public float NarrowPhaseCollisionTime { get; private set; } = -1;
+
+    /// <summary>Milliseconds for forces and stored impulses; −1 until measured.</summary>
+    public float ApplyForcesTime { get; private set; } = -1;
+
+    /// <summary>Milliseconds for solving the contacts; −1 until measured.</summary>
+    public float ApplyImpulsesTime { get; private set; } = -1;
+
+    /// <summary>Milliseconds for bringing the new positions to the bodies; −1 until measured.</summary>
+    public float UpdatePositionsTime { get; private set; } = -1;
+
+    /// <summary>Advances the simulation.</summary>
+    /// <param name="dt">Time to advance, seconds; finite and at least 0. Zero does nothing at all.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is negative or not finite.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from a handler of an update under way.</exception>
+    public void Update(float dt) => Update(dt, dt);
+
+    /// <summary>Advances the simulation.</summary>
+    /// <param name="dt">Time to advance, seconds; finite and at least 0. Zero does nothing at all.</param>
+    /// <param name="dtReal">Time that really passed, seconds; finite and at least 0. <see cref="Scaling"/> goes by it.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A time is negative or not finite.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from a handler of an update under way.</exception>
+    public void Update(float dt, float dtReal)
+    {
+        ThrowIfDisposed();
+        Check.NotNegative(dt, nameof(dt));
+        Check.NotNegative(dtReal, nameof(dtReal));
+        if (_isUpdating)
+        {
+            throw new InvalidOperationException("Update must not be called from a handler of the same simulator's update.");
+        }
+
+        float step = ScaledTime(dt, dtReal);
+        if (step == 0)
+        {
+            return;
+        }
+
+        _isUpdating = true;
+        try
+        {
+            long start = EnableDiagnostics ? Stopwatch.GetTimestamp() : 0;
+            TakeInAndOut();
+            long taken = EnableDiagnostics ? Stopwatch.GetTimestamp() : 0;
+            if (Enabled)
+            {
+                World.Profile.Enabled = EnableDiagnostics;
+                _arbiters.IsStale = true;
+                World.Step(step);
+                TellListeners();
+            }
+            else
+            {
+                Pause();
+            }
+
+            if (EnableDiagnostics)
+            {
+                Measure(start, taken);
+            }
+        }
+        finally
+        {
+            _isUpdating = false;
+        }
+
+        if (_clearWaits)
+        {
+            Clear();
+        }
+
+        _relay.Rethrow();
+    }
+
+    internal void NoteImpulse(Body body)
+    {
+        if (!body.IsImpulseNoted)
+        {
+            body.IsImpulseNoted = true;
+            _impulses.Add(body);
+        }
+    }
+
+    internal void NoteListener(Body body)
+    {
+        if (!body.IsListenerNoted && body.Updated is not null)
+        {
+            body.IsListenerNoted = true;
+            _listeners.Add(body);
+        }
+    }
+
+    /// <summary>The part of the step where forces act: stored impulses become velocity.</summary>
+    internal void ApplyForces()
+    {
+        bool dividedTwice = (_quirks & Farseer201Quirks.ImpulseDividedByMassTwice) != 0;
+        int kept = 0;
+        for (int i = 0; i < _impulses.Count; i++)
+        {
+            Body body = _impulses[i];
+            if (ReferenceEquals(body.Simulator, this) && body.Membership != Membership.None && !body.Enabled)
+            {
+                // A disabled body keeps its impulse until it is enabled again.
+                _impulses[kept++] = body;
+                continue;
+            }
+
+            body.IsImpulseNoted = false;
+            if (ReferenceEquals(body.Simulator, this) && body.Link.IsSimulated)
+            {
+                body.UseImpulse(dividedTwice);
+            }
+        }
+
+        _impulses.RemoveRange(kept, _impulses.Count - kept);
+    }
+
+    /// <summary>Runs a user's own broad phase on the arbiter list.</summary>
+    internal List<Arbiter> RunUserBroadPhase()
+    {
+        try
+        {
+            _broadPhaseCollider.Update();
+        }
+        catch (Exception exception)
+        {
+            _relay.Keep(exception);
+        }
+
+        return _arbiters.List;
+    }
+
+    private static float Milliseconds(double seconds) => (float)(seconds * 1000);
+
+    private static double Seconds(long ticks) => ticks / (double)Stopwatch.Frequency;
+
+    private float ScaledTime(float dt, float dtReal)
+    {
+        if (dt == 0 || !_scaling.Enabled)
+        {
+            return dt;
+        }
+
+        if (dtReal > dt)
+        {
+            _scaling.IncreaseUpdateInterval();
+        }
+        else
+        {
+            _scaling.DecreaseUpdateInterval();
+        }
+
+        return _scaling.GetUpdateInterval(dt);
+    }
+
+    private void Pause()
+    {
+        if ((_quirks & Farseer201Quirks.ForcesAccumulateWhilePaused) != 0)
+        {
+            return;
+        }
+
+        for (int i = 0; i < _table.BodyEnd; i++)
+        {
+            Body? body = _table.Body(i);
+            if (body is not null)
+            {
+                body.Link.ForceRef = default;
+            }
+        }
+    }
+
+    private void TellListeners()
+    {
+        int kept = 0;
+        for (int i = 0; i < _listeners.Count; i++)
+        {
+            Body body = _listeners[i];
+            if (!ReferenceEquals(body.Simulator, this) || body.Updated is null || body.IsDisposed)
+            {
+                body.IsListenerNoted = false;
+                continue;
+            }
+
+            _listeners[kept++] = body;
+            try
+            {
+                body.TellIfMoved();
+            }
+            catch (Exception exception)
+            {
+                _relay.Keep(exception);
+            }
+        }
+
+        _listeners.RemoveRange(kept, _listeners.Count - kept);
+    }
+
+    private void Measure(long start, long taken)
+    {
+        StepProfile profile = World.Profile;
+        double before = Seconds(taken - start);
+        UpdateTime = Milliseconds(Seconds(Stopwatch.GetTimestamp() - start));
+        CleanUpTime = Milliseconds(before + (Enabled ? profile[StepStage.DeferredChanges] : 0));
+        if (Enabled)
+        {
+            BroadPhaseCollisionTime = Milliseconds(profile[StepStage.BroadPhase]);
+            NarrowPhaseCollisionTime = Milliseconds(profile[StepStage.NarrowPhase]);
+            ApplyForcesTime = Milliseconds(profile[StepStage.Forces]);
+            ApplyImpulsesTime = Milliseconds(profile[StepStage.GraphAndIslands] + profile[StepStage.Solve]);
+            UpdatePositionsTime = Milliseconds(profile[StepStage.Finish]);
+        }
+    }
+}

@@ -1,0 +1,268 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using Farseer.Engine.Settings;
+using Farseer.Engine.Simulation;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Interfaces;
+
+namespace FarseerGames.FarseerPhysics;
+
+/// <summary>
+/// The world that bodies and geoms are added to and that is updated each frame. It holds no unmanaged resources: disposing it is
+/// optional. A simulator is not safe for use by several threads at once; several simulators are independent of each other.
+/// </summary>
+public partial class PhysicsSimulator : IDisposable
+{
+    private readonly ObjectTable _table = new ObjectTable();
+    private readonly EventRelay _relay;
+    private readonly ArbiterView _arbiters;
+    private readonly Departures _departures;
+    private float _biasFactor = 0.8f;
+    private int _maxContactsToDetect = 10;
+    private int _maxContactsToResolve = 4;
+    private Scaling _scaling = new Scaling(0.001f, 0.01f);
+    private IBroadPhaseCollider _broadPhaseCollider;
+    private Farseer201Quirks _quirks;
+    private bool _isDisposed;
+
+    /// <summary>Makes a simulator without gravity.</summary>
+    public PhysicsSimulator()
+        : this(Vector2.Zero)
+    {
+    }
+
+    /// <summary>Makes a simulator.</summary>
+    /// <param name="gravity">Acceleration of all bodies, length/s²; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="gravity"/> is not finite.</exception>
+    public PhysicsSimulator(Vector2 gravity)
+    {
+        _relay = new EventRelay(this, _table);
+        _arbiters = new ArbiterView(this, _table);
+        _departures = new Departures(_table);
+        BodyList = new BodyList { Owner = this };
+        GeomList = new GeomList { Owner = this };
+        World.Hooks = _relay;
+        Gravity = Check.Finite(gravity, nameof(gravity));
+        _broadPhaseCollider = new SelectiveSweepCollider(this);
+        UseCollider(_broadPhaseCollider);
+    }
+
+    /// <summary>The geoms in the simulator: a view; see <see cref="Collisions.GeomList"/>.</summary>
+    public GeomList GeomList { get; }
+
+    /// <summary>The bodies in the simulator: a view; see <see cref="Dynamics.BodyList"/>.</summary>
+    public BodyList BodyList { get; }
+
+    /// <summary>The pairs in contact after the last update. Filled when asked for; during an update it is as it was before.</summary>
+    public ArbiterList ArbiterList => World.IsStepping ? _arbiters.List : _arbiters.Fresh(World);
+
+    /// <summary>Acceleration of all bodies that do not ignore it, length/s². Default (0, 0).</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public Vector2 Gravity
+    {
+        get => World.Settings.Gravity;
+        set => World.Settings.Gravity = Check.Finite(value, nameof(value));
+    }
+
+    /// <summary>
+    /// The accuracy dial, at least 1. Each iteration is a substep of the update: doubling the number divides the error by about
+    /// four at twice the cost. Default 5.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is below 1.</exception>
+    public int Iterations
+    {
+        get => World.Settings.Substeps;
+        set => World.Settings.Substeps = Check.AtLeast(value, 1, nameof(value));
+    }
+
+    /// <summary>The depth at which geoms rest on each other, a length of the scene; at least 0. Default 0.05.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float AllowedPenetration
+    {
+        get => World.Settings.AllowedPenetration;
+        set => World.Settings.AllowedPenetration = Check.NotNegative(value, nameof(value));
+    }
+
+    /// <summary>
+    /// The part of a penetration that the original took away in one update; from 0 to 1. The substep solver sets this rate by
+    /// itself, so the value is kept but has no effect on contacts. Default 0.8.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float BiasFactor
+    {
+        get => _biasFactor;
+        set => _biasFactor = Check.NotNegative(value, nameof(value));
+    }
+
+    /// <summary>How the friction coefficients of a pair combine. Default <see cref="FrictionType.Average"/>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not a member of the enum.</exception>
+    public FrictionType FrictionType
+    {
+        get => World.Settings.FrictionMix == FrictionMix.Minimum ? FrictionType.Minimum : FrictionType.Average;
+        set => World.Settings.FrictionMix = value switch
+        {
+            FrictionType.Average => FrictionMix.Average,
+            FrictionType.Minimum => FrictionMix.Minimum,
+            _ => throw new ArgumentOutOfRangeException(nameof(value), value, "value must be a member of FrictionType."),
+        };
+    }
+
+    /// <summary>Most contacts of a pair that are looked at for events and arbiters; at least 1. Default 10.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is below 1.</exception>
+    public int MaxContactsToDetect
+    {
+        get => _maxContactsToDetect;
+        set => _maxContactsToDetect = Check.AtLeast(value, 1, nameof(value));
+    }
+
+    /// <summary>
+    /// Most contacts in the list of a pair, deepest first; at least 1. The solver itself uses at most two points for each pair of
+    /// convex pieces, which are all that matter. Default 4.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is below 1.</exception>
+    public int MaxContactsToResolve
+    {
+        get => _maxContactsToResolve;
+        set => _maxContactsToResolve = Check.AtLeast(value, 1, nameof(value));
+    }
+
+    /// <summary>Lets updates become rarer under load; off by default.</summary>
+    /// <exception cref="ArgumentNullException">The value is null.</exception>
+    public Scaling Scaling
+    {
+        get => _scaling;
+        set => _scaling = Check.NotNull(value, nameof(value));
+    }
+
+    /// <summary>
+    /// Finds the pairs that may touch. Default <see cref="SelectiveSweepCollider"/>. It can be changed only while no geom is in
+    /// the simulator or waiting to be taken in.
+    /// </summary>
+    /// <exception cref="ArgumentNullException">The value is null.</exception>
+    /// <exception cref="ArgumentException">The value is a collider of the library made for another simulator.</exception>
+    /// <exception cref="InvalidOperationException">There are geoms.</exception>
+    public IBroadPhaseCollider BroadPhaseCollider
+    {
+        get => _broadPhaseCollider;
+        set
+        {
+            Check.NotNull(value, nameof(value));
+            if (GeomList.Count > 0 || _geomsWaiting > 0)
+            {
+                throw new InvalidOperationException(
+                    "BroadPhaseCollider can be changed only while the simulator has no geoms; it has "
+                    + (GeomList.Count + _geomsWaiting).ToString(System.Globalization.CultureInfo.InvariantCulture) + ".");
+            }
+
+            if (value is IEngineCollider own && !ReferenceEquals(own.Core.Owner, this))
+            {
+                throw new ArgumentException("The collider was made for another simulator.", nameof(value));
+            }
+
+            _broadPhaseCollider = value;
+            UseCollider(value);
+        }
+    }
+
+    /// <summary>False pauses: items are taken in and out, but nothing moves and forces given meanwhile are dropped. Default true.</summary>
+    public bool Enabled { get; set; } = true;
+
+    /// <summary>
+    /// Behaviours of version 2.0.1 to bring back. Set it before anything is added. Default <see cref="Farseer201Quirks.None"/>.
+    /// (An addition to the original.)
+    /// </summary>
+    /// <exception cref="InvalidOperationException">There are geoms in the simulator or waiting to be taken in.</exception>
+    public Farseer201Quirks Quirks
+    {
+        get => _quirks;
+        set
+        {
+            if (GeomList.Count > 0 || _geomsWaiting > 0)
+            {
+                throw new InvalidOperationException("Quirks can be changed only while the simulator has no geoms.");
+            }
+
+            _quirks = value;
+            World.Settings.FreezePairFriction = (value & Farseer201Quirks.PairFrictionFrozen) != 0;
+            World.Settings.SeparateUntouchedPairs = (value & Farseer201Quirks.SeparationWithoutContact) != 0;
+        }
+    }
+
+    internal World World { get; } = new World();
+
+    internal EventRelay Relay => _relay;
+
+    /// <summary>Removes everything and refuses further use. Calling it again does nothing.</summary>
+    public void Dispose()
+    {
+        if (!_isDisposed)
+        {
+            Clear();
+            _isDisposed = true;
+        }
+
+        GC.SuppressFinalize(this);
+    }
+
+    /// <summary>The first geom, in the order of <see cref="GeomList"/>, that a world point is in.</summary>
+    /// <param name="x">x of the point.</param>
+    /// <param name="y">y of the point.</param>
+    /// <returns>The geom, or null.</returns>
+    public Geom? Collide(float x, float y) => Collide(new Vector2(x, y));
+
+    /// <summary>The first geom, in the order of <see cref="GeomList"/>, that a world point is in.</summary>
+    /// <param name="point">The point.</param>
+    /// <returns>The geom, or null.</returns>
+    public Geom? Collide(Vector2 point)
+    {
+        for (int i = 0; i < GeomList.Count; i++)
+        {
+            if (!GeomList[i].IsDisposed && GeomList[i].Collide(point))
+            {
+                return GeomList[i];
+            }
+        }
+
+        return null;
+    }
+
+    /// <summary>All geoms that a world point is in.</summary>
+    /// <param name="x">x of the point.</param>
+    /// <param name="y">y of the point.</param>
+    /// <returns>A new list, in the order of <see cref="GeomList"/>.</returns>
+    public List<Geom> CollideAll(float x, float y) => CollideAll(new Vector2(x, y));
+
+    /// <summary>All geoms that a world point is in.</summary>
+    /// <param name="point">The point.</param>
+    /// <returns>A new list, in the order of <see cref="GeomList"/>.</returns>
+    public List<Geom> CollideAll(Vector2 point)
+    {
+        var found = new List<Geom>();
+        for (int i = 0; i < GeomList.Count; i++)
+        {
+            if (!GeomList[i].IsDisposed && GeomList[i].Collide(point))
+            {
+                found.Add(GeomList[i]);
+            }
+        }
+
+        return found;
+    }
+
+    private void ThrowIfDisposed()
+    {
+        if (_isDisposed)
+        {
+            throw new ObjectDisposedException(nameof(PhysicsSimulator));
+        }
+    }
+
+    private void UseCollider(IBroadPhaseCollider collider)
+    {
+        _relay.Collider = (collider as IEngineCollider)?.Core;
+        World.BroadPhase = _relay.Collider?.Engine ?? new UserBroadPhase(this);
+    }
+}
