@@ -56,11 +56,6 @@ public partial class PhysicsSimulator
     {
         MarkLeaving(_geomsOut);
         MarkLeaving(_geomsDisposed);
-        if ((_quirks & Farseer201Quirks.NoSeparationOnRemoval) == 0 && _geomsOut.Count + _geomsDisposed.Count > 0)
-        {
-            _departures.Collect(World);
-        }
-
         bool removed = _geomsOut.Count > 0;
         bool disposed = _geomsDisposed.Count > 0;
         TakeOut(_geomsOut);
@@ -92,8 +87,6 @@ public partial class PhysicsSimulator
         {
             _broadPhaseCollider.ProcessDisposedGeoms();
         }
-
-        _departures.Tell(_relay);
     }
 
     private static void MarkLeaving(List<Geom> geoms)
@@ -245,15 +238,18 @@ public partial class PhysicsSimulator
     {
         AttachBody(geom.Body);
         geom.Body.Link.Colliders++;
-        geom.Link.Attach(World, (_quirks & Farseer201Quirks.OneSidedCategoryFilter) != 0);
+        geom.Link.Attach(World);
         _table.SetGeom(geom.Link.Handle.Index, geom);
     }
 
     private void DetachCollider(Geom geom)
     {
         Body carrier = geom.Link.AttachedBody!;
-        _table.SetGeom(geom.Link.Handle.Index, null);
+        int index = geom.Link.Handle.Index;
+        _relay.IsRemoving = true;
         geom.Link.Detach();
+        _relay.IsRemoving = false;
+        _table.SetGeom(index, null);
         carrier.Link.Colliders--;
         DetachIfUnused(carrier);
     }

@@ -157,6 +157,7 @@ public partial class PhysicsSimulator
         }
 
         _clearWaits = false;
+        _relay.IsClearing = true;
         DropQueued();
         for (int i = 0; i < _table.GeomEnd; i++)
         {
@@ -176,6 +177,7 @@ public partial class PhysicsSimulator
 
         GeomList.Clear();
         BodyList.Clear();
+        _relay.IsClearing = false;
         ForgetImpulses();
         _arbiters.Clear();
         _arbiters.IsStale = false;

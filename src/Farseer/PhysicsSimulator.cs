@@ -19,7 +19,6 @@ public partial class PhysicsSimulator : IDisposable
     private readonly ObjectTable _table = new ObjectTable();
     private readonly EventRelay _relay;
     private readonly ArbiterView _arbiters;
-    private readonly Departures _departures;
     private float _biasFactor = 0.8f;
     private int _maxContactsToDetect = 10;
     private int _maxContactsToResolve = 4;
@@ -41,7 +40,6 @@ public partial class PhysicsSimulator : IDisposable
     {
         _relay = new EventRelay(this, _table);
         _arbiters = new ArbiterView(this, _table);
-        _departures = new Departures(_table);
         BodyList = new BodyList { Owner = this };
         GeomList = new GeomList { Owner = this };
         World.Hooks = _relay;
@@ -87,14 +85,18 @@ public partial class PhysicsSimulator : IDisposable
     }
 
     /// <summary>
-    /// The part of a penetration that the original took away in one update; from 0 to 1. The substep solver sets this rate by
-    /// itself, so the value is kept but has no effect on contacts. Default 0.8.
+    /// The part of a deep penetration that one update takes away, without giving the bodies speed; at least 0, and 1 and more take
+    /// away all of it. Default 0.8.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float BiasFactor
     {
         get => _biasFactor;
-        set => _biasFactor = Check.NotNegative(value, nameof(value));
+        set
+        {
+            _biasFactor = Check.NotNegative(value, nameof(value));
+            World.Settings.Recovery = Math.Min(1, value);
+        }
     }
 
     /// <summary>How the friction coefficients of a pair combine. Default <see cref="FrictionType.Average"/>.</summary>
@@ -187,6 +189,7 @@ public partial class PhysicsSimulator : IDisposable
 
             _quirks = value;
             World.Settings.FreezePairFriction = (value & Farseer201Quirks.PairFrictionFrozen) != 0;
+            World.Settings.OneSidedFilter = (value & Farseer201Quirks.OneSidedCategoryFilter) != 0;
             World.Settings.SeparateUntouchedPairs = (value & Farseer201Quirks.SeparationWithoutContact) != 0;
         }
     }
@@ -263,6 +266,6 @@ public partial class PhysicsSimulator : IDisposable
     private void UseCollider(IBroadPhaseCollider collider)
     {
         _relay.Collider = (collider as IEngineCollider)?.Core;
-        World.BroadPhase = _relay.Collider?.Engine ?? new UserBroadPhase(this);
+        World.SetBroadPhase(_relay.Collider?.Engine ?? new UserBroadPhase(this));
     }
 }

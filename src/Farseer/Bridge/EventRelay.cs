@@ -25,15 +25,15 @@ internal sealed class EventRelay : IStepHooks
     /// <summary>The collider in use, whose handlers may refuse a pair; null for a user's own, which asks by itself.</summary>
     public EngineCollider? Collider { get; set; }
 
+    /// <summary>True while a collider is being taken out: the engine then ends its contacts.</summary>
+    public bool IsRemoving { get; set; }
+
+    /// <summary>True while everything is being taken out, which tells nobody.</summary>
+    public bool IsClearing { get; set; }
+
     public bool AcceptPair(int colliderA, int colliderB)
     {
         if (!Find(colliderA, colliderB, out Geom a, out Geom b, out _))
-        {
-            return false;
-        }
-
-        bool oneSided = (_simulator.Quirks & Farseer201Quirks.OneSidedCategoryFilter) != 0;
-        if (oneSided && (a.CollisionCategories & b.CollidesWith) == 0 && (b.CollisionCategories & a.CollidesWith) == 0)
         {
             return false;
         }
@@ -71,7 +71,12 @@ internal sealed class EventRelay : IStepHooks
 
     public void OnSeparation(int colliderA, int colliderB)
     {
-        if (Find(colliderA, colliderB, out Geom a, out Geom b, out _))
+        if ((IsRemoving && (_simulator.Quirks & Farseer201Quirks.NoSeparationOnRemoval) != 0) || IsClearing)
+        {
+            return;
+        }
+
+        if (Find(colliderA, colliderB, out Geom a, out Geom b, out _) || (IsRemoving && a is not null && b is not null))
         {
             Separate(a, b);
         }
@@ -79,8 +84,18 @@ internal sealed class EventRelay : IStepHooks
 
     public void ApplyForces(float dt) => _simulator.ApplyForces();
 
+    public void Keep(Exception exception) => _failure ??= ExceptionDispatchInfo.Capture(exception);
+
+    /// <summary>Throws what a handler threw during the step.</summary>
+    public void Rethrow()
+    {
+        ExceptionDispatchInfo? failure = _failure;
+        _failure = null;
+        failure?.Throw();
+    }
+
     /// <summary>Tells both geoms, the older one first, that they have parted.</summary>
-    public void Separate(Geom a, Geom b)
+    private void Separate(Geom a, Geom b)
     {
         try
         {
@@ -91,16 +106,6 @@ internal sealed class EventRelay : IStepHooks
         {
             Keep(exception);
         }
-    }
-
-    public void Keep(Exception exception) => _failure ??= ExceptionDispatchInfo.Capture(exception);
-
-    /// <summary>Throws what a handler threw during the step.</summary>
-    public void Rethrow()
-    {
-        ExceptionDispatchInfo? failure = _failure;
-        _failure = null;
-        failure?.Throw();
     }
 
     /// <summary>A handler that empties the list leaves nothing to respond to, which is the same as returning false.</summary>

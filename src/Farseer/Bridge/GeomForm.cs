@@ -53,7 +53,7 @@ internal sealed class GeomForm
     public bool IsLoop { get; }
 
     /// <summary>Built when first needed: cutting a concave outline costs time.</summary>
-    public ShapeGeometry Shape => _shape ??= ShapeBuilder.Build(this);
+    public ShapeGeometry Shape => _shape ??= Build();
 
     public static GeomForm Circle(float radius) => new GeomForm(FormKind.Circle, System.Array.Empty<Vector2>(), radius, default, false);
 
@@ -61,4 +61,14 @@ internal sealed class GeomForm
         new GeomForm(FormKind.Box, System.Array.Empty<Vector2>(), 0, new Vector2(width, height), false);
 
     public static GeomForm Outline(Vertices vertices) => new GeomForm(FormKind.Outline, vertices.ToArray(), 0, default, true);
+
+    private ShapeGeometry Build() => Kind switch
+    {
+        FormKind.Circle => ShapeBuilder.Circle(Radius),
+        FormKind.Box => ShapeBuilder.Box(Size.X, Size.Y),
+        FormKind.Capsule => ShapeBuilder.Capsule(Points[0], Points[1], Radius),
+        FormKind.Segment => ShapeBuilder.Segment(Points[0], Points[1]),
+        FormKind.Chain => ShapeBuilder.Chain(Points, IsLoop),
+        _ => ShapeBuilder.Polygon(Points),
+    };
 }

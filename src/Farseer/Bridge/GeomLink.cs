@@ -91,7 +91,7 @@ internal sealed class GeomLink
         }
     }
 
-    public void Attach(World world, bool oneSidedFilter)
+    public void Attach(World world)
     {
         Handle = world.CreateCollider(_geom.Body.Link.Handle, _geom.Form!.Shape, new ColliderDef
         {
@@ -99,8 +99,8 @@ internal sealed class GeomLink
             Friction = Friction,
             Restitution = Restitution,
             Group = Group,
-            Categories = oneSidedFilter ? uint.MaxValue : (uint)Categories,
-            CollidesWith = oneSidedFilter ? uint.MaxValue : (uint)CollidesWith,
+            Categories = (uint)Categories,
+            CollidesWith = (uint)CollidesWith,
             Offset = _geom.EffectiveOffset,
             RotationOffset = _geom.RotationOffset,
         });
@@ -137,12 +137,8 @@ internal sealed class GeomLink
 
         ref ColliderInfo info = ref _world.Collider(Handle);
         info.Group = Group;
-        if ((_geom.Simulator!.Quirks & Farseer201Quirks.OneSidedCategoryFilter) == 0)
-        {
-            info.Categories = (uint)Categories;
-            info.CollidesWith = (uint)CollidesWith;
-        }
-
+        info.Categories = (uint)Categories;
+        info.CollidesWith = (uint)CollidesWith;
         info.Flags = Flags();
         _world.Refilter(Handle);
     }
