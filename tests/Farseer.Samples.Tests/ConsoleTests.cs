@@ -47,11 +47,11 @@ public sealed class ConsoleTests : IDisposable
         AssertRefused(await Run(arguments.Split(' ')), expected);
 
     [Theory]
-    [InlineData("\"radius\": 1,", "\"radius\": 1;", "line 4, position 75")]
-    [InlineData("\"radius\": 1,", "\"radius\": \"big\",", "line 4, position 66: bodies[0].args.radius must be a number")]
+    [InlineData("\"radius\": 1,", "\"radius\": 1;", "line 4, position 70")]
+    [InlineData("\"radius\": 1,", "\"radius\": \"big\",", "line 4, position 69: bodies[0].args.radius must be a number")]
     [InlineData("\"radius\": 1,", "\"radius\": -1,", "line 4")]
     [InlineData("\"mass\": 2", "\"weight\": 2", "bodies[0].args has no 'mass'")]
-    [InlineData("\"dt\": 0.01", "\"dt\": 0", "line 2, position 27: dt must be above 0")]
+    [InlineData("\"dt\": 0.01", "\"dt\": 0", "line 2, position 29: dt must be above 0")]
     [InlineData("CreateCircleGeom", "CreateRoundGeom", "line 7, position 31: geoms[0].factory is no geom factory: 'CreateRoundGeom'")]
     [InlineData("\"body\": \"a\"", "\"body\": \"b\"", "geoms[0].body is no body: 'b'")]
     [InlineData("linearDragCoefficient", "linearDragCoeficient", "bodies[0].linearDragCoeficient is no property")]
