@@ -86,7 +86,7 @@ public class SceneTests
             scene.Step(simulator, step, scene.Dt);
         }
 
-        return simulator.StateHash;
+        return simulator.StateHash();
     }
 
     /// <summary>Bytes of the second half of a run, when the stores have their size, and the number of events heard.</summary>
