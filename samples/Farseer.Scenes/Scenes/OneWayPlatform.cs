@@ -13,6 +13,7 @@ public sealed class OneWayPlatform : Scene
     private const float Radius = 0.3f;
     private const float Top = 4f;
     private const float Thickness = 0.2f;
+    private const float PassingSpeed = 0.5f;
     private static readonly float[] _launch = [7f, 10f, 12f, 14f];
     private readonly List<Geom> _balls = [];
     private readonly float[] _apex = new float[_launch.Length];
@@ -43,9 +44,10 @@ public sealed class OneWayPlatform : Scene
 
         platform.OnCollision += (first, second, contacts) =>
         {
-            // Solid for what is above the top. A ball that sinks in by less than half its radius counts as above.
+            // Solid for what is above the top and does not come up through it. A ball that sinks in by less than half its
+            // radius counts as above; one that lies there trembles by less than the speed at which a ball comes through.
             Body other = first == platform ? second.Body : first.Body;
-            return other.LinearVelocity.Y <= 0f && other.Position.Y - (0.5f * Radius) > Top;
+            return other.LinearVelocity.Y < PassingSpeed && other.Position.Y - (0.5f * Radius) > Top;
         };
     }
 
