@@ -1,0 +1,18 @@
+namespace FarseerGames.FarseerPhysics;
+
+/// <content>Figures of the state as a whole, for tests, benchmarks and displays. (Additions to the original.)</content>
+public partial class PhysicsSimulator
+{
+    /// <summary>Number of contact points after the last update, over all pairs in contact. Counted when asked for.</summary>
+    public int ContactCount => World.ContactCount;
+
+    /// <summary>Deepest overlap of two geoms that push each other apart, a length of the scene, after the last update; 0 if there is none. Measured when asked for.</summary>
+    public float LargestPenetration => World.LargestPenetration();
+
+    /// <summary>
+    /// A 64-bit hash of places and velocities of all bodies. The same scene gives the same hash on every platform and processor;
+    /// two hashes that differ show that the states differ in at least one bit.
+    /// </summary>
+    /// <returns>The hash.</returns>
+    public ulong StateHash() => World.StateHash();
+}
