@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 
@@ -56,7 +57,7 @@ internal sealed unsafe class GridLevel
         int* cellOf = _cellOf.Pointer;
         int* rowOf = _rowOf.Pointer;
         bool bounded = _inverseCell > 0;
-        System.Runtime.CompilerServices.Unsafe.InitBlock(start, 0, (uint)(_cells + 2) * sizeof(int));
+        Unsafe.InitBlock(start, 0, (uint)(_cells + 2) * sizeof(int));
         for (int i = 0; i < count; i++)
         {
             Box* box = boxes + members[i];
@@ -96,6 +97,8 @@ internal sealed unsafe class GridLevel
     public void CollectWithin(PairBuffer pairs)
     {
         int* start = _start.Pointer;
+        WideBoxes wide = _rows.Wide;
+        GridEntry* entries = _entries.Pointer;
         for (int c = 0; c < _cells; c++)
         {
             int begin = start[c];
@@ -117,20 +120,21 @@ internal sealed unsafe class GridLevel
             int aboveEnd = start[above + 3];
             for (int i = begin; i < end; i++)
             {
-                Box box = _rows.Wide.Get(i);
-                GridEntry entry = _entries.Pointer[i];
-                Scan(box, entry, entry.Row, i + 1, ownEnd, pairs);
-                Scan(box, entry, entry.Row + 1, aboveBegin, aboveEnd, pairs);
+                var box = new SpreadBox(wide.Get(i));
+                GridEntry* entry = entries + i;
+                Scan(wide, entries, box, entry, entry->Row, i + 1, ownEnd, pairs);
+                Scan(wide, entries, box, entry, entry->Row + 1, aboveBegin, aboveEnd, pairs);
             }
         }
     }
 
     /// <summary>Pairs of a box of a coarser level with the boxes of this one.</summary>
-    public void CollectAgainst(in Box box, in GridEntry entry, PairBuffer pairs)
+    public void CollectAgainst(in Box box, GridEntry* entry, PairBuffer pairs)
     {
+        var spread = new SpreadBox(box);
         if (_inverseCell == 0)
         {
-            Scan(box, entry, -1, 0, Count, pairs);
+            Scan(_rows.Wide, _entries.Pointer, spread, entry, -1, 0, Count, pairs);
             return;
         }
 
@@ -152,7 +156,7 @@ internal sealed unsafe class GridLevel
         // A row costs about as much to find as two tests of eight boxes.
         if ((_hashed && right - left + 3 > _cells) || ((long)top - bottom + 1) * 2 * WideBoxes.Width >= Count)
         {
-            Scan(box, entry, -1, 0, Count, pairs);
+            Scan(_rows.Wide, _entries.Pointer, spread, entry, -1, 0, Count, pairs);
             return;
         }
 
@@ -163,12 +167,12 @@ internal sealed unsafe class GridLevel
             uint last = first + (uint)(right - left);
             if (last < (uint)_cells)
             {
-                Scan(box, entry, row, start[first], start[last + 1], pairs);
+                Scan(_rows.Wide, _entries.Pointer, spread, entry, row, start[first], start[last + 1], pairs);
             }
             else
             {
-                Scan(box, entry, row, start[first], Count, pairs);
-                Scan(box, entry, row, 0, start[(last & _mask) + 1], pairs);
+                Scan(_rows.Wide, _entries.Pointer, spread, entry, row, start[first], Count, pairs);
+                Scan(_rows.Wide, _entries.Pointer, spread, entry, row, 0, start[(last & _mask) + 1], pairs);
             }
         }
     }
@@ -180,23 +184,23 @@ internal sealed unsafe class GridLevel
         uint next = ((uint)c + 1) & _mask;
         for (int i = start[c]; i < start[c + 1]; i++)
         {
-            Box box = _rows.Wide.Get(i);
-            GridEntry entry = _entries.Pointer[i];
-            Scan(box, entry, entry.Row, i + 1, start[c + 1], pairs);
-            Scan(box, entry, entry.Row, start[next], start[next + 1], pairs);
+            var box = new SpreadBox(_rows.Wide.Get(i));
+            GridEntry* entry = _entries.Pointer + i;
+            Scan(_rows.Wide, _entries.Pointer, box, entry, entry->Row, i + 1, start[c + 1], pairs);
+            Scan(_rows.Wide, _entries.Pointer, box, entry, entry->Row, start[next], start[next + 1], pairs);
             for (uint k = 0; k < 3; k++)
             {
                 uint cell = ((uint)c + _stride - 1 + k) & _mask;
-                Scan(box, entry, entry.Row + 1, start[cell], start[cell + 1], pairs);
+                Scan(_rows.Wide, _entries.Pointer, box, entry, entry->Row + 1, start[cell], start[cell + 1], pairs);
             }
         }
     }
 
     // Tests entries from … to; those of another row than the wanted one are left to the search that is theirs (−1: take all).
-    private void Scan(in Box box, in GridEntry entry, int row, int from, int to, PairBuffer pairs)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Scan(
+        in WideBoxes wide, GridEntry* entries, in SpreadBox box, GridEntry* entry, int row, int from, int to, PairBuffer pairs)
     {
-        WideBoxes wide = _rows.Wide;
-        GridEntry* entries = _entries.Pointer;
         for (int k = from; k < to; k += WideBoxes.Width)
         {
             uint mask = wide.Overlaps(k, box);
@@ -209,9 +213,9 @@ internal sealed unsafe class GridLevel
             {
                 GridEntry* other = entries + k + WideBoxes.LowestLane(mask);
                 mask &= mask - 1;
-                if ((row < 0 || other->Row == row) && PairRule.Wants(entry.Info, other->Info))
+                if ((row < 0 || other->Row == row) && PairRule.Wants(entry->Info, other->Info))
                 {
-                    pairs.Add(entry.Proxy, other->Proxy);
+                    pairs.Add(entry->Proxy, other->Proxy);
                 }
             }
         }

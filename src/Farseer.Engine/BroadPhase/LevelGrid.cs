@@ -101,7 +101,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase
         {
             if (fine.Seekers > 0 || PairRule.Seeks(coarse.Entries[i].Info.Flags))
             {
-                fine.CollectAgainst(coarse.Bounds(i), coarse.Entries[i], pairs);
+                fine.CollectAgainst(coarse.Bounds(i), coarse.Entries + i, pairs);
             }
         }
     }

@@ -95,11 +95,12 @@ internal sealed unsafe class PackedTree
         stack[depth++] = _layers - 1;
         stack[depth++] = 0;
         WideBoxes lanes = _lanes.Wide;
+        var spread = new SpreadBox(box);
         while (depth > 0)
         {
             int group = stack[--depth];
             int layer = stack[--depth];
-            uint mask = lanes.Overlaps(_layerStart[layer] + (group * Width), box);
+            uint mask = lanes.Overlaps(_layerStart[layer] + (group * Width), spread);
             if (layer == 0)
             {
                 for (; mask != 0; mask &= mask - 1)

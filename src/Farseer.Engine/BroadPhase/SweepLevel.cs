@@ -143,9 +143,10 @@ internal sealed unsafe class SweepLevel
         float* lower = Lower;
         float upper = _vertical ? box.MaxY : box.MaxX;
         int count = Count;
+        var spread = new SpreadBox(box);
         for (int k = from; k < count && lower[k] <= upper; k += WideBoxes.Width)
         {
-            uint mask = wide.Overlaps(k, box);
+            uint mask = wide.Overlaps(k, spread);
             while (mask != 0)
             {
                 int other = _proxies.Pointer[k + WideBoxes.LowestLane(mask)];

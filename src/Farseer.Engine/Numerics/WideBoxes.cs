@@ -22,23 +22,23 @@ internal unsafe struct WideBoxes
 
     /// <summary>Bit i is set if box <paramref name="index"/> + i shares a point with <paramref name="box"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly uint Overlaps(int index, in Box box)
+    public readonly uint Overlaps(int index, in SpreadBox box)
     {
 #if NET8_0_OR_GREATER
-        Vector256<float> inside = Vector256.LessThanOrEqual(Vector256.Load(MinX + index), Vector256.Create(box.MaxX))
-            & Vector256.GreaterThanOrEqual(Vector256.Load(MaxX + index), Vector256.Create(box.MinX))
-            & Vector256.LessThanOrEqual(Vector256.Load(MinY + index), Vector256.Create(box.MaxY))
-            & Vector256.GreaterThanOrEqual(Vector256.Load(MaxY + index), Vector256.Create(box.MinY));
+        Vector256<float> inside = Vector256.LessThanOrEqual(Vector256.Load(MinX + index), box.MaxX)
+            & Vector256.GreaterThanOrEqual(Vector256.Load(MaxX + index), box.MinX)
+            & Vector256.LessThanOrEqual(Vector256.Load(MinY + index), box.MaxY)
+            & Vector256.GreaterThanOrEqual(Vector256.Load(MaxY + index), box.MinY);
         return inside.ExtractMostSignificantBits();
 #else
         uint mask = 0;
         for (int lane = 0; lane < Width; lane += Vector<float>.Count)
         {
             int i = index + lane;
-            Vector<int> inside = Vector.LessThanOrEqual(Read(MinX + i), new Vector<float>(box.MaxX))
-                & Vector.GreaterThanOrEqual(Read(MaxX + i), new Vector<float>(box.MinX))
-                & Vector.LessThanOrEqual(Read(MinY + i), new Vector<float>(box.MaxY))
-                & Vector.GreaterThanOrEqual(Read(MaxY + i), new Vector<float>(box.MinY));
+            Vector<int> inside = Vector.LessThanOrEqual(Read(MinX + i), box.MaxX)
+                & Vector.GreaterThanOrEqual(Read(MaxX + i), box.MinX)
+                & Vector.LessThanOrEqual(Read(MinY + i), box.MaxY)
+                & Vector.GreaterThanOrEqual(Read(MaxY + i), box.MinY);
             if (!inside.Equals(Vector<int>.Zero))
             {
                 for (int k = 0; k < Vector<float>.Count; k++)
@@ -61,6 +61,7 @@ internal unsafe struct WideBoxes
         MaxY[index] = box.MaxY;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Box Get(int index) => new Box(MinX[index], MinY[index], MaxX[index], MaxY[index]);
 
     /// <summary>A box that overlaps nothing, not even itself.</summary>
@@ -88,5 +89,39 @@ internal unsafe struct WideBoxes
 #if !NET8_0_OR_GREATER
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector<float> Read(float* from) => Unsafe.ReadUnaligned<Vector<float>>(from);
+#endif
+}
+
+/// <summary>One box with every bound in all lanes, made once and tested against many groups of eight.</summary>
+internal readonly struct SpreadBox
+{
+#if NET8_0_OR_GREATER
+    public readonly Vector256<float> MinX;
+    public readonly Vector256<float> MinY;
+    public readonly Vector256<float> MaxX;
+    public readonly Vector256<float> MaxY;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public SpreadBox(in Box box)
+    {
+        MinX = Vector256.Create(box.MinX);
+        MinY = Vector256.Create(box.MinY);
+        MaxX = Vector256.Create(box.MaxX);
+        MaxY = Vector256.Create(box.MaxY);
+    }
+#else
+    public readonly Vector<float> MinX;
+    public readonly Vector<float> MinY;
+    public readonly Vector<float> MaxX;
+    public readonly Vector<float> MaxY;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public SpreadBox(in Box box)
+    {
+        MinX = new Vector<float>(box.MinX);
+        MinY = new Vector<float>(box.MinY);
+        MaxX = new Vector<float>(box.MaxX);
+        MaxY = new Vector<float>(box.MaxY);
+    }
 #endif
 }
