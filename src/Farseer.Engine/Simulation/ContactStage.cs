@@ -16,6 +16,9 @@ internal sealed unsafe class ContactStage
     /// <summary>A contact of the graph can bounce.</summary>
     public bool AnyBounce { get; private set; }
 
+    /// <summary>At least half of the rows are new in this step.</summary>
+    public bool ColdStart { get; private set; }
+
     /// <summary>A pair has a listener.</summary>
     public bool AnyHeard { get; private set; }
 
@@ -73,6 +76,7 @@ internal sealed unsafe class ContactStage
 
         Take(contacts, graph, lost, dropped);
         Give(input, graph, gained);
+        ColdStart = gained * 2 >= graph.RowCount;
     }
 
     /// <summary>Takes a pair out of the graph and forgets it.</summary>

@@ -91,6 +91,7 @@ internal sealed partial class World
         input.Recovery = Settings.Recovery;
         input.AnyDeep = anyDeep;
         input.AnyBounce = _contactStage.AnyBounce;
+        input.ColdStart = _contactStage.ColdStart;
         _solver.Solve(input);
     }
 }

@@ -21,6 +21,9 @@ internal unsafe ref struct SolverInput
     public float Recovery;
     public bool AnyDeep;
     public bool AnyBounce;
+
+    /// <summary>Most contacts are new in this step and have no impulses to start from.</summary>
+    public bool ColdStart;
 }
 
 /// <summary>
@@ -32,6 +35,12 @@ internal sealed unsafe class SubstepSolver
     /// <summary>Sweeps over the contacts that bounce; an impact runs on through as many touching bodies.</summary>
     private const int BounceSweeps = 6;
 
+    /// <summary>
+    /// Sweeps of each pass in a step in which most contacts are new: without impulses to start from a pile sinks and spreads
+    /// before its lowest contacts feel the load. A pyramid of 20 ends 3 mm off instead of 11.
+    /// </summary>
+    private const int ColdStartSweeps = 4;
+
     private readonly Column<BodyState> _saved = new Column<BodyState>();
 
     public void Solve(in SolverInput input)
@@ -40,6 +49,7 @@ internal sealed unsafe class SubstepSolver
         BodyMotion* motions = input.Bodies.Motion.Pointer;
         BodyDrive* drives = input.Bodies.Drive.Pointer;
         var coefficients = new ContactCoefficients(input.Substep);
+        int sweeps = input.ColdStart ? ColdStartSweeps : 1;
         for (int substep = 0; substep < input.Substeps; substep++)
         {
             if (input.AnyBounce)
@@ -49,7 +59,11 @@ internal sealed unsafe class SubstepSolver
 
             Integrator.IntegrateVelocities(input.List, input.PaddedCount, states, motions, drives);
             WarmStart(input.Graph, states);
-            SolveBiased(input.Graph, states, coefficients, input.AnyDeep);
+            for (int sweep = 0; sweep < sweeps; sweep++)
+            {
+                SolveBiased(input.Graph, states, coefficients, input.AnyDeep);
+            }
+
             if (input.AnyDeep)
             {
                 PushOutAndMove(input, states, motions, coefficients);
@@ -59,7 +73,11 @@ internal sealed unsafe class SubstepSolver
                 Integrator.IntegratePositions(input.List, input.PaddedCount, states, motions, input.Substep);
             }
 
-            Relax(input.Graph, states, coefficients);
+            for (int sweep = 0; sweep < sweeps; sweep++)
+            {
+                Relax(input.Graph, states, coefficients);
+            }
+
             if (input.AnyBounce)
             {
                 Bounce(input.Graph, states);
