@@ -66,8 +66,8 @@ public sealed class Discretisation
 /// <summary>Between which rows of a body its velocity jumps, as no force of the scene could make it.</summary>
 public sealed class Impacts
 {
-    /// <summary>A change of velocity above this many times gravity's is an impact.</summary>
-    private const double GravityShare = 4;
+    /// <summary>A change of velocity above this many times gravity's is an impact: weight and friction together stay below it.</summary>
+    private const double GravityShare = 2;
 
     private readonly bool[] _between;
 

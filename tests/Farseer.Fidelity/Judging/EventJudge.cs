@@ -10,7 +10,8 @@ namespace Farseer.Fidelity.Judging;
 /// updates but for the shift of the discretisation. That is two updates (the original notices an
 /// overlap one update after it came about, and runs up to one step ahead of the exact path), and the
 /// time in which the bodies cross what is a matter of shape and depth: AllowedPenetration and the
-/// height by which the original's polygon stays inside a circle. The number of contacts, their places
+/// height by which the original's polygon stays inside a circle. A contact ENDS later where a circle of
+/// radius r that rests d deep leaves along the tangent: it is clear after a way of sqrt(2 r d). The number of contacts, their places
 /// and depths are the detail of the original's vertices and grid, and are not compared.
 /// </summary>
 public static class EventJudge
@@ -39,8 +40,8 @@ public static class EventJudge
                 continue;
             }
 
-            int shift = Shift(file, iterations, expected[i]);
-            checks.Add(Check.Of("event " + expected[i].Key, Steps(expected[i], got[index], shift)));
+            (int shift, int ending) = Shifts(file, iterations, expected[i]);
+            checks.Add(Check.Of("event " + expected[i].Key, Steps(expected[i], got[index], shift, ending)));
             for (int j = i + 1; j < expected.Count; j++)
             {
                 if (place.TryGetValue(expected[j].Key, out int other) && other < index)
@@ -55,16 +56,17 @@ public static class EventJudge
         return checks;
     }
 
-    private static string? Steps(SceneEvent expected, SceneEvent got, int shift)
+    /// <summary>Compares the runs of updates; a separation begins when a contact ends, so both its bounds may shift as an ending.</summary>
+    private static string? Steps(SceneEvent expected, SceneEvent got, int shift, int ending)
     {
+        int early = expected.Type == "OnSeparation" ? ending : shift;
         bool Fires(int update) => got.Runs.Any(r => r.First <= update && update <= r.Last);
-        string difference = $"at {Runs(got)}, in the original at {Runs(expected)}, allowed shift {shift}";
+        string difference = $"at {Runs(got)}, in the original at {Runs(expected)}, allowed shift {early} and {ending}";
         foreach ((int first, int last) in expected.Runs)
         {
-            bool long_ = last - first >= 2 * shift;
-            bool kept = long_
-                ? Enumerable.Range(first + shift, last - first - (2 * shift) + 1).All(Fires)
-                : Enumerable.Range(first - shift, last - first + (2 * shift) + 1).Any(Fires);
+            bool kept = last - first >= early + ending
+                ? Enumerable.Range(first + early, last - first - early - ending + 1).All(Fires)
+                : Enumerable.Range(first - early, last - first + early + ending + 1).Any(Fires);
             if (!kept)
             {
                 return difference;
@@ -72,18 +74,24 @@ public static class EventJudge
         }
 
         bool inside = got.Runs.All(g => Enumerable.Range(g.First, g.Last - g.First + 1)
-            .All(u => expected.Runs.Any(e => u >= e.First - shift && u <= e.Last + shift)));
+            .All(u => expected.Runs.Any(e => u >= e.First - early && u <= e.Last + ending)));
         return inside ? null : difference;
     }
 
-    private static int Shift(SceneFile file, int iterations, SceneEvent e)
+    private static (int Shift, int Ending) Shifts(SceneFile file, int iterations, SceneEvent e)
     {
-        IEnumerable<MadeObject> geoms = file.Geoms.Where(g => g.Id == e.First || g.Id == e.Second);
-        double slack = geoms.Sum(SceneSizes.Sagitta) + SceneSizes.AllowedPenetration(file);
-        double speed = geoms.Select(g => SpeedAt(file, iterations, g.Body!, e.Runs[0].First)).DefaultIfEmpty(0).Max();
-        double updates = speed > 0 ? Math.Ceiling(slack / (speed * file.Dt)) : LargestCrossing;
-        return StepShift + (int)Math.Min(LargestCrossing, updates);
+        List<MadeObject> geoms = file.Geoms.Where(g => g.Id == e.First || g.Id == e.Second).ToList();
+        double depth = SceneSizes.AllowedPenetration(file);
+        double slack = geoms.Sum(SceneSizes.Sagitta) + depth;
+        double radius = geoms.Select(SceneSizes.Radius).DefaultIfEmpty(0).Max();
+        double arriving = geoms.Select(g => SpeedAt(file, iterations, g.Body!, e.Runs[0].First)).DefaultIfEmpty(0).Max();
+        double leaving = e.Runs.Select(r => geoms.Select(g => SpeedAt(file, iterations, g.Body!, r.Last)).DefaultIfEmpty(0).Max()).Min();
+        int shift = StepShift + Updates(slack, arriving * file.Dt);
+        return (shift, shift + (radius > 0 ? Updates(Math.Sqrt(2 * radius * depth), leaving * file.Dt) : 0));
     }
+
+    private static int Updates(double way, double perUpdate)
+        => (int)Math.Min(LargestCrossing, perUpdate > 0 ? Math.Ceiling(way / perUpdate) : LargestCrossing);
 
     /// <summary>The speed of a body in the last sample before an update: that of its approach.</summary>
     private static double SpeedAt(SceneFile file, int iterations, string body, int update)

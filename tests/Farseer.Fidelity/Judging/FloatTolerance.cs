@@ -54,6 +54,9 @@ public static class SceneSizes
     public static double SmallestHalfWidth(SceneFile file)
         => file.Geoms.Select(g => HalfWidth(file, g)).Where(w => w > 0).DefaultIfEmpty(double.PositiveInfinity).Min();
 
+    /// <summary>The radius of a circle, or 0.</summary>
+    public static double Radius(MadeObject geom) => Json.Optional(geom.Args, "radius") is { ValueKind: JsonValueKind.Number } e ? e.GetDouble() : 0;
+
     /// <summary>How far a polygon of a circle's edges stays inside the circle.</summary>
     public static double Sagitta(MadeObject geom)
     {
