@@ -176,8 +176,15 @@ public partial class PhysicsSimulator
     private void TakeOut(Body body)
     {
         body.Membership = Membership.None;
-        body.Link.SetSimulated(false);
-        DetachIfUnused(body);
+        if (body.Link.Colliders == 0)
+        {
+            Detach(body);
+        }
+        else
+        {
+            body.Link.SetSimulated(false);
+        }
+
         ReleaseIfUnused(body);
         BodyList.TakeOut(body);
     }
@@ -226,9 +233,9 @@ public partial class PhysicsSimulator
             body.Link.SetSimulated(isSimulated);
         }
 
-        if (body.Impulse != System.Numerics.Vector2.Zero)
+        if (body.Impulse != System.Numerics.Vector2.Zero || body.Swing != 0)
         {
-            NoteImpulse(body);
+            NotePending(body);
         }
 
         NoteListener(body);
@@ -258,8 +265,13 @@ public partial class PhysicsSimulator
     {
         if (body.Link.World is not null && body.Link.Colliders == 0 && !body.Link.IsSimulated)
         {
-            _table.SetBody(body.Link.Handle.Index, null);
-            body.Link.Detach();
+            Detach(body);
         }
+    }
+
+    private void Detach(Body body)
+    {
+        _table.SetBody(body.Link.Handle.Index, null);
+        body.Link.Detach();
     }
 }

@@ -178,7 +178,7 @@ public partial class PhysicsSimulator
         GeomList.Clear();
         BodyList.Clear();
         _relay.IsClearing = false;
-        ForgetImpulses();
+        ForgetPending();
         _arbiters.Clear();
         _arbiters.IsStale = false;
     }
@@ -224,14 +224,14 @@ public partial class PhysicsSimulator
         body.Simulator = null;
     }
 
-    private void ForgetImpulses()
+    private void ForgetPending()
     {
-        foreach (Body body in _impulses)
+        foreach (Body body in _pending)
         {
-            body.IsImpulseNoted = false;
+            body.IsPendingNoted = false;
         }
 
-        _impulses.Clear();
+        _pending.Clear();
     }
 
     private void DropQueued()

@@ -10,7 +10,7 @@ namespace FarseerGames.FarseerPhysics;
 /// <content>The update and how long its parts took.</content>
 public partial class PhysicsSimulator
 {
-    private readonly List<Body> _impulses = new List<Body>();
+    private readonly List<Body> _pending = new List<Body>();
     private readonly List<Body> _listeners = new List<Body>();
     private bool _isUpdating;
 
@@ -103,12 +103,12 @@ public partial class PhysicsSimulator
         _relay.Rethrow();
     }
 
-    internal void NoteImpulse(Body body)
+    internal void NotePending(Body body)
     {
-        if (!body.IsImpulseNoted)
+        if (!body.IsPendingNoted)
         {
-            body.IsImpulseNoted = true;
-            _impulses.Add(body);
+            body.IsPendingNoted = true;
+            _pending.Add(body);
         }
     }
 
@@ -122,28 +122,28 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>The part of the step where forces act: stored impulses become velocity.</summary>
-    internal void ApplyForces()
+    internal void ApplyForces(float dt)
     {
         bool dividedTwice = (_quirks & Farseer201Quirks.ImpulseDividedByMassTwice) != 0;
         int kept = 0;
-        for (int i = 0; i < _impulses.Count; i++)
+        for (int i = 0; i < _pending.Count; i++)
         {
-            Body body = _impulses[i];
+            Body body = _pending[i];
             if (ReferenceEquals(body.Simulator, this) && body.Membership != Membership.None && !body.Enabled)
             {
                 // A disabled body keeps its impulse until it is enabled again.
-                _impulses[kept++] = body;
+                _pending[kept++] = body;
                 continue;
             }
 
-            body.IsImpulseNoted = false;
+            body.IsPendingNoted = false;
             if (ReferenceEquals(body.Simulator, this) && body.Link.IsSimulated)
             {
-                body.UseImpulse(dividedTwice);
+                body.UsePending(dt, dividedTwice);
             }
         }
 
-        _impulses.RemoveRange(kept, _impulses.Count - kept);
+        _pending.RemoveRange(kept, _pending.Count - kept);
     }
 
     /// <summary>Runs a user's own broad phase on the arbiter list.</summary>
@@ -197,6 +197,7 @@ public partial class PhysicsSimulator
             if (body is not null)
             {
                 body.Link.ForceRef = default;
+                body.DropSwing();
             }
         }
     }

@@ -117,6 +117,12 @@ internal sealed class BodyLink
             Flags = EngineFlags,
         });
         _world = world;
+        if (!isSimulated)
+        {
+            StateRef.LinearVelocity = default;
+            StateRef.AngularVelocity = 0;
+        }
+
         ForceRef = Force;
     }
 
@@ -125,7 +131,11 @@ internal sealed class BodyLink
     {
         World world = _world!;
         Handle handle = _handle;
-        State = StateRef;
+        if (IsSimulated)
+        {
+            State = StateRef;
+        }
+
         Pose = PoseRef;
         Mass = MassRef;
         Force = ForceRef;
@@ -138,9 +148,23 @@ internal sealed class BodyLink
 
     public void SetSimulated(bool value)
     {
-        if (IsSimulated != value)
+        if (IsSimulated == value)
         {
-            IsSimulated = value;
+            return;
+        }
+
+        if (value)
+        {
+            IsSimulated = true;
+            PushFlags();
+            StateRef.LinearVelocity = State.LinearVelocity;
+            StateRef.AngularVelocity = State.AngularVelocity;
+        }
+        else
+        {
+            // As an obstacle the body stands still; it takes its velocity up again when it comes back.
+            State = StateRef;
+            IsSimulated = false;
             PushFlags();
         }
     }

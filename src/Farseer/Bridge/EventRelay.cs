@@ -82,7 +82,7 @@ internal sealed class EventRelay : IStepHooks
         }
     }
 
-    public void ApplyForces(float dt) => _simulator.ApplyForces();
+    public void ApplyForces(float dt) => _simulator.ApplyForces(dt);
 
     public void Keep(Exception exception) => _failure ??= ExceptionDispatchInfo.Capture(exception);
 

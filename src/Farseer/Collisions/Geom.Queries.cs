@@ -52,8 +52,8 @@ public partial class Geom
     /// <param name="point">Point in geom coordinates.</param>
     /// <param name="index">The edge: it runs from vertex <paramref name="index"/> to the next one.</param>
     /// <returns>
-    /// The nearest point, the distance (negative on the inner side of the edge) and the unit normal: outward if the nearest point lies
-    /// within the edge, along the line between the points if it is a corner.
+    /// The nearest point, the distance (negative on the inner side of the edge) and the outward unit normal of the edge, also where the
+    /// nearest point is a corner.
     /// </returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="index"/> is not an index of a vertex.</exception>
     public Feature GetNearestFeature(Vector2 point, int index)
@@ -68,11 +68,6 @@ public partial class Geom
         float distance = OutlineQuery.Distance(point, a, b, out Vector2 nearest);
         Vector2 normal = _localVertices.GetEdgeNormal(index);
         float side = Vector2.Dot(point - a, normal);
-        if (side >= 0 && distance > 0 && (nearest == a || nearest == b))
-        {
-            normal = (point - nearest) / distance;
-        }
-
         return new Feature(nearest, normal, side < 0 ? -distance : distance);
     }
 

@@ -108,6 +108,7 @@ public partial class Geom
             if (_body is not null && (Quirks & Farseer201Quirks.SensorMakesBodyStatic) != 0)
             {
                 _body.IsStatic = value;
+                _body.IsStaticBySensor = value;
             }
         }
     }

@@ -25,6 +25,9 @@ public partial class Body
 
     internal Vector2 Impulse { get; private set; }
 
+    /// <summary>Sum of offset · force of the forces at local points: how their torque changes as the body turns.</summary>
+    internal float Swing { get; private set; }
+
     /// <summary>Adds a force at the centre of mass; it acts during the next update and is then used up.</summary>
     /// <param name="amount">Force in world axes; finite.</param>
     /// <exception cref="ArgumentOutOfRangeException">The force is not finite.</exception>
@@ -54,7 +57,10 @@ public partial class Body
         ThrowIfDisposed();
         Check.Finite(amount, nameof(amount));
         Check.Finite(point, nameof(point));
-        AddForceAt(amount, Turned(in Link.PoseRef, point));
+        Vector2 offset = Turned(in Link.PoseRef, point);
+        AddForceAt(amount, offset);
+        Swing += Vector2.Dot(offset, amount);
+        Simulator?.NotePending(this);
     }
 
     /// <summary>Adds a force that acts at a point of the world.</summary>
@@ -88,7 +94,11 @@ public partial class Body
     }
 
     /// <summary>Drops the torque gathered since the last update.</summary>
-    public void ClearTorque() => Link.ForceRef.Torque = 0;
+    public void ClearTorque()
+    {
+        Link.ForceRef.Torque = 0;
+        Swing = 0;
+    }
 
     /// <summary>
     /// Stores an impulse at the centre of mass; at the next update it changes the velocity by amount / mass (see
@@ -108,7 +118,7 @@ public partial class Body
     {
         ThrowIfDisposed();
         Impulse += Check.Finite(amount, nameof(amount));
-        Simulator?.NoteImpulse(this);
+        Simulator?.NotePending(this);
     }
 
     /// <summary>Drops the impulse stored since the last update.</summary>
@@ -134,12 +144,28 @@ public partial class Body
         LinearVelocity = Vector2.Zero;
         AngularVelocity = 0;
         Link.ForceRef = default;
+        Swing = 0;
         Impulse = Vector2.Zero;
     }
 
-    /// <summary>Turns the stored impulse into velocity.</summary>
-    internal void UseImpulse(bool dividedTwice)
+    /// <summary>Forgets how the torque changes, for an update in which no force acts.</summary>
+    internal void DropSwing() => Swing = 0;
+
+    /// <summary>
+    /// Turns the stored impulse into velocity, and the torque of the forces at local points into its mean over the update. A force F
+    /// at a point r that turns by δ has the torque r×F − δ r·F to first order; with δ(t) = ωt + αt²/2 the mean over dt is
+    /// r×F − r·F (ω dt/2 + α dt²/6). Taking the torque of the start for the whole update would leave an error of first order in dt.
+    /// </summary>
+    internal void UsePending(float dt, bool dividedTwice)
     {
+        if (Swing != 0)
+        {
+            ref BodyForce gathered = ref Link.ForceRef;
+            float acceleration = gathered.Torque * InverseMomentOfInertia;
+            gathered.Torque -= Swing * dt * ((AngularVelocity / 2) + (acceleration * dt / 6));
+            Swing = 0;
+        }
+
         float inverseMass = InverseMass;
         LinearVelocity += Impulse * (dividedTwice ? inverseMass * inverseMass : inverseMass);
         Impulse = Vector2.Zero;

@@ -91,10 +91,10 @@ public partial class Body : IDisposable
     }
 
     /// <summary>1 / <see cref="Mass"/>, or 0 for a static or kinematic body.</summary>
-    public float InverseMass => HasInfiniteMass ? 0 : 1 / Mass;
+    public float InverseMass => HasInfiniteMass && !IsStaticBySensor ? 0 : 1 / Mass;
 
     /// <summary>1 / <see cref="MomentOfInertia"/>, or 0 for a static or kinematic body.</summary>
-    public float InverseMomentOfInertia => HasInfiniteMass ? 0 : 1 / MomentOfInertia;
+    public float InverseMomentOfInertia => HasInfiniteMass && !IsStaticBySensor ? 0 : 1 / MomentOfInertia;
 
     /// <summary>False takes the body and its geoms out of motion and collision until it is true again. Default true.</summary>
     public bool Enabled
@@ -107,7 +107,11 @@ public partial class Body : IDisposable
     public bool IsStatic
     {
         get => (Link.UserFlags & BodyFlags.Static) != 0;
-        set => SetFlag(BodyFlags.Static, value);
+        set
+        {
+            SetFlag(BodyFlags.Static, value);
+            IsStaticBySensor = false;
+        }
     }
 
     /// <summary>
@@ -170,12 +174,15 @@ public partial class Body : IDisposable
     /// <summary>True if the speed of the body is at least <see cref="MinimumVelocity"/>.</summary>
     public bool Moves => LinearVelocity.LengthSquared() >= MinimumVelocity * MinimumVelocity;
 
+    /// <summary>Made static by a sensor quirk, which in the original left the inverse mass as it was.</summary>
+    internal bool IsStaticBySensor { get; set; }
+
     internal PhysicsSimulator? Simulator { get; set; }
 
     internal Membership Membership { get; set; }
 
-    /// <summary>True while the body is in its simulator's list of stored impulses.</summary>
-    internal bool IsImpulseNoted { get; set; }
+    /// <summary>True while the body is in its simulator's list of those with a stored impulse or a force at a local point.</summary>
+    internal bool IsPendingNoted { get; set; }
 
     /// <summary>True while the body is in its simulator's list of those that want to hear of their moves.</summary>
     internal bool IsListenerNoted { get; set; }
