@@ -12,7 +12,7 @@ public sealed class SelectiveSweepCollider : IBroadPhaseCollider, IEngineCollide
     /// <param name="physicsSimulator">The simulator.</param>
     /// <exception cref="System.ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
     public SelectiveSweepCollider(PhysicsSimulator physicsSimulator) =>
-        _core = new EngineCollider(physicsSimulator, new Farseer.Engine.BroadPhase.BruteForce());
+        _core = new EngineCollider(physicsSimulator, new Farseer.Engine.BroadPhase.SelectiveSweep());
 
     /// <inheritdoc/>
     public event BroadPhaseCollisionHandler OnBroadPhaseCollision

@@ -12,7 +12,7 @@ public partial class SweepAndPruneCollider : IBroadPhaseCollider, IEngineCollide
     /// <param name="physicsSimulator">The simulator.</param>
     /// <exception cref="System.ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
     public SweepAndPruneCollider(PhysicsSimulator physicsSimulator) =>
-        _core = new EngineCollider(physicsSimulator, new Farseer.Engine.BroadPhase.BruteForce());
+        _core = new EngineCollider(physicsSimulator, new Farseer.Engine.BroadPhase.SweepAndPrune());
 
     /// <inheritdoc/>
     public event BroadPhaseCollisionHandler OnBroadPhaseCollision
