@@ -9,8 +9,13 @@ namespace Farseer.Samples;
 /// <summary>A scene in a simulator of its own, stepped and measured.</summary>
 internal sealed class SceneRun
 {
-    /// <summary>Bytes are counted from the second half on: by then the stores have grown to what the scene needs.</summary>
+    private const int MostTimes = 100_000;
+
+    /// <summary>Bytes are counted in the last third: by then the stores have grown to what the scene needs.</summary>
     private readonly int _countFrom;
+
+    /// <summary>Of the last updates, in ticks. The median is shown: the first updates also pay for compiling the code.</summary>
+    private readonly long[] _times;
     private readonly int _steps;
     private readonly float _dt;
     private long _ticks;
@@ -22,7 +27,8 @@ internal sealed class SceneRun
         Options = options;
         _steps = options.Steps ?? scene.Steps;
         _dt = options.Dt ?? scene.Dt;
-        _countFrom = _steps / 2;
+        _countFrom = _steps - ((_steps + 2) / 3);
+        _times = new long[Math.Clamp(_steps, 1, MostTimes)];
         Simulator = new PhysicsSimulator();
         if (options.Iterations is int iterations)
         {
@@ -58,7 +64,9 @@ internal sealed class SceneRun
         long bytes = GC.GetAllocatedBytesForCurrentThread();
         long start = Stopwatch.GetTimestamp();
         Scene.Step(Simulator, Done, _dt);
-        _ticks += Stopwatch.GetTimestamp() - start;
+        long time = Stopwatch.GetTimestamp() - start;
+        _ticks += time;
+        _times[Done % _times.Length] = time;
         if (Done >= _countFrom)
         {
             _bytes += GC.GetAllocatedBytesForCurrentThread() - bytes;
@@ -77,7 +85,7 @@ internal sealed class SceneRun
             Steps = Done,
             Dt = _dt,
             Iterations = Simulator.Iterations,
-            MicrosecondsPerStep = Done == 0 ? 0.0 : _ticks * 1e6 / Stopwatch.Frequency / Done,
+            MicrosecondsPerStep = MedianTime() * 1e6 / Stopwatch.Frequency,
             Bodies = Simulator.BodyList.Count,
             Geoms = Simulator.GeomList.Count,
             Contacts = Simulator.ContactCount,
@@ -87,5 +95,12 @@ internal sealed class SceneRun
             StateHash = Simulator.StateHash(),
             Outcomes = outcomes,
         };
+    }
+
+    private long MedianTime()
+    {
+        Span<long> sorted = _times.AsSpan(0, Math.Min(Done, _times.Length)).ToArray();
+        sorted.Sort();
+        return sorted.IsEmpty ? 0 : sorted[sorted.Length / 2];
     }
 }
