@@ -54,6 +54,9 @@ internal unsafe struct ContactBundle
     /// <summary>h/τ of the feed-forward: how fast it follows the impulse.</summary>
     public fixed float FeedRate[Lanes];
 
+    /// <summary>η: the share of the load that the feed-forward carries.</summary>
+    public fixed float FeedShare[Lanes];
+
     /// <summary>1 for a contact with one point, whose feed-forward follows its own impulse; else 0.</summary>
     public fixed float Single[Lanes];
 

@@ -6,8 +6,15 @@ internal readonly struct ContactCoefficients
     /// <summary>Share of the velocity taken over from the substep before when impulses are extrapolated.</summary>
     public const float Extrapolation = 0.3f;
 
-    /// <summary>Share η of the static load that the feed-forward carries: 10 times less sag. 1 lets pyramids creep.</summary>
-    public const float FeedShare = 0.9f;
+    /// <summary>Rest 1 - η of the static load that the feed-forward leaves: 10 times less sag. 0 lets pyramids creep.</summary>
+    private const float FeedRest = 0.1f;
+    private const float SmallestFeedRest = 1e-4f;
+
+    /// <summary>
+    /// Size in units of the fall g·h² from which on a piece is large: the sag is in proportion to g·h² whatever the size, so for
+    /// smaller pieces the rest shrinks with the size, and a box of 1 cm rests as truly, for its size, as one of 1 m.
+    /// </summary>
+    private const float LargeSize = 8000f;
 
     // ζ = 10 and ω = 2π·(1/4)/h, so ωh = π/2 at every step length: stiffness is tied to the substep rate and the error falls
     // fourfold with each doubling of the substeps. 1/2 is unstable, 1/8 costs fourfold in error.
@@ -34,6 +41,14 @@ internal readonly struct ContactCoefficients
     public static float MassScale => Product / (1f + Product);
 
     public static float ImpulseScale => 1f / (1f + Product);
+
+    /// <summary>η for a contact whose smaller piece has the size <paramref name="size"/>, under gravity <paramref name="gravity"/>.</summary>
+    public float FeedShare(float size, float gravity)
+    {
+        float fall = LargeSize * gravity * Substep * Substep;
+        float share = size < fall ? size / fall : 1f;
+        return 1f - System.Math.Max(FeedRest * share, SmallestFeedRest);
+    }
 
     /// <summary>Static sag per unit of impulse and response: s = λ·k·h/(ωh)².</summary>
     public float Sag(float impulse, float response) => impulse * response * Substep * (1f / (AngularStep * AngularStep));

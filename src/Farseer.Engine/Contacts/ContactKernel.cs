@@ -125,7 +125,6 @@ internal static unsafe class ContactKernel
     public static void Relax(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
-        Wide share = Wide.Splat(ContactCoefficients.FeedShare);
         for (int i = 0; i < count; i++)
         {
             ContactBundle* row = bundles + i;
@@ -151,11 +150,12 @@ internal static unsafe class ContactKernel
                 Wide single = Wide.Load(row->Single + lane);
                 Wide common = Wide.Min(x0, x1);
                 Wide load = Wide.Select(single > Wide.Zero, x0, common);
+                Wide target = Wide.Load(row->FeedShare + lane) * load;
                 Wide feedRate = Wide.Load(row->FeedRate + lane);
                 Wide feed0 = Wide.Load(row->Point0.Feed + lane);
                 Wide feed1 = Wide.Load(row->Point1.Feed + lane);
-                Wide.Min(x0, feed0 + (feedRate * ((share * load) - feed0))).Store(row->Point0.Feed + lane);
-                Wide.Min(x1, feed1 + (feedRate * ((share * load) - feed1))).Store(row->Point1.Feed + lane);
+                Wide.Min(x0, feed0 + (feedRate * (target - feed0))).Store(row->Point0.Feed + lane);
+                Wide.Min(x1, feed1 + (feedRate * (target - feed1))).Store(row->Point1.Feed + lane);
             }
         }
     }

@@ -113,6 +113,7 @@ internal static unsafe class ContactRowWriter
         row->TangentMass0[lane] = 0;
         row->TangentMass1[lane] = 0;
         row->FeedRate[lane] = 0;
+        row->FeedShare[lane] = 0;
         row->Single[lane] = 0;
         row->Deep[lane] = 0;
         row->Restitution[lane] = 0;

@@ -27,6 +27,9 @@ internal unsafe ref struct ContactUpdateInput
     /// <summary>Ratio of this step's substep to the last one's.</summary>
     public float ImpulseScale;
     public float Substep;
+
+    /// <summary>Length of the gravity vector.</summary>
+    public float Gravity;
 }
 
 /// <summary>What is to become of a pair after its update.</summary>
@@ -134,11 +137,11 @@ internal static unsafe class ContactUpdate
         row->Friction[lane] = input.Settings.FreezePairFriction ? record.FirstFriction : MixFriction(input, record);
         row->Restitution[lane] =
             (input.Shapes.Colliders[record.ColliderA].Restitution + input.Shapes.Colliders[record.ColliderB].Restitution) * 0.5f;
-        SetDeep(input, record, row, lane, manifold);
+        SetStiffness(input, record, row, lane, manifold);
     }
 
-    /// <summary>A row stays deep until its depth is under half of what made it so.</summary>
-    private static void SetDeep(in ContactUpdateInput input, in ContactRecord record, ContactBundle* row, int lane, in Manifold manifold)
+    /// <summary>How fully the load is fed forward, and deepness: a row stays deep until its depth is under half of what made it so.</summary>
+    private static void SetStiffness(in ContactUpdateInput input, in ContactRecord record, ContactBundle* row, int lane, in Manifold manifold)
     {
         float depth = -manifold.Point0.Separation;
         if (manifold.Count == 2)
@@ -149,7 +152,9 @@ internal static unsafe class ContactUpdate
         depth -= input.Settings.AllowedPenetration;
         float size = 2 * Math.Min(input.Shapes.Pieces[record.PieceA].Extent, input.Shapes.Pieces[record.PieceB].Extent);
         float load = Math.Max(row->Point0.Normal[lane] * row->K11[lane], row->Point1.Normal[lane] * row->K22[lane]);
-        float sag = new ContactCoefficients(input.Substep).Sag(load, 1f);
+        var coefficients = new ContactCoefficients(input.Substep);
+        row->FeedShare[lane] = coefficients.FeedShare(size, input.Gravity);
+        float sag = coefficients.Sag(load, 1f);
         float limit = (DeepShare * size) + (DeepSags * sag);
         row->Deep[lane] = depth > limit || (row->Deep[lane] > 0 && depth > 0.5f * limit) ? 1 : 0;
     }

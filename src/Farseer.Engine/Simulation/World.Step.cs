@@ -20,11 +20,12 @@ internal sealed partial class World
         Profile.End(StepStage.BroadPhase);
 
         float substep = dt / Settings.Substeps;
-        _contactStage.Update(ContactInput(dt, substep), _graph);
+        ContactUpdateInput contacts = ContactInput(dt, substep);
+        _contactStage.Update(contacts, _graph);
         _events.Raise(this, _contacts, _graph, _contactStage.AnyHeard);
         Profile.End(StepStage.NarrowPhase);
 
-        bool anyDeep = UpdateIslands(substep);
+        bool anyDeep = UpdateIslands(substep, contacts.Gravity);
         Profile.End(StepStage.GraphAndIslands);
 
         Hooks?.ApplyForces(dt);
@@ -50,10 +51,12 @@ internal sealed partial class World
         input.Dt = dt;
         input.ImpulseScale = _lastSubstep > 0 ? substep / _lastSubstep : 1f;
         input.Substep = substep;
+        System.Numerics.Vector2 g = Settings.Gravity;
+        input.Gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
         return input;
     }
 
-    private unsafe bool UpdateIslands(float substep)
+    private unsafe bool UpdateIslands(float substep, float gravity)
     {
         if (_graph.RowCount == 0)
         {
@@ -66,8 +69,6 @@ internal sealed partial class World
             _graph.Changed = false;
         }
 
-        System.Numerics.Vector2 g = Settings.Gravity;
-        float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
         return _feedForward.Apply(_islands, _graph, gravity, new ContactCoefficients(substep));
     }
 
