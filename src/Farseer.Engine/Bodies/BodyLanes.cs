@@ -67,10 +67,10 @@ internal static unsafe class BodyLanes
             Vector256<float> r2 = Pair(records, index[2], index[6]);
             Vector256<float> r3 = Pair(records, index[3], index[7]);
             Transpose(ref r0, ref r1, ref r2, ref r3);
-            a = new Wide(r0);
-            b = new Wide(r1);
-            c = new Wide(r2);
-            d = new Wide(r3);
+            a = r0;
+            b = r1;
+            c = r2;
+            d = r3;
             return;
         }
 #endif
@@ -83,10 +83,10 @@ internal static unsafe class BodyLanes
 #if NET8_0_OR_GREATER
         if (Avx.IsSupported)
         {
-            Vector256<float> r0 = a.Raw;
-            Vector256<float> r1 = b.Raw;
-            Vector256<float> r2 = c.Raw;
-            Vector256<float> r3 = d.Raw;
+            Vector256<float> r0 = a;
+            Vector256<float> r1 = b;
+            Vector256<float> r2 = c;
+            Vector256<float> r3 = d;
             Transpose(ref r0, ref r1, ref r2, ref r3);
             r0.GetLower().Store(records + (index[0] * 8));
             r1.GetLower().Store(records + (index[1] * 8));
@@ -105,7 +105,7 @@ internal static unsafe class BodyLanes
     // Kept out of line: a method with a stack buffer is not inlined.
     private static void GatherByElement(float* records, int* index, out Wide a, out Wide b, out Wide c, out Wide d)
     {
-        float* t = stackalloc float[4 * Wide.BundleLanes];
+        float* t = stackalloc float[4 * WideLanes.BundleLanes];
         for (int i = 0; i < Wide.Count; i++)
         {
             float* r = records + (index[i] * 8);
@@ -123,7 +123,7 @@ internal static unsafe class BodyLanes
 
     private static void ScatterByElement(float* records, int* index, Wide a, Wide b, Wide c, Wide d)
     {
-        float* t = stackalloc float[4 * Wide.BundleLanes];
+        float* t = stackalloc float[4 * WideLanes.BundleLanes];
         a.Store(t);
         b.Store(t + 8);
         c.Store(t + 16);

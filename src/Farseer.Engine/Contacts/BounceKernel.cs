@@ -1,3 +1,6 @@
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Numerics;
 
@@ -94,7 +97,7 @@ internal static unsafe class BounceKernel
     {
         Wide square = (v * v) - (Wide.Splat(2f) * (acceleration * s));
         Wide speed = Wide.Sqrt(Wide.Max(square, Wide.Zero));
-        WideMask impact = (v < -slow) & (s < Wide.Splat(ContactBundle.NoPoint * 0.5f)) & (restitution > Wide.Zero);
+        WideMask impact = (v < (Wide.Zero - slow)) & (s < Wide.Splat(ContactBundle.NoPoint * 0.5f)) & (restitution > Wide.Zero);
         return Wide.Select(impact, restitution * speed, Wide.Zero);
     }
 

@@ -17,7 +17,7 @@ namespace Farseer.Engine.Contacts;
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct ContactBundle
 {
-    public const int Lanes = Wide.BundleLanes;
+    public const int Lanes = WideLanes.BundleLanes;
 
     /// <summary>Separation of a point that does not exist. Finite also after the division by the substep.</summary>
     public const float NoPoint = 1e30f;
@@ -74,7 +74,7 @@ internal unsafe struct ContactBundle
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct ContactPointLanes
 {
-    public const int Lanes = Wide.BundleLanes;
+    public const int Lanes = WideLanes.BundleLanes;
 
     public fixed float NormalArmA[Lanes];
     public fixed float TangentArmA[Lanes];

@@ -1,3 +1,6 @@
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Numerics;
@@ -142,7 +145,7 @@ internal static unsafe class ContactKernel
                 x0.Store(row->Point0.Normal + lane);
                 x1.Store(row->Point1.Normal + lane);
                 ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
-                SolveFriction(row, lane, ref a, ref b, x0, x1, WideMask.All);
+                SolveFriction(row, lane, ref a, ref b, x0, x1, WideLanes.AllSet);
                 BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
 
@@ -171,7 +174,7 @@ internal static unsafe class ContactKernel
             normal = Wide.Max(oldNormal + (share * (oldNormal - Wide.Load(p->PreviousNormal + lane))), Wide.Zero);
             Wide bound = friction * normal;
             tangent = oldTangent + (share * (oldTangent - Wide.Load(p->PreviousTangent + lane)));
-            tangent = Wide.Max(Wide.Min(tangent, bound), -bound);
+            tangent = Wide.Max(Wide.Min(tangent, bound), Wide.Zero - bound);
             oldNormal.Store(p->PreviousNormal + lane);
             oldTangent.Store(p->PreviousTangent + lane);
             normal.Store(p->Normal + lane);
@@ -232,7 +235,7 @@ internal static unsafe class ContactKernel
     {
         Wide sum = p0 + p1;
         Wide px = Wide.Load(row->NormalY + lane) * sum;
-        Wide py = -(Wide.Load(row->NormalX + lane) * sum);
+        Wide py = Wide.Zero - (Wide.Load(row->NormalX + lane) * sum);
         Wide massA = Wide.Load(row->MassA + lane);
         Wide massB = Wide.Load(row->MassB + lane);
         a.X = a.X - (massA * px);
@@ -260,7 +263,7 @@ internal static unsafe class ContactKernel
         Wide v0 = ut + ((a.W * armA0) - (b.W * armB0));
         Wide old0 = Wide.Load(row->Point0.Tangent + lane);
         Wide bound0 = friction * normal0;
-        Wide new0 = Wide.Max(Wide.Min(old0 - (Wide.Load(row->TangentMass0 + lane) * v0), bound0), -bound0);
+        Wide new0 = Wide.Max(Wide.Min(old0 - (Wide.Load(row->TangentMass0 + lane) * v0), bound0), Wide.Zero - bound0);
         new0 = Wide.Select(active, new0, old0);
         new0.Store(row->Point0.Tangent + lane);
         Wide change0 = new0 - old0;
@@ -272,7 +275,7 @@ internal static unsafe class ContactKernel
         Wide v1 = ut + ((a.W * armA1) - (b.W * armB1)) + (coupling * change0);
         Wide old1 = Wide.Load(row->Point1.Tangent + lane);
         Wide bound1 = friction * normal1;
-        Wide new1 = Wide.Max(Wide.Min(old1 - (Wide.Load(row->TangentMass1 + lane) * v1), bound1), -bound1);
+        Wide new1 = Wide.Max(Wide.Min(old1 - (Wide.Load(row->TangentMass1 + lane) * v1), bound1), Wide.Zero - bound1);
         new1 = Wide.Select(active, new1, old1);
         new1.Store(row->Point1.Tangent + lane);
         ApplyTangent(row, lane, ref a, ref b, change0, new1 - old1);
@@ -297,12 +300,12 @@ internal static unsafe class ContactKernel
 
         Wide both0 = inverse * ((k12 * b1) - (k22 * b0));
         Wide both1 = inverse * ((k12 * b0) - (k11 * b1));
-        Wide only0 = Wide.Max(-b0 / k11, zero);
-        Wide only1 = Wide.Max(-b1 / k22, zero);
+        Wide only0 = Wide.Max((zero - b0) / k11, zero);
+        Wide only1 = Wide.Max((zero - b1) / k22, zero);
 
         // Row by row from the present impulses; also what stands where rounding leaves no case exactly valid.
-        Wide turn0 = Wide.Max(-(b0 + (k12 * lambda1)) / k11, zero);
-        Wide turn1 = Wide.Max(-(b1 + (k12 * turn0)) / k22, zero);
+        Wide turn0 = Wide.Max((zero - (b0 + (k12 * lambda1))) / k11, zero);
+        Wide turn1 = Wide.Max((zero - (b1 + (k12 * turn0))) / k22, zero);
 
         WideMask second = (b0 + (k12 * only1)) >= zero;
         WideMask first = (b1 + (k12 * only0)) >= zero;

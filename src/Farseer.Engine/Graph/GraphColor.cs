@@ -11,7 +11,7 @@ internal sealed unsafe class GraphColor
     private readonly int _lanesUsed;
 
     /// <param name="sequential">True for the overflow, whose contacts may share bodies: one filled lane a bundle.</param>
-    public GraphColor(bool sequential = false) => _lanesUsed = sequential ? 1 : Wide.BundleLanes;
+    public GraphColor(bool sequential = false) => _lanesUsed = sequential ? 1 : WideLanes.BundleLanes;
 
     public int RowCount { get; private set; }
 
@@ -30,7 +30,7 @@ internal sealed unsafe class GraphColor
         if (LaneOf(row) == 0)
         {
             _bundles.EnsureCapacity(BundleCount);
-            for (int lane = 0; lane < Wide.BundleLanes; lane++)
+            for (int lane = 0; lane < WideLanes.BundleLanes; lane++)
             {
                 ContactRowWriter.ClearLane(BundleOf(row), lane);
             }

@@ -40,7 +40,7 @@ internal static class WideTrigonometry
         Wide sinPart = Wide.Select(odd, c, s);
         Wide cosPart = Wide.Select(odd, s, c);
         WideMask negativeQuarter = q < Wide.Zero;
-        sin = Wide.Select(half | (odd & negativeQuarter), -sinPart, sinPart);
-        cos = Wide.Select(half | (odd & (q > Wide.Zero)), -cosPart, cosPart);
+        sin = Wide.Select(half | (odd & negativeQuarter), Wide.Zero - sinPart, sinPart);
+        cos = Wide.Select(half | (odd & (q > Wide.Zero)), Wide.Zero - cosPart, cosPart);
     }
 }

@@ -64,7 +64,7 @@ internal sealed unsafe class BodyLists
     /// <summary>Bodies with rows go to the solver; the others fly free and cost nothing there.</summary>
     public void Split(BodyStore bodies, ConstraintGraph graph)
     {
-        _solver.EnsureCapacity(ActiveCount + Wide.BundleLanes);
+        _solver.EnsureCapacity(ActiveCount + WideLanes.BundleLanes);
         _free.EnsureCapacity(ActiveCount);
         SolverCount = 0;
         FreeCount = 0;
@@ -82,7 +82,7 @@ internal sealed unsafe class BodyLists
         }
 
         PaddedSolverCount = SolverCount;
-        while (PaddedSolverCount % Wide.BundleLanes != 0)
+        while (PaddedSolverCount % WideLanes.BundleLanes != 0)
         {
             _solver[PaddedSolverCount++] = 0;
         }
