@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.NarrowPhase;
@@ -19,66 +20,134 @@ internal unsafe struct AxisQuery
     /// <summary>The greatest separation over all edges, seams included: a lower bound of the distance.</summary>
     public float Greatest;
 
-    /// <summary>
-    /// The edges' normals turn one way round, and so do the vertices that lie farthest against them: the walk costs
-    /// n + m, not n·m. Where the normals turn by a right angle or more the walk could stop at once, so it starts afresh.
-    /// </summary>
-    public static AxisQuery Find(in Hull reference, in Hull other, in Placement placement)
+    public static AxisQuery Find(in Hull reference, in Hull other, in Placement placement, Vector2 otherCenter)
     {
-        AxisQuery best;
-        best.Edge = -1;
-        best.Support = 0;
-        best.Separation = float.MinValue;
-        best.RealEdge = -1;
-        best.RealSupport = 0;
-        best.RealSeparation = float.MinValue;
-        best.Greatest = float.MinValue;
+        AxisQuery query = default;
+        query.Edge = -1;
+        query.RealEdge = -1;
+        query.Separation = float.MinValue;
+        query.RealSeparation = float.MinValue;
+        query.Greatest = float.MinValue;
+        if (reference.IsSeamed || other.IsSeamed)
+        {
+            query.FindSeamed(reference, other, placement);
+        }
+        else
+        {
+            query.FindPlain(reference, other, placement, placement.Apply(otherCenter));
+        }
+
+        return query;
+    }
+
+    /// <summary>
+    /// Every vertex of the other hull bounds the separation of every edge from above. So the search starts with the edge that
+    /// faces the other's centre, and an edge is measured in full only if the vertex nearest to the best edge does not already
+    /// rule it out: for small polygons mostly one edge or two.
+    /// </summary>
+    private void FindPlain(in Hull reference, in Hull other, in Placement placement, Vector2 center)
+    {
         Rotation q = placement.Rotation;
-        Vector2* ov = other.Vertices;
-        int count = other.Count;
+        Vector2* vertices = reference.Vertices;
+        Vector2* normals = reference.Normals;
+        int start = 0;
+        float facing = float.MinValue;
+        for (int i = 0; i < reference.Count; i++)
+        {
+            float s = ((center.X - vertices[i].X) * normals[i].X) + ((center.Y - vertices[i].Y) * normals[i].Y);
+            if (s > facing)
+            {
+                facing = s;
+                start = i;
+            }
+        }
+
+        Vector2 last = normals[start];
+        float lowest = Lowest(other.Vertices, other.Count, q.InverseRotate(last), out int support);
+        float best = lowest + Base(placement.Offset, vertices[start], last);
+        int bestEdge = start;
+        int bestSupport = support;
+        Vector2 nearest = placement.Apply(other.Vertices[support]);
+        int edge = start;
+        for (int i = 1; i < reference.Count; i++)
+        {
+            edge = edge + 1 == reference.Count ? 0 : edge + 1;
+            Vector2 normal = normals[edge];
+            if (((nearest.X - vertices[edge].X) * normal.X) + ((nearest.Y - vertices[edge].Y) * normal.Y) <= best)
+            {
+                continue;
+            }
+
+            Vector2 d = q.InverseRotate(normal);
+            bool fresh = IsFar(last, normal);
+            lowest = fresh ? Lowest(other.Vertices, other.Count, d, out support) : Walk(other.Vertices, other.Count, d, ref support);
+            last = normal;
+            float separation = lowest + Base(placement.Offset, vertices[edge], normal);
+            if (separation > best)
+            {
+                best = separation;
+                bestEdge = edge;
+                bestSupport = support;
+                nearest = placement.Apply(other.Vertices[support]);
+            }
+        }
+
+        Edge = bestEdge;
+        Support = bestSupport;
+        Separation = best;
+        Greatest = best;
+    }
+
+    private void FindSeamed(in Hull reference, in Hull other, in Placement placement)
+    {
+        Rotation q = placement.Rotation;
         int support = 0;
         Vector2 last = default;
         for (int edge = 0; edge < reference.Count; edge++)
         {
             Vector2 normal = reference.Normals[edge];
             Vector2 d = q.InverseRotate(normal);
-            float height;
-            if (count <= 4 || edge == 0 || (normal.X * last.X) + (normal.Y * last.Y) <= 0)
-            {
-                height = Lowest(ov, count, d, out support);
-            }
-            else
-            {
-                height = (d.X * ov[support].X) + (d.Y * ov[support].Y);
-                while (true)
-                {
-                    int next = support + 1 == count ? 0 : support + 1;
-                    float h = (d.X * ov[next].X) + (d.Y * ov[next].Y);
-                    if (h >= height)
-                    {
-                        break;
-                    }
-
-                    height = h;
-                    support = next;
-                }
-            }
-
+            bool fresh = IsFar(last, normal);
+            float lowest = fresh ? Lowest(other.Vertices, other.Count, d, out support) : Walk(other.Vertices, other.Count, d, ref support);
             last = normal;
-            Vector2 v = reference.Vertices[edge];
-            float separation = height + (((placement.Offset.X - v.X) * normal.X) + ((placement.Offset.Y - v.Y) * normal.Y));
-            if (separation > best.Greatest)
+            float separation = lowest + Base(placement.Offset, reference.Vertices[edge], normal);
+            Greatest = separation > Greatest ? separation : Greatest;
+            if (separation > Separation && reference.IsReal(edge))
             {
-                best.Greatest = separation;
-            }
-
-            if (separation > best.Separation && reference.IsReal(edge))
-            {
-                best.Offer(edge, support, separation, other, -d);
+                Offer(edge, support, separation, other, -d);
             }
         }
+    }
 
-        return best;
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static float Base(Vector2 offset, Vector2 vertex, Vector2 normal) =>
+        ((offset.X - vertex.X) * normal.X) + ((offset.Y - vertex.Y) * normal.Y);
+
+    /// <summary>True unless the way on from the last direction to this one is less than a right angle (edges may have been left out).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsFar(Vector2 last, Vector2 next) =>
+        (next.X * last.X) + (next.Y * last.Y) <= 0 || (last.X * next.Y) - (last.Y * next.X) < 0;
+
+    /// <summary>
+    /// Edge normals turn one way round, and so do the vertices that lie farthest against them: walking on from the last one,
+    /// all edges together cost n + m, not n·m. Where the normals turn by a right angle or more the walk could stop at once on
+    /// a vertex that is farthest the other way; then the caller starts afresh.
+    /// </summary>
+    private static float Walk(Vector2* vertices, int count, Vector2 d, ref int support)
+    {
+        float lowest = (d.X * vertices[support].X) + (d.Y * vertices[support].Y);
+        while (true)
+        {
+            int next = support + 1 == count ? 0 : support + 1;
+            float h = (d.X * vertices[next].X) + (d.Y * vertices[next].Y);
+            if (h >= lowest)
+            {
+                return lowest;
+            }
+
+            lowest = h;
+            support = next;
+        }
     }
 
     private static float Lowest(Vector2* vertices, int count, Vector2 d, out int index)

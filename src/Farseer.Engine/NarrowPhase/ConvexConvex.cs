@@ -25,7 +25,7 @@ internal static unsafe class ConvexConvex
         bInA.Rotation = pair.RotationB.RelativeTo(pair.RotationA);
         bInA.Offset = pair.RotationA.InverseRotate(pair.Offset);
         float limit = pair.Margin + a.Radius + b.Radius;
-        AxisQuery fromA = AxisQuery.Find(a, b, bInA);
+        AxisQuery fromA = AxisQuery.Find(a, b, bInA, pair.B.Center);
         if (fromA.Greatest > limit)
         {
             return;
@@ -34,7 +34,7 @@ internal static unsafe class ConvexConvex
         Placement aInB;
         aInB.Rotation = new Rotation(bInA.Rotation.Cos, -bInA.Rotation.Sin);
         aInB.Offset = pair.RotationB.InverseRotate(-pair.Offset);
-        AxisQuery fromB = AxisQuery.Find(b, a, aInB);
+        AxisQuery fromB = AxisQuery.Find(b, a, aInB, pair.A.Center);
         if (fromB.Greatest > limit)
         {
             return;

@@ -78,7 +78,7 @@ internal static class ShapeBuilder
         }
 
         int count = corner.Count;
-        int links = loop ? count : count - 1;
+        int links = loop ? count : Math.Max(0, count - 1);
         var pieces = new PieceGeometry[links];
         for (int i = 0; i < links; i++)
         {
