@@ -4,7 +4,10 @@ using FarseerGames.FarseerPhysics.Collisions;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
-/// <summary>Exact answers about outlines, rounded shapes and lines, independent of the engine and of the grid.</summary>
+/// <summary>
+/// Exact answers about outlines, rounded shapes and lines, independent of the engine and of the grid. A circle answers with its
+/// documented edges, so that all queries agree with each other and with what is drawn.
+/// </summary>
 internal static class OutlineQuery
 {
     /// <summary>If a local point is in the geom or on its edge.</summary>
@@ -13,8 +16,6 @@ internal static class OutlineQuery
         GeomForm form = geom.Form!;
         switch (form.Kind)
         {
-            case FormKind.Circle:
-                return local.LengthSquared() <= form.Radius * form.Radius;
             case FormKind.Capsule:
                 return Distance(local, form.Points[0], form.Points[1], out _) <= form.Radius;
             case FormKind.Segment:
@@ -108,14 +109,14 @@ internal static class OutlineQuery
     private static float Core(Geom geom, out Vector2[] points, out bool closed)
     {
         GeomForm form = geom.Form!;
-        closed = form.Kind == FormKind.Box || form.Kind == FormKind.Outline;
+        closed = form.Kind == FormKind.Box || form.Kind == FormKind.Outline || form.Kind == FormKind.Circle;
         if (closed)
         {
             points = geom.WorldVertices.ToArray();
             return 0;
         }
 
-        points = form.Kind == FormKind.Circle ? new Vector2[1] : (Vector2[])form.Points.Clone();
+        points = (Vector2[])form.Points.Clone();
         for (int i = 0; i < points.Length; i++)
         {
             points[i] = geom.GetWorldPosition(points[i]);

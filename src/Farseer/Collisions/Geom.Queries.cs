@@ -7,7 +7,7 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// <content>Questions about single points and pairs, answered from the exact outline.</content>
 public partial class Geom
 {
-    /// <summary>Tells if a world point is inside the geom or on its edge. A circle answers as a true circle.</summary>
+    /// <summary>Tells if a world point is inside the geom or on its edge. For a circle its <see cref="LocalVertices"/> count, as in all queries.</summary>
     /// <param name="point">Point in world coordinates.</param>
     /// <returns>True if inside.</returns>
     public bool Collide(Vector2 point)
