@@ -1,0 +1,198 @@
+using System;
+using System.Numerics;
+using FarseerGames.FarseerPhysics;
+using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Factories;
+using Xunit;
+
+namespace Farseer.Tests.Robustness;
+
+/// <summary>Whatever a handler does, the simulation goes on.</summary>
+public class HandlerMischiefTests
+{
+    [Fact]
+    public void AnyChangeInAnyHandler_IsDeferredOrDone_AndTheRestGoesOn()
+    {
+        Action<PhysicsSimulator, Geom>[] mischief =
+        {
+            (s, g) => s.Remove(g),
+            (s, g) => s.Remove(g.Body),
+            (_, g) => g.Dispose(),
+            (_, g) => g.Body.Dispose(),
+            (s, _) => s.Clear(),
+            (s, _) => Box(s, new Vector2(200, -50)),
+            (_, g) => g.Body.IsStatic = true,
+            (_, g) => g.Body.Enabled = false,
+            (_, g) => g.Body.Position += new Vector2(0, -30),
+            (_, g) => g.CollisionEnabled = false,
+            (_, g) => g.CollisionGroup = 3,
+            (_, g) => g.SetVertices(Vertices.CreateRectangle(10, 10)),
+            (_, g) => g.SetBody(new Body { Position = new Vector2(0, -60) }),
+            (s, _) => s.GeomList.Clear(),
+            (s, _) => s.BodyList.Clear(),
+            (s, _) => s.ArbiterList.Clear(),
+            (s, _) => Assert.Throws<InvalidOperationException>(() => s.Update(0.01f)),
+        };
+        for (int m = 0; m < mischief.Length; m++)
+        {
+            for (int place = 0; place < 4; place++)
+            {
+                Act(mischief[m], place);
+            }
+        }
+    }
+
+    [Fact]
+    public void ExceptionOfAHandler_ComesOutAfterTheStep_AndTheNextStepWorks()
+    {
+        PhysicsSimulator simulator = Scene(out Geom geom);
+        Geom.CollisionEventHandler handler = (_, _, _) => throw new FormatException("mine");
+        geom.OnCollision += handler;
+        Exception? seen = null;
+        for (int i = 0; i < 100; i++)
+        {
+            try
+            {
+                simulator.Update(0.01f);
+            }
+            catch (FormatException exception)
+            {
+                seen = exception;
+            }
+        }
+
+        Assert.NotNull(seen);
+        geom.OnCollision -= handler;
+        simulator.Update(0.01f);
+        Assert.InRange(geom.Body.Position.Y, -21, -19);
+    }
+
+    [Fact]
+    public void WrongItems_AreRefusedByName()
+    {
+        var simulator = new PhysicsSimulator();
+        var other = new PhysicsSimulator();
+        Body body = BodyFactory.Instance.CreateBody(simulator, 1, 1);
+        Assert.Equal("body", Assert.Throws<ArgumentException>(() => simulator.Add(body)).ParamName);
+        Assert.Equal("body", Assert.Throws<ArgumentException>(() => other.Add(body)).ParamName);
+        Assert.Equal("body", Assert.Throws<ArgumentException>(() => other.Remove(body)).ParamName);
+        Assert.Throws<ArgumentNullException>(() => simulator.Add((Body)null!));
+        Assert.Throws<ArgumentNullException>(() => simulator.Add((Geom)null!));
+        Geom geom = GeomFactory.Instance.CreateRectangleGeom(body, 1, 1);
+        Assert.Throws<ArgumentException>(() => other.Add(geom));
+        simulator.Add(geom);
+        Assert.Throws<ArgumentException>(() => simulator.Add(geom));
+        Assert.Throws<InvalidOperationException>(() => simulator.BroadPhaseCollider = new BruteForceCollider(simulator));
+        Assert.Throws<ArgumentException>(() => simulator.Add(new Geom()));
+        body.Dispose();
+        Assert.Throws<ObjectDisposedException>(() => simulator.Add(body));
+        Assert.Throws<ObjectDisposedException>(() => body.ApplyForce(Vector2.One));
+        Assert.Throws<ObjectDisposedException>(() => GeomFactory.Instance.CreateRectangleGeom(body, 1, 1));
+        simulator.Dispose();
+        Assert.Throws<ObjectDisposedException>(() => simulator.Update(0.01f));
+    }
+
+    [Theory]
+    [InlineData(float.NaN)]
+    [InlineData(float.PositiveInfinity)]
+    [InlineData(-1f)]
+    [InlineData(0f)]
+    public void WrongNumbers_AreRefusedAndChangeNothing(float bad)
+    {
+        var body = new Body();
+        Assert.Throws<ArgumentOutOfRangeException>(() => body.Mass = bad);
+        Assert.Throws<ArgumentOutOfRangeException>(() => body.MomentOfInertia = bad);
+        Assert.Equal(1, body.Mass);
+        Assert.Equal(1, body.MomentOfInertia);
+        Assert.Throws<ArgumentOutOfRangeException>(() => BodyFactory.Instance.CreateCircleBody(bad, 1));
+        Assert.Throws<ArgumentOutOfRangeException>(() => BodyFactory.Instance.CreateRectangleBody(1, bad, 1));
+        Assert.Throws<ArgumentOutOfRangeException>(() => BodyFactory.Instance.CreateRectangleBody(1, 1, bad));
+        Assert.Throws<ArgumentOutOfRangeException>(() => GeomFactory.Instance.CreateCircleGeom(body, bad, 8));
+        Assert.Throws<ArgumentOutOfRangeException>(() => GeomFactory.Instance.CreateRectangleGeom(body, bad, 8));
+        var simulator = new PhysicsSimulator();
+        if (bad != 0)
+        {
+            Assert.Throws<ArgumentOutOfRangeException>(() => simulator.Update(bad));
+        }
+
+        if (!(bad <= 0))
+        {
+            Assert.Throws<ArgumentOutOfRangeException>(() => GeomFactory.Instance.CreateRectangleGeom(body, 1, 1, bad));
+        }
+    }
+
+    private static void Act(Action<PhysicsSimulator, Geom> mischief, int place)
+    {
+        PhysicsSimulator simulator = Scene(out Geom geom);
+        bool done = false;
+        void Once()
+        {
+            if (!done)
+            {
+                done = true;
+                mischief(simulator, geom);
+            }
+        }
+
+        switch (place)
+        {
+            case 0:
+                geom.OnCollision += (_, _, _) =>
+                {
+                    Once();
+                    return true;
+                };
+                break;
+            case 1:
+                geom.RestitutionCoefficient = 2;
+                geom.OnSeparation += (_, _) => Once();
+                break;
+            case 2:
+                simulator.BroadPhaseCollider.OnBroadPhaseCollision += (_, _) =>
+                {
+                    Once();
+                    return true;
+                };
+                break;
+            default:
+                geom.Body.Updated += (ref Vector2 _, ref float _) => Once();
+                break;
+        }
+
+        Run(simulator, 150);
+        Assert.True(done, "handler " + place + " was not called");
+        Body later = Box(simulator, new Vector2(100, -60));
+        Run(simulator, 20);
+        Assert.True(later.Position.Y > -60);
+        Assert.False(float.IsNaN(later.Position.Y));
+    }
+
+    private static PhysicsSimulator Scene(out Geom geom)
+    {
+        var simulator = new PhysicsSimulator(new Vector2(0, 100));
+        Body floor = BodyFactory.Instance.CreateRectangleBody(simulator, 400, 20, 1);
+        floor.IsStatic = true;
+        GeomFactory.Instance.CreateRectangleGeom(simulator, floor, 400, 20);
+        Body box = Box(simulator, new Vector2(0, -25));
+        geom = box.Geoms![0];
+        Box(simulator, new Vector2(0, -50));
+        return simulator;
+    }
+
+    private static Body Box(PhysicsSimulator simulator, Vector2 place)
+    {
+        Body body = BodyFactory.Instance.CreateRectangleBody(simulator, 20, 20, 1);
+        body.Position = place;
+        GeomFactory.Instance.CreateRectangleGeom(simulator, body, 20, 20);
+        return body;
+    }
+
+    private static void Run(PhysicsSimulator simulator, int steps)
+    {
+        for (int i = 0; i < steps; i++)
+        {
+            simulator.Update(0.01f);
+        }
+    }
+}
