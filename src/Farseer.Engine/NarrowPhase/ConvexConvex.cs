@@ -1,5 +1,6 @@
 using System.Numerics;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
 
 namespace Farseer.Engine.NarrowPhase;
 
@@ -15,6 +16,9 @@ internal static unsafe class ConvexConvex
     /// serve equally well, and a normal that jumps between them from step to step would cost the stack its rest.
     /// </summary>
     public const float ReferenceBias = 0.001f;
+
+    /// <summary>Overlap of a seamed piece, in extents, from which on a contact must come of it even without an outline edge in reach.</summary>
+    private const float SeamlessDepth = 0.04f;
 
     public static void Collide(in PairInput pair, out Manifold manifold)
     {
@@ -58,6 +62,40 @@ internal static unsafe class ConvexConvex
             manifold.Normal = -manifold.Normal;
             ToWorld(ref manifold, pair.RotationB, pair.Offset);
         }
+
+        if (manifold.Count == 0 && ((pair.A.Flags | pair.B.Flags) & (PieceFlags.Seamed | PieceFlags.OneSided)) == PieceFlags.Seamed)
+        {
+            float depth = -SeamlessDepth * scale;
+            if (fromA.Greatest < depth && fromB.Greatest < depth)
+            {
+                PushOut(pair, fromA, fromB, ref manifold);
+            }
+        }
+    }
+
+    // Deep inside, the overlap need not lie under any outline edge that the seams leave over; still the piece must let go of
+    // the intruder, so the support vertex is pushed out of the outline edge that it is least far behind.
+    private static void PushOut(in PairInput pair, AxisQuery fromA, AxisQuery fromB, ref Manifold manifold)
+    {
+        bool flipped = fromB.RealSeparation > fromA.RealSeparation;
+        AxisQuery axis = flipped ? fromB : fromA;
+        if (axis.RealEdge < 0)
+        {
+            return;
+        }
+
+        Rotation own = flipped ? pair.RotationB : pair.RotationA;
+        Rotation others = flipped ? pair.RotationA : pair.RotationB;
+        Piece reference = flipped ? pair.B : pair.A;
+        Piece other = flipped ? pair.A : pair.B;
+        Vector2 normal = own.Rotate(pair.Normals[reference.VertexStart + axis.RealEdge]);
+        Vector2 support = others.Rotate(pair.Vertices[other.VertexStart + axis.RealSupport]) + (flipped ? Vector2.Zero : pair.Offset);
+        float separation = axis.RealSeparation - reference.Radius - other.Radius;
+        manifold.Normal = flipped ? -normal : normal;
+        manifold.Count = 1;
+        manifold.Point0.Anchor = support - (normal * (other.Radius + (0.5f * separation)));
+        manifold.Point0.Separation = separation;
+        manifold.Point0.Id = EdgeContact.Id(axis.RealEdge, axis.RealSupport, flipped);
     }
 
     private static void TakeReal(ref AxisQuery query)

@@ -98,6 +98,53 @@ public class ConcaveTests
         }
     }
 
+    [Fact]
+    public void Collide_BoxIntoAnyOutline_IsNeverLost()
+    {
+        var random = new Random(23);
+        int overlaps = 0;
+        for (int n = 0; n < 400; n++)
+        {
+            Vector2[] star = ShapeBuilderTests.Star(random, random.Next(4, 20));
+            ShapeGeometry shape = ShapeBuilder.Polygon(star);
+            ShapeGeometry box = ShapeBuilder.Box(0.6f, 0.4f);
+            var pair = new PairFixture(shape, box);
+            for (int i = 0; i < 50; i++)
+            {
+                Vector2 center = 1.6f * RandomShape.Point(random);
+                double angle = random.NextDouble() * 7;
+                double depth = Deepest(shape, box, angle, center);
+                Manifold[] found = pair.CollideAll(0, angle, center, 0.02f);
+                float least = float.MaxValue;
+                foreach (Manifold m in found)
+                {
+                    least = Math.Min(least, m.Point0.Separation);
+                    least = m.Count == 2 ? Math.Min(least, m.Point1.Separation) : least;
+                }
+
+                if (depth < -0.01)
+                {
+                    overlaps++;
+                    Assert.True(least < 0, $"outline {n}, case {i}: depth {depth}, found {found.Length}, {least}");
+                }
+            }
+        }
+
+        Assert.True(overlaps > 3000);
+    }
+
+    private static double Deepest(ShapeGeometry shape, ShapeGeometry box, double angle, Vector2 center)
+    {
+        double deepest = double.MaxValue;
+        ReferenceDistance.Point[] b = ReferenceDistance.Place(box.Pieces[0].Vertices, Math.Cos(angle), Math.Sin(angle), center);
+        foreach (PieceGeometry piece in shape.Pieces)
+        {
+            deepest = Math.Min(deepest, ReferenceDistance.Signed(ReferenceDistance.Place(piece.Vertices, 1, 0, Vector2.Zero), b));
+        }
+
+        return deepest;
+    }
+
     private static void AssertLeadsOut(Vector2[] star, Manifold m, float radius, Vector2 center)
     {
         // The claimed point of the outline is there, and the circle really is that far along that normal.
