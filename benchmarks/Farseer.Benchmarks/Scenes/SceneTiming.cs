@@ -1,0 +1,126 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using Farseer.Scenes.Performance;
+using FarseerGames.FarseerPhysics;
+using FarseerGames.FarseerPhysics.Dynamics;
+
+namespace Farseer.Benchmarks.Scenes;
+
+/// <summary>Times whole runs of one performance scene: build, one untimed step, then the steps on the clock.</summary>
+internal sealed class SceneTiming
+{
+    public const string CsvHeader =
+        "scene,size,bodies,contacts,joints,workers,asset,lanes,steps,ms_step_min,ms_step_median,ms_total_median,ns_per_body_step,"
+        + "bytes_per_step,state_hash,largest_penetration,largest_joint_separation";
+
+    private readonly PerformanceScene _scene;
+    private readonly int _size;
+    private readonly int _steps;
+    private readonly List<double> _milliseconds = [];
+
+    public SceneTiming(PerformanceScene scene, int size, int steps)
+    {
+        _scene = scene;
+        _size = size;
+        _steps = steps;
+    }
+
+    public int TimedSteps => _steps - 1;
+
+    public double LeastMilliseconds => _milliseconds[0] / TimedSteps;
+
+    public double MedianTotal => _milliseconds[_milliseconds.Count / 2];
+
+    public double MedianMilliseconds => MedianTotal / TimedSteps;
+
+    public double NanosecondsPerBodyStep => 1e6 * MedianMilliseconds / DynamicBodies;
+
+    public int DynamicBodies { get; private set; }
+
+    public int Contacts { get; private set; }
+
+    public double BytesPerStep { get; private set; }
+
+    public ulong StateHash { get; private set; }
+
+    public float LargestPenetration { get; private set; }
+
+    /// <summary>Milliseconds a step by phase, from one run of its own: reading the clock within steps costs time too.</summary>
+    public IReadOnlyList<(string Phase, double Milliseconds)> Phases { get; private set; } = [];
+
+    public void Run(int runs)
+    {
+        for (int i = 0; i < runs; i++)
+        {
+            Time();
+        }
+
+        _milliseconds.Sort();
+        Profile();
+    }
+
+    public string ToCsv() => string.Create(
+        CultureInfo.InvariantCulture,
+        $"{_scene.Name},{_size},{DynamicBodies},{Contacts},0,1,{Asset.Framework},{Asset.Lanes},{_steps},{LeastMilliseconds:F4},{MedianMilliseconds:F4},{MedianTotal:F1},{NanosecondsPerBodyStep:F1},{BytesPerStep:F1},{StateHash:x16},{LargestPenetration:G4},0");
+
+    private PhysicsSimulator Start()
+    {
+        var simulator = new PhysicsSimulator();
+        _scene.Build(simulator, _size);
+        simulator.Update(_scene.Dt);
+        return simulator;
+    }
+
+    private void Time()
+    {
+        using PhysicsSimulator simulator = Start();
+        long bytes = GC.GetAllocatedBytesForCurrentThread();
+        long start = Stopwatch.GetTimestamp();
+        for (int i = 0; i < TimedSteps; i++)
+        {
+            simulator.Update(_scene.Dt);
+        }
+
+        _milliseconds.Add(Stopwatch.GetElapsedTime(start).TotalMilliseconds);
+        BytesPerStep = (GC.GetAllocatedBytesForCurrentThread() - bytes) / (double)TimedSteps;
+        DynamicBodies = 0;
+        foreach (Body body in simulator.BodyList)
+        {
+            DynamicBodies += body.IsStatic ? 0 : 1;
+        }
+
+        Contacts = simulator.ContactCount;
+        StateHash = simulator.StateHash();
+        LargestPenetration = simulator.LargestPenetration;
+    }
+
+    private void Profile()
+    {
+        using PhysicsSimulator simulator = Start();
+        simulator.EnableDiagnostics = true;
+        double cleanUp = 0;
+        double broadPhase = 0;
+        double narrowPhase = 0;
+        double forces = 0;
+        double impulses = 0;
+        double positions = 0;
+        for (int i = 0; i < TimedSteps; i++)
+        {
+            simulator.Update(_scene.Dt);
+            cleanUp += simulator.CleanUpTime;
+            broadPhase += simulator.BroadPhaseCollisionTime;
+            narrowPhase += simulator.NarrowPhaseCollisionTime;
+            forces += simulator.ApplyForcesTime;
+            impulses += simulator.ApplyImpulsesTime;
+            positions += simulator.UpdatePositionsTime;
+        }
+
+        Phases =
+        [
+            ("clean-up", cleanUp / TimedSteps), ("broad phase", broadPhase / TimedSteps), ("narrow phase", narrowPhase / TimedSteps),
+            ("forces", forces / TimedSteps), ("impulses", impulses / TimedSteps), ("positions", positions / TimedSteps),
+        ];
+    }
+}
