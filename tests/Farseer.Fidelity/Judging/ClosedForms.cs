@@ -10,7 +10,12 @@ namespace Farseer.Fidelity.Judging;
 /// <param name="Reason">Which decision, in one line.</param>
 /// <param name="Row">The state of a body at a time, or null where the original's rows stay the reference.</param>
 /// <param name="MassProperty">A mass property of a body, or null where the original's stays the reference.</param>
-public sealed record ClosedForm(string Reason, Func<SceneFile, string, double, Row>? Row, Func<SceneFile, string, string, double?>? MassProperty);
+/// <param name="Query">The answer to a query, or null where the original's stays the reference.</param>
+public sealed record ClosedForm(
+    string Reason,
+    Func<SceneFile, string, double, Row>? Row = null,
+    Func<SceneFile, string, string, double?>? MassProperty = null,
+    Func<SceneFile, SceneQuery, bool?>? Query = null);
 
 /// <summary>The scenes judged by a closed form: at most eight.</summary>
 public static class ClosedForms
@@ -19,10 +24,11 @@ public static class ClosedForms
 
     public static IReadOnlyDictionary<string, ClosedForm> ByScene { get; } = new Dictionary<string, ClosedForm>(StringComparer.Ordinal)
     {
-        ["head_on_equal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn, null),
-        ["head_on_unequal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn, null),
-        ["incline_circle_rolls"] = new("a circle is a true circle, so it rolls without the losses of a polygon", Rolling, null),
-        ["rest_L"] = new("the inertia of a concave polygon is the integral over its area", null, PolygonInertia),
+        ["collide_point"] = new("circles are true circles, so they touch what their polygon of edges just misses", Query: CircleTouchesBox),
+        ["head_on_equal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn),
+        ["head_on_unequal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn),
+        ["incline_circle_rolls"] = new("a circle is a true circle, so it rolls without the losses of a polygon", Rolling),
+        ["rest_L"] = new("the inertia of a concave polygon is the integral over its area", MassProperty: PolygonInertia),
     };
 
     /// <summary>
@@ -113,6 +119,34 @@ public static class ClosedForms
 
         double inertia = Json.Required(made.Args, "mass").GetDouble() * ((second / area) - (((momentX * momentX) + (momentY * momentY)) / (area * area)));
         return property == "momentOfInertia" ? inertia : 1 / inertia;
+    }
+
+    /// <summary>A circle touches a box if the box's nearest point, |p| clamped to the half-widths in its own frame, is within r.</summary>
+    private static bool? CircleTouchesBox(SceneFile file, SceneQuery query)
+    {
+        MadeObject? first = file.Geoms.FirstOrDefault(g => g.Id == query.Target);
+        MadeObject? second = query.Call == "Collide" && query.Args is [{ ValueKind: JsonValueKind.String } id]
+            ? file.Geoms.FirstOrDefault(g => g.Id == id.GetString())
+            : null;
+        MadeObject? circle = new[] { first, second }.FirstOrDefault(g => g?.Factory == "CreateCircleGeom");
+        MadeObject? box = new[] { first, second }.FirstOrDefault(g => g?.Factory == "CreateRectangleGeom");
+        if (circle is null || box is null || second is null)
+        {
+            return null;
+        }
+
+        MadeObject boxBody = file.Bodies.Single(b => b.Id == box.Body);
+        JsonElement centre = Property(file.Bodies.Single(b => b.Id == circle.Body), "position");
+        JsonElement origin = Property(boxBody, "position");
+        JsonElement angle = Property(boxBody, "rotation");
+        double rotation = angle.ValueKind == JsonValueKind.Number ? angle.GetDouble() : 0;
+        double x = centre[0].GetDouble() - origin[0].GetDouble();
+        double y = centre[1].GetDouble() - origin[1].GetDouble();
+        double along = Math.Abs((x * Math.Cos(rotation)) + (y * Math.Sin(rotation)));
+        double across = Math.Abs((y * Math.Cos(rotation)) - (x * Math.Sin(rotation)));
+        double outX = Math.Max(0, along - (Json.Required(box.Args, "width").GetDouble() / 2));
+        double outY = Math.Max(0, across - (Json.Required(box.Args, "height").GetDouble() / 2));
+        return Math.Sqrt((outX * outX) + (outY * outY)) <= SceneSizes.Radius(circle);
     }
 
     private static JsonElement Property(MadeObject made, string name) => made.Properties.FirstOrDefault(p => p.Key == name).Value;

@@ -78,10 +78,11 @@ public static class SceneJudge
     {
         Func<string, double, Row>? row = closedForm?.Row is { } form ? (body, time) => form(file, body, time) : null;
         Func<string, string, double?>? mass = closedForm?.MassProperty is { } massForm ? (body, property) => massForm(file, body, property) : null;
+        Func<SceneQuery, bool?>? query = closedForm?.Query is { } queryForm ? asked => queryForm(file, asked) : null;
         return RowJudge.Judge(file, iterations, run.Recording, row)
             .Concat(EventJudge.Judge(file, iterations, run.Recording))
             .Concat(ObservationJudge.Judge(file, iterations, run.Recording))
-            .Concat(QueryJudge.Queries(file, iterations, run.Recording))
+            .Concat(QueryJudge.Queries(file, iterations, run.Recording, query))
             .Concat(QueryJudge.MassProperties(file, run, mass))
             .Concat(QueryJudge.Paths(file, run));
     }

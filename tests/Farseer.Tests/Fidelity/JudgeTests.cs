@@ -24,7 +24,7 @@ public sealed class JudgeTests
         IEnumerable<Check> checks = RowJudge.Judge(scene, 5, original, null)
             .Concat(EventJudge.Judge(scene, 5, original))
             .Concat(ObservationJudge.Judge(scene, 5, original))
-            .Concat(QueryJudge.Queries(scene, 5, original));
+            .Concat(QueryJudge.Queries(scene, 5, original, null));
 
         Assert.All(checks, c => Assert.True(c.Passed, c.ToString()));
     }
