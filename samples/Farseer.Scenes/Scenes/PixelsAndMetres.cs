@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
@@ -50,11 +51,22 @@ public sealed class PixelsAndMetres : Scene
         _world!.Update(dt);
     }
 
-    public override IReadOnlyList<SceneOutcome> Check() =>
-    [
-        SceneOutcome.Exactly("states that differ by one bit or more", _unequal, 0),
-        SceneOutcome.AtMost("fastest point at the end (m/s)", Measure.FastestSpeed(_metres), 0.05),
-    ];
+    public override IReadOnlyList<SceneOutcome> Check()
+    {
+        double upOrDown = 0.0;
+        foreach (Geom geom in _metres)
+        {
+            upOrDown = Math.Max(upOrDown, Math.Abs(geom.Body.LinearVelocity.Y));
+        }
+
+        return
+        [
+            SceneOutcome.Exactly("states that differ by one bit or more", _unequal, 0),
+
+            // Sideways the round ones may roll for as long as they like: nothing in the scene brakes them.
+            SceneOutcome.AtMost("fastest up or down at the end (m/s)", upOrDown, 0.01),
+        ];
+    }
 
     private static void Fill(PhysicsSimulator simulator, List<Geom> geoms, float unit)
     {
