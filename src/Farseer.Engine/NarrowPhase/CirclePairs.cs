@@ -18,23 +18,29 @@ internal static unsafe class CirclePairs
 
     public static void CircleCircle(in PairInput pair, out Manifold manifold)
     {
-        manifold = default;
-        Vector2 a = pair.RotationA.Rotate(pair.Vertices[pair.A.VertexStart]);
-        Vector2 b = pair.RotationB.Rotate(pair.Vertices[pair.B.VertexStart]) + pair.Offset;
-        float x = b.X - a.X;
-        float y = b.Y - a.Y;
+        Vector2* v = pair.Vertices;
+        Vector2 localA = v[pair.A.VertexStart];
+        Vector2 localB = v[pair.B.VertexStart];
+        float ax = (pair.RotationA.Cos * localA.X) - (pair.RotationA.Sin * localA.Y);
+        float ay = (pair.RotationA.Sin * localA.X) + (pair.RotationA.Cos * localA.Y);
+        float x = (pair.RotationB.Cos * localB.X) - (pair.RotationB.Sin * localB.Y) + pair.Offset.X - ax;
+        float y = (pair.RotationB.Sin * localB.X) + (pair.RotationB.Cos * localB.Y) + pair.Offset.Y - ay;
         float sum = pair.A.Radius + pair.B.Radius;
         float distance = (float)Math.Sqrt((x * x) + (y * y));
         float separation = distance - sum;
+        manifold = default;
         if (!(separation <= pair.Margin))
         {
             return;
         }
 
-        Vector2 normal = distance > ShortestArm * sum ? new Vector2(x / distance, y / distance) : new Vector2(0, 1);
-        manifold.Normal = normal;
+        bool apart = distance > ShortestArm * sum;
+        float nx = apart ? x / distance : 0;
+        float ny = apart ? y / distance : 1;
+        float reach = pair.A.Radius + (0.5f * separation);
+        manifold.Normal = new Vector2(nx, ny);
         manifold.Count = 1;
-        manifold.Point0.Anchor = a + (normal * (pair.A.Radius + (0.5f * separation)));
+        manifold.Point0.Anchor = new Vector2(ax + (nx * reach), ay + (ny * reach));
         manifold.Point0.Separation = separation;
         manifold.Point0.Id = Id;
     }
