@@ -158,26 +158,33 @@ public partial class PhysicsSimulator
 
         _clearWaits = false;
         _relay.IsClearing = true;
-        DropQueued();
-        for (int i = 0; i < _table.GeomEnd; i++)
+        try
         {
-            if (_table.Geom(i) is { } geom)
+            DropQueued();
+            for (int i = 0; i < _table.GeomEnd; i++)
             {
-                TakeOut(geom);
+                if (_table.Geom(i) is { } geom)
+                {
+                    TakeOut(geom);
+                }
             }
+
+            for (int i = 0; i < _table.BodyEnd; i++)
+            {
+                if (_table.Body(i) is { } body)
+                {
+                    TakeOut(body);
+                }
+            }
+
+            GeomList.Clear();
+            BodyList.Clear();
+        }
+        finally
+        {
+            _relay.IsClearing = false;
         }
 
-        for (int i = 0; i < _table.BodyEnd; i++)
-        {
-            if (_table.Body(i) is { } body)
-            {
-                TakeOut(body);
-            }
-        }
-
-        GeomList.Clear();
-        BodyList.Clear();
-        _relay.IsClearing = false;
         ForgetPending();
         _arbiters.Clear();
         _arbiters.IsStale = false;

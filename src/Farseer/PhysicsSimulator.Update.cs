@@ -77,6 +77,13 @@ public partial class PhysicsSimulator
             {
                 World.Profile.Enabled = EnableDiagnostics;
                 _arbiters.IsStale = true;
+                if (_relay.Collider is null)
+                {
+                    // A user's collider finds the list as the original kept it: the pairs in contact and nothing else.
+                    _arbiters.Fresh(World);
+                    _arbiters.IsStale = true;
+                }
+
                 World.Step(step);
                 TellListeners();
             }

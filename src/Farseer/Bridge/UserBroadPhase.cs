@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -38,7 +39,10 @@ internal sealed class UserBroadPhase : IBroadPhase
     }
 
     private static bool MayPair(ProxyInfo a, ProxyInfo b) =>
-        (a.Flags & b.Flags & ProxyFlags.Static) == 0 && ((a.Flags | b.Flags) & ProxyFlags.Moved) != 0 && a.Body != b.Body;
+        (a.Flags & b.Flags & ProxyFlags.Alive) != 0 && (a.Flags & b.Flags & ProxyFlags.Static) == 0
+        && ((a.Flags | b.Flags) & ProxyFlags.Moved) != 0 && a.Body != b.Body;
+
+    private static int FirstPiece(ShapeStore shapes, Geom geom) => shapes.Colliders[geom.Link.Handle.Index].FirstPiece;
 
     private void AddPieces(ProxyStore proxies, PairBuffer pairs, Geom a, Geom b)
     {
@@ -47,24 +51,16 @@ internal sealed class UserBroadPhase : IBroadPhase
             return;
         }
 
-        for (int p = 0; p < proxies.End; p++)
+        ShapeStore shapes = _simulator.World.Shapes;
+        for (int p = FirstPiece(shapes, a); p >= 0; p = shapes.NextPiece[p])
         {
-            if (!BelongsTo(proxies, p, a))
+            for (int q = FirstPiece(shapes, b); q >= 0; q = shapes.NextPiece[q])
             {
-                continue;
-            }
-
-            for (int q = 0; q < proxies.End; q++)
-            {
-                if (BelongsTo(proxies, q, b) && MayPair(proxies.Info[p], proxies.Info[q]) && Box.Overlap(proxies.Fat[p], proxies.Fat[q]))
+                if (MayPair(proxies.Info[p], proxies.Info[q]) && Box.Overlap(proxies.Fat[p], proxies.Fat[q]))
                 {
                     pairs.Add(p, q);
                 }
             }
         }
     }
-
-    private bool BelongsTo(ProxyStore proxies, int proxy, Geom geom) =>
-        (proxies.Info[proxy].Flags & ProxyFlags.Alive) != 0
-        && _simulator.World.Shapes.Pieces[proxy].Collider == geom.Link.Handle.Index;
 }

@@ -105,8 +105,8 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     /// <param name="geometry2">The geom that it touches.</param>
     /// <param name="contactList">
     /// The contacts, deepest first. Positions are world coordinates, normals point from the geom created first to the other,
-    /// whichever of them is <paramref name="geometry1"/>; separations are negative where they overlap. The list is used again:
-    /// copy what you want to keep.
+    /// whichever of them is <paramref name="geometry1"/>; separations are negative where they overlap and positive where they are
+    /// about to meet within this step. The list is used again: copy what you want to keep.
     /// </param>
     /// <returns>False to cancel the response in this step.</returns>
     public delegate bool CollisionEventHandler(Geom geometry1, Geom geometry2, ContactList contactList);

@@ -93,6 +93,17 @@ public class HandlerMischiefTests
         Assert.Throws<ObjectDisposedException>(() => simulator.Update(0.01f));
     }
 
+    [Fact]
+    public void VelocityThatIsNotANumber_LeavesTheOthersUnharmed()
+    {
+        PhysicsSimulator simulator = Scene(out Geom geom);
+        Run(simulator, 20);
+        Body far = Box(simulator, new Vector2(100, -40));
+        geom.Body.LinearVelocity.X = float.NaN;
+        Run(simulator, 100);
+        Assert.InRange(far.Position.Y, -21, -19);
+    }
+
     [Theory]
     [InlineData(float.NaN)]
     [InlineData(float.PositiveInfinity)]
