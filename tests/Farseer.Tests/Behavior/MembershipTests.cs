@@ -1,0 +1,183 @@
+using System;
+using System.Numerics;
+using FarseerGames.FarseerPhysics;
+using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Factories;
+using Xunit;
+
+namespace Farseer.Tests.Behavior;
+
+/// <summary>What comes and goes, and when.</summary>
+public class MembershipTests
+{
+    [Fact]
+    public void Added_AppearsAtTheNextUpdate_GeomsAndBodiesTellTheLists()
+    {
+        var simulator = new PhysicsSimulator();
+        int added = 0;
+        int removed = 0;
+        simulator.BodyList.Added += _ => added++;
+        simulator.GeomList.Removed += _ => removed++;
+        Body body = BodyFactory.Instance.CreateCircleBody(simulator, 5, 1);
+        Geom geom = GeomFactory.Instance.CreateCircleGeom(simulator, body, 5, 16);
+        Assert.Empty(simulator.BodyList);
+        Assert.Null(simulator.Collide(0, 0));
+        simulator.Update(0);
+        Assert.Empty(simulator.BodyList);
+        simulator.Update(0.01f);
+        Assert.Single(simulator.BodyList);
+        Assert.Equal(1, added);
+        Assert.Same(geom, simulator.Collide(1, 1));
+        simulator.Remove(geom);
+        simulator.Update(0.01f);
+        Assert.Equal(1, removed);
+        Assert.Empty(simulator.GeomList);
+        simulator.BroadPhaseCollider = new GridCollider(simulator);
+        Assert.IsType<GridCollider>(simulator.BroadPhaseCollider);
+    }
+
+    [Fact]
+    public void AddThenRemove_BeforeTheUpdate_CancelsOut()
+    {
+        var simulator = new PhysicsSimulator();
+        var other = new PhysicsSimulator();
+        var body = new Body();
+        simulator.Add(body);
+        simulator.Remove(body);
+        simulator.Update(0.01f);
+        Assert.Empty(simulator.BodyList);
+        other.Add(body);
+        other.Update(0.01f);
+        Assert.Single(other.BodyList);
+        other.Remove(body);
+        other.Add(body);
+        other.Update(0.01f);
+        Assert.Single(other.BodyList);
+    }
+
+    [Fact]
+    public void Clear_GivesEverythingBack_ForUseInAnotherSimulator()
+    {
+        var simulator = new PhysicsSimulator(new Vector2(0, 10));
+        Body body = BodyFactory.Instance.CreateCircleBody(simulator, 5, 1);
+        Geom geom = GeomFactory.Instance.CreateCircleGeom(simulator, body, 5, 16);
+        body.ApplyImpulse(new Vector2(3, 0));
+        simulator.Update(0.1f);
+        simulator.Clear();
+        Assert.Empty(simulator.BodyList);
+        Assert.Empty(simulator.GeomList);
+        Assert.Equal(new Vector2(0, 10), simulator.Gravity);
+        Assert.InRange(body.LinearVelocity.Y, 0.9f, 1.1f);
+        var other = new PhysicsSimulator();
+        other.Add(body);
+        other.Add(geom);
+        other.Update(0.1f);
+        Assert.Single(other.GeomList);
+    }
+
+    [Fact]
+    public void GeomOfABodyThatIsNotAdded_IsAnObstacle()
+    {
+        var simulator = new PhysicsSimulator(new Vector2(0, 100));
+        var ground = new Body { Position = new Vector2(0, 20), LinearVelocity = new Vector2(7, 0) };
+        GeomFactory.Instance.CreateRectangleGeom(simulator, ground, 100, 20);
+        Body ball = BodyFactory.Instance.CreateCircleBody(simulator, 5, 1);
+        GeomFactory.Instance.CreateCircleGeom(simulator, ball, 5, 16);
+        for (int i = 0; i < 200; i++)
+        {
+            simulator.Update(0.01f);
+        }
+
+        Assert.InRange(ball.Position.Y, 4.9f, 5.1f);
+        Assert.Equal(new Vector2(0, 20), ground.Position);
+
+        // Added, it takes its velocity up and falls.
+        simulator.Add(ground);
+        simulator.Update(0.01f);
+        Assert.True(ground.Position.X > 0);
+        Assert.True(ground.Position.Y > 20);
+    }
+
+    [Fact]
+    public void SetBody_MovesTheGeomAtTheNextUpdate()
+    {
+        var simulator = new PhysicsSimulator();
+        Body a = BodyFactory.Instance.CreateCircleBody(simulator, 5, 1);
+        Body b = BodyFactory.Instance.CreateCircleBody(simulator, 5, 1);
+        b.Position = new Vector2(100, 0);
+        Geom geom = GeomFactory.Instance.CreateCircleGeom(simulator, a, 5, 16);
+        simulator.Update(0.01f);
+        geom.SetBody(b);
+        simulator.Update(0.01f);
+        Assert.Equal(new Vector2(100, 0), geom.Position);
+        Assert.Same(geom, simulator.Collide(100, 0));
+        a.Dispose();
+        simulator.Update(0.01f);
+        Assert.Single(simulator.GeomList);
+        b.Dispose();
+        simulator.Update(0.01f);
+        Assert.Empty(simulator.GeomList);
+        Assert.Empty(simulator.BodyList);
+    }
+
+    [Fact]
+    public void Additions_CapsuleSegmentChain_CarryABall()
+    {
+        Action<PhysicsSimulator, Body>[] grounds =
+        {
+            (s, b) => GeomFactory.Instance.CreateCapsuleGeom(s, b, new Vector2(-50, 5), new Vector2(50, 5), 5),
+            (s, b) => GeomFactory.Instance.CreateSegmentGeom(s, b, new Vector2(-50, 0), new Vector2(50, 0)),
+            (s, b) => GeomFactory.Instance.CreateChainGeom(s, b, new Vertices { new Vector2(-50, 0), new Vector2(0, 0), new Vector2(50, 0) }, false),
+        };
+        foreach (Action<PhysicsSimulator, Body> make in grounds)
+        {
+            var simulator = new PhysicsSimulator(new Vector2(0, 100));
+            Body ground = BodyFactory.Instance.CreateBody(simulator, 1, 1);
+            ground.IsStatic = true;
+            make(simulator, ground);
+            Body ball = BodyFactory.Instance.CreateCircleBody(simulator, 5, 1);
+            ball.Position = new Vector2(1, -10);
+            GeomFactory.Instance.CreateCircleGeom(simulator, ball, 5, 16);
+            for (int i = 0; i < 200; i++)
+            {
+                simulator.Update(0.01f);
+            }
+
+            Assert.InRange(ball.Position.Y, -5.01f, -4.9f);
+        }
+    }
+
+    [Fact]
+    public void Kinematic_MovesWithItsVelocity_AndCarriesWhatRests()
+    {
+        var simulator = new PhysicsSimulator(new Vector2(0, 100));
+        Body lift = BodyFactory.Instance.CreateRectangleBody(simulator, 100, 20, 1);
+        lift.IsKinematic = true;
+        lift.LinearVelocity = new Vector2(0, -10);
+        GeomFactory.Instance.CreateRectangleGeom(simulator, lift, 100, 20);
+        Body ball = BodyFactory.Instance.CreateCircleBody(simulator, 5, 1);
+        ball.Position = new Vector2(0, -15);
+        GeomFactory.Instance.CreateCircleGeom(simulator, ball, 5, 16);
+        for (int i = 0; i < 100; i++)
+        {
+            simulator.Update(0.01f);
+        }
+
+        Assert.Equal(-10, lift.Position.Y, 3);
+        Assert.InRange(ball.Position.Y, -25.1f, -24.8f);
+    }
+
+    [Fact]
+    public void Diagnostics_AreMeasuredOnlyWhenAskedFor()
+    {
+        var simulator = new PhysicsSimulator();
+        simulator.Update(0.01f);
+        Assert.Equal(-1, simulator.UpdateTime);
+        Assert.Equal(-1, simulator.NarrowPhaseCollisionTime);
+        simulator.EnableDiagnostics = true;
+        simulator.Update(0.01f);
+        Assert.True(simulator.UpdateTime >= 0);
+        Assert.True(simulator.ApplyImpulsesTime >= 0);
+    }
+}
