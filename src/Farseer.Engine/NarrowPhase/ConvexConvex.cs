@@ -44,13 +44,19 @@ internal static unsafe class ConvexConvex
             return;
         }
 
-        if (fromA.Edge < 0 && fromB.Edge < 0)
+        float scale = pair.A.Extent < pair.B.Extent ? pair.A.Extent : pair.B.Extent;
+
+        // An axis is refused where the neighbour over a seam makes the contact. The axes left over may all lead the long way
+        // out, through the whole piece: then the short way serves, though the neighbour goes it as well.
+        float admitted = fromA.Separation > fromB.Separation ? fromA.Separation : fromB.Separation;
+        float real = fromA.RealSeparation > fromB.RealSeparation ? fromA.RealSeparation : fromB.RealSeparation;
+        bool solid = ((pair.A.Flags | pair.B.Flags) & (PieceFlags.Seamed | PieceFlags.OneSided)) == PieceFlags.Seamed;
+        if (solid ? admitted < real - (SeamlessDepth * scale) : fromA.Edge < 0 && fromB.Edge < 0)
         {
             TakeReal(ref fromA);
             TakeReal(ref fromB);
         }
 
-        float scale = pair.A.Extent < pair.B.Extent ? pair.A.Extent : pair.B.Extent;
         if (fromA.Edge >= 0 && (fromB.Edge < 0 || !(fromB.Separation > fromA.Separation + (ReferenceBias * scale))))
         {
             EdgeContact.Build(a, b, bInA, fromA, pair.Margin, scale, ref manifold, flipped: false);
@@ -63,7 +69,7 @@ internal static unsafe class ConvexConvex
             ToWorld(ref manifold, pair.RotationB, pair.Offset);
         }
 
-        if (manifold.Count == 0 && ((pair.A.Flags | pair.B.Flags) & (PieceFlags.Seamed | PieceFlags.OneSided)) == PieceFlags.Seamed)
+        if (manifold.Count == 0 && solid)
         {
             float depth = -SeamlessDepth * scale;
             if (fromA.Greatest < depth && fromB.Greatest < depth)
