@@ -34,6 +34,7 @@ public sealed class SceneTests
         ["spring_fixed_linear"] = "SpringFactory",
         ["spring_linear"] = "SpringFactory",
         ["track"] = "ComplexFactory",
+        ["vertices"] = "Vertices.CreatePolygon",
         ["wave"] = "WaveController",
     };
 
