@@ -19,7 +19,8 @@ internal static unsafe class BounceKernel
     public static void Prepare(ContactBundle* bundles, int count, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
-        Wide rest = Wide.Splat(RestSubsteps);
+        Wide slowest = Wide.Splat(RestSubsteps);
+        Wide rest = Wide.Splat(c.Rest);
         for (int i = 0; i < count; i++)
         {
             ContactBundle* row = bundles + i;
@@ -40,9 +41,9 @@ internal static unsafe class BounceKernel
                 Wide nx = Wide.Load(row->NormalX + lane);
                 Wide ny = Wide.Load(row->NormalY + lane);
                 Wide drive = (nx * (driveBX - driveAX)) + (ny * (driveBY - driveAY));
-                Wide slow = rest * Wide.Max(Wide.Abs((nx * driveAX) + (ny * driveAY)), Wide.Abs((nx * driveBX) + (ny * driveBY)));
-                Target(v0, s0, drive * inverseSubstep, slow, restitution).Store(row->Point0.Bounce + lane);
-                Target(v1, s1, drive * inverseSubstep, slow, restitution).Store(row->Point1.Bounce + lane);
+                Wide slow = slowest * Wide.Max(Wide.Abs((nx * driveAX) + (ny * driveAY)), Wide.Abs((nx * driveBX) + (ny * driveBY)));
+                Target(v0, s0 - rest, drive * inverseSubstep, slow, restitution).Store(row->Point0.Bounce + lane);
+                Target(v1, s1 - rest, drive * inverseSubstep, slow, restitution).Store(row->Point1.Bounce + lane);
             }
         }
     }

@@ -43,6 +43,8 @@ internal unsafe struct ContactBundle
     public fixed float K11[Lanes];
     public fixed float K22[Lanes];
     public fixed float K12[Lanes];
+    public fixed float InverseK11[Lanes];
+    public fixed float InverseK22[Lanes];
 
     /// <summary>1/(k11·k22 - k12²), or 0 where the points are too close together for the block: then row by row.</summary>
     public fixed float InverseDeterminant[Lanes];
@@ -81,7 +83,7 @@ internal unsafe struct ContactPointLanes
     public fixed float NormalArmB[Lanes];
     public fixed float TangentArmB[Lanes];
 
-    /// <summary>Separation beyond the allowed penetration, less the arms: see the formula of s.</summary>
+    /// <summary>Separation plus the depth of rest, less the arms: s' = s + rest by the formula of s.</summary>
     public fixed float Base[Lanes];
 
     /// <summary>Impulses of the present substep (λn, λt) and of the one before, for the extrapolated warm start.</summary>

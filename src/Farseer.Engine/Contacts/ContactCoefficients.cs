@@ -6,6 +6,12 @@ internal readonly struct ContactCoefficients
     /// <summary>Share of the velocity taken over from the substep before when impulses are extrapolated.</summary>
     public const float Extrapolation = 0.3f;
 
+    /// <summary>
+    /// How many times the impulse of the substep before, and the weight, a warm start may apply at most. After an impact it
+    /// would repeat the blow: bodies in a row are thrown apart again although nothing bounces.
+    /// </summary>
+    public const float LargestGrowth = 4f;
+
     /// <summary>Rest 1 - η of the static load that the feed-forward leaves: 10 times less sag. 0 lets pyramids creep.</summary>
     private const float FeedRest = 0.1f;
     private const float SmallestFeedRest = 1e-4f;
@@ -23,8 +29,13 @@ internal readonly struct ContactCoefficients
     private const float Denominator = (2f * DampingRatio) + AngularStep;
     private const float Product = AngularStep * Denominator;
 
-    public ContactCoefficients(float substep)
+    /// <param name="substep">h, seconds.</param>
+    /// <param name="gravity">Length of the gravity vector.</param>
+    /// <param name="rest">Depth at which contacts rest.</param>
+    public ContactCoefficients(float substep, float gravity, float rest)
     {
+        Gravity = gravity;
+        Rest = rest;
         Substep = substep;
         InverseSubstep = 1f / substep;
         BiasRate = AngularStep / Denominator * InverseSubstep;
@@ -32,6 +43,11 @@ internal readonly struct ContactCoefficients
 
     /// <summary>h, seconds.</summary>
     public float Substep { get; }
+
+    public float Gravity { get; }
+
+    /// <summary>Depth at which contacts rest.</summary>
+    public float Rest { get; }
 
     public float InverseSubstep { get; }
 
@@ -42,10 +58,10 @@ internal readonly struct ContactCoefficients
 
     public static float ImpulseScale => 1f / (1f + Product);
 
-    /// <summary>η for a contact whose smaller piece has the size <paramref name="size"/>, under gravity <paramref name="gravity"/>.</summary>
-    public float FeedShare(float size, float gravity)
+    /// <summary>η for a contact whose smaller piece has the size <paramref name="size"/>.</summary>
+    public float FeedShare(float size)
     {
-        float fall = LargeSize * gravity * Substep * Substep;
+        float fall = LargeSize * Gravity * Substep * Substep;
         float share = size < fall ? size / fall : 1f;
         return 1f - System.Math.Max(FeedRest * share, SmallestFeedRest);
     }

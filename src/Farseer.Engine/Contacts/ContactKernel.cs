@@ -19,8 +19,9 @@ internal static unsafe class ContactKernel
     /// Applies the impulses of the substep before, extrapolated by a third of their change (a free momentum term for the
     /// block solver), friction kept within its cone.
     /// </summary>
-    public static void WarmStart(ContactBundle* bundles, int count, BodyState* bodies)
+    public static void WarmStart(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c)
     {
+        Wide fall = Wide.Splat(c.Gravity * c.Substep);
         for (int i = 0; i < count; i++)
         {
             ContactBundle* row = bundles + i;
@@ -29,8 +30,10 @@ internal static unsafe class ContactKernel
                 BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
                 BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
                 Wide friction = Wide.Load(row->Friction + lane);
-                Extrapolate(ref row->Point0, lane, friction, out Wide normal0, out Wide tangent0);
-                Extrapolate(ref row->Point1, lane, friction, out Wide normal1, out Wide tangent1);
+                Wide weight0 = fall * Wide.Load(row->InverseK11 + lane);
+                Wide weight1 = fall * Wide.Load(row->InverseK22 + lane);
+                Extrapolate(ref row->Point0, lane, friction, weight0, out Wide normal0, out Wide tangent0);
+                Extrapolate(ref row->Point1, lane, friction, weight1, out Wide normal1, out Wide tangent1);
                 ApplyNormal(row, lane, ref a, ref b, normal0, normal1);
                 ApplyTangent(row, lane, ref a, ref b, tangent0, tangent1);
                 BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
@@ -41,7 +44,8 @@ internal static unsafe class ContactKernel
 
     /// <summary>
     /// The biased pass: normal impulses that also remove overlap, softly. With φ in place of 0 as the value towards which the
-    /// impulse leaks, the static sag is a tenth of the plain soft contact's. Contacts of deep islands are solved hard here;
+    /// impulse leaks, the static sag is a tenth of the plain soft contact's. The surfaces hold from the moment they touch and
+    /// sink from there, slowly, to the depth of rest. Contacts of deep islands are solved hard here;
     /// their overlap goes in <see cref="PushOut"/>.
     /// </summary>
     public static void SolveBiased(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
@@ -50,6 +54,8 @@ internal static unsafe class ContactKernel
         Wide biasRate = Wide.Splat(c.BiasRate * ContactCoefficients.MassScale);
         Wide massScale = Wide.Splat(ContactCoefficients.MassScale);
         Wide leak = Wide.Splat(ContactCoefficients.ImpulseScale);
+        Wide rest = Wide.Splat(c.Rest);
+        Wide settle = Wide.Splat(c.BiasRate * c.Rest);
         for (int i = 0; i < count; i++)
         {
             ContactBundle* row = bundles + i;
@@ -62,13 +68,17 @@ internal static unsafe class ContactKernel
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
                 Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
 
-                WideMask apart0 = s0 > Wide.Zero;
-                WideMask apart1 = s1 > Wide.Zero;
+                Wide gap0 = s0 - rest;
+                Wide gap1 = s1 - rest;
+                WideMask apart0 = gap0 > Wide.Zero;
+                WideMask apart1 = gap1 > Wide.Zero;
+                Wide closing0 = (gap0 * inverseSubstep) + settle;
+                Wide closing1 = (gap1 * inverseSubstep) + settle;
                 if (anyDeep)
                 {
                     WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
-                    s0 = Wide.Select(deep, Wide.Max(s0, Wide.Zero), s0);
-                    s1 = Wide.Select(deep, Wide.Max(s1, Wide.Zero), s1);
+                    closing0 = Wide.Select(deep, Wide.Max(gap0, Wide.Zero) * inverseSubstep, closing0);
+                    closing1 = Wide.Select(deep, Wide.Max(gap1, Wide.Zero) * inverseSubstep, closing1);
                     apart0 = apart0 | deep;
                     apart1 = apart1 | deep;
                 }
@@ -77,8 +87,8 @@ internal static unsafe class ContactKernel
                     + (Wide.Load(row->K11 + lane) * leak * (lambda0 - Wide.Load(row->Point0.Feed + lane)));
                 Wide soft1 = (massScale * v1) + (biasRate * s1)
                     + (Wide.Load(row->K22 + lane) * leak * (lambda1 - Wide.Load(row->Point1.Feed + lane)));
-                Wide r0 = Wide.Select(apart0, v0 + (s0 * inverseSubstep), soft0);
-                Wide r1 = Wide.Select(apart1, v1 + (s1 * inverseSubstep), soft1);
+                Wide r0 = Wide.Select(apart0, v0 + closing0, soft0);
+                Wide r1 = Wide.Select(apart1, v1 + closing1, soft1);
                 SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
                 x0.Store(row->Point0.Normal + lane);
                 x1.Store(row->Point1.Normal + lane);
@@ -128,6 +138,7 @@ internal static unsafe class ContactKernel
     public static void Relax(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
+        Wide rest = Wide.Splat(c.Rest);
         for (int i = 0; i < count; i++)
         {
             ContactBundle* row = bundles + i;
@@ -139,8 +150,8 @@ internal static unsafe class ContactKernel
                 NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
                 Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
-                Wide r0 = v0 + (Wide.Max(s0, Wide.Zero) * inverseSubstep);
-                Wide r1 = v1 + (Wide.Max(s1, Wide.Zero) * inverseSubstep);
+                Wide r0 = v0 + (Wide.Max(s0 - rest, Wide.Zero) * inverseSubstep);
+                Wide r1 = v1 + (Wide.Max(s1 - rest, Wide.Zero) * inverseSubstep);
                 SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
                 x0.Store(row->Point0.Normal + lane);
                 x1.Store(row->Point1.Normal + lane);
@@ -164,14 +175,17 @@ internal static unsafe class ContactKernel
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Extrapolate(ref ContactPointLanes point, int lane, Wide friction, out Wide normal, out Wide tangent)
+    private static void Extrapolate(
+        ref ContactPointLanes point, int lane, Wide friction, Wide weight, out Wide normal, out Wide tangent)
     {
         Wide share = Wide.Splat(ContactCoefficients.Extrapolation);
         fixed (ContactPointLanes* p = &point)
         {
             Wide oldNormal = Wide.Load(p->Normal + lane);
             Wide oldTangent = Wide.Load(p->Tangent + lane);
-            normal = Wide.Max(oldNormal + (share * (oldNormal - Wide.Load(p->PreviousNormal + lane))), Wide.Zero);
+            Wide previous = Wide.Load(p->PreviousNormal + lane);
+            Wide most = Wide.Splat(ContactCoefficients.LargestGrowth) * (previous + weight);
+            normal = Wide.Min(Wide.Max(oldNormal + (share * (oldNormal - previous)), Wide.Zero), most);
             Wide bound = friction * normal;
             tangent = oldTangent + (share * (oldTangent - Wide.Load(p->PreviousTangent + lane)));
             tangent = Wide.Max(Wide.Min(tangent, bound), Wide.Zero - bound);
@@ -293,6 +307,8 @@ internal static unsafe class ContactKernel
         Wide k11 = Wide.Load(row->K11 + lane);
         Wide k22 = Wide.Load(row->K22 + lane);
         Wide k12 = Wide.Load(row->K12 + lane);
+        Wide inverse11 = Wide.Load(row->InverseK11 + lane);
+        Wide inverse22 = Wide.Load(row->InverseK22 + lane);
         Wide inverse = Wide.Load(row->InverseDeterminant + lane);
         Wide zero = Wide.Zero;
         Wide b0 = r0 - ((k11 * lambda0) + (k12 * lambda1));
@@ -300,12 +316,12 @@ internal static unsafe class ContactKernel
 
         Wide both0 = inverse * ((k12 * b1) - (k22 * b0));
         Wide both1 = inverse * ((k12 * b0) - (k11 * b1));
-        Wide only0 = Wide.Max((zero - b0) / k11, zero);
-        Wide only1 = Wide.Max((zero - b1) / k22, zero);
+        Wide only0 = Wide.Max((zero - b0) * inverse11, zero);
+        Wide only1 = Wide.Max((zero - b1) * inverse22, zero);
 
         // Row by row from the present impulses; also what stands where rounding leaves no case exactly valid.
-        Wide turn0 = Wide.Max((zero - (b0 + (k12 * lambda1))) / k11, zero);
-        Wide turn1 = Wide.Max((zero - (b1 + (k12 * turn0))) / k22, zero);
+        Wide turn0 = Wide.Max((zero - (b0 + (k12 * lambda1))) * inverse11, zero);
+        Wide turn1 = Wide.Max((zero - (b1 + (k12 * turn0))) * inverse22, zero);
 
         WideMask second = (b0 + (k12 * only1)) >= zero;
         WideMask first = (b1 + (k12 * only0)) >= zero;

@@ -79,6 +79,8 @@ internal static unsafe class ContactRowWriter
         row->K11[lane] = k11;
         row->K22[lane] = k22;
         row->K12[lane] = k12;
+        row->InverseK11[lane] = 1f / k11;
+        row->InverseK22[lane] = 1f / k22;
         row->InverseDeterminant[lane] = inverse;
         row->TangentMass0[lane] = 1f / (m + (iA * Square(row->Point0.NormalArmA[lane])) + (iB * Square(row->Point0.NormalArmB[lane])));
         row->TangentMass1[lane] = two
@@ -109,6 +111,8 @@ internal static unsafe class ContactRowWriter
         row->K11[lane] = 1;
         row->K22[lane] = 1;
         row->K12[lane] = 0;
+        row->InverseK11[lane] = 1;
+        row->InverseK22[lane] = 1;
         row->InverseDeterminant[lane] = 1;
         row->TangentMass0[lane] = 0;
         row->TangentMass1[lane] = 0;

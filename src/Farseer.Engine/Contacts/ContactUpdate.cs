@@ -26,10 +26,7 @@ internal unsafe ref struct ContactUpdateInput
 
     /// <summary>Ratio of this step's substep to the last one's.</summary>
     public float ImpulseScale;
-    public float Substep;
-
-    /// <summary>Length of the gravity vector.</summary>
-    public float Gravity;
+    public ContactCoefficients Coefficients;
 }
 
 /// <summary>What is to become of a pair after its update.</summary>
@@ -152,9 +149,8 @@ internal static unsafe class ContactUpdate
         depth -= input.Settings.AllowedPenetration;
         float size = 2 * Math.Min(input.Shapes.Pieces[record.PieceA].Extent, input.Shapes.Pieces[record.PieceB].Extent);
         float load = Math.Max(row->Point0.Normal[lane] * row->K11[lane], row->Point1.Normal[lane] * row->K22[lane]);
-        var coefficients = new ContactCoefficients(input.Substep);
-        row->FeedShare[lane] = coefficients.FeedShare(size, input.Gravity);
-        float sag = coefficients.Sag(load, 1f);
+        row->FeedShare[lane] = input.Coefficients.FeedShare(size);
+        float sag = input.Coefficients.Sag(load, 1f);
         float limit = (DeepShare * size) + (DeepSags * sag);
         row->Deep[lane] = depth > limit || (row->Deep[lane] > 0 && depth > 0.5f * limit) ? 1 : 0;
     }

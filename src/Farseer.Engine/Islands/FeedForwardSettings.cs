@@ -22,7 +22,7 @@ internal sealed unsafe class FeedForwardSettings
 
     /// <summary>Writes rate and deepness into every row.</summary>
     /// <returns>True if any island is deep.</returns>
-    public bool Apply(IslandStore islands, ConstraintGraph graph, float gravity, in ContactCoefficients c)
+    public bool Apply(IslandStore islands, ConstraintGraph graph, in ContactCoefficients c)
     {
         CollectSag(islands, graph, c);
         _rate.EnsureCapacity(islands.Count);
@@ -35,9 +35,9 @@ internal sealed unsafe class FeedForwardSettings
             }
 
             float time = LongestTime;
-            if (gravity > 0)
+            if (c.Gravity > 0)
             {
-                time = TimeFactor * (float)Math.Sqrt(sag / gravity);
+                time = TimeFactor * (float)Math.Sqrt(sag / c.Gravity);
                 time = time < ShortestTime ? ShortestTime : time > LongestTime ? LongestTime : time;
             }
 

@@ -16,7 +16,7 @@ internal sealed unsafe class ContactStage
     /// <summary>A contact of the graph can bounce.</summary>
     public bool AnyBounce { get; private set; }
 
-    /// <summary>At least half of the rows are new in this step.</summary>
+    /// <summary>At least half of the pairs that touch do so for the first time in this step.</summary>
     public bool ColdStart { get; private set; }
 
     /// <summary>A pair has a listener.</summary>
@@ -30,6 +30,8 @@ internal sealed unsafe class ContactStage
         int lost = 0;
         int dropped = 0;
         int gained = 0;
+        int touching = 0;
+        int touchingNow = 0;
         _lost.EnsureCapacity(contacts.Count);
         _dropped.EnsureCapacity(contacts.Count);
         _gained.EnsureCapacity(contacts.Count);
@@ -43,7 +45,9 @@ internal sealed unsafe class ContactStage
                 ContactBundle* bundle = color.BundleOf(r);
                 int lane = color.LaneOf(r);
                 int index = bundle->Contact[lane];
+                ContactFlags before = contacts.Records[index].Flags;
                 ContactFate fate = ContactUpdate.UpdateRow(input, bundle, lane);
+                CountTouching(before, contacts.Records[index].Flags, ref touching, ref touchingNow);
                 AnyBounce |= bundle->Restitution[lane] > 0;
                 AnyHeard |= (contacts.Records[index].Flags & ContactFlags.Heard) != 0;
                 if (fate == ContactFate.Lose)
@@ -60,7 +64,9 @@ internal sealed unsafe class ContactStage
         for (int i = 0; i < contacts.IdleCount; i++)
         {
             int index = contacts.Idle(i);
+            ContactFlags before = contacts.Records[index].Flags;
             ContactFate fate = ContactUpdate.UpdateIdle(input, index);
+            CountTouching(before, contacts.Records[index].Flags, ref touching, ref touchingNow);
             AnyHeard |= (contacts.Records[index].Flags & ContactFlags.Heard) != 0;
             if (fate == ContactFate.Gain)
             {
@@ -76,7 +82,7 @@ internal sealed unsafe class ContactStage
 
         Take(contacts, graph, lost, dropped);
         Give(input, graph, gained);
-        ColdStart = gained * 2 >= graph.RowCount;
+        ColdStart = touchingNow > 0 && touchingNow * 2 >= touching;
     }
 
     /// <summary>Takes a pair out of the graph and forgets it.</summary>
@@ -91,6 +97,15 @@ internal sealed unsafe class ContactStage
         }
 
         contacts.Destroy(index, key);
+    }
+
+    private static void CountTouching(ContactFlags before, ContactFlags after, ref int touching, ref int touchingNow)
+    {
+        if ((after & ContactFlags.Touching) != 0)
+        {
+            touching++;
+            touchingNow += (before & ContactFlags.Touching) == 0 ? 1 : 0;
+        }
     }
 
     public static ulong PairKey(in ContactRecord record) => BroadPhase.PairBuffer.Pack(record.PieceA, record.PieceB);

@@ -25,13 +25,13 @@ internal sealed partial class World
         _events.Raise(this, _contacts, _graph, _contactStage.AnyHeard);
         Profile.End(StepStage.NarrowPhase);
 
-        bool anyDeep = UpdateIslands(substep, contacts.Gravity);
+        bool anyDeep = UpdateIslands(contacts.Coefficients);
         Profile.End(StepStage.GraphAndIslands);
 
         Hooks?.ApplyForces(dt);
         Profile.End(StepStage.Forces);
 
-        Solve(dt, substep, anyDeep);
+        Solve(dt, anyDeep, contacts.Coefficients);
         Profile.End(StepStage.Solve);
 
         _lists.Finish(Bodies);
@@ -50,13 +50,13 @@ internal sealed partial class World
         input.Settings = Settings;
         input.Dt = dt;
         input.ImpulseScale = _lastSubstep > 0 ? substep / _lastSubstep : 1f;
-        input.Substep = substep;
         System.Numerics.Vector2 g = Settings.Gravity;
-        input.Gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
+        float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
+        input.Coefficients = new ContactCoefficients(substep, gravity, Settings.AllowedPenetration);
         return input;
     }
 
-    private unsafe bool UpdateIslands(float substep, float gravity)
+    private unsafe bool UpdateIslands(in ContactCoefficients coefficients)
     {
         if (_graph.RowCount == 0)
         {
@@ -69,11 +69,12 @@ internal sealed partial class World
             _graph.Changed = false;
         }
 
-        return _feedForward.Apply(_islands, _graph, gravity, new ContactCoefficients(substep));
+        return _feedForward.Apply(_islands, _graph, coefficients);
     }
 
-    private unsafe void Solve(float dt, float substep, bool anyDeep)
+    private unsafe void Solve(float dt, bool anyDeep, in ContactCoefficients coefficients)
     {
+        float substep = coefficients.Substep;
         _lists.Split(Bodies, _graph);
         _lists.FlyFree(Bodies, Settings.Gravity, dt, substep);
         if (_lists.SolverCount == 0)
@@ -89,6 +90,7 @@ internal sealed partial class World
         input.PaddedCount = _lists.PaddedSolverCount;
         input.Substeps = Settings.Substeps;
         input.Substep = substep;
+        input.Coefficients = coefficients;
         input.Recovery = Settings.Recovery;
         input.AnyDeep = anyDeep;
         input.AnyBounce = _contactStage.AnyBounce;

@@ -16,6 +16,7 @@ internal unsafe ref struct SolverInput
     public int PaddedCount;
     public int Substeps;
     public float Substep;
+    public ContactCoefficients Coefficients;
 
     /// <summary>Share of a deep overlap that goes in one step.</summary>
     public float Recovery;
@@ -48,7 +49,7 @@ internal sealed unsafe class SubstepSolver
         BodyState* states = input.Bodies.State.Pointer;
         BodyMotion* motions = input.Bodies.Motion.Pointer;
         BodyDrive* drives = input.Bodies.Drive.Pointer;
-        var coefficients = new ContactCoefficients(input.Substep);
+        ContactCoefficients coefficients = input.Coefficients;
         int sweeps = input.ColdStart ? ColdStartSweeps : 1;
         for (int substep = 0; substep < input.Substeps; substep++)
         {
@@ -58,7 +59,7 @@ internal sealed unsafe class SubstepSolver
             }
 
             Integrator.IntegrateVelocities(input.List, input.PaddedCount, states, motions, drives);
-            WarmStart(input.Graph, states);
+            WarmStart(input.Graph, states, coefficients);
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
                 SolveBiased(input.Graph, states, coefficients, input.AnyDeep);
@@ -85,12 +86,12 @@ internal sealed unsafe class SubstepSolver
         }
     }
 
-    private static void WarmStart(ConstraintGraph graph, BodyState* states)
+    private static void WarmStart(ConstraintGraph graph, BodyState* states, in ContactCoefficients c)
     {
         for (int i = 0; i < ConstraintGraph.ColorCount; i++)
         {
             GraphColor color = graph.InOrder(i);
-            ContactKernel.WarmStart(color.Bundles, color.BundleCount, states);
+            ContactKernel.WarmStart(color.Bundles, color.BundleCount, states, c);
         }
     }
 
