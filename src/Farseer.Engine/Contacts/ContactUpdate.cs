@@ -57,8 +57,12 @@ internal static unsafe class ContactUpdate
     /// </summary>
     private const float SkinShare = 0.02f;
 
-    /// <summary>An island is deep if a point is deeper than this share of the smaller piece, beyond three static sags.</summary>
+    /// <summary>
+    /// An island is deep if a point is deeper than this share of the smaller piece or, if less, than this many depths of rest,
+    /// beyond three static sags.
+    /// </summary>
     private const float DeepShare = 0.02f;
+    private const float DeepRests = 2f;
     private const float DeepSags = 3f;
 
     /// <summary>Updates a pair that has a row.</summary>
@@ -151,7 +155,13 @@ internal static unsafe class ContactUpdate
         float load = Math.Max(row->Point0.Normal[lane] * row->K11[lane], row->Point1.Normal[lane] * row->K22[lane]);
         row->FeedShare[lane] = input.Coefficients.FeedShare(size);
         float sag = input.Coefficients.Sag(load, 1f);
-        float limit = (DeepShare * size) + (DeepSags * sag);
+        float limit = DeepShare * size;
+        if (input.Settings.AllowedPenetration > 0)
+        {
+            limit = Math.Min(limit, DeepRests * input.Settings.AllowedPenetration);
+        }
+
+        limit += DeepSags * sag;
         row->Deep[lane] = depth > limit || (row->Deep[lane] > 0 && depth > 0.5f * limit) ? 1 : 0;
     }
 
@@ -207,7 +217,10 @@ internal static unsafe class ContactUpdate
             | (heard ? ContactFlags.Heard : ContactFlags.None);
     }
 
-    /// <summary>A pair touches if a point overlaps or will, with the present velocities and gravity, within the step.</summary>
+    /// <summary>
+    /// A pair touches if a point overlaps or will, with the present velocities and gravity, within the step. A pair that touched
+    /// goes on touching up to a gap of the depth of rest, so that the tremor of an impact is not a row of separations.
+    /// </summary>
     private static void SetTouching(in ContactUpdateInput input, ref ContactRecord record, in Manifold manifold, Vector2 offset)
     {
         bool touching = manifold.Count > 0 && (WillTouch(input, record, manifold, manifold.Point0, offset)
@@ -218,7 +231,8 @@ internal static unsafe class ContactUpdate
     private static bool WillTouch(
         in ContactUpdateInput input, in ContactRecord record, in Manifold manifold, in ManifoldPoint point, Vector2 offset)
     {
-        if (point.Separation <= 0)
+        float reach = (record.Flags & ContactFlags.Touching) != 0 ? input.Settings.AllowedPenetration : 0;
+        if (point.Separation <= reach)
         {
             return true;
         }

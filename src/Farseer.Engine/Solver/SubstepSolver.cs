@@ -50,7 +50,7 @@ internal sealed unsafe class SubstepSolver
         BodyMotion* motions = input.Bodies.Motion.Pointer;
         BodyDrive* drives = input.Bodies.Drive.Pointer;
         ContactCoefficients coefficients = input.Coefficients;
-        int sweeps = input.ColdStart ? ColdStartSweeps : 1;
+        int sweeps = input.ColdStart ? (input.Graph.RowCount <= 64 ? 16 : ColdStartSweeps) : 1;
         for (int substep = 0; substep < input.Substeps; substep++)
         {
             if (input.AnyBounce)
