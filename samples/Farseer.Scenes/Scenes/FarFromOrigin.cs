@@ -61,7 +61,7 @@ public sealed class FarFromOrigin : Scene
     private static void Fill(PhysicsSimulator simulator, List<Geom> boxes, double x)
     {
         Make.Metres(simulator);
-        Geom floor = Make.Floor(simulator, 12f);
+        Geom floor = Make.Floor(simulator, 8f);
         floor.Body.SetPosition(x, -0.5);
         boxes.Clear();
         for (int i = 0; i < Count; i++)
