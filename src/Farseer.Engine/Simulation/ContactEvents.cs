@@ -54,11 +54,13 @@ internal sealed unsafe class ContactEvents
             if (!RaiseContact(world, contacts, graph, hooks, i, end, pair) && world.Settings.SeparateUntouchedPairs)
             {
                 _pairs[position].Gone = true;
+                _pairs[position].Refused = true;
             }
 
             i = end;
         }
 
+        RaiseRefused(world, hooks);
         RaiseSeparations(world, hooks, _count);
         (_keys, _oldKeys) = (_oldKeys, _keys);
         (_pairs, _oldPairs) = (_oldPairs, _pairs);
@@ -201,12 +203,21 @@ internal sealed unsafe class ContactEvents
             }
         }
 
-        if (!accepted && world.Settings.SeparateUntouchedPairs && Wants(world, pair, ColliderFlags.WantsSeparation))
-        {
-            hooks.OnSeparation(pair.A, pair.B);
-        }
-
         return accepted;
+    }
+
+    /// <summary>The quirk's separations of pairs without response: as in the original, after all contacts of the step.</summary>
+    private void RaiseRefused(World world, IStepHooks hooks)
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            PairOfColliders pair = _pairs[i];
+            ColliderFlags both = world.Shapes.Colliders[pair.A].Flags & world.Shapes.Colliders[pair.B].Flags;
+            if (pair.Refused && (both & ColliderFlags.Alive) != 0 && Wants(world, pair, ColliderFlags.WantsSeparation))
+            {
+                hooks.OnSeparation(pair.A, pair.B);
+            }
+        }
     }
 
     /// <summary>Both lists are sorted: what is in the old one only has separated.</summary>
@@ -234,5 +245,6 @@ internal sealed unsafe class ContactEvents
         public int A;
         public int B;
         public bool Gone;
+        public bool Refused;
     }
 }
