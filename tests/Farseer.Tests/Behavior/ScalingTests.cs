@@ -1,0 +1,85 @@
+using System.Numerics;
+using FarseerGames.FarseerPhysics;
+using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Factories;
+using Xunit;
+
+namespace Farseer.Tests.Behavior;
+
+/// <summary>Nothing in the library knows a length: a scene in other units is the same scene.</summary>
+public class ScalingTests
+{
+    [Theory]
+    [InlineData(1024f)]
+    [InlineData(1 / 1024f)]
+    public void Pile_ScaledByAPowerOfTwo_GoesTheSameWayBitForBit(float scale)
+    {
+        for (int seed = 1; seed <= 3; seed++)
+        {
+            var pile = new RandomPile(seed, 30, 1);
+            var scaled = new RandomPile(seed, 30, scale);
+            Assert.Equal(pile.State(), scaled.State());
+            for (int i = 0; i < 30; i++)
+            {
+                Sandbox.Run(pile.Simulator, 10);
+                Sandbox.Run(scaled.Simulator, 10);
+                Assert.Equal(pile.State(), scaled.State());
+            }
+
+            Assert.True(pile.Simulator.ArbiterList.Count > 30, "The scene was to become a pile.");
+        }
+    }
+
+    [Fact]
+    public void ChainSegmentAndKinematic_ScaledByAPowerOfTwo_GoTheSameWayBitForBit()
+    {
+        double[] first = Slope(1);
+        double[] scaled = Slope(1024);
+        Assert.Equal(first, scaled);
+    }
+
+    private static double[] Slope(float scale)
+    {
+        var simulator = new PhysicsSimulator(scale * new Vector2(0, 100));
+        simulator.AllowedPenetration *= scale;
+        var ground = new Body { IsStatic = true };
+        simulator.Add(ground);
+        var points = new Vertices();
+        for (int i = 0; i <= 20; i++)
+        {
+            points.Add(scale * new Vector2((10 * i) - 100, 0.05f * (i - 10) * (i - 10) * -1));
+        }
+
+        GeomFactory.Instance.CreateChainGeom(simulator, ground, points, false).FrictionCoefficient = 0.3f;
+        GeomFactory.Instance.CreateSegmentGeom(simulator, ground, scale * new Vector2(-100, 40), scale * new Vector2(100, 50));
+        Body lift = BodyFactory.Instance.CreateRectangleBody(simulator, 30 * scale, 4 * scale, 1);
+        lift.IsKinematic = true;
+        lift.Position = scale * new Vector2(0, 30);
+        lift.LinearVelocity = scale * new Vector2(7, -3);
+        GeomFactory.Instance.CreateRectangleGeom(simulator, lift, 30 * scale, 4 * scale);
+        var bodies = new Body[12];
+        for (int i = 0; i < bodies.Length; i++)
+        {
+            Body body = BodyFactory.Instance.CreateCircleBody(simulator, 4 * scale, 1);
+            Sandbox.WithoutDrag(body);
+            body.Position = scale * new Vector2((12 * i) - 70, i % 2 == 0 ? -20 : 15);
+            Geom geom = i % 3 == 0
+                ? GeomFactory.Instance.CreateRectangleGeom(simulator, body, 7 * scale, 6 * scale)
+                : GeomFactory.Instance.CreateCircleGeom(simulator, body, 4 * scale, 12);
+            geom.FrictionCoefficient = 0.4f;
+            bodies[i] = body;
+        }
+
+        Sandbox.Run(simulator, 150);
+        var state = new double[bodies.Length * 3];
+        for (int i = 0; i < bodies.Length; i++)
+        {
+            state[3 * i] = bodies[i].PositionX / scale;
+            state[(3 * i) + 1] = bodies[i].PositionY / scale;
+            state[(3 * i) + 2] = bodies[i].TotalRotation;
+        }
+
+        return state;
+    }
+}
