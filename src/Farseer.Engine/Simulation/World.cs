@@ -50,7 +50,7 @@ internal sealed partial class World
     public IStepHooks? Hooks { get; set; }
 
     /// <summary>Swappable between steps: pairs already found are kept, and the new one starts with all proxies.</summary>
-    public IBroadPhase BroadPhase { get; private set; } = new BruteForce();
+    public IBroadPhase BroadPhase { get; private set; } = new LevelGrid();
 
     /// <summary>True while a step runs: removals then wait for the next one.</summary>
     public bool IsStepping { get; private set; }
