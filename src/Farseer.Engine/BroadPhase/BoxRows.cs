@@ -6,6 +6,9 @@ namespace Farseer.Engine.BroadPhase;
 /// <summary>Boxes as four arrays for the eight-wide test, with empty boxes behind the last one so that a test may run over the end.</summary>
 internal sealed unsafe class BoxRows
 {
+    // Twice the width, because a Vector of the netstandard2.0 asset may be wider than eight lanes.
+    private const int Padding = 2 * WideBoxes.Width;
+
     private readonly ColumnSet _set = new ColumnSet();
     private readonly Column<float> _minX;
     private readonly Column<float> _minY;
@@ -23,24 +26,34 @@ internal sealed unsafe class BoxRows
 
     public int Count { get; private set; }
 
-    /// <summary>Valid until the next <see cref="SetCount"/>.</summary>
+    /// <summary>Valid until the next growth.</summary>
     public WideBoxes Wide { get; private set; }
+
+    /// <summary>Makes room for so many boxes and the padding.</summary>
+    public void EnsureCapacity(int count)
+    {
+        _set.EnsureCapacity(count + Padding);
+        Point();
+    }
 
     /// <summary>Sets the length; old boxes stay, new ones are undefined, the padding is empty.</summary>
     public void SetCount(int count)
     {
-        // Twice the width, because a Vector of the netstandard2.0 asset may be wider than eight lanes.
-        _set.EnsureCapacity(count + (2 * WideBoxes.Width));
+        EnsureCapacity(count);
+        Count = count;
+        for (int i = count; i < count + Padding; i++)
+        {
+            Wide.SetEmpty(i);
+        }
+    }
+
+    private void Point()
+    {
         var wide = default(WideBoxes);
         wide.MinX = _minX.Pointer;
         wide.MinY = _minY.Pointer;
         wide.MaxX = _maxX.Pointer;
         wide.MaxY = _maxY.Pointer;
         Wide = wide;
-        Count = count;
-        for (int i = count; i < count + (2 * WideBoxes.Width); i++)
-        {
-            wide.SetEmpty(i);
-        }
     }
 }

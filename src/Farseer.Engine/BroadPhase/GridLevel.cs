@@ -19,6 +19,10 @@ internal sealed unsafe class GridLevel
     // The slack covers the rounding of the cell numbers: they are below 2²⁶, so the division errs by less than 2⁻²⁶ cells.
     private const double CellSlack = 1 + (1.0 / (1 << 20));
 
+    // Up to here the cells are numbered directly; a table for scattered boxes is smaller.
+    private const int MostCellsABox = 4;
+    private const int LeastCells = 64;
+
     private readonly BoxRows _rows = new BoxRows();
     private readonly Column<GridEntry> _entries = new Column<GridEntry>(1);
     private readonly Column<int> _cellOf = new Column<int>(1);
@@ -43,6 +47,16 @@ internal sealed unsafe class GridLevel
     public GridEntry* Entries => _entries.Pointer;
 
     public Box Bounds(int index) => _rows.Wide.Get(index);
+
+    /// <summary>Makes room for so many boxes, so that boxes which change their size class do not allocate in the middle of a run.</summary>
+    public void Reserve(int count)
+    {
+        _cellOf.EnsureCapacity(count);
+        _rowOf.EnsureCapacity(count);
+        _entries.EnsureCapacity(count);
+        _start.EnsureCapacity((MostCellsABox * count) + LeastCells + 2);
+        _rows.EnsureCapacity(count);
+    }
 
     public void Build(ProxyStore proxies, int* members, int count, double maxSize)
     {
@@ -252,7 +266,7 @@ internal sealed unsafe class GridLevel
         _columns = (int)((maxX - _originX) * _inverseCell) + 1;
         _rowCount = (int)((maxY - _originY) * _inverseCell) + 1;
         long direct = ((long)_columns + 1) * ((long)_rowCount + 1) + 2;
-        _hashed = direct > (4L * count) + 64;
+        _hashed = direct > ((long)MostCellsABox * count) + LeastCells;
         if (_hashed)
         {
             int cells = 16;

@@ -33,6 +33,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase
     private readonly IndexList _hits = new IndexList();
     private readonly Column<Residence> _residence = new Column<Residence>(1);
     private int _known;
+    private int _reserved;
     private long _debt;
 
     public void Added(ProxyStore proxies, int proxy)
@@ -50,6 +51,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase
     public void Collect(ProxyStore proxies, PairBuffer pairs)
     {
         Know(proxies.End);
+        Reserve(proxies.End);
         int seekers = GatherActive(proxies);
         _debt += _resting.Count;
         if (_debt > 0 && _debt >= (long)BuildCost * (_tree.Count + _resting.Count))
@@ -68,6 +70,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase
         while (_grids.Count < _levels.Count)
         {
             _grids.Add(new GridLevel());
+            _grids[_grids.Count - 1].Reserve(_reserved);
         }
 
         for (int l = 0; l < _levels.Count; l++)
@@ -201,6 +204,21 @@ internal sealed unsafe class LevelGrid : IBroadPhase
                     pairs.Add(proxy, other);
                 }
             }
+        }
+    }
+
+    private void Reserve(int count)
+    {
+        if (count <= _reserved)
+        {
+            return;
+        }
+
+        _reserved = _residence.Capacity;
+        _tree.Reserve(_reserved);
+        for (int l = 0; l < _grids.Count; l++)
+        {
+            _grids[l].Reserve(_reserved);
         }
     }
 

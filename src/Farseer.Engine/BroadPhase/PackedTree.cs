@@ -32,6 +32,17 @@ internal sealed unsafe class PackedTree
     /// <summary>The proxy in a slot, 0 … <see cref="SlotCount"/> − 1.</summary>
     public int Proxy(int slot) => _proxies[slot];
 
+    /// <summary>Makes room for so many boxes, so that a later build does not allocate.</summary>
+    public void Reserve(int count)
+    {
+        _proxies.EnsureCapacity(count + Width);
+        _codes.EnsureCapacity(count);
+        _sorter.Reserve(count);
+
+        // The layers above the boxes are together a seventh of them, each rounded up to a whole group.
+        _lanes.EnsureCapacity(count + (count / (Width - 1)) + (MaxLayers * Width));
+    }
+
     /// <summary>Builds the tree anew over the given proxies. Slots are numbered along the curve.</summary>
     public void Build(Box* boxes, int* members, int count)
     {

@@ -25,6 +25,8 @@ internal sealed unsafe class SelectiveSweep : IBroadPhase
     private readonly IndexList _live = new IndexList();
     private readonly IndexList _seekers = new IndexList();
     private readonly Column<Place> _places = new Column<Place>(1);
+    private readonly RadixSort _sorter = new RadixSort();
+    private readonly Column<ulong> _keys = new Column<ulong>();
     private int _known;
     private int _levelCount;
     private long _shifts;
@@ -161,11 +163,13 @@ internal sealed unsafe class SelectiveSweep : IBroadPhase
             _sweeps.Add(new SweepLevel());
         }
 
+        _keys.EnsureCapacity(_live.Count);
         for (int l = 0; l < _levelCount; l++)
         {
             int* members = _levels.Members(l);
             int count = _levels.Size(l);
-            _sweeps[l].Build(boxes, members, count, _levels.MaxSize(l), vertical);
+            _sweeps[l].Reserve(_live.Count);
+            _sweeps[l].Build(boxes, members, count, _levels.MaxSize(l), vertical, _sorter, _keys.Pointer);
             for (int i = 0; i < count; i++)
             {
                 _places[members[i]].Level = l;

@@ -14,8 +14,6 @@ internal sealed unsafe class SweepLevel
 
     private readonly BoxRows _rows = new BoxRows();
     private readonly Column<int> _proxies = new Column<int>(1);
-    private readonly Column<ulong> _keys = new Column<ulong>(1);
-    private readonly RadixSort _sorter = new RadixSort();
     private bool _vertical;
     private double _margin;
 
@@ -26,13 +24,25 @@ internal sealed unsafe class SweepLevel
 
     private float* Lower => _vertical ? _rows.Wide.MinY : _rows.Wide.MinX;
 
-    public void Build(Box* boxes, int* members, int count, double margin, bool vertical)
+    /// <summary>Makes room for so many boxes, so that boxes which change their size class do not allocate in the middle of a run.</summary>
+    public void Reserve(int count)
+    {
+        _proxies.EnsureCapacity(count);
+        _rows.EnsureCapacity(count);
+    }
+
+    /// <param name="boxes">All boxes.</param>
+    /// <param name="members">The boxes of this level, ascending.</param>
+    /// <param name="count">Number of them.</param>
+    /// <param name="margin">No box is larger.</param>
+    /// <param name="vertical">Sorts along y.</param>
+    /// <param name="sorter">Sorts them; the levels take turns with it.</param>
+    /// <param name="keys">Room for <paramref name="count"/> keys, likewise.</param>
+    public void Build(Box* boxes, int* members, int count, double margin, bool vertical, RadixSort sorter, ulong* keys)
     {
         _vertical = vertical;
         _margin = margin;
         _proxies.EnsureCapacity(count);
-        _keys.EnsureCapacity(count);
-        ulong* keys = _keys.Pointer;
         int* proxies = _proxies.Pointer;
         for (int i = 0; i < count; i++)
         {
@@ -41,7 +51,7 @@ internal sealed unsafe class SweepLevel
         }
 
         // The members come in ascending order, which the stable sort keeps among equals.
-        _sorter.Sort(keys, proxies, count);
+        sorter.Sort(keys, proxies, count);
         _rows.SetCount(count);
         WideBoxes wide = _rows.Wide;
         for (int i = 0; i < count; i++)

@@ -84,6 +84,8 @@ internal sealed class ContactStore
         {
             index = End++;
             _set.EnsureCapacity(End);
+            _free.EnsureCapacity(Records.Capacity);
+            _idle.EnsureCapacity(Records.Capacity);
         }
 
         Records[index] = record;
@@ -101,14 +103,12 @@ internal sealed class ContactStore
         Map.Remove(key);
         Records[index] = default;
         Records[index].PieceA = -1;
-        _free.EnsureCapacity(_freeCount + 1);
         _free[_freeCount++] = index;
         Count--;
     }
 
     public void AddIdle(int index)
     {
-        _idle.EnsureCapacity(IdleCount + 1);
         ref ContactRecord record = ref Records[index];
         record.Color = -1;
         record.Row = IdleCount;

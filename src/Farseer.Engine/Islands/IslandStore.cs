@@ -50,7 +50,7 @@ internal sealed unsafe class IslandStore
         _islandOf.EnsureCapacity(bodyEnd);
         _start.EnsureCapacity(bodyEnd + 1);
         _queue.EnsureCapacity(bodyEnd);
-        _neighbours.EnsureCapacity(Math.Max(1, rows * 2));
+        _neighbours.EnsureCapacity(2 * Math.Max(rows, 2 * bodyEnd));
     }
 
     private void Union(ConstraintGraph graph, int bodyEnd, byte* moves)

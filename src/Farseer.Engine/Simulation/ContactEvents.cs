@@ -48,7 +48,6 @@ internal sealed unsafe class ContactEvents
             ref ContactRecord first = ref contacts.Records[_contacts[i]];
             var pair = new PairOfColliders { A = first.ColliderA, B = first.ColliderB };
             int position = _count++;
-            _pairs.EnsureCapacity(_count);
             _keys[position] = _keys[i];
             _pairs[position] = pair;
             if (!RaiseContact(world, contacts, graph, hooks, i, end, pair) && world.Settings.SeparateUntouchedPairs)
@@ -134,8 +133,7 @@ internal sealed unsafe class ContactEvents
     private int Gather(World world, ContactStore contacts)
     {
         int count = 0;
-        _keys.EnsureCapacity(contacts.Count);
-        _contacts.EnsureCapacity(contacts.Count);
+        Reserve(contacts.Records.Capacity);
         for (int i = 0; i < contacts.End; i++)
         {
             ref ContactRecord record = ref contacts.Records[i];
@@ -148,6 +146,16 @@ internal sealed unsafe class ContactEvents
 
         _sort.Sort(_keys.Pointer, _contacts.Pointer, count);
         return count;
+    }
+
+    private void Reserve(int most)
+    {
+        _contacts.EnsureCapacity(most);
+        _keys.EnsureCapacity(most);
+        _pairs.EnsureCapacity(most);
+        _oldKeys.EnsureCapacity(most);
+        _oldPairs.EnsureCapacity(most);
+        _sort.Reserve(most);
     }
 
     // The quirk of the original treats a pair whose boxes overlap as one that separates in every step.

@@ -32,10 +32,10 @@ internal sealed unsafe class ContactStage
         int gained = 0;
         int touching = 0;
         int touchingNow = 0;
-        _lost.EnsureCapacity(contacts.Count);
-        _dropped.EnsureCapacity(contacts.Count);
-        _gained.EnsureCapacity(contacts.Count);
-        _gainKeys.EnsureCapacity(contacts.Count);
+        _lost.EnsureCapacity(contacts.Records.Capacity);
+        _dropped.EnsureCapacity(contacts.Records.Capacity);
+        _gained.EnsureCapacity(contacts.Records.Capacity);
+        _gainKeys.EnsureCapacity(contacts.Records.Capacity);
         for (int c = 0; c < ConstraintGraph.ColorCount; c++)
         {
             GraphColor color = graph[c];

@@ -1,6 +1,7 @@
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Solver;
@@ -46,6 +47,8 @@ internal sealed unsafe class SubstepSolver
 
     public void Solve(in SolverInput input)
     {
+        // Room for all bodies from the first step on, so that a late overlap does not allocate.
+        _saved.EnsureCapacity(input.Bodies.State.Capacity + WideLanes.BundleLanes);
         BodyState* states = input.Bodies.State.Pointer;
         BodyMotion* motions = input.Bodies.Motion.Pointer;
         BodyDrive* drives = input.Bodies.Drive.Pointer;
@@ -137,7 +140,6 @@ internal sealed unsafe class SubstepSolver
     /// <summary>Moves everything with the velocities that push deep islands apart, and then forgets these velocities.</summary>
     private void PushOutAndMove(in SolverInput input, BodyState* states, BodyMotion* motions, in ContactCoefficients c)
     {
-        _saved.EnsureCapacity(input.PaddedCount);
         BodyState* saved = _saved.Pointer;
         for (int i = 0; i < input.PaddedCount; i++)
         {

@@ -13,6 +13,13 @@ internal sealed unsafe class RadixSort
     private readonly Column<int> _values = new Column<int>(1);
     private readonly Column<int> _histograms = new Column<int>(8 * 256);
 
+    /// <summary>Makes room for sorts of so many keys.</summary>
+    public void Reserve(int count)
+    {
+        _keys.EnsureCapacity(count);
+        _values.EnsureCapacity(count);
+    }
+
     public void Sort(ulong* keys, int count) => Sort(keys, null, count);
 
     /// <param name="keys">Sorted in place.</param>
