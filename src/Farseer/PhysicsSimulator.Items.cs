@@ -30,7 +30,7 @@ public partial class PhysicsSimulator
     public void Add(Body body)
     {
         ThrowIfDisposed();
-        Check.NotNull(body, nameof(body)).ThrowIfDisposed();
+        Require.NotNull(body, nameof(body)).ThrowIfDisposed();
         if (body.Simulator is not null && !ReferenceEquals(body.Simulator, this))
         {
             throw new ArgumentException("The body belongs to another simulator.", nameof(body));
@@ -61,7 +61,7 @@ public partial class PhysicsSimulator
     public void Add(Geom geometry)
     {
         ThrowIfDisposed();
-        Check.NotNull(geometry, nameof(geometry)).ThrowIfDisposed();
+        Require.NotNull(geometry, nameof(geometry)).ThrowIfDisposed();
         if (geometry.Body is null || geometry.Form is null)
         {
             throw new ArgumentException("The geom has no " + (geometry.Body is null ? "body" : "vertices") + " yet.", nameof(geometry));
@@ -98,7 +98,7 @@ public partial class PhysicsSimulator
     public void Remove(Body body)
     {
         ThrowIfDisposed();
-        Check.NotNull(body, nameof(body));
+        Require.NotNull(body, nameof(body));
         if (body.Simulator is not null && !ReferenceEquals(body.Simulator, this))
         {
             throw new ArgumentException("The body belongs to another simulator.", nameof(body));
@@ -124,7 +124,7 @@ public partial class PhysicsSimulator
     public void Remove(Geom geometry)
     {
         ThrowIfDisposed();
-        Check.NotNull(geometry, nameof(geometry));
+        Require.NotNull(geometry, nameof(geometry));
         if (geometry.Simulator is not null && !ReferenceEquals(geometry.Simulator, this))
         {
             throw new ArgumentException("The geom belongs to another simulator.", nameof(geometry));
@@ -194,11 +194,18 @@ public partial class PhysicsSimulator
 
     internal void NoteDisposed(Geom geom) => _geomsDisposed.Add(geom);
 
-    internal void NoteChanged(Geom geom)
+    /// <summary>A geom in the simulator, or on its way there, got another outline or left a body.</summary>
+    internal void NoteChanged(Geom geom, Body? left)
     {
         if (geom.Membership == Membership.Added || geom.Membership == Membership.RemoveQueued)
         {
             _geomsChanged.Add(geom);
+        }
+
+        // A body that still carries colliders is let go when these are made anew.
+        if (left is not null && left.Link.Colliders == 0)
+        {
+            ReleaseIfUnused(left);
         }
     }
 

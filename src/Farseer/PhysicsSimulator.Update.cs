@@ -54,8 +54,8 @@ public partial class PhysicsSimulator
     public void Update(float dt, float dtReal)
     {
         ThrowIfDisposed();
-        Check.NotNegative(dt, nameof(dt));
-        Check.NotNegative(dtReal, nameof(dtReal));
+        Require.NotNegative(dt, nameof(dt));
+        Require.NotNegative(dtReal, nameof(dtReal));
         if (_isUpdating)
         {
             throw new InvalidOperationException("Update must not be called from a handler of the same simulator's update.");
@@ -84,7 +84,13 @@ public partial class PhysicsSimulator
                     _arbiters.IsStale = true;
                 }
 
+                StepCount++;
                 World.Step(step);
+                if (World.QuarantinedCount > 0)
+                {
+                    TellQuarantined();
+                }
+
                 TellListeners();
             }
             else

@@ -43,7 +43,7 @@ public partial class PhysicsSimulator : IDisposable
         BodyList = new BodyList { Owner = this };
         GeomList = new GeomList { Owner = this };
         World.Hooks = _relay;
-        Gravity = Check.Finite(gravity, nameof(gravity));
+        Gravity = Require.Finite(gravity, nameof(gravity));
         _broadPhaseCollider = new SelectiveSweepCollider(this);
         UseCollider(_broadPhaseCollider);
     }
@@ -62,7 +62,7 @@ public partial class PhysicsSimulator : IDisposable
     public Vector2 Gravity
     {
         get => World.Settings.Gravity;
-        set => World.Settings.Gravity = Check.Finite(value, nameof(value));
+        set => World.Settings.Gravity = Require.Finite(value, nameof(Gravity));
     }
 
     /// <summary>
@@ -73,7 +73,7 @@ public partial class PhysicsSimulator : IDisposable
     public int Iterations
     {
         get => World.Settings.Substeps;
-        set => World.Settings.Substeps = Check.AtLeast(value, 1, nameof(value));
+        set => World.Settings.Substeps = Require.AtLeast(value, 1, nameof(Iterations));
     }
 
     /// <summary>The depth at which geoms rest on each other, a length of the scene; at least 0. Default 0.05.</summary>
@@ -81,7 +81,7 @@ public partial class PhysicsSimulator : IDisposable
     public float AllowedPenetration
     {
         get => World.Settings.AllowedPenetration;
-        set => World.Settings.AllowedPenetration = Check.NotNegative(value, nameof(value));
+        set => World.Settings.AllowedPenetration = Require.NotNegative(value, nameof(AllowedPenetration));
     }
 
     /// <summary>
@@ -94,7 +94,7 @@ public partial class PhysicsSimulator : IDisposable
         get => _biasFactor;
         set
         {
-            _biasFactor = Check.NotNegative(value, nameof(value));
+            _biasFactor = Require.NotNegative(value, nameof(BiasFactor));
             World.Settings.Recovery = Math.Min(1, value);
         }
     }
@@ -108,7 +108,7 @@ public partial class PhysicsSimulator : IDisposable
         {
             FrictionType.Average => FrictionMix.Average,
             FrictionType.Minimum => FrictionMix.Minimum,
-            _ => throw new ArgumentOutOfRangeException(nameof(value), value, "value must be a member of FrictionType."),
+            _ => throw Require.Range(nameof(FrictionType), value, "must be a member of the enum FrictionType"),
         };
     }
 
@@ -117,7 +117,7 @@ public partial class PhysicsSimulator : IDisposable
     public int MaxContactsToDetect
     {
         get => _maxContactsToDetect;
-        set => _maxContactsToDetect = Check.AtLeast(value, 1, nameof(value));
+        set => _maxContactsToDetect = Require.AtLeast(value, 1, nameof(MaxContactsToDetect));
     }
 
     /// <summary>
@@ -128,7 +128,7 @@ public partial class PhysicsSimulator : IDisposable
     public int MaxContactsToResolve
     {
         get => _maxContactsToResolve;
-        set => _maxContactsToResolve = Check.AtLeast(value, 1, nameof(value));
+        set => _maxContactsToResolve = Require.AtLeast(value, 1, nameof(MaxContactsToResolve));
     }
 
     /// <summary>Lets updates become rarer under load; off by default.</summary>
@@ -136,7 +136,7 @@ public partial class PhysicsSimulator : IDisposable
     public Scaling Scaling
     {
         get => _scaling;
-        set => _scaling = Check.NotNull(value, nameof(value));
+        set => _scaling = Require.NotNull(value, nameof(Scaling));
     }
 
     /// <summary>
@@ -151,7 +151,7 @@ public partial class PhysicsSimulator : IDisposable
         get => _broadPhaseCollider;
         set
         {
-            Check.NotNull(value, nameof(value));
+            Require.NotNull(value, nameof(BroadPhaseCollider));
             if (GeomList.Count > 0 || _geomsWaiting > 0)
             {
                 throw new InvalidOperationException(
@@ -161,7 +161,7 @@ public partial class PhysicsSimulator : IDisposable
 
             if (value is IEngineCollider own && !ReferenceEquals(own.Core.Owner, this))
             {
-                throw new ArgumentException("The collider was made for another simulator.", nameof(value));
+                throw new ArgumentException("The collider was made for another simulator.", nameof(BroadPhaseCollider));
             }
 
             _broadPhaseCollider = value;
@@ -177,6 +177,7 @@ public partial class PhysicsSimulator : IDisposable
     /// (An addition to the original.)
     /// </summary>
     /// <exception cref="InvalidOperationException">There are geoms in the simulator or waiting to be taken in.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value has a bit that is no member of the enum.</exception>
     public Farseer201Quirks Quirks
     {
         get => _quirks;
@@ -185,6 +186,11 @@ public partial class PhysicsSimulator : IDisposable
             if (GeomList.Count > 0 || _geomsWaiting > 0)
             {
                 throw new InvalidOperationException("Quirks can be changed only while the simulator has no geoms.");
+            }
+
+            if ((value & ~Farseer201Quirks.All) != 0)
+            {
+                throw Require.Range(nameof(Quirks), value, "must be made of members of the enum Farseer201Quirks");
             }
 
             _quirks = value;
@@ -255,7 +261,7 @@ public partial class PhysicsSimulator : IDisposable
         return found;
     }
 
-    private void ThrowIfDisposed()
+    internal void ThrowIfDisposed()
     {
         if (_isDisposed)
         {

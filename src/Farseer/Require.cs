@@ -1,88 +1,82 @@
 using System;
+using System.Globalization;
 using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
 
 namespace FarseerGames.FarseerPhysics;
 
-/// <summary>The checks of arguments at the door; each exception names the argument and the value.</summary>
+/// <summary>
+/// The checks of arguments at the door. Each exception names the argument, or the property that was set, and the value; nothing is
+/// changed before all arguments of a call have passed.
+/// </summary>
 internal static class Require
 {
-    public static bool IsFinite(float value) => !float.IsNaN(value) && !float.IsInfinity(value);
+    public static bool IsFinite(Vector2 value) => FloatBits.IsFinite(value.X) && FloatBits.IsFinite(value.Y);
 
-    public static bool IsFinite(Vector2 value) => IsFinite(value.X) && IsFinite(value.Y);
+    public static float Finite(float value, string name) =>
+        FloatBits.IsFinite(value) ? value : throw Range(name, value, "must be a finite number");
 
-    public static float Positive(float value, string name)
+    /// <summary>Finite also as a float: that is how it will be read back.</summary>
+    public static double Finite(double value, string name) =>
+        FloatBits.IsFinite((float)value) ? value : throw Range(name, value, "must be a finite number within the range of a float");
+
+    public static Vector2 Finite(Vector2 value, string name) =>
+        IsFinite(value) ? value : throw Range(name, value, "must have finite coordinates");
+
+    /// <summary>A coordinate or angle of a body: within what the engine can compute with.</summary>
+    public static double Place(double value, string name) => Place(value, value, name);
+
+    /// <summary>As above, for a coordinate of <paramref name="shown"/>.</summary>
+    public static double Place<T>(double value, T shown, string name)
+        where T : struct =>
+        StateRange.Holds(value, 0, 0) ? value : throw Range(name, shown, "must be finite and within ±9.2E18");
+
+    public static Matrix4x4 Finite(Matrix4x4 value, string name)
     {
-        if (!(value > 0f) || float.IsInfinity(value))
-        {
-            throw new ArgumentOutOfRangeException(name, value, $"{name} must be a finite number above 0.");
-        }
-
-        return value;
+        float sum = (value.M11 * 0) + (value.M12 * 0) + (value.M13 * 0) + (value.M14 * 0)
+            + (value.M21 * 0) + (value.M22 * 0) + (value.M23 * 0) + (value.M24 * 0)
+            + (value.M31 * 0) + (value.M32 * 0) + (value.M33 * 0) + (value.M34 * 0)
+            + (value.M41 * 0) + (value.M42 * 0) + (value.M43 * 0) + (value.M44 * 0);
+        return sum == 0 ? value : throw Range(name, value, "must have finite elements");
     }
 
-    public static float NotNegative(float value, string name)
-    {
-        if (!(value >= 0f) || float.IsInfinity(value))
-        {
-            throw new ArgumentOutOfRangeException(name, value, $"{name} must be a finite number, 0 or more.");
-        }
+    public static float Positive(float value, string name) =>
+        value > 0 && FloatBits.IsFinite(value) ? value : throw Range(name, value, "must be a finite number above 0");
 
-        return value;
-    }
+    /// <summary>A mass or moment of inertia: also its inverse, which is what the solver works with, must be finite.</summary>
+    public static float Invertible(float value, string name) =>
+        value > 0 && FloatBits.IsFinite(value) && FloatBits.IsFinite(1 / value)
+            ? value
+            : throw Range(name, value, "must be a finite number above 0 with a finite inverse");
 
-    public static float Finite(float value, string name)
-    {
-        if (!IsFinite(value))
-        {
-            throw new ArgumentOutOfRangeException(name, value, $"{name} must be a finite number.");
-        }
+    public static float NotNegative(float value, string name) =>
+        value >= 0 && FloatBits.IsFinite(value) ? value : throw Range(name, value, "must be a finite number, 0 or more");
 
-        return value;
-    }
+    public static float NotBelow(float value, float least, string name) =>
+        value >= least ? value : throw Range(name, value, "must not be below " + least.ToString(CultureInfo.InvariantCulture));
 
-    public static Vector2 Finite(Vector2 value, string name)
-    {
-        if (!IsFinite(value))
-        {
-            throw new ArgumentOutOfRangeException(name, value, $"{name} must have finite coordinates.");
-        }
+    public static int AtLeast(int value, int least, string name) =>
+        value >= least ? value : throw Range(name, value, "must be at least " + least.ToString(CultureInfo.InvariantCulture));
 
-        return value;
-    }
-
-    public static float NotBelow(float value, float least, string name)
-    {
-        if (!(value >= least))
-        {
-            throw new ArgumentOutOfRangeException(name, value, $"{name} must not be below {least}.");
-        }
-
-        return value;
-    }
+    public static int Within(int value, int least, int most, string name) =>
+        value >= least && value <= most
+            ? value
+            : throw Range(name, value, "must be from " + least.ToString(CultureInfo.InvariantCulture) + " to " + most.ToString(CultureInfo.InvariantCulture));
 
     /// <summary>The unit vector of a direction that must have a length.</summary>
     public static Vector2 Direction(Vector2 value, string name)
     {
-        var length = value.Length();
-        if (!(length > 0f) || !IsFinite(length))
-        {
-            throw new ArgumentOutOfRangeException(name, value, $"{name} must be finite and not (0, 0).");
-        }
-
-        return value / length;
-    }
-
-    public static int AtLeast(int value, int least, string name)
-    {
-        if (value < least)
-        {
-            throw new ArgumentOutOfRangeException(name, value, $"{name} must be at least {least}.");
-        }
-
-        return value;
+        double length = Math.Sqrt(((double)value.X * value.X) + ((double)value.Y * value.Y));
+        return length > 0 && FloatBits.IsFinite(length)
+            ? new Vector2((float)(value.X / length), (float)(value.Y / length))
+            : throw Range(name, value, "must be finite and not (0, 0)");
     }
 
     public static T NotNull<T>(T? value, string name)
         where T : class =>
         value ?? throw new ArgumentNullException(name);
+
+    public static ArgumentOutOfRangeException Range(string name, object value, string rule) =>
+        new ArgumentOutOfRangeException(name, value, name + " " + rule + ".");
 }

@@ -1,4 +1,3 @@
-using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics;
 
@@ -20,8 +19,8 @@ public class Scaling
     /// <exception cref="System.ArgumentOutOfRangeException">An interval is not finite or not above 0.</exception>
     public Scaling(float preferredUpdateInterval, float maximumUpdateInterval)
     {
-        _preferredUpdateInterval = Check.Positive(preferredUpdateInterval, nameof(preferredUpdateInterval));
-        _maximumUpdateInterval = Check.Positive(maximumUpdateInterval, nameof(maximumUpdateInterval));
+        _preferredUpdateInterval = Require.Positive(preferredUpdateInterval, nameof(preferredUpdateInterval));
+        _maximumUpdateInterval = Require.Positive(maximumUpdateInterval, nameof(maximumUpdateInterval));
         _updateInterval = preferredUpdateInterval;
     }
 
@@ -33,7 +32,7 @@ public class Scaling
     public float MaximumUpdateInterval
     {
         get => _maximumUpdateInterval;
-        set => _maximumUpdateInterval = Check.Positive(value, nameof(value));
+        set => _maximumUpdateInterval = Require.Positive(value, nameof(MaximumUpdateInterval));
     }
 
     /// <summary>Interval in force, seconds. Default of a simulator: 0.001.</summary>
@@ -41,7 +40,7 @@ public class Scaling
     public float UpdateInterval
     {
         get => _updateInterval;
-        set => _updateInterval = Check.Positive(value, nameof(value));
+        set => _updateInterval = Require.Positive(value, nameof(UpdateInterval));
     }
 
     /// <summary>Shrinks the interval by a tenth of the maximum, not below the preferred one.</summary>
@@ -64,7 +63,7 @@ public class Scaling
     /// <exception cref="System.ArgumentOutOfRangeException"><paramref name="dt"/> is negative or not finite.</exception>
     public float GetUpdateInterval(float dt)
     {
-        Check.NotNegative(dt, nameof(dt));
+        Require.NotNegative(dt, nameof(dt));
         if (!Enabled)
         {
             return dt;

@@ -89,7 +89,7 @@ internal enum BodyFlags : uint
     /// <summary>The pose or a collider was changed from outside since the last step: its boxes must be found anew.</summary>
     Moved = 64,
 
-    /// <summary>The state turned non-finite; disabled until the user sets finite values.</summary>
+    /// <summary>The state left its range; disabled until the user enables the body again.</summary>
     Quarantined = 128,
 }
 

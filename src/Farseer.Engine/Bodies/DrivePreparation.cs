@@ -5,8 +5,14 @@ namespace Farseer.Engine.Bodies;
 /// <summary>Works out, once a step, what a substep does to each body of the solver from outside.</summary>
 internal static unsafe class DrivePreparation
 {
-    public static void Prepare(BodyStore bodies, int* list, int count, Vector2 gravity, double substep)
+    /// <summary>
+    /// A body that forces drive out of range, or that a callback set out of it, stands still in this step, so that it does not drag
+    /// along what it touches; it is put into <paramref name="outcasts"/>.
+    /// </summary>
+    /// <returns>How many there are.</returns>
+    public static int Prepare(BodyStore bodies, int* list, int count, Vector2 gravity, double substep, int* outcasts)
     {
+        int found = 0;
         for (int i = 0; i < count; i++)
         {
             int body = list[i];
@@ -14,9 +20,13 @@ internal static unsafe class DrivePreparation
             BodyFlags flags = bodies.Flags[body];
             if ((flags & (BodyFlags.Static | BodyFlags.Kinematic)) != 0)
             {
-                drive = default;
-                drive.LinearKeep = 1;
-                drive.AngularKeep = 1;
+                Rest(out drive);
+                if (!StateRange.Holds(bodies.State[body]))
+                {
+                    outcasts[found++] = body;
+                    Stop(ref bodies.State[body]);
+                }
+
                 continue;
             }
 
@@ -41,6 +51,22 @@ internal static unsafe class DrivePreparation
             drive.LinearKeep = (float)law.Keep;
             double spin = (double)drag.Rotational * mass.InverseInertia * System.Math.Abs((double)state.AngularVelocity);
             drive.AngularKeep = (float)(1 / (1 + (spin * substep)));
+            if (!StateRange.Holds(state) | !StateRange.Holds(drive.X, drive.Y, drive.W))
+            {
+                outcasts[found++] = body;
+                Stop(ref state);
+                Rest(out drive);
+            }
         }
+
+        return found;
+    }
+
+    private static void Rest(out BodyDrive drive) => drive = new BodyDrive { LinearKeep = 1, AngularKeep = 1 };
+
+    private static void Stop(ref BodyState state)
+    {
+        state.LinearVelocity = Vector2.Zero;
+        state.AngularVelocity = 0;
     }
 }

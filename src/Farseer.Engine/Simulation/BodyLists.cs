@@ -14,6 +14,8 @@ internal sealed unsafe class BodyLists
     private readonly Column<int> _active = new Column<int>();
     private readonly Column<int> _solver = new Column<int>();
     private readonly Column<int> _free = new Column<int>();
+    private readonly Column<int> _outOfRange = new Column<int>();
+    private readonly Column<QuarantineRecord> _outcasts = new Column<QuarantineRecord>();
 
     /// <summary>1 for each body that forces and contacts may move.</summary>
     public byte* Moves => _moves.Pointer;
@@ -32,12 +34,18 @@ internal sealed unsafe class BodyLists
 
     public int FreeCount { get; private set; }
 
-    /// <summary>Sorts the bodies; one whose state is not finite is taken out of the simulation and marked.</summary>
+    /// <summary>Bodies of this step whose state left its range.</summary>
+    public int OutcastCount { get; private set; }
+
+    public QuarantineRecord Outcast(int index) => _outcasts[index];
+
+    /// <summary>Sorts the bodies; those whose state is out of range are left out and become outcasts.</summary>
     public void Collect(BodyStore bodies)
     {
         int end = bodies.Ids.End;
         _moves.EnsureCapacity(end);
         _active.EnsureCapacity(end);
+        OutcastCount = 0;
         byte* moves = _moves.Pointer;
         BodyFlags* flags = bodies.Flags.Pointer;
         ActiveCount = 0;
@@ -50,9 +58,9 @@ internal sealed unsafe class BodyLists
                 continue;
             }
 
-            if (!FinishBodies.IsFinite(bodies, i))
+            if (!StateRange.Holds(bodies.State[i], bodies.Pose[i]))
             {
-                flags[i] = (f & ~BodyFlags.Enabled) | BodyFlags.Quarantined | BodyFlags.Moved;
+                CastOut(bodies, i, QuarantineCause.SetFromOutside);
                 continue;
             }
 
@@ -94,17 +102,29 @@ internal sealed unsafe class BodyLists
         {
             int body = _free[i];
             bool pulled = (bodies.Flags[body] & (BodyFlags.IgnoreGravity | BodyFlags.Kinematic)) == 0;
+            BodyPose before = bodies.Pose[body];
             FreeFlight.Advance(bodies, body, pulled ? gravity : Vector2.Zero, dt, substep);
+            if (!StateRange.Holds(bodies.State[body], bodies.Pose[body]))
+            {
+                bodies.Pose[body] = before;
+                CastOut(bodies, body, QuarantineCause.Forces);
+            }
         }
     }
 
-    public void PrepareDrives(BodyStore bodies, Vector2 gravity, float substep) =>
-        DrivePreparation.Prepare(bodies, _solver.Pointer, SolverCount, gravity, substep);
+    public void PrepareDrives(BodyStore bodies, Vector2 gravity, float substep)
+    {
+        _outOfRange.EnsureCapacity(SolverCount);
+        int count = DrivePreparation.Prepare(bodies, _solver.Pointer, SolverCount, gravity, substep, _outOfRange.Pointer);
+        CastOutAll(bodies, count, QuarantineCause.Forces);
+    }
 
     /// <summary>Takes over the solver's displacements, and uses up all forces.</summary>
     public void Finish(BodyStore bodies)
     {
-        FinishBodies.Run(bodies, _solver.Pointer, SolverCount);
+        _outOfRange.EnsureCapacity(SolverCount);
+        int count = FinishBodies.Run(bodies, _solver.Pointer, SolverCount, _outOfRange.Pointer);
+        CastOutAll(bodies, count, QuarantineCause.Solver);
         for (int i = 0; i < FreeCount; i++)
         {
             FinishBodies.UpdateRotor(ref bodies.Pose[_free[i]]);
@@ -115,6 +135,25 @@ internal sealed unsafe class BodyLists
         for (int i = 0; i < end; i++)
         {
             force[i] = default;
+        }
+    }
+
+    private void CastOutAll(BodyStore bodies, int count, QuarantineCause cause)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            CastOut(bodies, _outOfRange[i], cause);
+        }
+    }
+
+    /// <summary>The first cause that is found for a body counts.</summary>
+    private void CastOut(BodyStore bodies, int body, QuarantineCause cause)
+    {
+        if ((bodies.Flags[body] & BodyFlags.Quarantined) == 0)
+        {
+            bodies.Flags[body] |= BodyFlags.Quarantined;
+            _outcasts.EnsureCapacity(OutcastCount + 1);
+            _outcasts[OutcastCount++] = new QuarantineRecord { Body = body, Cause = cause };
         }
     }
 }

@@ -22,6 +22,9 @@ internal sealed unsafe class BoxStage
     /// <summary>Contacts are kept up to this share of the extent apart; boxes must overlap before that.</summary>
     private const float SkinShare = 0.02f;
 
+    /// <summary>2¹⁰⁰: at the edge of the floats' range a box must not become infinite, which the sorting of boxes cannot bear.</summary>
+    private const float Farthest = 1.2676506e30f;
+
     private readonly Column<FitRecord> _fits = new Column<FitRecord>();
 
     public void Update(World world, float dt)
@@ -73,6 +76,7 @@ internal sealed unsafe class BoxStage
                 float size = world.Shapes.Pieces[piece].Extent;
                 float spare = isStatic ? SkinShare * size : (MarginShare * size) + (MotionShare * motion);
                 Box tight = world.Shapes.TightBox(piece, pose);
+                spare = Math.Min(spare, Farthest);
                 Expand(ref tight, spare);
                 world.SetProxy(piece, tight, alive, isStatic);
                 margin = Math.Min(margin, spare - (SkinShare * size));

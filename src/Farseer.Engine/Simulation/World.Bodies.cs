@@ -149,6 +149,11 @@ internal sealed partial class World
         Require(body);
         BodyFlags old = Bodies.Flags[body.Index];
         BodyFlags now = (old & ~clear) | set;
+        if ((set & BodyFlags.Enabled) != 0)
+        {
+            now &= ~BodyFlags.Quarantined;
+        }
+
         Bodies.Flags[body.Index] = now;
         if (((old ^ now) & Structural) == 0)
         {

@@ -12,7 +12,7 @@ internal sealed partial class World
     {
         Profile.Begin();
         PurgeNow();
-        _lists.Collect(Bodies);
+        CollectBodies();
         Profile.End(StepStage.DeferredChanges);
 
         _boxes.Update(this, dt);
@@ -34,7 +34,7 @@ internal sealed partial class World
         Solve(dt, anyDeep, contacts.Coefficients);
         Profile.End(StepStage.Solve);
 
-        _lists.Finish(Bodies);
+        FinishBodiesOfStep();
         _lastSubstep = substep;
         Profile.End(StepStage.Finish);
     }

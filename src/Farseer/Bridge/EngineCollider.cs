@@ -15,7 +15,7 @@ internal sealed class EngineCollider
 
     public EngineCollider(PhysicsSimulator physicsSimulator, IBroadPhase engine)
     {
-        _owner = Check.NotNull(physicsSimulator, nameof(physicsSimulator));
+        _owner = Require.NotNull(physicsSimulator, nameof(physicsSimulator));
         Engine = engine;
     }
 

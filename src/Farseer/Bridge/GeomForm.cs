@@ -52,7 +52,7 @@ internal sealed class GeomForm
 
     public bool IsLoop { get; }
 
-    /// <summary>Built when first needed: cutting a concave outline costs time.</summary>
+    /// <summary>Built once and shared by copies: cutting a concave outline costs time.</summary>
     public ShapeGeometry Shape => _shape ??= Build();
 
     public static GeomForm Circle(float radius) => new GeomForm(FormKind.Circle, System.Array.Empty<Vector2>(), radius, default, false);

@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using System.Numerics;
+using Farseer.Engine.Shapes;
 using FarseerGames.FarseerPhysics.Collisions;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
@@ -11,12 +12,12 @@ internal static class OutlineRules
     /// <summary>A copy in the documented order, without vertices that repeat the one before.</summary>
     public static Vertices Normalised(Vertices vertices, string name)
     {
-        Check.NotNull(vertices, name);
+        Require.NotNull(vertices, name);
         var outline = new Vertices();
         for (int i = 0; i < vertices.Count; i++)
         {
             Vector2 vertex = vertices[i];
-            Check.Finite(vertex, name);
+            Require.Finite(vertex, name);
             if (outline.Count == 0 || outline[outline.Count - 1] != vertex)
             {
                 outline.Add(vertex);
@@ -34,6 +35,13 @@ internal static class OutlineRules
             throw new ArgumentException(Message(fault, outline.Count), name);
         }
 
+        // The exact checks do not see what is too thin for the precision of its own coordinates; those of the engine do.
+        OutlineProblem problem = Outline.Check(outline.ToArray(), out int index);
+        if (problem != OutlineProblem.None)
+        {
+            throw new ArgumentException(Message(problem, index, outline), name);
+        }
+
         outline.ForceCounterClockWiseOrder();
         return outline;
     }
@@ -41,11 +49,11 @@ internal static class OutlineRules
     /// <summary>A copy without points that repeat the one before, for a chain.</summary>
     public static Vertices NormalisedChain(Vertices points, bool loop, string name)
     {
-        Check.NotNull(points, name);
+        Require.NotNull(points, name);
         var chain = new Vertices();
         for (int i = 0; i < points.Count; i++)
         {
-            Vector2 point = Check.Finite(points[i], name);
+            Vector2 point = Require.Finite(points[i], name);
             if (chain.Count == 0 || chain[chain.Count - 1] != point)
             {
                 chain.Add(point);
@@ -67,6 +75,14 @@ internal static class OutlineRules
         }
 
         return chain;
+    }
+
+    private static string Message(OutlineProblem problem, int index, Vertices outline)
+    {
+        string place = index < 0 ? "" : " at vertex " + index.ToString(CultureInfo.InvariantCulture) + ", " + outline[index] + ",";
+        string what = problem == OutlineProblem.SelfIntersecting ? "touches or crosses itself" : "has no area";
+        return "Within the precision of its coordinates the outline of " + outline.Count.ToString(CultureInfo.InvariantCulture)
+            + " vertices" + place + " " + what + ".";
     }
 
     private static string Message(PolygonFault fault, int count)

@@ -28,6 +28,7 @@ public partial class Geom
     /// Takes geom coordinates to world coordinates, for row vectors. A matrix that is set holds for vertices, box and queries
     /// until the body next moves; collisions go by the body.
     /// </summary>
+    /// <exception cref="System.ArgumentOutOfRangeException">An element is not finite.</exception>
     public Matrix4x4 Matrix
     {
         get
@@ -44,6 +45,7 @@ public partial class Geom
 
         set
         {
+            Require.Finite(value, nameof(Matrix));
             Follow();
             _matrix = value;
             FillWorldVertices();
@@ -79,7 +81,7 @@ public partial class Geom
         set
         {
             Follow();
-            _aabb = Bridge.Check.NotNull(value, nameof(value));
+            _aabb = Require.NotNull(value, nameof(AABB));
         }
     }
 

@@ -27,7 +27,7 @@ public partial class Geom
     /// <exception cref="ArgumentNullException"><paramref name="geometry"/> is null.</exception>
     public bool Collide(Geom geometry)
     {
-        Check.NotNull(geometry, nameof(geometry));
+        Require.NotNull(geometry, nameof(geometry));
         return _form is not null && geometry._form is not null && AABB.Intersect(AABB, geometry.AABB) && OutlineQuery.Overlap(this, geometry);
     }
 

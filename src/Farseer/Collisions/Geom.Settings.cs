@@ -1,5 +1,4 @@
 using System;
-using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
 
@@ -43,7 +42,7 @@ public partial class Geom
     public float FrictionCoefficient
     {
         get => Link.Friction;
-        set => Link.SetMaterial(Check.NotNegative(value, nameof(value)), Link.Restitution);
+        set => Link.SetMaterial(Require.NotNegative(value, nameof(FrictionCoefficient)), Link.Restitution);
     }
 
     /// <summary>
@@ -54,7 +53,7 @@ public partial class Geom
     public float RestitutionCoefficient
     {
         get => Link.Restitution;
-        set => Link.SetMaterial(Link.Friction, Check.NotNegative(value, nameof(value)));
+        set => Link.SetMaterial(Link.Friction, Require.NotNegative(value, nameof(RestitutionCoefficient)));
     }
 
     /// <summary>Geoms of the same group do not collide with each other; 0 is no group. Default 0.</summary>
@@ -132,7 +131,7 @@ public partial class Geom
     /// <param name="geometry2">The other geom.</param>
     /// <returns>Whether the first is the older one.</returns>
     public static bool operator <(Geom geometry1, Geom geometry2) =>
-        Check.NotNull(geometry1, nameof(geometry1))._id < Check.NotNull(geometry2, nameof(geometry2))._id;
+        Require.NotNull(geometry1, nameof(geometry1))._id < Require.NotNull(geometry2, nameof(geometry2))._id;
 
     /// <summary>True if the first geom was created after the second.</summary>
     /// <param name="geometry1">One geom.</param>

@@ -66,7 +66,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     /// <param name="geometry">The geom to copy.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     public Geom(Body body, Geom geometry)
-        : this(body, geometry, Check.NotNull(geometry, nameof(geometry))._offset, geometry._rotationOffset)
+        : this(body, geometry, Require.NotNull(geometry, nameof(geometry))._offset, geometry._rotationOffset)
     {
     }
 
@@ -80,7 +80,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         : this()
     {
         CheckBody(body, nameof(body));
-        Check.NotNull(geometry, nameof(geometry));
+        Require.NotNull(geometry, nameof(geometry));
         SetOffset(offset, rotationOffset);
         _collisionGridCellSize = geometry._collisionGridCellSize;
         _grid = geometry._grid;
@@ -194,9 +194,15 @@ public partial class Geom : IDisposable, IEquatable<Geom>
             throw new ArgumentException("The body belongs to another simulator than the geom.", nameof(bodyToSet));
         }
 
-        _body?.RemoveGeom(this);
+        Body? left = _body;
+        left?.RemoveGeom(this);
         Join(bodyToSet);
-        Simulator?.NoteChanged(this);
+        if (Simulator is not null)
+        {
+            // From now on the body is taken: another simulator must not get it before this one's next update.
+            bodyToSet.Simulator = Simulator;
+            Simulator.NoteChanged(this, left);
+        }
     }
 
     /// <summary>Gives the geom another outline; it is a polygon from then on. In a simulator it takes effect at the next update.</summary>
@@ -213,7 +219,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         }
 
         SetForm(GeomForm.Outline(outline), outline);
-        Simulator?.NoteChanged(this);
+        Simulator?.NoteChanged(this, _body);
     }
 
     /// <summary>Makes <see cref="Grid"/> now, so that no later call has to wait for it.</summary>
@@ -261,13 +267,13 @@ public partial class Geom : IDisposable, IEquatable<Geom>
 
     private static void CheckBody(Body body, string name)
     {
-        Check.NotNull(body, name);
+        Require.NotNull(body, name);
         body.ThrowIfDisposed();
     }
 
     private static float CellSize(float value, Vertices vertices)
     {
-        Check.Finite(value, "collisionGridCellSize");
+        Require.Finite(value, "collisionGridCellSize");
         return value > 0 || vertices.Count == 0 ? value : GeomFactory.Instance.CalculateGridCellSizeFromAABB(vertices);
     }
 
@@ -280,14 +286,16 @@ public partial class Geom : IDisposable, IEquatable<Geom>
 
     private void SetOffset(Vector2 offset, float rotationOffset)
     {
-        _offset = Check.Finite(offset, nameof(offset));
-        _rotationOffset = Check.Finite(rotationOffset, nameof(rotationOffset));
+        _offset = Require.Finite(offset, nameof(offset));
+        _rotationOffset = Require.Finite(rotationOffset, nameof(rotationOffset));
         _offsetCos = (float)Math.Cos(rotationOffset);
         _offsetSin = (float)Math.Sin(rotationOffset);
     }
 
     private void SetForm(GeomForm form, Vertices localVertices)
     {
+        // Made now and not when the simulator takes the geom in: what cannot be made must be refused at the door.
+        _ = form.Shape;
         _form = form;
         _localVertices = localVertices;
         _grid = null;

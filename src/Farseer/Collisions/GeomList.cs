@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
 
@@ -26,7 +25,7 @@ public class GeomList : List<Geom>
     /// <exception cref="System.ArgumentNullException"><paramref name="geom"/> is null.</exception>
     public new void Add(Geom geom)
     {
-        Check.NotNull(geom, nameof(geom));
+        Require.NotNull(geom, nameof(geom));
         if (Owner is null)
         {
             TakeIn(geom);
@@ -42,7 +41,7 @@ public class GeomList : List<Geom>
     /// <exception cref="System.ArgumentNullException"><paramref name="geom"/> is null.</exception>
     public new void Remove(Geom geom)
     {
-        Check.NotNull(geom, nameof(geom));
+        Require.NotNull(geom, nameof(geom));
         if (Owner is null)
         {
             TakeOut(geom);

@@ -1,5 +1,4 @@
 using System;
-using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
 
@@ -13,8 +12,8 @@ public sealed partial class Grid
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="gridCellSize"/> is not finite or not above 0.</exception>
     public void ComputeGrid(Geom geometry, float gridCellSize)
     {
-        Check.NotNull(geometry, nameof(geometry));
-        Check.Positive(gridCellSize, nameof(gridCellSize));
+        Require.NotNull(geometry, nameof(geometry));
+        Require.Positive(gridCellSize, nameof(gridCellSize));
         Compute(geometry.LocalVertices, gridCellSize, geometry.GetNearestDistance);
     }
 }

@@ -25,7 +25,7 @@ public sealed class SelectiveSweepCollider : IBroadPhaseCollider, IEngineCollide
 
     /// <summary>The simulator calls it; the collider already knows its geoms by then, so it does nothing.</summary>
     /// <param name="geom">The geom.</param>
-    public void Add(Geom geom) => Check.NotNull(geom, nameof(geom));
+    public void Add(Geom geom) => Require.NotNull(geom, nameof(geom));
 
     /// <summary>The simulator calls it; geoms leave the collider by themselves, so it does nothing.</summary>
     public void ProcessDisposedGeoms()

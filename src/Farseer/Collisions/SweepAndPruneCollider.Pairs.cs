@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
 
@@ -21,7 +20,7 @@ public partial class SweepAndPruneCollider
         /// <exception cref="System.ArgumentNullException">A geom is null.</exception>
         public CollisionPair(Geom g1, Geom g2)
         {
-            bool inOrder = Check.NotNull(g1, nameof(g1)) < Check.NotNull(g2, nameof(g2));
+            bool inOrder = Require.NotNull(g1, nameof(g1)) < Require.NotNull(g2, nameof(g2));
             Geom1 = inOrder ? g1 : g2;
             Geom2 = inOrder ? g2 : g1;
         }

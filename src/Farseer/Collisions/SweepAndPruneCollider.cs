@@ -25,7 +25,7 @@ public partial class SweepAndPruneCollider : IBroadPhaseCollider, IEngineCollide
 
     /// <summary>The simulator calls it; the collider already knows its geoms by then, so it does nothing.</summary>
     /// <param name="geom">The geom.</param>
-    public void Add(Geom geom) => Check.NotNull(geom, nameof(geom));
+    public void Add(Geom geom) => Require.NotNull(geom, nameof(geom));
 
     /// <summary>The simulator calls it; geoms leave the collider by themselves, so it does nothing.</summary>
     public void ProcessDisposedGeoms()
@@ -51,7 +51,7 @@ public partial class SweepAndPruneCollider : IBroadPhaseCollider, IEngineCollide
     /// <returns>False if a filter, a disabled body or two static bodies forbid it.</returns>
     /// <exception cref="System.ArgumentNullException">A geom is null.</exception>
     public static bool DoCollision(Geom g1, Geom g2) =>
-        EngineCollider.MayCollide(Check.NotNull(g1, nameof(g1)), Check.NotNull(g2, nameof(g2)));
+        EngineCollider.MayCollide(Require.NotNull(g1, nameof(g1)), Require.NotNull(g2, nameof(g2)));
 
     /// <summary>Teleports are found by themselves, so there is nothing to force and it does nothing.</summary>
     public void ForceNonIncrementalUpdate()

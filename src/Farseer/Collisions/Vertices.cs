@@ -23,6 +23,9 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// </remarks>
 public partial class Vertices : List<Vector2>
 {
+    /// <summary>More edges than that a circle surely has by mistake; the work that they cause grows faster than their number.</summary>
+    internal const int MostEdges = 65536;
+
     /// <summary>Makes an empty list.</summary>
     public Vertices()
     {
@@ -81,10 +84,10 @@ public partial class Vertices : List<Vector2>
 
     /// <summary>Makes a regular polygon that approximates a circle around the origin.</summary>
     /// <param name="radius">The distance of the corners from the origin, in world units; above 0.</param>
-    /// <param name="numberOfEdges">The number of corners; 3 or more.</param>
+    /// <param name="numberOfEdges">The number of corners; from 3 to 65536.</param>
     /// <returns>The corners, from (radius, 0) on towards negative y.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="radius"/> is not a finite number above 0, or
-    /// <paramref name="numberOfEdges"/> is below 3.</exception>
+    /// <paramref name="numberOfEdges"/> is out of its range.</exception>
     public static Vertices CreateCircle(float radius, int numberOfEdges)
     {
         Require.Positive(radius, nameof(radius));
@@ -94,15 +97,15 @@ public partial class Vertices : List<Vector2>
     /// <summary>Makes a polygon that approximates an ellipse around the origin.</summary>
     /// <param name="xRadius">Half its width, in world units; above 0.</param>
     /// <param name="yRadius">Half its height, in world units; above 0.</param>
-    /// <param name="numberOfEdges">The number of corners; 3 or more.</param>
+    /// <param name="numberOfEdges">The number of corners; from 3 to 65536.</param>
     /// <returns>The corners, from (xRadius, 0) on towards negative y, at equal steps of the parameter angle.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A radius is not a finite number above 0, or
-    /// <paramref name="numberOfEdges"/> is below 3.</exception>
+    /// <paramref name="numberOfEdges"/> is out of its range.</exception>
     public static Vertices CreateEllipse(float xRadius, float yRadius, int numberOfEdges)
     {
         Require.Positive(xRadius, nameof(xRadius));
         Require.Positive(yRadius, nameof(yRadius));
-        Require.AtLeast(numberOfEdges, 3, nameof(numberOfEdges));
+        Require.Within(numberOfEdges, 3, MostEdges, nameof(numberOfEdges));
 
         // The angle is rounded to float before the sine is taken: that gives the very points of version 2.0.1.
         var step = MathHelper.TwoPi / numberOfEdges;

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 
 namespace FarseerGames.FarseerPhysics.Dynamics;
@@ -21,7 +20,7 @@ public class ArbiterList : List<Arbiter>
     /// <exception cref="ArgumentNullException"><paramref name="action"/> is null.</exception>
     public void ForEachSafe(Action<Arbiter> action)
     {
-        Check.NotNull(action, nameof(action));
+        Require.NotNull(action, nameof(action));
         foreach (Arbiter arbiter in ToArray())
         {
             action(arbiter);
@@ -33,7 +32,7 @@ public class ArbiterList : List<Arbiter>
     /// <exception cref="ArgumentNullException"><paramref name="match"/> is null.</exception>
     public void RemoveAllSafe(Predicate<Arbiter> match)
     {
-        Check.NotNull(match, nameof(match));
+        Require.NotNull(match, nameof(match));
         for (int i = Count - 1; i >= 0; i--)
         {
             if (i < Count && match(this[i]))
@@ -58,7 +57,7 @@ public class ArbiterList : List<Arbiter>
 
     private void RemoveToPool(Pool<Arbiter> arbiterPool, Predicate<Arbiter> match)
     {
-        Check.NotNull(arbiterPool, nameof(arbiterPool));
+        Require.NotNull(arbiterPool, nameof(arbiterPool));
         for (int i = Count - 1; i >= 0; i--)
         {
             Arbiter arbiter = this[i];

@@ -1,7 +1,6 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
-using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
@@ -39,7 +38,9 @@ public partial class Body
     public void ApplyForce(ref Vector2 amount)
     {
         ThrowIfDisposed();
-        Link.ForceRef.Force += Check.Finite(amount, nameof(amount));
+        Require.Finite(amount, nameof(amount));
+        Note(nameof(ApplyForce));
+        Link.ForceRef.Force += amount;
     }
 
     /// <summary>Adds a force that acts at a point of the body.</summary>
@@ -55,8 +56,9 @@ public partial class Body
     public void ApplyForceAtLocalPoint(ref Vector2 amount, ref Vector2 point)
     {
         ThrowIfDisposed();
-        Check.Finite(amount, nameof(amount));
-        Check.Finite(point, nameof(point));
+        Require.Finite(amount, nameof(amount));
+        Require.Finite(point, nameof(point));
+        Note(nameof(ApplyForceAtLocalPoint));
         Vector2 offset = Turned(in Link.PoseRef, point);
         AddForceAt(amount, offset);
         Swing += Vector2.Dot(offset, amount);
@@ -76,8 +78,9 @@ public partial class Body
     public void ApplyForceAtWorldPoint(ref Vector2 amount, ref Vector2 point)
     {
         ThrowIfDisposed();
-        Check.Finite(amount, nameof(amount));
-        Check.Finite(point, nameof(point));
+        Require.Finite(amount, nameof(amount));
+        Require.Finite(point, nameof(point));
+        Note(nameof(ApplyForceAtWorldPoint));
         AddForceAt(amount, OffsetOf(point));
     }
 
@@ -90,7 +93,9 @@ public partial class Body
     public void ApplyTorque(float torque)
     {
         ThrowIfDisposed();
-        Link.ForceRef.Torque += Check.Finite(torque, nameof(torque));
+        Require.Finite(torque, nameof(torque));
+        Note(nameof(ApplyTorque));
+        Link.ForceRef.Torque += torque;
     }
 
     /// <summary>Drops the torque gathered since the last update.</summary>
@@ -117,7 +122,9 @@ public partial class Body
     public void ApplyImpulse(ref Vector2 amount)
     {
         ThrowIfDisposed();
-        Impulse += Check.Finite(amount, nameof(amount));
+        Require.Finite(amount, nameof(amount));
+        Note(nameof(ApplyImpulse));
+        Impulse += amount;
         Simulator?.NotePending(this);
     }
 
@@ -135,7 +142,9 @@ public partial class Body
     public void ApplyAngularImpulse(ref float amount)
     {
         ThrowIfDisposed();
-        AngularVelocity += Check.Finite(amount, nameof(amount)) * InverseMomentOfInertia;
+        Require.Finite(amount, nameof(amount));
+        Note(nameof(ApplyAngularImpulse));
+        AngularVelocity += amount * InverseMomentOfInertia;
     }
 
     /// <summary>Stops the body: velocities, force, torque and stored impulse become zero.</summary>

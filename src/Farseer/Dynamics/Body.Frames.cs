@@ -1,7 +1,6 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
-using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
@@ -11,7 +10,7 @@ public partial class Body
     private const double Turn = 2 * Math.PI;
 
     /// <summary>Place of the centre of mass. Default (0, 0). Kept in double precision inside; see <see cref="PositionX"/>.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite or beyond 9.2·10¹⁸.</exception>
     public Vector2 Position
     {
         get
@@ -22,32 +21,33 @@ public partial class Body
 
         set
         {
-            Check.Finite(value, nameof(value));
+            Require.Place(value.X, value, nameof(Position));
+            Require.Place(value.Y, value, nameof(Position));
             SetPosition(value.X, value.Y);
         }
     }
 
     /// <summary>x of the position in full precision: 10⁷ lengths from the origin nothing is lost. (An addition to the original.)</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite or beyond 9.2·10¹⁸.</exception>
     public double PositionX
     {
         get => Link.PoseRef.X;
-        set => SetPosition(value, PositionY);
+        set => SetPosition(Require.Place(value, nameof(PositionX)), PositionY);
     }
 
     /// <summary>y of the position in full precision. (An addition to the original.)</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite or beyond 9.2·10¹⁸.</exception>
     public double PositionY
     {
         get => Link.PoseRef.Y;
-        set => SetPosition(PositionX, value);
+        set => SetPosition(PositionX, Require.Place(value, nameof(PositionY)));
     }
 
     /// <summary>
     /// Rotation in [0, 2π). Setting it sets <see cref="Revolutions"/> to the whole turns of the value (see
     /// <see cref="Farseer201Quirks.RotationSetAddsRevolutions"/>). Default 0.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite or beyond 9.2·10¹⁸.</exception>
     public float Rotation
     {
         get
@@ -59,12 +59,13 @@ public partial class Body
         set
         {
             ThrowIfDisposed();
-            double angle = Check.Finite(value, nameof(value));
+            double angle = Require.Place(value, nameof(Rotation));
             if (Simulator is not null && (Simulator.Quirks & Farseer201Quirks.RotationSetAddsRevolutions) != 0)
             {
                 angle += Turn * Revolutions;
             }
 
+            Note(nameof(Rotation));
             Link.SetAngle(angle);
             RaiseUpdated();
         }
@@ -99,11 +100,14 @@ public partial class Body
     /// <summary>Sets the position in full precision. (An addition to the original.)</summary>
     /// <param name="x">x of the new position; finite.</param>
     /// <param name="y">y of the new position; finite.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A value is not finite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A value is not finite or beyond 9.2·10¹⁸.</exception>
     public void SetPosition(double x, double y)
     {
         ThrowIfDisposed();
-        Link.SetPosition(Check.Finite(x, nameof(x)), Check.Finite(y, nameof(y)));
+        Require.Place(x, nameof(x));
+        Require.Place(y, nameof(y));
+        Note(nameof(Position));
+        Link.SetPosition(x, y);
         RaiseUpdated();
     }
 

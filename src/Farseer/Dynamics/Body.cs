@@ -19,6 +19,8 @@ public partial class Body : IDisposable
     internal readonly BodyLink Link = new BodyLink();
 
     private UpdatedEventHandler? _updated;
+    private float _idleTime;
+    private float _minimumVelocity = 55;
     private double _toldX;
     private double _toldY;
     private double _toldAngle;
@@ -42,7 +44,7 @@ public partial class Body : IDisposable
     public Body(Body body)
         : this()
     {
-        Check.NotNull(body, nameof(body));
+        Require.NotNull(body, nameof(body));
         Mass = body.Mass;
         MomentOfInertia = body.MomentOfInertia;
         LinearDragCoefficient = body.LinearDragCoefficient;
@@ -79,7 +81,7 @@ public partial class Body : IDisposable
     public float Mass
     {
         get => Link.MassRef.Mass;
-        set => SetMass(Check.Positive(value, nameof(value)), MomentOfInertia);
+        set => SetMass(Require.Invertible(value, nameof(Mass)), MomentOfInertia);
     }
 
     /// <summary>Moment of inertia about the body's position, mass times length squared; finite and above 0. Default 1.</summary>
@@ -87,7 +89,7 @@ public partial class Body : IDisposable
     public float MomentOfInertia
     {
         get => Link.MassRef.Inertia;
-        set => SetMass(Mass, Check.Positive(value, nameof(value)));
+        set => SetMass(Mass, Require.Invertible(value, nameof(MomentOfInertia)));
     }
 
     /// <summary>1 / <see cref="Mass"/>, or 0 for a static or kinematic body.</summary>
@@ -100,8 +102,18 @@ public partial class Body : IDisposable
     public bool Enabled
     {
         get => (Link.UserFlags & BodyFlags.Enabled) != 0;
-        set => SetFlag(BodyFlags.Enabled, value);
+        set
+        {
+            SetFlag(BodyFlags.Enabled, value);
+            IsQuarantined = false;
+        }
     }
+
+    /// <summary>
+    /// True once the simulator has disabled the body because its velocity or place was no longer a number; see
+    /// <see cref="PhysicsSimulator.BodyQuarantined"/>. Setting <see cref="Enabled"/> makes it false. (An addition to the original.)
+    /// </summary>
+    public bool IsQuarantined { get; private set; }
 
     /// <summary>A static body never moves by itself and acts as infinitely heavy. Default false.</summary>
     public bool IsStatic
@@ -143,7 +155,7 @@ public partial class Body : IDisposable
     public float LinearDragCoefficient
     {
         get => Link.DragRef.Linear;
-        set => Link.DragRef.Linear = Check.NotNegative(value, nameof(value));
+        set => Link.DragRef.Linear = Require.NotNegative(value, nameof(LinearDragCoefficient));
     }
 
     /// <summary>q of the drag force −q·|v|·v, used while <see cref="IsQuadraticDragEnabled"/>; at least 0. Default 0.001.</summary>
@@ -151,7 +163,7 @@ public partial class Body : IDisposable
     public float QuadraticDragCoefficient
     {
         get => Link.DragRef.Quadratic;
-        set => Link.DragRef.Quadratic = Check.NotNegative(value, nameof(value));
+        set => Link.DragRef.Quadratic = Require.NotNegative(value, nameof(QuadraticDragCoefficient));
     }
 
     /// <summary>r of the drag torque −r·ω·|ω|; at least 0. Default 0.001.</summary>
@@ -159,23 +171,39 @@ public partial class Body : IDisposable
     public float RotationalDragCoefficient
     {
         get => Link.DragRef.Rotational;
-        set => Link.DragRef.Rotational = Check.NotNegative(value, nameof(value));
+        set => Link.DragRef.Rotational = Require.NotNegative(value, nameof(RotationalDragCoefficient));
     }
 
     /// <summary>True lets an inactivity controller disable the body when it rests. Default false.</summary>
     public bool IsAutoIdle { get; set; }
 
     /// <summary>How long the body has been slower than <see cref="MinimumVelocity"/>, milliseconds; kept by an inactivity controller.</summary>
-    public float IdleTime { get; set; }
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float IdleTime
+    {
+        get => _idleTime;
+        set => _idleTime = Require.NotNegative(value, nameof(IdleTime));
+    }
 
     /// <summary>Speed from which on the body counts as moving, length/s. Default 55.</summary>
-    public float MinimumVelocity { get; set; } = 55;
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float MinimumVelocity
+    {
+        get => _minimumVelocity;
+        set => _minimumVelocity = Require.NotNegative(value, nameof(MinimumVelocity));
+    }
 
     /// <summary>True if the speed of the body is at least <see cref="MinimumVelocity"/>.</summary>
     public bool Moves => LinearVelocity.LengthSquared() >= MinimumVelocity * MinimumVelocity;
 
     /// <summary>Made static by a sensor quirk, which in the original left the inverse mass as it was.</summary>
     internal bool IsStaticBySensor { get; set; }
+
+    /// <summary>The last member called to change motion, place or mass.</summary>
+    internal string? LastCall { get; private set; }
+
+    /// <summary>The step after which <see cref="LastCall"/> came.</summary>
+    internal long LastCallStep { get; private set; }
 
     internal PhysicsSimulator? Simulator { get; set; }
 
@@ -255,6 +283,13 @@ public partial class Body : IDisposable
         }
     }
 
+    /// <summary>Takes over that the engine has disabled the body.</summary>
+    internal void Quarantine()
+    {
+        Link.SetUserFlags(Link.UserFlags & ~BodyFlags.Enabled);
+        IsQuarantined = true;
+    }
+
     internal void ThrowIfDisposed()
     {
         if (IsDisposed)
@@ -263,9 +298,16 @@ public partial class Body : IDisposable
         }
     }
 
+    private void Note(string call)
+    {
+        LastCall = call;
+        LastCallStep = Simulator is null ? 0 : Simulator.StepCount;
+    }
+
     private void SetMass(float mass, float inertia)
     {
         ThrowIfDisposed();
+        Note("Mass or MomentOfInertia");
         Link.SetMass(mass, inertia);
     }
 

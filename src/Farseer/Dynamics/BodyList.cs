@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
@@ -26,7 +25,7 @@ public class BodyList : List<Body>
     /// <exception cref="System.ArgumentNullException"><paramref name="body"/> is null.</exception>
     public new void Add(Body body)
     {
-        Check.NotNull(body, nameof(body));
+        Require.NotNull(body, nameof(body));
         if (Owner is null)
         {
             TakeIn(body);
@@ -42,7 +41,7 @@ public class BodyList : List<Body>
     /// <exception cref="System.ArgumentNullException"><paramref name="body"/> is null.</exception>
     public new void Remove(Body body)
     {
-        Check.NotNull(body, nameof(body));
+        Require.NotNull(body, nameof(body));
         if (Owner is null)
         {
             TakeOut(body);

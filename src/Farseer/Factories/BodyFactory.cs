@@ -11,6 +11,8 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// </summary>
 public class BodyFactory
 {
+    private Farseer201Quirks _quirks;
+
     private BodyFactory()
     {
     }
@@ -22,7 +24,14 @@ public class BodyFactory
     /// Quirks of the inertia formulas that the overloads without a simulator use too; those with one use the quirks of both.
     /// Default <see cref="Farseer201Quirks.None"/>. (An addition to the original.)
     /// </summary>
-    public Farseer201Quirks Quirks { get; set; }
+    /// <exception cref="ArgumentOutOfRangeException">The value has a bit that is no member of the enum.</exception>
+    public Farseer201Quirks Quirks
+    {
+        get => _quirks;
+        set => _quirks = (value & ~Farseer201Quirks.All) == 0
+            ? value
+            : throw Require.Range(nameof(Quirks), value, "must be made of members of the enum Farseer201Quirks");
+    }
 
     /// <summary>Makes a body with the inertia of a rectangle, m (w² + h²) / 12, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
@@ -33,7 +42,7 @@ public class BodyFactory
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
     public Body CreateRectangleBody(PhysicsSimulator physicsSimulator, float width, float height, float mass) =>
-        Added(physicsSimulator, CreateRectangleBody(width, height, mass));
+        Added(Ready(physicsSimulator), CreateRectangleBody(width, height, mass));
 
     /// <summary>Makes a body with the inertia of a rectangle, m (w² + h²) / 12.</summary>
     /// <param name="width">Width; finite and above 0.</param>
@@ -43,8 +52,8 @@ public class BodyFactory
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
     public Body CreateRectangleBody(float width, float height, float mass)
     {
-        double w = Check.Positive(width, nameof(width));
-        double h = Check.Positive(height, nameof(height));
+        double w = Require.Positive(width, nameof(width));
+        double h = Require.Positive(height, nameof(height));
         return Make(mass, ((w * w) + (h * h)) / 12);
     }
 
@@ -56,7 +65,7 @@ public class BodyFactory
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
     public Body CreateCircleBody(PhysicsSimulator physicsSimulator, float radius, float mass) =>
-        Added(physicsSimulator, CreateCircleBody(radius, mass));
+        Added(Ready(physicsSimulator), CreateCircleBody(radius, mass));
 
     /// <summary>Makes a body with the inertia of a disc, m r² / 2.</summary>
     /// <param name="radius">Radius; finite and above 0.</param>
@@ -65,7 +74,7 @@ public class BodyFactory
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
     public Body CreateCircleBody(float radius, float mass)
     {
-        double r = Check.Positive(radius, nameof(radius));
+        double r = Require.Positive(radius, nameof(radius));
         return Make(mass, r * r / 2);
     }
 
@@ -78,7 +87,7 @@ public class BodyFactory
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
     public Body CreateEllipseBody(PhysicsSimulator physicsSimulator, float xRadius, float yRadius, float mass) =>
-        Added(physicsSimulator, Ellipse(xRadius, yRadius, mass, Check.NotNull(physicsSimulator, nameof(physicsSimulator)).Quirks));
+        Added(Ready(physicsSimulator), Ellipse(xRadius, yRadius, mass, physicsSimulator.Quirks));
 
     /// <summary>Makes a body with the inertia of an ellipse, m (rx² + ry²) / 4.</summary>
     /// <param name="xRadius">Radius along x; finite and above 0.</param>
@@ -96,7 +105,7 @@ public class BodyFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">The outline has fewer than three vertices, no area, or crosses itself.</exception>
     public Body CreatePolygonBody(PhysicsSimulator physicsSimulator, Vertices vertices, float mass) =>
-        Added(physicsSimulator, Polygon(vertices, mass, Check.NotNull(physicsSimulator, nameof(physicsSimulator)).Quirks));
+        Added(Ready(physicsSimulator), Polygon(vertices, mass, physicsSimulator.Quirks));
 
     /// <summary>Makes a body with the inertia of a polygon about its centroid, at the centroid.</summary>
     /// <param name="vertices">A simple outline; not changed.</param>
@@ -114,7 +123,7 @@ public class BodyFactory
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
     public Body CreateBody(PhysicsSimulator physicsSimulator, float mass, float momentOfInertia) =>
-        Added(physicsSimulator, CreateBody(mass, momentOfInertia));
+        Added(Ready(physicsSimulator), CreateBody(mass, momentOfInertia));
 
     /// <summary>Makes a plain body with a given moment of inertia.</summary>
     /// <param name="mass">Mass; finite and above 0.</param>
@@ -123,8 +132,8 @@ public class BodyFactory
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
     public Body CreateBody(float mass, float momentOfInertia)
     {
-        Check.Positive(mass, nameof(mass));
-        Check.Positive(momentOfInertia, nameof(momentOfInertia));
+        Require.Invertible(mass, nameof(mass));
+        Require.Invertible(momentOfInertia, nameof(momentOfInertia));
         return new Body { Mass = mass, MomentOfInertia = momentOfInertia };
     }
 
@@ -133,7 +142,7 @@ public class BodyFactory
     /// <param name="body">The body to copy.</param>
     /// <returns>The body.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    public Body CreateBody(PhysicsSimulator physicsSimulator, Body body) => Added(physicsSimulator, CreateBody(body));
+    public Body CreateBody(PhysicsSimulator physicsSimulator, Body body) => Added(Ready(physicsSimulator), CreateBody(body));
 
     /// <summary>Makes a body like another (see <see cref="Body(Body)"/>).</summary>
     /// <param name="body">The body to copy.</param>
@@ -143,8 +152,8 @@ public class BodyFactory
 
     private Body Ellipse(float xRadius, float yRadius, float mass, Farseer201Quirks quirks)
     {
-        double x = Check.Positive(xRadius, nameof(xRadius));
-        double y = Check.Positive(yRadius, nameof(yRadius));
+        double x = Require.Positive(xRadius, nameof(xRadius));
+        double y = Require.Positive(yRadius, nameof(yRadius));
         bool wrong = x != y && ((quirks | Quirks) & Farseer201Quirks.EllipseInertiaFromRectangle) != 0;
         return Make(mass, ((x * x) + (y * y)) / (wrong ? 12 : 4));
     }
@@ -160,13 +169,19 @@ public class BodyFactory
 
     private static Body Make(float mass, double inertiaPerMass)
     {
-        Check.Positive(mass, nameof(mass));
+        Require.Invertible(mass, nameof(mass));
         return new Body { Mass = mass, MomentOfInertia = (float)(mass * inertiaPerMass) };
     }
 
     private static Body Added(PhysicsSimulator physicsSimulator, Body body)
     {
-        Check.NotNull(physicsSimulator, nameof(physicsSimulator)).Add(body);
+        physicsSimulator.Add(body);
         return body;
+    }
+
+    private static PhysicsSimulator Ready(PhysicsSimulator physicsSimulator)
+    {
+        Require.NotNull(physicsSimulator, nameof(physicsSimulator)).ThrowIfDisposed();
+        return physicsSimulator;
     }
 }

@@ -13,17 +13,17 @@ public partial class GeomFactory
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="radius">Radius; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateCircleGeom(PhysicsSimulator physicsSimulator, Body body, float radius, int numberOfEdges) =>
-        Added(physicsSimulator, CreateCircleGeom(body, radius, numberOfEdges));
+        Added(Ready(physicsSimulator, body), CreateCircleGeom(body, radius, numberOfEdges));
 
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="radius">Radius; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
@@ -34,18 +34,18 @@ public partial class GeomFactory
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="radius">Radius; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateCircleGeom(PhysicsSimulator physicsSimulator, Body body, float radius, int numberOfEdges, float collisionGridCellSize) =>
-        Added(physicsSimulator, CreateCircleGeom(body, radius, numberOfEdges, collisionGridCellSize));
+        Added(Ready(physicsSimulator, body), CreateCircleGeom(body, radius, numberOfEdges, collisionGridCellSize));
 
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="radius">Radius; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
@@ -57,19 +57,19 @@ public partial class GeomFactory
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="radius">Radius; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateCircleGeom(PhysicsSimulator physicsSimulator, Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset) =>
-        Added(physicsSimulator, CreateCircleGeom(body, radius, numberOfEdges, offset, rotationOffset));
+        Added(Ready(physicsSimulator, body), CreateCircleGeom(body, radius, numberOfEdges, offset, rotationOffset));
 
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="radius">Radius; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
     /// <returns>The geom.</returns>
@@ -82,7 +82,7 @@ public partial class GeomFactory
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="radius">Radius; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
@@ -90,12 +90,12 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateCircleGeom(PhysicsSimulator physicsSimulator, Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize) =>
-        Added(physicsSimulator, CreateCircleGeom(body, radius, numberOfEdges, offset, rotationOffset, collisionGridCellSize));
+        Added(Ready(physicsSimulator, body), CreateCircleGeom(body, radius, numberOfEdges, offset, rotationOffset, collisionGridCellSize));
 
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="radius">Radius; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
@@ -104,8 +104,8 @@ public partial class GeomFactory
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateCircleGeom(Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize)
     {
-        Check.Positive(radius, nameof(radius));
-        Check.AtLeast(numberOfEdges, 3, nameof(numberOfEdges));
+        Require.Positive(radius, nameof(radius));
+        Require.Within(numberOfEdges, 3, Vertices.MostEdges, nameof(numberOfEdges));
         return new Geom(body, GeomForm.Circle(radius), Vertices.CreateCircle(radius, numberOfEdges), offset, rotationOffset, collisionGridCellSize);
     }
 
@@ -114,18 +114,18 @@ public partial class GeomFactory
     /// <param name="body">The body to attach to.</param>
     /// <param name="xRadius">Radius along x; finite and above 0.</param>
     /// <param name="yRadius">Radius along y; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateEllipseGeom(PhysicsSimulator physicsSimulator, Body body, float xRadius, float yRadius, int numberOfEdges) =>
-        Added(physicsSimulator, CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges));
+        Added(Ready(physicsSimulator, body), CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges));
 
     /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="xRadius">Radius along x; finite and above 0.</param>
     /// <param name="yRadius">Radius along y; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
@@ -137,19 +137,19 @@ public partial class GeomFactory
     /// <param name="body">The body to attach to.</param>
     /// <param name="xRadius">Radius along x; finite and above 0.</param>
     /// <param name="yRadius">Radius along y; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateEllipseGeom(PhysicsSimulator physicsSimulator, Body body, float xRadius, float yRadius, int numberOfEdges, float collisionGridCellSize) =>
-        Added(physicsSimulator, CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, collisionGridCellSize));
+        Added(Ready(physicsSimulator, body), CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, collisionGridCellSize));
 
     /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="xRadius">Radius along x; finite and above 0.</param>
     /// <param name="yRadius">Radius along y; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
@@ -162,20 +162,20 @@ public partial class GeomFactory
     /// <param name="body">The body to attach to.</param>
     /// <param name="xRadius">Radius along x; finite and above 0.</param>
     /// <param name="yRadius">Radius along y; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateEllipseGeom(PhysicsSimulator physicsSimulator, Body body, float xRadius, float yRadius, int numberOfEdges, Vector2 offset, float rotationOffset) =>
-        Added(physicsSimulator, CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, offset, rotationOffset));
+        Added(Ready(physicsSimulator, body), CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, offset, rotationOffset));
 
     /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="xRadius">Radius along x; finite and above 0.</param>
     /// <param name="yRadius">Radius along y; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
     /// <returns>The geom.</returns>
@@ -189,7 +189,7 @@ public partial class GeomFactory
     /// <param name="body">The body to attach to.</param>
     /// <param name="xRadius">Radius along x; finite and above 0.</param>
     /// <param name="yRadius">Radius along y; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
@@ -197,13 +197,13 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateEllipseGeom(PhysicsSimulator physicsSimulator, Body body, float xRadius, float yRadius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize) =>
-        Added(physicsSimulator, CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, offset, rotationOffset, collisionGridCellSize));
+        Added(Ready(physicsSimulator, body), CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, offset, rotationOffset, collisionGridCellSize));
 
     /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="xRadius">Radius along x; finite and above 0.</param>
     /// <param name="yRadius">Radius along y; finite and above 0.</param>
-    /// <param name="numberOfEdges">Edges of the outline; at least 3.</param>
+    /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
@@ -212,9 +212,9 @@ public partial class GeomFactory
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateEllipseGeom(Body body, float xRadius, float yRadius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize)
     {
-        Check.Positive(xRadius, nameof(xRadius));
-        Check.Positive(yRadius, nameof(yRadius));
-        Check.AtLeast(numberOfEdges, 3, nameof(numberOfEdges));
+        Require.Positive(xRadius, nameof(xRadius));
+        Require.Positive(yRadius, nameof(yRadius));
+        Require.Within(numberOfEdges, 3, Vertices.MostEdges, nameof(numberOfEdges));
         return new Geom(body, Vertices.CreateEllipse(xRadius, yRadius, numberOfEdges), offset, rotationOffset, collisionGridCellSize);
     }
 }

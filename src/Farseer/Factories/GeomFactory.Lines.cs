@@ -19,7 +19,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateCapsuleGeom(PhysicsSimulator physicsSimulator, Body body, Vector2 start, Vector2 end, float radius) =>
-        Added(physicsSimulator, CreateCapsuleGeom(body, start, end, radius));
+        Added(Ready(physicsSimulator, body), CreateCapsuleGeom(body, start, end, radius));
 
     /// <summary>Makes a capsule: all points within a radius of a line. (An addition to the original.)</summary>
     /// <param name="body">The body to attach to.</param>
@@ -31,7 +31,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateCapsuleGeom(Body body, Vector2 start, Vector2 end, float radius)
     {
-        Check.Positive(radius, nameof(radius));
+        Require.Positive(radius, nameof(radius));
         CheckLine(start, end);
         return new Geom(body, new GeomForm(FormKind.Capsule, new[] { start, end }, radius, default, false), CapsuleOutline(start, end, radius), Vector2.Zero, 0, 0);
     }
@@ -45,7 +45,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateSegmentGeom(PhysicsSimulator physicsSimulator, Body body, Vector2 start, Vector2 end) =>
-        Added(physicsSimulator, CreateSegmentGeom(body, start, end));
+        Added(Ready(physicsSimulator, body), CreateSegmentGeom(body, start, end));
 
     /// <summary>Makes a line without thickness that collides on both sides. (An addition to the original.)</summary>
     /// <param name="body">The body to attach to.</param>
@@ -69,7 +69,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateChainGeom(PhysicsSimulator physicsSimulator, Body body, Vertices points, bool loop) =>
-        Added(physicsSimulator, CreateChainGeom(body, points, loop));
+        Added(Ready(physicsSimulator, body), CreateChainGeom(body, points, loop));
 
     /// <summary>Makes a chain of lines that feels no seams and collides on one side, the one that (y, -x) of the way from point to point looks to: outwards for a loop in the order from the x axis to the y axis. (An addition to the original.)</summary>
     /// <param name="body">The body to attach to.</param>
@@ -86,8 +86,8 @@ public partial class GeomFactory
 
     private static void CheckLine(Vector2 start, Vector2 end)
     {
-        Check.Finite(start, nameof(start));
-        Check.Finite(end, nameof(end));
+        Require.Finite(start, nameof(start));
+        Require.Finite(end, nameof(end));
         if (start == end)
         {
             throw new ArgumentException("The two ends are the same point, " + start + ".", nameof(end));
@@ -99,7 +99,10 @@ public partial class GeomFactory
     {
         const int PointsAnEnd = 8;
         Vertices circle = Vertices.CreateCircle(radius, 2 * (PointsAnEnd - 1));
-        Vector2 along = Vector2.Normalize(end - start);
+        double dx = (double)end.X - start.X;
+        double dy = (double)end.Y - start.Y;
+        double length = Math.Sqrt((dx * dx) + (dy * dy));
+        var along = new Vector2((float)(dx / length), (float)(dy / length));
         var outline = new Vertices();
         for (int i = 0; i < 2 * PointsAnEnd; i++)
         {

@@ -18,7 +18,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreatePolygonGeom(PhysicsSimulator physicsSimulator, Body body, Vertices vertices, float collisionGridCellSize) =>
-        Added(physicsSimulator, CreatePolygonGeom(body, vertices, collisionGridCellSize));
+        Added(Ready(physicsSimulator, body), CreatePolygonGeom(body, vertices, collisionGridCellSize));
 
     /// <summary>Makes a polygon of any simple outline; the list given is put into the documented order and moved so that its centroid is at the origin.</summary>
     /// <param name="body">The body to attach to.</param>
@@ -41,7 +41,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreatePolygonGeom(PhysicsSimulator physicsSimulator, Body body, Vertices vertices, Vector2 offset, float rotationOffset, float collisionGridCellSize) =>
-        Added(physicsSimulator, CreatePolygonGeom(body, vertices, offset, rotationOffset, collisionGridCellSize));
+        Added(Ready(physicsSimulator, body), CreatePolygonGeom(body, vertices, offset, rotationOffset, collisionGridCellSize));
 
     /// <summary>Makes a polygon of any simple outline; the list given is put into the documented order and moved so that its centroid is at the origin.</summary>
     /// <param name="body">The body to attach to.</param>
@@ -55,7 +55,7 @@ public partial class GeomFactory
     public Geom CreatePolygonGeom(Body body, Vertices vertices, Vector2 offset, float rotationOffset, float collisionGridCellSize)
     {
         Vertices outline = OutlineRules.Normalised(vertices, nameof(vertices));
-        Check.NotNull(body, nameof(body));
+        Require.NotNull(body, nameof(body));
         Vector2 centroid = outline.GetCentroid();
         outline.Translate(-centroid);
         var geom = new Geom(body, GeomForm.Outline(outline), outline, offset, rotationOffset, collisionGridCellSize);

@@ -18,7 +18,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateRectangleGeom(PhysicsSimulator physicsSimulator, Body body, float width, float height) =>
-        Added(physicsSimulator, CreateRectangleGeom(body, width, height));
+        Added(Ready(physicsSimulator, body), CreateRectangleGeom(body, width, height));
 
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners.</summary>
     /// <param name="body">The body to attach to.</param>
@@ -40,7 +40,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateRectangleGeom(PhysicsSimulator physicsSimulator, Body body, float width, float height, float collisionGridCellSize) =>
-        Added(physicsSimulator, CreateRectangleGeom(body, width, height, collisionGridCellSize));
+        Added(Ready(physicsSimulator, body), CreateRectangleGeom(body, width, height, collisionGridCellSize));
 
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners.</summary>
     /// <param name="body">The body to attach to.</param>
@@ -64,7 +64,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateRectangleGeom(PhysicsSimulator physicsSimulator, Body body, float width, float height, Vector2 offset, float rotationOffset) =>
-        Added(physicsSimulator, CreateRectangleGeom(body, width, height, offset, rotationOffset));
+        Added(Ready(physicsSimulator, body), CreateRectangleGeom(body, width, height, offset, rotationOffset));
 
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners.</summary>
     /// <param name="body">The body to attach to.</param>
@@ -90,7 +90,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateRectangleGeom(PhysicsSimulator physicsSimulator, Body body, float width, float height, Vector2 offset, float rotationOffset, float collisionGridCellSize) =>
-        Added(physicsSimulator, CreateRectangleGeom(body, width, height, offset, rotationOffset, collisionGridCellSize));
+        Added(Ready(physicsSimulator, body), CreateRectangleGeom(body, width, height, offset, rotationOffset, collisionGridCellSize));
 
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners.</summary>
     /// <param name="body">The body to attach to.</param>
@@ -104,8 +104,8 @@ public partial class GeomFactory
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateRectangleGeom(Body body, float width, float height, Vector2 offset, float rotationOffset, float collisionGridCellSize)
     {
-        Check.Positive(width, nameof(width));
-        Check.Positive(height, nameof(height));
+        Require.Positive(width, nameof(width));
+        Require.Positive(height, nameof(height));
         return new Geom(body, GeomForm.Box(width, height), Vertices.CreateRectangle(width, height), offset, rotationOffset, collisionGridCellSize);
     }
 }

@@ -1,6 +1,5 @@
 using System;
 using System.Numerics;
-using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -26,7 +25,7 @@ public partial class GeomFactory
     public float GridCellSizeAABBFactor
     {
         get => _gridCellSizeAABBFactor;
-        set => _gridCellSizeAABBFactor = Check.Positive(value, nameof(value));
+        set => _gridCellSizeAABBFactor = Require.Positive(value, nameof(GridCellSizeAABBFactor));
     }
 
     /// <summary>The cell size picked for an outline: the shorter side of its box times <see cref="GridCellSizeAABBFactor"/>.</summary>
@@ -44,7 +43,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateGeom(PhysicsSimulator physicsSimulator, Body body, Geom geometry) =>
-        Added(physicsSimulator, CreateGeom(body, geometry));
+        Added(Ready(physicsSimulator, body), CreateGeom(body, geometry));
 
     /// <summary>Makes a copy of a geom for another body: shape, material and filters are copied, handlers and tag are not.</summary>
     /// <param name="body">The body to attach to.</param>
@@ -65,7 +64,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateGeom(PhysicsSimulator physicsSimulator, Body body, Geom geometry, Vector2 offset, float rotationOffset) =>
-        Added(physicsSimulator, CreateGeom(body, geometry, offset, rotationOffset));
+        Added(Ready(physicsSimulator, body), CreateGeom(body, geometry, offset, rotationOffset));
 
     /// <summary>Makes a copy of a geom for another body at another offset.</summary>
     /// <param name="body">The body to attach to.</param>
@@ -80,7 +79,20 @@ public partial class GeomFactory
 
     private static Geom Added(PhysicsSimulator physicsSimulator, Geom geom)
     {
-        Check.NotNull(physicsSimulator, nameof(physicsSimulator)).Add(geom);
+        physicsSimulator.Add(geom);
         return geom;
+    }
+
+    /// <summary>Checks simulator and body before a geom is made: a refusal must not leave a geom on the body.</summary>
+    private static PhysicsSimulator Ready(PhysicsSimulator physicsSimulator, Body body)
+    {
+        Require.NotNull(physicsSimulator, nameof(physicsSimulator)).ThrowIfDisposed();
+        Require.NotNull(body, nameof(body)).ThrowIfDisposed();
+        if (body.Simulator is not null && !ReferenceEquals(body.Simulator, physicsSimulator))
+        {
+            throw new ArgumentException("The body belongs to another simulator.", nameof(body));
+        }
+
+        return physicsSimulator;
     }
 }

@@ -1,0 +1,21 @@
+using System;
+
+namespace Farseer.Engine.Bodies;
+
+/// <summary>
+/// What a body's state may be: everything whose squares and their sums are finite floats. Beyond that a kernel would make
+/// infinities of finite numbers, and of those, by the next difference, numbers that are none and spread over the contacts.
+/// </summary>
+internal static class StateRange
+{
+    /// <summary>2⁶³; NaN fails every comparison with it.</summary>
+    public const float Limit = 9.223372e18f;
+
+    public static bool Holds(in BodyState state) =>
+        Math.Abs(state.LinearVelocity.X) <= Limit & Math.Abs(state.LinearVelocity.Y) <= Limit & Math.Abs(state.AngularVelocity) <= Limit;
+
+    public static bool Holds(double x, double y, double angle) =>
+        Math.Abs(x) <= Limit & Math.Abs(y) <= Limit & Math.Abs(angle) <= Limit;
+
+    public static bool Holds(in BodyState state, in BodyPose pose) => Holds(state) & Holds(pose.X, pose.Y, pose.Angle);
+}

@@ -1,0 +1,63 @@
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Solver;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>Takes bodies out whose state left its range, so that the others do not catch it.</summary>
+internal sealed partial class World
+{
+    /// <summary>Bodies that the last step took out.</summary>
+    public int QuarantinedCount => _lists.OutcastCount;
+
+    public QuarantineRecord Quarantined(int index) => _lists.Outcast(index);
+
+    private void CollectBodies()
+    {
+        _lists.Collect(Bodies);
+        if (_lists.OutcastCount > 0)
+        {
+            Isolate();
+            PurgeNow();
+        }
+    }
+
+    private void FinishBodiesOfStep()
+    {
+        // What was found at the start is isolated already, unless a callback enabled it since.
+        _lists.Finish(Bodies);
+        if (_lists.OutcastCount > 0)
+        {
+            Isolate();
+        }
+    }
+
+    /// <summary>
+    /// Disables the outcasts and lets them stand still at the last place that was in range: enabling
+    /// them is then enough to use them again. Their contacts end as those of any body that is disabled.
+    /// </summary>
+    private void Isolate()
+    {
+        for (int i = 0; i < _lists.OutcastCount; i++)
+        {
+            int body = _lists.Outcast(i).Body;
+            Bodies.Flags[body] = (Bodies.Flags[body] & ~BodyFlags.Enabled) | BodyFlags.Quarantined | BodyFlags.Moved;
+            ref BodyState state = ref Bodies.State[body];
+            state.LinearVelocity = Vector2.Zero;
+            state.AngularVelocity = 0;
+            state.DeltaPosition = Vector2.Zero;
+            state.DeltaSin = 0;
+            state.DeltaCos = 1;
+            Bodies.Motion[body] = default;
+            Bodies.Residual[body] = default;
+            ref BodyPose pose = ref Bodies.Pose[body];
+            if (!StateRange.Holds(pose.X, pose.Y, pose.Angle))
+            {
+                pose = default;
+                FinishBodies.UpdateRotor(ref pose);
+            }
+
+            MarkStale(body);
+        }
+    }
+}
