@@ -1,0 +1,24 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Farseer.Tests.Shared;
+
+namespace Farseer.Determinism.Tests;
+
+/// <summary>State hashes after 600 steps as the repository holds them: a line each, name and hash.</summary>
+internal static class GoldenHashes
+{
+    public const string Renew = "FARSEER_UPDATE_HASHES=1 dotnet test -c Release tests/Farseer.Determinism.Tests";
+
+    private const string Head =
+        "# State hashes of five sample scenes after 600 steps; the same for both assets, Debug and Release, any vector width.\n"
+        + "# A change of the solver changes them. To renew: " + Renew + "\n";
+
+    private static readonly string _file = Path.Combine(Clone.Root, "tests", "data", "golden-hashes.txt");
+
+    public static IReadOnlyList<string> Scenes { get; } = ["dominoes", "gears", "circle-pile", "falling-stack", "chain-terrain"];
+
+    public static IReadOnlyList<string> Read() => [.. File.ReadAllLines(_file).Where(l => l.Length > 0 && l[0] != '#')];
+
+    public static void Write(IEnumerable<string> lines) => File.WriteAllText(_file, Head + string.Concat(lines.Select(l => l + "\n")));
+}
