@@ -11,8 +11,16 @@ internal static class Sandbox
 {
     public const float Step = 0.01f;
 
-    /// <summary>A simulator in which things fall, and how far down a floor is that has its surface at y = 0.</summary>
+    /// <summary>A simulator in which things fall, y down.</summary>
     public static PhysicsSimulator Falling(float gravity = 100) => new PhysicsSimulator(new Vector2(0, gravity));
+
+    /// <summary>A simulator in which things fall on <see cref="Floor"/>.</summary>
+    public static PhysicsSimulator WithFloor(out Geom floor)
+    {
+        PhysicsSimulator simulator = Falling();
+        floor = Floor(simulator);
+        return simulator;
+    }
 
     /// <summary>A static floor, 400 wide, whose surface is at y = 0.</summary>
     public static Geom Floor(PhysicsSimulator simulator)
@@ -45,11 +53,11 @@ internal static class Sandbox
         body.RotationalDragCoefficient = 0;
     }
 
-    public static void Run(PhysicsSimulator simulator, int steps)
+    public static void Run(PhysicsSimulator simulator, int steps, float dt = Step)
     {
         for (int i = 0; i < steps; i++)
         {
-            simulator.Update(Step);
+            simulator.Update(dt);
         }
     }
 

@@ -74,6 +74,50 @@ public class CollisionFilterTests
     }
 
     [Fact]
+    [ManualRow("F258")]
+    public void Categories_OfTheManualsExample_LeaveEachOtherOut()
+    {
+        AssertCollides(false, (a, b) =>
+        {
+            a.CollisionCategories = CollisionCategory.Cat5;
+            a.CollidesWith = CollisionCategory.All & ~CollisionCategory.Cat4;
+            b.CollisionCategories = CollisionCategory.Cat4;
+            b.CollidesWith = CollisionCategory.All & ~CollisionCategory.Cat5;
+        });
+        AssertCollides(true, (a, b) =>
+        {
+            a.CollisionCategories = CollisionCategory.Cat5;
+            a.CollidesWith = CollisionCategory.All & ~CollisionCategory.Cat4;
+            b.CollisionCategories = CollisionCategory.Cat3;
+            b.CollidesWith = CollisionCategory.All & ~CollisionCategory.Cat6;
+        });
+    }
+
+    [Theory]
+    [InlineData(10, false)]
+    [InlineData(11, true)]
+    [ManualRow("F259")]
+    public void Group_OfTheManualsExample_LeavesTwoOverlappingGeomsWhereTheyAre(int groupOfSecond, bool parts)
+    {
+        var simulator = new PhysicsSimulator();
+        Geom a = Sandbox.Box(simulator, Vector2.Zero);
+        Geom b = Sandbox.Box(simulator, new Vector2(10, 0));
+        a.CollisionGroup = 10;
+        b.CollisionGroup = groupOfSecond;
+        Sandbox.Run(simulator, 50);
+        float distance = b.Position.X - a.Position.X;
+        if (parts)
+        {
+            Assert.InRange(distance, 19, 21);
+        }
+        else
+        {
+            Assert.Equal(10, distance);
+            Assert.Empty(simulator.ArbiterList);
+        }
+    }
+
+    [Fact]
     public void Group_IsStrongerThanCategories()
     {
         AssertCollides(false, (a, b) =>
