@@ -8,10 +8,17 @@ namespace Farseer.Tests;
 /// <summary>
 /// Names a row of tests/data/manual-farseer.tsv that a test proves; the test can be selected with <c>--filter ManualRow=F307</c>.
 /// </summary>
-[TraitDiscoverer("Farseer.Tests.ManualRowDiscoverer", "Farseer.Tests")]
+[TraitDiscoverer("Farseer.Tests.ManualRowDiscoverer", AssemblyName)]
 [AttributeUsage(AttributeTargets.Method | AttributeTargets.Class, AllowMultiple = true)]
 public sealed class ManualRowAttribute : Attribute, ITraitAttribute
 {
+    /// <summary>The discoverer is looked up by the name of the assembly, and these sources are compiled into two.</summary>
+#if NETSTANDARD_ASSET
+    internal const string AssemblyName = "Farseer.Tests.NetStandard";
+#else
+    internal const string AssemblyName = "Farseer.Tests";
+#endif
+
     public ManualRowAttribute(string id)
     {
         Id = id;
