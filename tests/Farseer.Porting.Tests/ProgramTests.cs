@@ -32,7 +32,8 @@ namespace Farseer.Porting.Tests
             Assert.InRange(game.Jumps, 1, 3);
             Assert.True(game.IsOnGround);
             Assert.InRange(game.Position.Y, 134, 134.1f);
-            Assert.Equal(0, game.Rotation);
+            // The largest float as inertia: only rounding-sized turns.
+            Assert.InRange(game.Rotation, -1e-30f, 1e-30f);
         }
 
         [Fact]
@@ -116,12 +117,13 @@ namespace Farseer.Porting.Tests
                 game.Update(Dt, 1, false);
             }
 
-            for (int i = 0; i < 60; i++)
+            for (int i = 0; i < 20; i++)
             {
-                game.Update(Dt, 0, false);
+                game.Update(Dt, -1, false);
             }
 
             Vector2 nose = game.Nose() - game.Ship.Position;
+            // The default drag leaves a little spin: it turns the nose by less than a degree in a second.
             for (int i = 0; i < 60; i++)
             {
                 game.Update(Dt, 0, true);
@@ -133,7 +135,7 @@ namespace Farseer.Porting.Tests
             float cosine;
             Vector2.Dot(ref velocity, ref nose, out cosine);
             Assert.True(game.Ship.Rotation != 0);
-            Assert.True(cosine > 0.5f, $"cosine {cosine}");
+            Assert.True(cosine > 0.99f, $"cosine {cosine}");
         }
     }
 }

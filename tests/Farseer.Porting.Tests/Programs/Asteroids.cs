@@ -24,7 +24,6 @@ namespace Farseer.Porting.Tests.Programs
             hull.Add(new Vector2(-8, -8));
             Ship = BodyFactory.Instance.CreatePolygonBody(_physicsSimulator, new Vertices(hull), 1);
             Ship.Position = Vector2.Zero;
-            Ship.RotationalDragCoefficient = 5;
             ShipGeom = GeomFactory.Instance.CreatePolygonGeom(_physicsSimulator, Ship, hull, 0);
             _all.Add(Ship);
             for (int i = 0; i < 8; i++)
