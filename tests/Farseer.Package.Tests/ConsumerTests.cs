@@ -1,0 +1,33 @@
+using System.Globalization;
+using System.Text.RegularExpressions;
+using Xunit;
+
+namespace Farseer.Package.Tests;
+
+/// <summary>Fresh projects that have the package and nothing else of this repository.</summary>
+[Collection(PackageCollection.Name)]
+public sealed class ConsumerTests(PackedLibrary library)
+{
+    [Fact]
+    public void Console_OfNet10_RestoresThePackageAndRestsABall()
+    {
+        string output = library.RunConsumer("Console", "App");
+
+        // The floor's top is at 0.5, the radius is 0.5; a contact rests at most AllowedPenetration = 0.05 deep.
+        Match line = Regex.Match(output, @"^y (-?\d+\.\d+) touched True$", RegexOptions.Multiline);
+        Assert.True(line.Success, output);
+        Assert.InRange(double.Parse(line.Groups[1].Value, CultureInfo.InvariantCulture), 0.945, 1.005);
+    }
+
+    [Fact]
+    public void Library_OfNetStandard20_InANet10Console_FollowsTheParabola()
+    {
+        string output = library.RunConsumer("Library", "App");
+
+        // Free flight is exact: x = 3 · 2, y = 20 · 2 − 10 · 2² / 2; three decimals are printed.
+        Match line = Regex.Match(output, @"^x (-?\d+\.\d+) y (-?\d+\.\d+)$", RegexOptions.Multiline);
+        Assert.True(line.Success, output);
+        Assert.Equal(6.0, double.Parse(line.Groups[1].Value, CultureInfo.InvariantCulture), 0.002);
+        Assert.Equal(20.0, double.Parse(line.Groups[2].Value, CultureInfo.InvariantCulture), 0.002);
+    }
+}
