@@ -30,4 +30,13 @@ public sealed class ConsumerTests(PackedLibrary library)
         Assert.Equal(6.0, double.Parse(line.Groups[1].Value, CultureInfo.InvariantCulture), 0.002);
         Assert.Equal(20.0, double.Parse(line.Groups[2].Value, CultureInfo.InvariantCulture), 0.002);
     }
+
+    [Fact]
+    public void PortedSource_WithTheAliasesOfThePackage_Compiles()
+    {
+        string output = library.RunConsumer("Ported", "App");
+
+        // Free flight is exact: y = 100 · 1² / 2.
+        Assert.Contains("50.00\n", output);
+    }
 }

@@ -22,7 +22,7 @@ public sealed class ContentTests(PackedLibrary library)
         string[] expected =
         [
             .. _frameworks.SelectMany(f => new[] { "Farseer.dll", "Farseer.Engine.dll", "Farseer.xml" }.Select(n => $"lib/{f}/{n}")),
-            "README.md", "CHANGELOG.md", "icon.png", "Farseer.nuspec",
+            "build/Farseer.targets", "buildTransitive/Farseer.targets", "README.md", "CHANGELOG.md", "icon.png", "Farseer.nuspec",
         ];
         using ZipArchive package = ZipFile.OpenRead(library.Package);
 
