@@ -1,3 +1,4 @@
+using System.Linq;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
@@ -31,6 +32,24 @@ public class ScalingTests
         }
     }
 
+    [Theory]
+    [InlineData("stack")]
+    [InlineData("circle pile")]
+    [InlineData("concave")]
+    public void Scene_ScaledBy1024_GoesTheSameWayBitForBit(string name)
+    {
+        PhysicsSimulator simulator = Scene(name, 1);
+        PhysicsSimulator scaled = Scene(name, 1024);
+        for (int i = 0; i < 20; i++)
+        {
+            Assert.Equal(State(simulator, 1), State(scaled, 1024));
+            Sandbox.Run(simulator, 15);
+            Sandbox.Run(scaled, 15);
+        }
+
+        Assert.True(simulator.ArbiterList.Count >= 10, "The scene was to come to contacts.");
+    }
+
     [Fact]
     public void ChainSegmentAndKinematic_ScaledByAPowerOfTwo_GoTheSameWayBitForBit()
     {
@@ -38,6 +57,52 @@ public class ScalingTests
         double[] scaled = Slope(1024);
         Assert.Equal(first, scaled);
     }
+
+    /// <summary>Ten boxes on each other, thirty circles in a heap or twelve L-shapes, with friction, bounce and drag.</summary>
+    private static PhysicsSimulator Scene(string name, float scale)
+    {
+        var simulator = new PhysicsSimulator(scale * new Vector2(0, 100));
+        simulator.AllowedPenetration *= scale;
+        Body ground = BodyFactory.Instance.CreateRectangleBody(simulator, 400 * scale, 20 * scale, 1);
+        ground.IsStatic = true;
+        ground.Position = scale * new Vector2(0, 10);
+        GeomFactory.Instance.CreateRectangleGeom(simulator, ground, 400 * scale, 20 * scale).FrictionCoefficient = 0.5f;
+        int count = name == "stack" ? 10 : name == "concave" ? 12 : 30;
+        for (int i = 0; i < count; i++)
+        {
+            Geom geom = name switch
+            {
+                "stack" => Sandbox.Box(simulator, scale * new Vector2(0.25f * (i % 3), -10 - (20.5f * i)), 20 * scale, 20 * scale),
+                "concave" => Angle(simulator, scale * new Vector2(9 * (i % 4), -20 - (32 * i)), 8 * scale),
+                _ => Sandbox.Ball(simulator, scale * new Vector2((11 * (i % 5)) + (0.5f * (i / 5)), -8 - (12 * (i / 5))), (4 + (i % 3)) * scale),
+            };
+            geom.Body.LinearDragCoefficient = 0.001f;
+
+            // A torque for each unit of spin: it has the square of a length in its unit, as the moment of inertia has.
+            geom.Body.RotationalDragCoefficient = 0.001f * scale * scale;
+            geom.FrictionCoefficient = 0.25f * (i % 4);
+            geom.RestitutionCoefficient = 0.3f * (i % 2);
+        }
+
+        return simulator;
+    }
+
+    private static Geom Angle(PhysicsSimulator simulator, Vector2 place, float size)
+    {
+        Vertices outline = Sandbox.Outline(0, 0, 3 * size, 0, 3 * size, size, size, size, size, 3 * size, 0, 3 * size);
+        Body body = BodyFactory.Instance.CreatePolygonBody(simulator, outline, 1);
+        body.Position = place;
+        body.Rotation = 0.4f;
+        return GeomFactory.Instance.CreatePolygonGeom(simulator, body, outline, 0);
+    }
+
+    private static double[] State(PhysicsSimulator simulator, float scale) => simulator.BodyList
+        .SelectMany(body => new[]
+        {
+            body.PositionX / scale, body.PositionY / scale, body.TotalRotation,
+            body.LinearVelocity.X / scale, body.LinearVelocity.Y / scale, body.AngularVelocity,
+        })
+        .ToArray();
 
     private static double[] Slope(float scale)
     {
