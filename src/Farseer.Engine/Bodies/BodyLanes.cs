@@ -55,17 +55,17 @@ internal static unsafe class BodyLanes
         Scatter((float*)bodies + 4, index, d.X, d.Y, d.Sin, d.Cos);
     }
 
-    /// <summary>Reads four floats of each record of 32 bytes and turns them into four lane vectors.</summary>
+    /// <summary>Reads four floats of each record, <paramref name="stride"/> floats long, and turns them into four lane vectors.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Gather(float* records, int* index, out Wide a, out Wide b, out Wide c, out Wide d)
+    public static void Gather(float* records, int* index, out Wide a, out Wide b, out Wide c, out Wide d, int stride = 8)
     {
 #if NET8_0_OR_GREATER
         if (Avx.IsSupported)
         {
-            Vector256<float> r0 = Pair(records, index[0], index[4]);
-            Vector256<float> r1 = Pair(records, index[1], index[5]);
-            Vector256<float> r2 = Pair(records, index[2], index[6]);
-            Vector256<float> r3 = Pair(records, index[3], index[7]);
+            Vector256<float> r0 = Pair(records, index[0] * stride, index[4] * stride);
+            Vector256<float> r1 = Pair(records, index[1] * stride, index[5] * stride);
+            Vector256<float> r2 = Pair(records, index[2] * stride, index[6] * stride);
+            Vector256<float> r3 = Pair(records, index[3] * stride, index[7] * stride);
             Transpose(ref r0, ref r1, ref r2, ref r3);
             a = r0;
             b = r1;
@@ -74,7 +74,26 @@ internal static unsafe class BodyLanes
             return;
         }
 #endif
-        GatherByElement(records, index, out a, out b, out c, out d);
+        GatherByElement(records, index, stride, out a, out b, out c, out d);
+    }
+
+    /// <summary>Centres of the bodies B less those of the bodies A, subtracted in double and rounded once.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void GatherOffset(BodyPose* poses, int* a, int* b, out Wide x, out Wide y)
+    {
+#if NET8_0_OR_GREATER
+        if (Avx.IsSupported)
+        {
+            Vector128<float> d01 = Offsets(poses, a, b);
+            Vector128<float> d23 = Offsets(poses, a + 2, b + 2);
+            Vector128<float> d45 = Offsets(poses, a + 4, b + 4);
+            Vector128<float> d67 = Offsets(poses, a + 6, b + 6);
+            x = Vector256.Create(Sse.Shuffle(d01, d23, 0x88), Sse.Shuffle(d45, d67, 0x88));
+            y = Vector256.Create(Sse.Shuffle(d01, d23, 0xDD), Sse.Shuffle(d45, d67, 0xDD));
+            return;
+        }
+#endif
+        GatherOffsetByElement(poses, a, b, out x, out y);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -103,12 +122,12 @@ internal static unsafe class BodyLanes
     }
 
     // Kept out of line: a method with a stack buffer is not inlined.
-    private static void GatherByElement(float* records, int* index, out Wide a, out Wide b, out Wide c, out Wide d)
+    private static void GatherByElement(float* records, int* index, int stride, out Wide a, out Wide b, out Wide c, out Wide d)
     {
         float* t = stackalloc float[4 * WideLanes.BundleLanes];
         for (int i = 0; i < Wide.Count; i++)
         {
-            float* r = records + (index[i] * 8);
+            float* r = records + (index[i] * stride);
             t[i] = r[0];
             t[i + 8] = r[1];
             t[i + 16] = r[2];
@@ -119,6 +138,19 @@ internal static unsafe class BodyLanes
         b = Wide.Load(t + 8);
         c = Wide.Load(t + 16);
         d = Wide.Load(t + 24);
+    }
+
+    private static void GatherOffsetByElement(BodyPose* poses, int* a, int* b, out Wide x, out Wide y)
+    {
+        float* t = stackalloc float[2 * WideLanes.BundleLanes];
+        for (int i = 0; i < Wide.Count; i++)
+        {
+            t[i] = (float)(poses[b[i]].X - poses[a[i]].X);
+            t[i + 8] = (float)(poses[b[i]].Y - poses[a[i]].Y);
+        }
+
+        x = Wide.Load(t);
+        y = Wide.Load(t + 8);
     }
 
     private static void ScatterByElement(float* records, int* index, Wide a, Wide b, Wide c, Wide d)
@@ -141,7 +173,16 @@ internal static unsafe class BodyLanes
 #if NET8_0_OR_GREATER
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<float> Pair(float* records, int low, int high) =>
-        Vector256.Create(Vector128.Load(records + (low * 8)), Vector128.Load(records + (high * 8)));
+        Vector256.Create(Vector128.Load(records + low), Vector128.Load(records + high));
+
+    // Two bodies' (x, y) side by side. A pose begins with x and y.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector128<float> Offsets(BodyPose* poses, int* a, int* b)
+    {
+        Vector256<double> from = Vector256.Create(Vector128.Load((double*)(poses + a[0])), Vector128.Load((double*)(poses + a[1])));
+        Vector256<double> to = Vector256.Create(Vector128.Load((double*)(poses + b[0])), Vector128.Load((double*)(poses + b[1])));
+        return Avx.ConvertToVector128Single(to - from);
+    }
 
     /// <summary>Transposes 4x4 blocks in both 128-bit halves; its own inverse.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

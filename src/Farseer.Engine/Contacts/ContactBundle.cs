@@ -24,9 +24,14 @@ internal unsafe struct ContactBundle
 
     public fixed int BodyA[Lanes];
     public fixed int BodyB[Lanes];
+    public fixed int PieceA[Lanes];
+    public fixed int PieceB[Lanes];
 
     /// <summary>Index of the contact record; -1 in an empty lane.</summary>
     public fixed int Contact[Lanes];
+
+    /// <summary><see cref="ContactFlags"/> of the record, so that it is only touched when they change.</summary>
+    public fixed int Flags[Lanes];
 
     public fixed float NormalX[Lanes];
     public fixed float NormalY[Lanes];

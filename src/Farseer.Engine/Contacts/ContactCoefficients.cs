@@ -1,3 +1,8 @@
+using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
 namespace Farseer.Engine.Contacts;
 
 /// <summary>Constants of one substep, the same for every contact.</summary>
@@ -59,13 +64,16 @@ internal readonly struct ContactCoefficients
     public static float ImpulseScale => 1f / (1f + Product);
 
     /// <summary>η for a contact whose smaller piece has the size <paramref name="size"/>.</summary>
-    public float FeedShare(float size)
+    public Wide FeedShare(Wide size)
     {
-        float fall = LargeSize * Gravity * Substep * Substep;
-        float share = size < fall ? size / fall : 1f;
-        return 1f - System.Math.Max(FeedRest * share, SmallestFeedRest);
+        Wide fall = Wide.Splat(LargeSize * Gravity * Substep * Substep);
+        Wide share = Wide.Select(size < fall, size / fall, Wide.One);
+        return Wide.One - Wide.Max(Wide.Splat(FeedRest) * share, Wide.Splat(SmallestFeedRest));
     }
 
-    /// <summary>Static sag per unit of impulse and response: s = λ·k·h/(ωh)².</summary>
-    public float Sag(float impulse, float response) => impulse * response * Substep * (1f / (AngularStep * AngularStep));
+    /// <summary>Static sag per unit of speed held up, λ·k: s = λ·k·h/(ωh)².</summary>
+    public float Sag(float load) => load * Substep * (1f / (AngularStep * AngularStep));
+
+    /// <summary>The same on lanes.</summary>
+    public Wide Sag(Wide load) => load * Wide.Splat(Substep) * Wide.Splat(1f / (AngularStep * AngularStep));
 }

@@ -1,91 +1,53 @@
-using System.Numerics;
 using System.Runtime.CompilerServices;
-using Farseer.Engine.Bodies;
 using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Settings;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Farseer.Engine.Contacts;
 
-/// <summary>Impulses and feed-forward of one point, carried from step to step by feature id.</summary>
-internal struct PointMemory
-{
-    public uint Id;
-    public float Normal;
-    public float Tangent;
-    public float PreviousNormal;
-    public float PreviousTangent;
-    public float Feed;
-}
-
-/// <summary>Turns a manifold into a lane of a bundle: arms in the contact frame, responses, and the impulses of matching points.</summary>
+/// <summary>Turns manifolds into the lanes of a bundle: arms in the contact frame, responses, and the impulses of matching points.</summary>
 internal static unsafe class ContactRowWriter
 {
     /// <summary>Below this share of k11·k22 the determinant is noise and the points are solved row by row.</summary>
     private const float DeterminantShare = 1e-3f;
 
-    public static void ReadMemory(ContactBundle* row, int lane, out PointMemory first, out PointMemory second)
-    {
-        Read(&row->Point0, lane, out first);
-        Read(&row->Point1, lane, out second);
-    }
+    /// <summary>
+    /// An island is deep if a point is deeper than this share of the smaller piece or, if less, than this many depths of rest,
+    /// beyond three static sags.
+    /// </summary>
+    private const float DeepShare = 0.02f;
+    private const float DeepRests = 2f;
+    private const float DeepSags = 3f;
 
     /// <summary>
-    /// Writes the constraint. <paramref name="rest"/> is the depth at which the contact rests, <paramref name="impulseScale"/>
-    /// the ratio of this step's substep to the last one's (stored impulses are those of one substep).
+    /// Writes the constraints of a bundle from its manifolds. Lanes without a contact, and points that do not exist, become
+    /// inert. Stored impulses are those of one substep and are scaled to this step's.
     /// </summary>
-    public static void Write(
-        ContactBundle* row, int lane, in Manifold manifold, Vector2 offset, in BodyMass massA, in BodyMass massB, float rest, float impulseScale)
+    public static void Write(in ContactUpdateInput input, ContactBundle* row)
     {
-        ReadMemory(row, lane, out PointMemory old0, out PointMemory old1);
-        Vector2 normal = manifold.Normal;
-        row->NormalX[lane] = normal.X;
-        row->NormalY[lane] = normal.Y;
-        float mA = massA.InverseMass;
-        float iA = massA.InverseInertia;
-        float mB = massB.InverseMass;
-        float iB = massB.InverseInertia;
-        row->MassA[lane] = mA;
-        row->InertiaA[lane] = iA;
-        row->MassB[lane] = mB;
-        row->InertiaB[lane] = iB;
-        WritePoint(&row->Point0, lane, manifold.Point0, normal, offset, rest, Match(manifold.Point0.Id, old0, old1), impulseScale);
-        bool two = manifold.Count == 2;
-        if (two)
+        PairLanes* pairs = input.Pairs;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            WritePoint(&row->Point1, lane, manifold.Point1, normal, offset, rest, Match(manifold.Point1.Id, old0, old1), impulseScale);
-        }
-        else
-        {
-            ClearPoint(&row->Point1, lane);
+            Wide count = Wide.Load(pairs->Count + lane);
+            WideMask one = (count > Wide.Zero) & WideLanes.Has(
+                Wide.Load((float*)pairs->A.Flags + lane) & Wide.Load((float*)pairs->B.Flags + lane), (int)SideFlags.Exists);
+            WideMask two = one & (count > Wide.One);
+            Wide.Load(pairs->NormalX + lane).Store(row->NormalX + lane);
+            Wide.Load(pairs->NormalY + lane).Store(row->NormalY + lane);
+            Wide.Keep(one & ~two, Wide.One).Store(row->Single + lane);
+            WritePoints(input, row, lane, one, two);
+            WriteResponses(pairs, row, lane, one, two);
+            WriteMaterial(input, row, lane);
+            WriteStiffness(input, row, lane, two);
         }
 
-        row->Single[lane] = two ? 0 : 1;
-        float m = mA + mB;
-        float atA0 = row->Point0.TangentArmA[lane];
-        float atB0 = row->Point0.TangentArmB[lane];
-        float k11 = m + (iA * atA0 * atA0) + (iB * atB0 * atB0);
-        float k22 = k11;
-        float k12 = 0;
-        float inverse = 0;
-        if (two)
+        if (input.Settings.FreezePairFriction)
         {
-            float atA1 = row->Point1.TangentArmA[lane];
-            float atB1 = row->Point1.TangentArmB[lane];
-            k22 = m + (iA * atA1 * atA1) + (iB * atB1 * atB1);
-            k12 = m + (iA * atA0 * atA1) + (iB * atB0 * atB1);
-            float determinant = (k11 * k22) - (k12 * k12);
-            inverse = determinant > DeterminantShare * k11 * k22 ? 1f / determinant : 0;
+            FreezeFriction(input, row);
         }
-
-        row->K11[lane] = k11;
-        row->K22[lane] = k22;
-        row->K12[lane] = k12;
-        row->InverseK11[lane] = 1f / k11;
-        row->InverseK22[lane] = 1f / k22;
-        row->InverseDeterminant[lane] = inverse;
-        row->TangentMass0[lane] = 1f / (m + (iA * Square(row->Point0.NormalArmA[lane])) + (iB * Square(row->Point0.NormalArmB[lane])));
-        row->TangentMass1[lane] = two
-            ? 1f / (m + (iA * Square(row->Point1.NormalArmA[lane])) + (iB * Square(row->Point1.NormalArmB[lane])))
-            : 0;
     }
 
     /// <summary>Makes a lane inert: no contact, or one that gives no impulse in this step.</summary>
@@ -95,12 +57,26 @@ internal static unsafe class ContactRowWriter
         ClearPoint(&row->Point1, lane);
     }
 
+    /// <summary>Writes down which pair a lane holds.</summary>
+    public static void Name(ContactBundle* row, int lane, int contact, in ContactRecord record)
+    {
+        row->BodyA[lane] = record.BodyA;
+        row->BodyB[lane] = record.BodyB;
+        row->PieceA[lane] = record.PieceA;
+        row->PieceB[lane] = record.PieceB;
+        row->Contact[lane] = contact;
+        row->Flags[lane] = (int)record.Flags;
+    }
+
     /// <summary>An empty lane: bodies 0 (the dummy), no mass, unit responses so that nothing divides by zero.</summary>
     public static void ClearLane(ContactBundle* row, int lane)
     {
         row->BodyA[lane] = 0;
         row->BodyB[lane] = 0;
+        row->PieceA[lane] = ContactSides.NoPiece;
+        row->PieceB[lane] = ContactSides.NoPiece;
         row->Contact[lane] = -1;
+        row->Flags[lane] = 0;
         row->NormalX[lane] = 0;
         row->NormalY[lane] = 0;
         row->Friction[lane] = 0;
@@ -138,45 +114,139 @@ internal static unsafe class ContactRowWriter
         }
     }
 
-    private static void Read(ContactPointLanes* point, int lane, out PointMemory memory)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void WritePoints(in ContactUpdateInput input, ContactBundle* row, int lane, WideMask one, WideMask two)
     {
-        memory.Id = point->Id[lane];
-        memory.Normal = point->Normal[lane];
-        memory.Tangent = point->Tangent[lane];
-        memory.PreviousNormal = point->PreviousNormal[lane];
-        memory.PreviousTangent = point->PreviousTangent[lane];
-        memory.Feed = point->Feed[lane];
+        Wide id0 = Wide.Keep(one, Wide.Load((float*)input.Pairs->Point0.Id + lane));
+        Wide id1 = Wide.Keep(two, Wide.Load((float*)input.Pairs->Point1.Id + lane));
+        Wide old0 = Wide.Load((float*)row->Point0.Id + lane);
+        Wide old1 = Wide.Load((float*)row->Point1.Id + lane);
+        WideMask same0 = Wide.SameBits(id0, old0);
+        WideMask same1 = Wide.SameBits(id1, old1);
+        WideMask crossed0 = ~same0 & Wide.SameBits(id0, old1);
+        WideMask crossed1 = Wide.SameBits(id1, old0);
+        id0.Store((float*)row->Point0.Id + lane);
+        id1.Store((float*)row->Point1.Id + lane);
+        same1 = same1 & ~crossed1;
+        Wide scale = Wide.Splat(input.ImpulseScale);
+        Carry(row->Point0.Normal + lane, row->Point1.Normal + lane, same0, crossed0, same1, crossed1, scale);
+        Carry(row->Point0.Tangent + lane, row->Point1.Tangent + lane, same0, crossed0, same1, crossed1, scale);
+        Carry(row->Point0.PreviousNormal + lane, row->Point1.PreviousNormal + lane, same0, crossed0, same1, crossed1, scale);
+        Carry(row->Point0.PreviousTangent + lane, row->Point1.PreviousTangent + lane, same0, crossed0, same1, crossed1, scale);
+        Carry(row->Point0.Feed + lane, row->Point1.Feed + lane, same0, crossed0, same1, crossed1, scale);
+        Wide rest = Wide.Splat(input.Settings.AllowedPenetration);
+        WritePoint(&input.Pairs->Point0, &row->Point0, lane, one, rest);
+        WritePoint(&input.Pairs->Point1, &row->Point1, lane, two, rest);
     }
 
-    private static PointMemory Match(uint id, in PointMemory first, in PointMemory second)
+    /// <summary>Impulses follow their point by its id: into the same place, or crosswise.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Carry(float* first, float* second, WideMask same0, WideMask crossed0, WideMask same1, WideMask crossed1, Wide scale)
     {
-        if (first.Id == id)
+        Wide old0 = Wide.Load(first) * scale;
+        Wide old1 = Wide.Load(second) * scale;
+        (Wide.Keep(same0, old0) | Wide.Keep(crossed0, old1)).Store(first);
+        (Wide.Keep(same1, old1) | Wide.Keep(crossed1, old0)).Store(second);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void WritePoint(PointLanes* source, ContactPointLanes* point, int lane, WideMask exists, Wide rest)
+    {
+        Wide armA = Wide.Load(source->NormalArmA + lane);
+        Wide armB = Wide.Load(source->NormalArmB + lane);
+        Wide.Keep(exists, armA).Store(point->NormalArmA + lane);
+        Wide.Keep(exists, armB).Store(point->NormalArmB + lane);
+        Wide.Keep(exists, Wide.Load(source->TangentArmA + lane)).Store(point->TangentArmA + lane);
+        Wide.Keep(exists, Wide.Load(source->TangentArmB + lane)).Store(point->TangentArmB + lane);
+        Wide start = (Wide.Load(source->Separation + lane) + rest) - (armB - armA);
+        Wide.Select(exists, start, Wide.Splat(ContactBundle.NoPoint)).Store(point->Base + lane);
+        Wide.Zero.Store(point->Bounce + lane);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void WriteResponses(PairLanes* pairs, ContactBundle* row, int lane, WideMask one, WideMask two)
+    {
+        Wide mA = Wide.Load(pairs->A.InverseMass + lane);
+        Wide iA = Wide.Load(pairs->A.InverseInertia + lane);
+        Wide mB = Wide.Load(pairs->B.InverseMass + lane);
+        Wide iB = Wide.Load(pairs->B.InverseInertia + lane);
+        mA.Store(row->MassA + lane);
+        iA.Store(row->InertiaA + lane);
+        mB.Store(row->MassB + lane);
+        iB.Store(row->InertiaB + lane);
+        Wide m = mA + mB;
+        Wide atA0 = Wide.Load(row->Point0.TangentArmA + lane);
+        Wide atB0 = Wide.Load(row->Point0.TangentArmB + lane);
+        Wide atA1 = Wide.Load(row->Point1.TangentArmA + lane);
+        Wide atB1 = Wide.Load(row->Point1.TangentArmB + lane);
+        Wide k11 = Wide.Select(one, m + (iA * atA0 * atA0) + (iB * atB0 * atB0), Wide.One);
+        Wide k22 = Wide.Select(two, m + (iA * atA1 * atA1) + (iB * atB1 * atB1), k11);
+        Wide k12 = Wide.Keep(two, m + (iA * atA0 * atA1) + (iB * atB0 * atB1));
+        Wide determinant = (k11 * k22) - (k12 * k12);
+        WideMask block = two & (determinant > Wide.Splat(DeterminantShare) * k11 * k22);
+        k11.Store(row->K11 + lane);
+        k22.Store(row->K22 + lane);
+        k12.Store(row->K12 + lane);
+        (Wide.One / k11).Store(row->InverseK11 + lane);
+        (Wide.One / k22).Store(row->InverseK22 + lane);
+        Wide.Keep(block, Wide.One / determinant).Store(row->InverseDeterminant + lane);
+        Wide anA0 = Wide.Load(row->Point0.NormalArmA + lane);
+        Wide anB0 = Wide.Load(row->Point0.NormalArmB + lane);
+        Wide anA1 = Wide.Load(row->Point1.NormalArmA + lane);
+        Wide anB1 = Wide.Load(row->Point1.NormalArmB + lane);
+        Wide.Keep(one, Wide.One / (m + (iA * (anA0 * anA0)) + (iB * (anB0 * anB0)))).Store(row->TangentMass0 + lane);
+        Wide.Keep(two, Wide.One / (m + (iA * (anA1 * anA1)) + (iB * (anB1 * anB1)))).Store(row->TangentMass1 + lane);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void WriteMaterial(in ContactUpdateInput input, ContactBundle* row, int lane)
+    {
+        PairLanes* pairs = input.Pairs;
+        Wide half = Wide.Splat(0.5f);
+        Wide frictionA = Wide.Load(pairs->A.Friction + lane);
+        Wide frictionB = Wide.Load(pairs->B.Friction + lane);
+        Wide friction = input.Settings.FrictionMix == FrictionMix.Minimum
+            ? Wide.Min(frictionA, frictionB)
+            : (frictionA + frictionB) * half;
+        friction.Store(row->Friction + lane);
+        ((Wide.Load(pairs->A.Restitution + lane) + Wide.Load(pairs->B.Restitution + lane)) * half).Store(row->Restitution + lane);
+    }
+
+    /// <summary>How fully the load is fed forward, and deepness: a row stays deep until its depth is under half of what made it so.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void WriteStiffness(in ContactUpdateInput input, ContactBundle* row, int lane, WideMask two)
+    {
+        PairLanes* pairs = input.Pairs;
+        Wide rest = Wide.Splat(input.Settings.AllowedPenetration);
+        Wide depth = Wide.Zero - Wide.Load(pairs->Point0.Separation + lane);
+        depth = Wide.Select(two, Wide.Max(depth, Wide.Zero - Wide.Load(pairs->Point1.Separation + lane)), depth) - rest;
+        Wide size = Wide.Splat(2f) * Wide.Min(Wide.Load(pairs->A.Extent + lane), Wide.Load(pairs->B.Extent + lane));
+        input.Coefficients.FeedShare(size).Store(row->FeedShare + lane);
+        Wide load = Wide.Max(
+            Wide.Load(row->Point0.Normal + lane) * Wide.Load(row->K11 + lane),
+            Wide.Load(row->Point1.Normal + lane) * Wide.Load(row->K22 + lane));
+        Wide limit = Wide.Splat(DeepShare) * size;
+        if (input.Settings.AllowedPenetration > 0)
         {
-            return first;
+            limit = Wide.Min(limit, Wide.Splat(DeepRests) * rest);
         }
 
-        return second.Id == id ? second : default;
+        limit = limit + (Wide.Splat(DeepSags) * input.Coefficients.Sag(load));
+        WideMask deep = depth > limit;
+        WideMask still = (Wide.Load(row->Deep + lane) > Wide.Zero) & (depth > Wide.Splat(0.5f) * limit);
+        Wide.Keep(deep | still, Wide.One).Store(row->Deep + lane);
     }
 
-    private static void WritePoint(
-        ContactPointLanes* point, int lane, in ManifoldPoint source, Vector2 normal, Vector2 offset, float rest, in PointMemory old, float scale)
+    /// <summary>A quirk of the original: the friction of a pair stays what it was when the pair was made.</summary>
+    private static void FreezeFriction(in ContactUpdateInput input, ContactBundle* row)
     {
-        Vector2 rA = source.Anchor;
-        Vector2 rB = source.Anchor - offset;
-        float anA = (rA.X * normal.X) + (rA.Y * normal.Y);
-        float anB = (rB.X * normal.X) + (rB.Y * normal.Y);
-        point->NormalArmA[lane] = anA;
-        point->NormalArmB[lane] = anB;
-        point->TangentArmA[lane] = (rA.X * normal.Y) - (rA.Y * normal.X);
-        point->TangentArmB[lane] = (rB.X * normal.Y) - (rB.Y * normal.X);
-        point->Base[lane] = (source.Separation + rest) - (anB - anA);
-        point->Normal[lane] = old.Normal * scale;
-        point->Tangent[lane] = old.Tangent * scale;
-        point->PreviousNormal[lane] = old.PreviousNormal * scale;
-        point->PreviousTangent[lane] = old.PreviousTangent * scale;
-        point->Feed[lane] = old.Feed * scale;
-        point->Bounce[lane] = 0;
-        point->Id[lane] = source.Id;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            if (row->Contact[lane] >= 0)
+            {
+                row->Friction[lane] = input.Contacts.Records[row->Contact[lane]].FirstFriction;
+            }
+        }
     }
 
     private static void ClearPoint(ContactPointLanes* point, int lane)
@@ -194,7 +264,4 @@ internal static unsafe class ContactRowWriter
         point->Bounce[lane] = 0;
         point->Id[lane] = 0;
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static float Square(float x) => x * x;
 }

@@ -1,13 +1,10 @@
 using System;
-using System.Numerics;
-using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
-using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Contacts;
 
@@ -18,6 +15,13 @@ internal unsafe ref struct ContactUpdateInput
     public BodyStore Bodies;
     public ContactStore Contacts;
     public Box* Fat;
+    public ProxyInfo* Proxies;
+
+    /// <summary>The sides of all pieces, by piece.</summary>
+    public ContactSide* Sides;
+
+    /// <summary>Where the pairs of one bundle pass through.</summary>
+    public PairLanes* Pairs;
 
     /// <summary>1 for a body that the solver may move.</summary>
     public byte* Moves;
@@ -29,227 +33,124 @@ internal unsafe ref struct ContactUpdateInput
     public ContactCoefficients Coefficients;
 }
 
-/// <summary>What is to become of a pair after its update.</summary>
-internal enum ContactFate
+/// <summary>What is to become of the pairs of a bundle after their update, a bit for each lane.</summary>
+internal struct ContactFates
 {
-    /// <summary>Stays where it is.</summary>
-    Keep,
-
-    /// <summary>Leaves the graph: it has no points any more, or gives no impulses.</summary>
-    Lose,
-
-    /// <summary>Enters the graph.</summary>
-    Gain,
-
     /// <summary>The boxes came apart: the pair is forgotten.</summary>
-    Drop,
+    public int Dropped;
+
+    /// <summary>Has points and gives impulses: belongs into the graph.</summary>
+    public int Solid;
+
+    /// <summary>Those of the other pairs, which do not.</summary>
+    public int Idle;
+    public int Touching;
+
+    /// <summary>Touches now and did not before.</summary>
+    public int TouchingNow;
+    public int Heard;
 }
 
 /// <summary>
-/// The narrow phase of one pair, and the rewriting of its row. Tolerances come from the motion of a step and from the pieces'
-/// own extents, never from a unit of length.
+/// The narrow phase of the pairs of a bundle, and the rewriting of its rows. Tolerances come from the motion of a step and from
+/// the pieces' own extents, never from a unit of length.
 /// </summary>
 internal static unsafe class ContactUpdate
 {
-    /// <summary>
-    /// Points this share of the smaller extent apart are kept although they cannot touch in this step: a box that rocks by a
-    /// hair keeps both points and their impulses.
-    /// </summary>
-    private const float SkinShare = 0.02f;
-
-    /// <summary>
-    /// An island is deep if a point is deeper than this share of the smaller piece or, if less, than this many depths of rest,
-    /// beyond three static sags.
-    /// </summary>
-    private const float DeepShare = 0.02f;
-    private const float DeepRests = 2f;
-    private const float DeepSags = 3f;
-
-    /// <summary>Updates a pair that has a row.</summary>
-    public static ContactFate UpdateRow(in ContactUpdateInput input, ContactBundle* row, int lane)
+    /// <summary>Updates the pairs of a bundle of the graph and rewrites their constraints.</summary>
+    public static ContactFates UpdateRows(in ContactUpdateInput input, ContactBundle* row)
     {
-        int index = row->Contact[lane];
-        ref ContactRecord record = ref input.Contacts.Records[index];
-        if (!Box.Overlap(input.Fat[record.PieceA], input.Fat[record.PieceB]))
+        PairBits bits = PairStage.Load(input, row);
+        ContactFates fates = Update(input, row, bits, bits.Heard);
+        ContactRowWriter.Write(input, row);
+        return fates;
+    }
+
+    /// <summary>Updates pairs without rows; their manifolds are kept for <see cref="FillRows"/> and for readers.</summary>
+    public static ContactFates UpdateIdle(in ContactUpdateInput input, ContactBundle* row)
+    {
+        PairBits bits = PairStage.Load(input, row);
+        return Update(input, row, bits, bits.Exists);
+    }
+
+    /// <summary>Writes the constraints of pairs that have just been given a place in the graph.</summary>
+    public static void FillRows(in ContactUpdateInput input, ContactBundle* row)
+    {
+        PairBits bits = PairStage.Load(input, row);
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
         {
-            return ContactFate.Drop;
+            if ((bits.Exists & (1 << lane)) != 0)
+            {
+                PairLanes.Write(input.Pairs, lane, input.Contacts.Manifolds[row->Contact[lane]]);
+            }
         }
 
-        SetSolidity(input, ref record);
-        uint oldId = row->Point0.Id[lane];
-        Vector2 offset = Collide(input, ref record, oldId, out Manifold manifold);
-        if (manifold.Count == 0 || (record.Flags & ContactFlags.Solid) == 0)
+        PairStage.Touch(input, row, out _, out _);
+        ContactRowWriter.Write(input, row);
+    }
+
+    public static float MixFriction(ShapeStore shapes, FrictionMix mix, in ContactRecord record)
+    {
+        float a = shapes.Colliders[record.ColliderA].Friction;
+        float b = shapes.Colliders[record.ColliderB].Friction;
+        return mix == FrictionMix.Minimum ? Math.Min(a, b) : (a + b) * 0.5f;
+    }
+
+    /// <param name="input">Columns and numbers of this step.</param>
+    /// <param name="row">Names the pairs and their flags.</param>
+    /// <param name="bits">What the sides are.</param>
+    /// <param name="kept">Lanes whose manifolds are to be kept in any case.</param>
+    private static ContactFates Update(in ContactUpdateInput input, ContactBundle* row, in PairBits bits, int kept)
+    {
+        ContactFates fates;
+        fates.Dropped = (bits.NewBox & bits.Exists) == 0 ? 0 : FindDropped(input, row, bits.NewBox & bits.Exists);
+        PairStage.Collide(input, row, bits);
+        int touching = PairStage.Touch(input, row, out int touched, out int hit);
+        int solid = bits.Solid & hit & bits.Exists & ~fates.Dropped;
+        fates.Solid = solid;
+        fates.Idle = bits.Exists & ~solid & ~fates.Dropped;
+        touching = ((touching & ~fates.Dropped) | (touched & fates.Dropped)) & bits.Exists;
+        fates.Touching = touching;
+        fates.TouchingNow = touching & ~touched;
+        fates.Heard = bits.Heard & bits.Exists;
+
+        // Flags hardly ever change, and each record is a cache line of its own: they are visited only if something is new.
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
         {
-            input.Contacts.Manifolds[index] = manifold;
-            SetTouching(input, ref record, manifold, offset);
-            return ContactFate.Lose;
+            int bit = 1 << lane;
+            if ((bits.Exists & ~fates.Dropped & bit) == 0)
+            {
+                continue;
+            }
+
+            ContactFlags flags = ((touching & bit) != 0 ? ContactFlags.Touching : ContactFlags.None)
+                | ((bits.Solid & bit) != 0 ? ContactFlags.Solid : ContactFlags.None)
+                | ((bits.Heard & bit) != 0 ? ContactFlags.Heard : ContactFlags.None);
+            if ((int)flags != row->Flags[lane] || ((kept | fates.Idle) & bit) != 0)
+            {
+                row->Flags[lane] = (int)flags;
+                input.Contacts.Records[row->Contact[lane]].Flags = flags;
+                if (((kept | fates.Idle) & bit) != 0)
+                {
+                    input.Contacts.Manifolds[row->Contact[lane]] = PairLanes.Read(input.Pairs, lane);
+                }
+            }
         }
 
-        WriteRow(input, ref record, row, lane, manifold, offset);
-        SetTouching(input, ref record, manifold, offset);
-        if ((record.Flags & ContactFlags.Heard) != 0)
+        return fates;
+    }
+
+    private static int FindDropped(in ContactUpdateInput input, ContactBundle* row, int lanes)
+    {
+        int dropped = 0;
+        for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
         {
-            input.Contacts.Manifolds[index] = manifold;
+            if ((lanes & 1) != 0 && !Box.Overlap(input.Fat[row->PieceA[lane]], input.Fat[row->PieceB[lane]]))
+            {
+                dropped |= 1 << lane;
+            }
         }
 
-        return ContactFate.Keep;
+        return dropped;
     }
-
-    /// <summary>Updates a pair without a row; its manifold is kept for <see cref="FillRow"/> and for readers.</summary>
-    public static ContactFate UpdateIdle(in ContactUpdateInput input, int index)
-    {
-        ref ContactRecord record = ref input.Contacts.Records[index];
-        if (!Box.Overlap(input.Fat[record.PieceA], input.Fat[record.PieceB]))
-        {
-            return ContactFate.Drop;
-        }
-
-        SetSolidity(input, ref record);
-        Vector2 offset = Collide(input, ref record, 0, out Manifold manifold);
-        input.Contacts.Manifolds[index] = manifold;
-        SetTouching(input, ref record, manifold, offset);
-        return manifold.Count > 0 && (record.Flags & ContactFlags.Solid) != 0 ? ContactFate.Gain : ContactFate.Keep;
-    }
-
-    /// <summary>Writes a row that a pair has just been given.</summary>
-    public static void FillRow(in ContactUpdateInput input, int index, ContactBundle* row, int lane)
-    {
-        ref ContactRecord record = ref input.Contacts.Records[index];
-        Vector2 offset = Offset(input, record);
-        WriteRow(input, ref record, row, lane, input.Contacts.Manifolds[index], offset);
-    }
-
-    public static float MixFriction(in ContactUpdateInput input, in ContactRecord record)
-    {
-        float a = input.Shapes.Colliders[record.ColliderA].Friction;
-        float b = input.Shapes.Colliders[record.ColliderB].Friction;
-        return input.Settings.FrictionMix == FrictionMix.Minimum ? Math.Min(a, b) : (a + b) * 0.5f;
-    }
-
-    private static void WriteRow(
-        in ContactUpdateInput input, ref ContactRecord record, ContactBundle* row, int lane, in Manifold manifold, Vector2 offset)
-    {
-        ref BodyMass massA = ref input.Bodies.Mass[record.BodyA];
-        ref BodyMass massB = ref input.Bodies.Mass[record.BodyB];
-        BodyMass effectiveA = input.Moves[record.BodyA] != 0 ? massA : default;
-        BodyMass effectiveB = input.Moves[record.BodyB] != 0 ? massB : default;
-        ContactRowWriter.Write(
-            row, lane, manifold, offset, effectiveA, effectiveB, input.Settings.AllowedPenetration, input.ImpulseScale);
-        row->Friction[lane] = input.Settings.FreezePairFriction ? record.FirstFriction : MixFriction(input, record);
-        row->Restitution[lane] =
-            (input.Shapes.Colliders[record.ColliderA].Restitution + input.Shapes.Colliders[record.ColliderB].Restitution) * 0.5f;
-        SetStiffness(input, record, row, lane, manifold);
-    }
-
-    /// <summary>How fully the load is fed forward, and deepness: a row stays deep until its depth is under half of what made it so.</summary>
-    private static void SetStiffness(in ContactUpdateInput input, in ContactRecord record, ContactBundle* row, int lane, in Manifold manifold)
-    {
-        float depth = -manifold.Point0.Separation;
-        if (manifold.Count == 2)
-        {
-            depth = Math.Max(depth, -manifold.Point1.Separation);
-        }
-
-        depth -= input.Settings.AllowedPenetration;
-        float size = 2 * Math.Min(input.Shapes.Pieces[record.PieceA].Extent, input.Shapes.Pieces[record.PieceB].Extent);
-        float load = Math.Max(row->Point0.Normal[lane] * row->K11[lane], row->Point1.Normal[lane] * row->K22[lane]);
-        row->FeedShare[lane] = input.Coefficients.FeedShare(size);
-        float sag = input.Coefficients.Sag(load, 1f);
-        float limit = DeepShare * size;
-        if (input.Settings.AllowedPenetration > 0)
-        {
-            limit = Math.Min(limit, DeepRests * input.Settings.AllowedPenetration);
-        }
-
-        limit += DeepSags * sag;
-        row->Deep[lane] = depth > limit || (row->Deep[lane] > 0 && depth > 0.5f * limit) ? 1 : 0;
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector2 Offset(in ContactUpdateInput input, in ContactRecord record)
-    {
-        ref BodyPose poseA = ref input.Bodies.Pose[record.BodyA];
-        ref BodyPose poseB = ref input.Bodies.Pose[record.BodyB];
-        return new Vector2((float)(poseB.X - poseA.X), (float)(poseB.Y - poseA.Y));
-    }
-
-    private static Vector2 Collide(in ContactUpdateInput input, ref ContactRecord record, uint oldId, out Manifold manifold)
-    {
-        ref BodyPose poseA = ref input.Bodies.Pose[record.BodyA];
-        ref BodyPose poseB = ref input.Bodies.Pose[record.BodyB];
-        PairInput pair;
-        pair.Vertices = input.Shapes.Vertices.Pointer;
-        pair.Normals = input.Shapes.Normals.Pointer;
-        pair.OutlineBefore = input.Shapes.OutlineBefore.Pointer;
-        pair.OutlineAfter = input.Shapes.OutlineAfter.Pointer;
-        pair.A = input.Shapes.Pieces[record.PieceA];
-        pair.B = input.Shapes.Pieces[record.PieceB];
-        pair.RotationA = new Rotation(poseA.Cos, poseA.Sin);
-        pair.RotationB = new Rotation(poseB.Cos, poseB.Sin);
-        pair.Offset = Offset(input, record);
-        pair.Margin = Margin(input, record, pair.A, pair.B);
-        pair.OldId = oldId;
-        Collision.Collide(pair, out manifold);
-        return pair.Offset;
-    }
-
-    private static float Margin(in ContactUpdateInput input, in ContactRecord record, in Piece a, in Piece b)
-    {
-        ref BodyState stateA = ref input.Bodies.State[record.BodyA];
-        ref BodyState stateB = ref input.Bodies.State[record.BodyB];
-        Vector2 speed = stateB.LinearVelocity - stateA.LinearVelocity;
-        Vector2 g = input.Settings.Gravity;
-        float motion = Math.Abs(speed.X) + Math.Abs(speed.Y)
-            + (Math.Abs(stateA.AngularVelocity) * a.Reach) + (Math.Abs(stateB.AngularVelocity) * b.Reach)
-            + ((Math.Abs(g.X) + Math.Abs(g.Y)) * input.Dt);
-        return (motion * input.Dt) + (SkinShare * Math.Min(a.Extent, b.Extent));
-    }
-
-    private static void SetSolidity(in ContactUpdateInput input, ref ContactRecord record)
-    {
-        ColliderFlags a = input.Shapes.Colliders[record.ColliderA].Flags;
-        ColliderFlags b = input.Shapes.Colliders[record.ColliderB].Flags;
-        bool solid = (a & b & ColliderFlags.ResponseEnabled) != 0
-            && (input.Moves[record.BodyA] | input.Moves[record.BodyB]) != 0;
-        bool heard = ((a | b) & (ColliderFlags.WantsContact | ColliderFlags.WantsSeparation)) != 0;
-        record.Flags = (record.Flags & ContactFlags.Touching)
-            | (solid ? ContactFlags.Solid : ContactFlags.None)
-            | (heard ? ContactFlags.Heard : ContactFlags.None);
-    }
-
-    /// <summary>
-    /// A pair touches if a point overlaps or will, with the present velocities and gravity, within the step. A pair that touched
-    /// goes on touching up to a gap of the depth of rest, so that the tremor of an impact is not a row of separations.
-    /// </summary>
-    private static void SetTouching(in ContactUpdateInput input, ref ContactRecord record, in Manifold manifold, Vector2 offset)
-    {
-        bool touching = manifold.Count > 0 && (WillTouch(input, record, manifold, manifold.Point0, offset)
-            || (manifold.Count == 2 && WillTouch(input, record, manifold, manifold.Point1, offset)));
-        record.Flags = touching ? record.Flags | ContactFlags.Touching : record.Flags & ~ContactFlags.Touching;
-    }
-
-    private static bool WillTouch(
-        in ContactUpdateInput input, in ContactRecord record, in Manifold manifold, in ManifoldPoint point, Vector2 offset)
-    {
-        float reach = (record.Flags & ContactFlags.Touching) != 0 ? input.Settings.AllowedPenetration : 0;
-        if (point.Separation <= reach)
-        {
-            return true;
-        }
-
-        ref BodyState a = ref input.Bodies.State[record.BodyA];
-        ref BodyState b = ref input.Bodies.State[record.BodyB];
-        Vector2 n = manifold.Normal;
-        Vector2 rA = point.Anchor;
-        Vector2 rB = point.Anchor - offset;
-        Vector2 speed = b.LinearVelocity - a.LinearVelocity;
-        float vn = (speed.X * n.X) + (speed.Y * n.Y)
-            + (b.AngularVelocity * ((rB.X * n.Y) - (rB.Y * n.X))) - (a.AngularVelocity * ((rA.X * n.Y) - (rA.Y * n.X)));
-        Vector2 pull = (Pull(input, record.BodyB) - Pull(input, record.BodyA)) * input.Dt;
-        vn += Math.Min(0, (pull.X * n.X) + (pull.Y * n.Y));
-        return point.Separation + (vn * input.Dt) <= 0;
-    }
-
-    private static Vector2 Pull(in ContactUpdateInput input, int body) =>
-        input.Moves[body] != 0 && (input.Bodies.Flags[body] & BodyFlags.IgnoreGravity) == 0 ? input.Settings.Gravity : Vector2.Zero;
 }

@@ -85,9 +85,7 @@ internal sealed unsafe class ConstraintGraph
         int row = rows.AddRow();
         ContactBundle* bundle = rows.BundleOf(row);
         int lane = rows.LaneOf(row);
-        bundle->BodyA[lane] = record.BodyA;
-        bundle->BodyB[lane] = record.BodyB;
-        bundle->Contact[lane] = contact;
+        ContactRowWriter.Name(bundle, lane, contact, record);
         record.Color = color;
         record.Row = row;
         Mark(record.BodyA, color, movesA);

@@ -69,7 +69,7 @@ internal sealed unsafe class FeedForwardSettings
                 ContactBundle* row = color.BundleOf(r);
                 int lane = color.LaneOf(r);
                 float load = Math.Max(row->Point0.Normal[lane] * row->K11[lane], row->Point1.Normal[lane] * row->K22[lane]);
-                float sag = c.Sag(load, 1f);
+                float sag = c.Sag(load);
                 int slot = row->Level[lane];
                 if (sag > slotSag[slot])
                 {

@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Numerics;
@@ -10,13 +11,13 @@ namespace Farseer.Engine.NarrowPhase;
 /// <see cref="ConvexConvex"/>, which also does the rare cases (corner against corner).
 /// In a box's own frame edge 1 faces +x, edge 2 +y, edge 3 -x and edge 0 -y.
 /// </summary>
-internal static unsafe class BoxBox
+internal static class BoxBox
 {
     public static void Collide(in PairInput pair, out Manifold manifold)
     {
         manifold = default;
-        var a = new BoxFrame(pair, pair.A, pair.RotationA, default);
-        var b = new BoxFrame(pair, pair.B, pair.RotationB, pair.Offset);
+        var a = new BoxFrame(pair.A, pair.RotationA, default);
+        var b = new BoxFrame(pair.B, pair.RotationB, pair.Offset);
         float dx = b.X - a.X;
         float dy = b.Y - a.Y;
         float cos = (a.Cos * b.Cos) + (a.Sin * b.Sin);
@@ -62,7 +63,7 @@ internal static unsafe class BoxBox
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static float Abs(float value) => value < 0 ? -value : value;
+    private static float Abs(float value) => Math.Abs(value);
 
     /// <summary>A box in world axes about the centre of body A.</summary>
     private readonly struct BoxFrame
@@ -75,14 +76,12 @@ internal static unsafe class BoxBox
         public readonly float HalfY;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public BoxFrame(in PairInput pair, in Piece piece, Rotation rotation, Vector2 offset)
+        public BoxFrame(in Piece piece, Rotation rotation, Vector2 offset)
         {
-            Vector2* v = pair.Vertices + piece.VertexStart;
-            Vector2 axis = pair.Normals[piece.VertexStart + 1];
-            HalfX = 0.5f * (((v[1].X - v[0].X) * axis.X) + ((v[1].Y - v[0].Y) * axis.Y));
-            HalfY = 0.5f * (((v[2].Y - v[1].Y) * axis.X) - ((v[2].X - v[1].X) * axis.Y));
-            Cos = (rotation.Cos * axis.X) - (rotation.Sin * axis.Y);
-            Sin = (rotation.Sin * axis.X) + (rotation.Cos * axis.Y);
+            HalfX = piece.Half.X;
+            HalfY = piece.Half.Y;
+            Cos = (rotation.Cos * piece.Axis.X) - (rotation.Sin * piece.Axis.Y);
+            Sin = (rotation.Sin * piece.Axis.X) + (rotation.Cos * piece.Axis.Y);
             X = (rotation.Cos * piece.Center.X) - (rotation.Sin * piece.Center.Y) + offset.X;
             Y = (rotation.Sin * piece.Center.X) + (rotation.Cos * piece.Center.Y) + offset.Y;
         }
@@ -107,17 +106,15 @@ internal static unsafe class BoxBox
         public BoxView(in BoxFrame reference, float dx, float dy, bool axisX, float cos, float sin, float otherX, float otherY)
         {
             float sign = (axisX ? dx : dy) < 0 ? -1f : 1f;
-            float nx = axisX ? sign : 0;
-            float ny = axisX ? 0 : sign;
             _edge = axisX ? (dx < 0 ? 3 : 1) : (dy < 0 ? 0 : 2);
             _halfDepth = axisX ? reference.HalfX : reference.HalfY;
             _halfLength = axisX ? reference.HalfY : reference.HalfX;
-            float out0 = (dx * nx) + (dy * ny);
-            float along0 = (dy * nx) - (dx * ny);
+            float out0 = (axisX ? dx : dy) * sign;
+            float along0 = (axisX ? dy : -dx) * sign;
 
             // The face normal in the other box's frame; its larger component names the face that looks back.
-            float mx = (cos * nx) + (sin * ny);
-            float my = (cos * ny) - (sin * nx);
+            float mx = (axisX ? cos : sin) * sign;
+            float my = (axisX ? -sin : cos) * sign;
             bool faceX = Abs(mx) > Abs(my);
             float facing = faceX ? Abs(mx) : Abs(my);
             float depth = faceX ? otherX : otherY;
@@ -133,8 +130,8 @@ internal static unsafe class BoxBox
             _lowX = middleX - (facing * length);
             _lowY = middleY - (lean * length);
             _slope = lean / facing;
-            _normalX = (reference.Cos * nx) - (reference.Sin * ny);
-            _normalY = (reference.Sin * nx) + (reference.Cos * ny);
+            _normalX = (axisX ? reference.Cos : -reference.Sin) * sign;
+            _normalY = (axisX ? reference.Sin : reference.Cos) * sign;
         }
 
         /// <summary>False if the case is not face against face.</summary>

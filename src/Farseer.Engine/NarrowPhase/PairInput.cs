@@ -12,8 +12,10 @@ internal unsafe struct PairInput
     public Vector2* Normals;
     public Vector2* OutlineBefore;
     public Vector2* OutlineAfter;
-    public Piece A;
-    public Piece B;
+
+    /// <summary>The pieces, in place: a pair is built for each contact, and two copied pieces would be most of its cost.</summary>
+    public Piece* PieceA;
+    public Piece* PieceB;
     public Rotation RotationA;
     public Rotation RotationB;
 
@@ -23,6 +25,7 @@ internal unsafe struct PairInput
     /// <summary>Points farther apart than this are left out.</summary>
     public float Margin;
 
-    /// <summary>Ids of the pair's points in the last step (0: none): the reference shape is kept while it is nearly as good.</summary>
-    public uint OldId;
+    public readonly ref readonly Piece A => ref *PieceA;
+
+    public readonly ref readonly Piece B => ref *PieceB;
 }

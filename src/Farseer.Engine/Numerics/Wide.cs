@@ -69,6 +69,18 @@ internal static unsafe class WideLanes
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static WideMask operator <=(Wide a, Wide b) => Vector256.LessThanOrEqual(a, b);
+
+        /// <summary>Lanes whose bits are those of the integer.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Wide FromBits(int bits) => Vector256.Create(bits).AsSingle();
+
+        /// <summary>Where both have the same bits, whatever number these stand for.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static WideMask SameBits(Wide a, Wide b) => Vector256.Equals(a.AsInt32(), b.AsInt32()).AsSingle();
+
+        /// <summary>Where the mask is set <paramref name="a"/>, elsewhere 0.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Wide Keep(WideMask mask, Wide a) => mask & a;
 #else
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Splat(float value) => new Wide(value);
@@ -105,8 +117,42 @@ internal static unsafe class WideLanes
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static WideMask operator <=(Wide a, Wide b) => Vector.LessThanOrEqual(a, b);
+
+        /// <summary>Lanes whose bits are those of the integer.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Wide FromBits(int bits) => Vector.AsVectorSingle(new Vector<int>(bits));
+
+        /// <summary>Where both have the same bits, whatever number these stand for.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static WideMask SameBits(Wide a, Wide b) => Vector.Equals(Vector.AsVectorInt32(a), Vector.AsVectorInt32(b));
+
+        /// <summary>Where the mask is set <paramref name="a"/>, elsewhere 0.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Wide Keep(WideMask mask, Wide a) => Vector.AsVectorSingle(mask) & a;
 #endif
     }
+
+    /// <summary>Where all of <paramref name="bits"/> are set in <paramref name="value"/>, both taken as bits.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideMask Has(Wide value, int bits) => Wide.SameBits(value & Wide.FromBits(bits), Wide.FromBits(bits));
+
+#if NET8_0_OR_GREATER
+    /// <summary>Bit i is set where lane i of the mask is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Bits(WideMask mask) => (int)Vector256.ExtractMostSignificantBits(mask);
+#else
+    /// <summary>Bit i is set where lane i of the mask is.</summary>
+    public static int Bits(WideMask mask)
+    {
+        int bits = 0;
+        for (int i = 0; i < WideMask.Count; i++)
+        {
+            bits |= (mask[i] & 1) << i;
+        }
+
+        return bits;
+    }
+#endif
 
 #if !NET8_0_OR_GREATER
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -84,6 +84,8 @@ internal static unsafe class PieceBaker
             reach = Math.Max(reach, Math.Sqrt(((double)v.X * v.X) + ((double)v.Y * v.Y)));
         }
 
+        bool box = source.Kind == ShapeKind.Box;
+        Vector2 axis = box ? range.Normals[1] : Vector2.Zero;
         return new Piece
         {
             Body = body,
@@ -97,8 +99,14 @@ internal static unsafe class PieceBaker
             Flags = (source.OutlineNormalBefore != null ? PieceFlags.Seamed : PieceFlags.None)
                 | (source.OneSided ? PieceFlags.OneSided : PieceFlags.None),
             Center = (min + max) * 0.5f,
+            Half = box ? HalfSides(range.Vertices, axis) : Vector2.Zero,
+            Axis = axis,
         };
     }
+
+    private static Vector2 HalfSides(Vector2* v, Vector2 axis) => new Vector2(
+        0.5f * (((v[1].X - v[0].X) * axis.X) + ((v[1].Y - v[0].Y) * axis.Y)),
+        0.5f * (((v[2].Y - v[1].Y) * axis.X) - ((v[2].X - v[1].X) * axis.Y)));
 
     /// <summary>Unit normal to the right of the way from <paramref name="from"/> to <paramref name="to"/>, rounded once from double.</summary>
     public static Vector2 EdgeNormal(Vector2 from, Vector2 to)

@@ -32,6 +32,7 @@ internal sealed unsafe class BoxStage
         BodyStore bodies = world.Bodies;
         int end = bodies.Ids.End;
         _fits.EnsureCapacity(end);
+        ForgetMoves(world.Proxies);
         float pull = (Math.Abs(world.Settings.Gravity.X) + Math.Abs(world.Settings.Gravity.Y)) * dt;
         for (int body = 1; body < end; body++)
         {
@@ -46,6 +47,16 @@ internal sealed unsafe class BoxStage
             {
                 Fit(world, body, dt, pull);
             }
+        }
+    }
+
+    // The marks of the last step have served its pairs and its contacts.
+    private static void ForgetMoves(ProxyStore proxies)
+    {
+        ProxyInfo* info = proxies.Info.Pointer;
+        for (int i = 0; i < proxies.End; i++)
+        {
+            info[i].Flags &= ~ProxyFlags.Moved;
         }
     }
 

@@ -1,5 +1,6 @@
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
@@ -12,6 +13,16 @@ internal sealed unsafe class ContactStage
     private readonly Column<ulong> _gainKeys = new Column<ulong>();
     private readonly Column<int> _gained = new Column<int>();
     private readonly RadixSort _sort = new RadixSort();
+    private readonly ContactSides _sides = new ContactSides();
+
+    /// <summary>Pairs on their way through the narrow phase, and a bundle for those that have none.</summary>
+    private readonly Column<PairLanes> _pairs = new Column<PairLanes>();
+    private readonly Column<ContactBundle> _bundle = new Column<ContactBundle>();
+    private int _lostCount;
+    private int _droppedCount;
+    private int _gainedCount;
+    private int _touching;
+    private int _touchingNow;
 
     /// <summary>A contact of the graph can bounce.</summary>
     public bool AnyBounce { get; private set; }
@@ -22,67 +33,28 @@ internal sealed unsafe class ContactStage
     /// <summary>A pair has a listener.</summary>
     public bool AnyHeard { get; private set; }
 
-    public void Update(in ContactUpdateInput input, ConstraintGraph graph)
+    public void Update(ContactUpdateInput input, ConstraintGraph graph)
     {
         ContactStore contacts = input.Contacts;
+        _sides.Prepare(input.Shapes, input.Bodies, input.Proxies, input.Moves);
+        input.Sides = _sides.Pointer;
+        input.Pairs = _pairs.Pointer;
         AnyBounce = false;
         AnyHeard = false;
-        int lost = 0;
-        int dropped = 0;
-        int gained = 0;
-        int touching = 0;
-        int touchingNow = 0;
+        _lostCount = 0;
+        _droppedCount = 0;
+        _gainedCount = 0;
+        _touching = 0;
+        _touchingNow = 0;
         _lost.EnsureCapacity(contacts.Records.Capacity);
         _dropped.EnsureCapacity(contacts.Records.Capacity);
         _gained.EnsureCapacity(contacts.Records.Capacity);
         _gainKeys.EnsureCapacity(contacts.Records.Capacity);
-        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
-        {
-            GraphColor color = graph[c];
-            int rows = color.RowCount;
-            for (int r = 0; r < rows; r++)
-            {
-                ContactBundle* bundle = color.BundleOf(r);
-                int lane = color.LaneOf(r);
-                int index = bundle->Contact[lane];
-                ContactFlags before = contacts.Records[index].Flags;
-                ContactFate fate = ContactUpdate.UpdateRow(input, bundle, lane);
-                CountTouching(before, contacts.Records[index].Flags, ref touching, ref touchingNow);
-                AnyBounce |= bundle->Restitution[lane] > 0;
-                AnyHeard |= (contacts.Records[index].Flags & ContactFlags.Heard) != 0;
-                if (fate == ContactFate.Lose)
-                {
-                    _lost[lost++] = index;
-                }
-                else if (fate == ContactFate.Drop)
-                {
-                    _dropped[dropped++] = index;
-                }
-            }
-        }
-
-        for (int i = 0; i < contacts.IdleCount; i++)
-        {
-            int index = contacts.Idle(i);
-            ContactFlags before = contacts.Records[index].Flags;
-            ContactFate fate = ContactUpdate.UpdateIdle(input, index);
-            CountTouching(before, contacts.Records[index].Flags, ref touching, ref touchingNow);
-            AnyHeard |= (contacts.Records[index].Flags & ContactFlags.Heard) != 0;
-            if (fate == ContactFate.Gain)
-            {
-                ref ContactRecord record = ref contacts.Records[index];
-                _gainKeys[gained] = Shuffle(PairKey(record));
-                _gained[gained++] = index;
-            }
-            else if (fate == ContactFate.Drop)
-            {
-                _dropped[dropped++] = index;
-            }
-        }
-
-        Take(contacts, graph, lost, dropped);
-        Give(input, graph, gained);
-        ColdStart = touchingNow > 0 && touchingNow * 2 >= touching;
+        UpdateGraph(input, graph);
+        UpdateIdle(input);
+        Take(contacts, graph);
+        Give(input, graph);
+        ColdStart = _touchingNow > 0 && _touchingNow * 2 >= _touching;
     }
 
     /// <summary>Takes a pair out of the graph and forgets it.</summary>
@@ -99,26 +71,107 @@ internal sealed unsafe class ContactStage
         contacts.Destroy(index, key);
     }
 
-    private static void CountTouching(ContactFlags before, ContactFlags after, ref int touching, ref int touchingNow)
+    public static ulong PairKey(in ContactRecord record) => BroadPhase.PairBuffer.Pack(record.PieceA, record.PieceB);
+
+    private void UpdateGraph(in ContactUpdateInput input, ConstraintGraph graph)
     {
-        if ((after & ContactFlags.Touching) != 0)
+        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
         {
-            touching++;
-            touchingNow += (before & ContactFlags.Touching) == 0 ? 1 : 0;
+            GraphColor color = graph[c];
+            ContactBundle* bundles = color.Bundles;
+            int count = color.BundleCount;
+            for (int i = 0; i < count; i++)
+            {
+                ContactBundle* bundle = bundles + i;
+                ContactFates fates = ContactUpdate.UpdateRows(input, bundle);
+                Count(fates);
+                AnyBounce = AnyBounce || Bounces(bundle);
+                int leaving = fates.Idle | fates.Dropped;
+                for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
+                {
+                    if ((leaving & 1) == 0)
+                    {
+                        continue;
+                    }
+
+                    if ((fates.Dropped & (1 << lane)) != 0)
+                    {
+                        _dropped[_droppedCount++] = bundle->Contact[lane];
+                    }
+                    else
+                    {
+                        _lost[_lostCount++] = bundle->Contact[lane];
+                    }
+                }
+            }
         }
     }
 
-    public static ulong PairKey(in ContactRecord record) => BroadPhase.PairBuffer.Pack(record.PieceA, record.PieceB);
-
-    private void Take(ContactStore contacts, ConstraintGraph graph, int lost, int dropped)
+    /// <summary>The pairs without a row, eight at a time in a bundle of their own.</summary>
+    private void UpdateIdle(in ContactUpdateInput input)
     {
-        for (int i = 0; i < lost; i++)
+        ContactStore contacts = input.Contacts;
+        ContactBundle* bundle = _bundle.Pointer;
+        for (int i = 0; i < contacts.IdleCount; i += ContactBundle.Lanes)
+        {
+            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            {
+                ContactRowWriter.ClearLane(bundle, lane);
+                if (i + lane < contacts.IdleCount)
+                {
+                    int index = contacts.Idle(i + lane);
+                    ContactRowWriter.Name(bundle, lane, index, contacts.Records[index]);
+                }
+            }
+
+            ContactFates fates = ContactUpdate.UpdateIdle(input, bundle);
+            Count(fates);
+            int leaving = fates.Solid | fates.Dropped;
+            for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
+            {
+                int index = bundle->Contact[lane];
+                if ((fates.Dropped & (1 << lane)) != 0)
+                {
+                    _dropped[_droppedCount++] = index;
+                }
+                else if ((fates.Solid & (1 << lane)) != 0)
+                {
+                    _gainKeys[_gainedCount] = Shuffle(PairKey(contacts.Records[index]));
+                    _gained[_gainedCount++] = index;
+                }
+            }
+        }
+    }
+
+    private void Count(in ContactFates fates)
+    {
+        _touching += BitSet.CountBits((uint)fates.Touching);
+        _touchingNow += BitSet.CountBits((uint)fates.TouchingNow);
+        AnyHeard |= fates.Heard != 0;
+    }
+
+    private static bool Bounces(ContactBundle* bundle)
+    {
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            if (bundle->Restitution[lane] > 0)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private void Take(ContactStore contacts, ConstraintGraph graph)
+    {
+        for (int i = 0; i < _lostCount; i++)
         {
             graph.Remove(ref contacts.Records[_lost[i]], contacts.Records);
             contacts.AddIdle(_lost[i]);
         }
 
-        for (int i = 0; i < dropped; i++)
+        for (int i = 0; i < _droppedCount; i++)
         {
             Drop(contacts, graph, _dropped[i]);
         }
@@ -126,22 +179,37 @@ internal sealed unsafe class ContactStage
 
     /// <summary>
     /// New rows are coloured in a shuffled order: in creation order a stack gets all left supports in one colour and all right
-    /// ones in another, and drifts sideways.
+    /// ones in another, and drifts sideways. Their constraints are written eight at a time and moved to their places.
     /// </summary>
-    private void Give(in ContactUpdateInput input, ConstraintGraph graph, int gained)
+    private void Give(in ContactUpdateInput input, ConstraintGraph graph)
     {
         ContactStore contacts = input.Contacts;
-        _sort.Sort(_gainKeys.Pointer, _gained.Pointer, gained);
-        for (int i = 0; i < gained; i++)
+        ContactBundle* bundle = _bundle.Pointer;
+        _sort.Sort(_gainKeys.Pointer, _gained.Pointer, _gainedCount);
+        for (int i = 0; i < _gainedCount; i += ContactBundle.Lanes)
         {
-            int index = _gained[i];
-            ref ContactRecord record = ref contacts.Records[index];
-            contacts.RemoveIdle(index);
-            graph.Add(index, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
-            GraphColor color = graph[record.Color];
-            ContactBundle* bundle = color.BundleOf(record.Row);
-            ContactUpdate.FillRow(input, index, bundle, color.LaneOf(record.Row));
-            AnyBounce |= bundle->Restitution[color.LaneOf(record.Row)] > 0;
+            int count = System.Math.Min(ContactBundle.Lanes, _gainedCount - i);
+            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            {
+                ContactRowWriter.ClearLane(bundle, lane);
+                if (lane < count)
+                {
+                    int index = _gained[i + lane];
+                    ref ContactRecord record = ref contacts.Records[index];
+                    contacts.RemoveIdle(index);
+                    graph.Add(index, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
+                    ContactRowWriter.Name(bundle, lane, index, record);
+                }
+            }
+
+            ContactUpdate.FillRows(input, bundle);
+            AnyBounce = AnyBounce || Bounces(bundle);
+            for (int lane = 0; lane < count; lane++)
+            {
+                ref ContactRecord record = ref contacts.Records[_gained[i + lane]];
+                GraphColor color = graph[record.Color];
+                ContactRowWriter.MoveLane(bundle, lane, color.BundleOf(record.Row), color.LaneOf(record.Row));
+            }
         }
     }
 

@@ -65,11 +65,6 @@ internal sealed partial class World
     {
         _pairs.Clear();
         BroadPhase.Collect(Proxies, _pairs);
-        for (int i = 0; i < Proxies.End; i++)
-        {
-            Proxies.Info[i].Flags &= ~ProxyFlags.Moved;
-        }
-
         _pairSort.Sort(_pairs.Pointer, _pairs.Count);
         for (int i = 0; i < _pairs.Count; i++)
         {
@@ -108,7 +103,7 @@ internal sealed partial class World
             ColliderA = colliderA,
             ColliderB = colliderB,
         };
-        record.FirstFriction = ContactUpdate.MixFriction(ContactInput(0, 1), record);
+        record.FirstFriction = ContactUpdate.MixFriction(Shapes, Settings.FrictionMix, record);
         _contacts.Create(key, record);
     }
 

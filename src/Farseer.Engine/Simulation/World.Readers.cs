@@ -139,13 +139,12 @@ internal sealed partial class World
         pair.Normals = Shapes.Normals.Pointer;
         pair.OutlineBefore = Shapes.OutlineBefore.Pointer;
         pair.OutlineAfter = Shapes.OutlineAfter.Pointer;
-        pair.A = Shapes.Pieces[record.PieceA];
-        pair.B = Shapes.Pieces[record.PieceB];
+        pair.PieceA = Shapes.Pieces.Pointer + record.PieceA;
+        pair.PieceB = Shapes.Pieces.Pointer + record.PieceB;
         pair.RotationA = new Rotation(a.Cos, a.Sin);
         pair.RotationB = new Rotation(b.Cos, b.Sin);
         pair.Offset = new Vector2((float)(b.X - a.X), (float)(b.Y - a.Y));
-        pair.Margin = 0.02f * Math.Min(pair.A.Extent, pair.B.Extent);
-        pair.OldId = 0;
+        pair.Margin = 0.02f * Math.Min(pair.PieceA->Extent, pair.PieceB->Extent);
         Collision.Collide(pair, out Manifold manifold);
         return manifold;
     }

@@ -46,6 +46,9 @@ internal sealed partial class World
         input.Bodies = Bodies;
         input.Contacts = _contacts;
         input.Fat = Proxies.Fat.Pointer;
+        input.Proxies = Proxies.Info.Pointer;
+        input.Sides = null;
+        input.Pairs = null;
         input.Moves = _lists.Moves;
         input.Settings = Settings;
         input.Dt = dt;

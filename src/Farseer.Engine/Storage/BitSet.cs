@@ -83,7 +83,7 @@ internal sealed unsafe class BitSet
         return (word << 6) + CountBits((bits & (0 - bits)) - 1);
     }
 
-    private static int CountBits(ulong bits)
+    public static int CountBits(ulong bits)
     {
 #if NET8_0_OR_GREATER
         return System.Numerics.BitOperations.PopCount(bits);

@@ -1,0 +1,113 @@
+using System.Runtime.InteropServices;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.BroadPhase;
+using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Contacts;
+
+/// <summary>
+/// All that the update of a contact reads of one of its pieces, in one cache line of 64 bytes, in the order of
+/// <see cref="SideLanes"/>: a piece has several contacts, so what lies in seven tables is put together once a step.
+/// </summary>
+[StructLayout(LayoutKind.Sequential, Size = 64)]
+internal struct ContactSide
+{
+    /// <summary>Floats of a record, the stride of gathers.</summary>
+    public const int Stride = 16;
+
+    public float X;
+    public float Y;
+    public float Cos;
+    public float Sin;
+
+    public float HalfX;
+    public float HalfY;
+    public float Extent;
+    public float Reach;
+
+    public float VelocityX;
+    public float VelocityY;
+    public float AngularVelocity;
+    public SideFlags Flags;
+
+    public float InverseMass;
+    public float InverseInertia;
+    public float Friction;
+    public float Restitution;
+}
+
+/// <summary>The sides of all pieces, rewritten at the start of each narrow phase.</summary>
+internal sealed unsafe class ContactSides
+{
+    /// <summary>The piece of an empty lane: its side is inert.</summary>
+    public const int NoPiece = -1;
+
+    private readonly Column<ContactSide> _sides = new Column<ContactSide>();
+
+    /// <summary>The side of piece 0; that of <see cref="NoPiece"/> stands before it.</summary>
+    public ContactSide* Pointer => _sides.Pointer + 1;
+
+    public void Prepare(ShapeStore shapes, BodyStore bodies, ProxyInfo* proxies, byte* moves)
+    {
+        int end = shapes.PieceIds.End;
+        _sides.EnsureCapacity(end + 1);
+        _sides[0] = new ContactSide { Cos = 1, HalfX = 1, HalfY = 1, Flags = SideFlags.Box };
+        ContactSide* sides = Pointer;
+        Piece* pieces = shapes.Pieces.Pointer;
+        ColliderInfo* colliders = shapes.Colliders.Pointer;
+        BodyPose* poses = bodies.Pose.Pointer;
+        BodyState* states = bodies.State.Pointer;
+        BodyMass* masses = bodies.Mass.Pointer;
+        BodyFlags* flags = bodies.Flags.Pointer;
+        for (int i = 0; i < end; i++)
+        {
+            Piece* piece = pieces + i;
+            if (piece->VertexCount == 0)
+            {
+                continue;
+            }
+
+            int body = piece->Body;
+            ContactSide* side = sides + i;
+            BodyPose* pose = poses + body;
+            float cos = pose->Cos;
+            float sin = pose->Sin;
+            side->X = (cos * piece->Center.X) - (sin * piece->Center.Y);
+            side->Y = (sin * piece->Center.X) + (cos * piece->Center.Y);
+            side->Cos = (cos * piece->Axis.X) - (sin * piece->Axis.Y);
+            side->Sin = (sin * piece->Axis.X) + (cos * piece->Axis.Y);
+            side->HalfX = piece->Half.X;
+            side->HalfY = piece->Half.Y;
+            side->Extent = piece->Extent;
+            side->Reach = piece->Reach;
+            BodyState* state = states + body;
+            side->VelocityX = state->LinearVelocity.X;
+            side->VelocityY = state->LinearVelocity.Y;
+            side->AngularVelocity = state->AngularVelocity;
+            ColliderInfo* collider = colliders + piece->Collider;
+            bool moving = moves[body] != 0;
+            SideFlags now = (proxies[i].Flags & ProxyFlags.Moved) != 0 ? SideFlags.NewBox : SideFlags.None;
+            side->Flags = now | Describe(piece, collider->Flags, flags[body], moving);
+            side->InverseMass = moving ? masses[body].InverseMass : 0;
+            side->InverseInertia = moving ? masses[body].InverseInertia : 0;
+            side->Friction = collider->Friction;
+            side->Restitution = collider->Restitution;
+        }
+    }
+
+    private static SideFlags Describe(Piece* piece, ColliderFlags collider, BodyFlags body, bool moving)
+    {
+        SideFlags flags = moving ? SideFlags.Exists | SideFlags.Moves : SideFlags.Exists;
+        flags |= (collider & ColliderFlags.ResponseEnabled) != 0 ? SideFlags.Responds : SideFlags.None;
+        flags |= (collider & (ColliderFlags.WantsContact | ColliderFlags.WantsSeparation)) != 0 ? SideFlags.Heard : SideFlags.None;
+        flags |= moving && (body & BodyFlags.IgnoreGravity) == 0 ? SideFlags.Pulled : SideFlags.None;
+        if ((piece->Flags & PieceFlags.OneSided) != 0)
+        {
+            return flags;
+        }
+
+        return piece->Kind == ShapeKind.Box ? flags | SideFlags.Box : piece->Kind == ShapeKind.Circle ? flags | SideFlags.Circle : flags;
+    }
+}

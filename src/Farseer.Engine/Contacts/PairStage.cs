@@ -1,0 +1,208 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Farseer.Engine.Contacts;
+
+/// <summary>What the sides of a bundle's pairs are, a bit for each lane.</summary>
+internal struct PairBits
+{
+    public int Exists;
+
+    /// <summary>Gives impulses: both colliders respond and at least one body can move.</summary>
+    public int Solid;
+    public int Heard;
+    public int Boxes;
+    public int Circles;
+    public int NewBox;
+}
+
+/// <summary>
+/// The narrow phase of eight pairs side by side: gather the sides, find the manifolds, see whether the surfaces touch. The pairs
+/// are named by the first columns of a bundle.
+/// </summary>
+internal static unsafe class PairStage
+{
+    /// <summary>
+    /// Points this share of the smaller extent apart are kept although they cannot touch in this step: a box that rocks by a
+    /// hair keeps both points and their impulses.
+    /// </summary>
+    private const float SkinShare = 0.02f;
+
+    /// <summary>Gathers both sides of each pair, their bodies' offset, and the distance from which on points are kept.</summary>
+    public static PairBits Load(in ContactUpdateInput input, ContactBundle* row)
+    {
+        PairLanes* pairs = input.Pairs;
+        float* sides = (float*)input.Sides;
+        PairBits bits = default;
+        Wide pull = Wide.Splat((System.Math.Abs(input.Settings.Gravity.X) + System.Math.Abs(input.Settings.Gravity.Y)) * input.Dt);
+        Wide dt = Wide.Splat(input.Dt);
+        for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
+        {
+            LoadSide(sides, row->PieceA + lane, &pairs->A, lane);
+            LoadSide(sides, row->PieceB + lane, &pairs->B, lane);
+            BodyLanes.GatherOffset(input.Bodies.Pose.Pointer, row->BodyA + lane, row->BodyB + lane, out Wide x, out Wide y);
+            x.Store(pairs->OffsetX + lane);
+            y.Store(pairs->OffsetY + lane);
+
+            Wide speedX = Wide.Load(pairs->B.VelocityX + lane) - Wide.Load(pairs->A.VelocityX + lane);
+            Wide speedY = Wide.Load(pairs->B.VelocityY + lane) - Wide.Load(pairs->A.VelocityY + lane);
+            Wide motion = Wide.Abs(speedX) + Wide.Abs(speedY)
+                + (Wide.Abs(Wide.Load(pairs->A.AngularVelocity + lane)) * Wide.Load(pairs->A.Reach + lane))
+                + (Wide.Abs(Wide.Load(pairs->B.AngularVelocity + lane)) * Wide.Load(pairs->B.Reach + lane))
+                + pull;
+            Wide size = Wide.Min(Wide.Load(pairs->A.Extent + lane), Wide.Load(pairs->B.Extent + lane));
+            ((motion * dt) + (Wide.Splat(SkinShare) * size)).Store(pairs->Margin + lane);
+
+            Wide flagsA = Wide.Load((float*)pairs->A.Flags + lane);
+            Wide flagsB = Wide.Load((float*)pairs->B.Flags + lane);
+            Wide both = flagsA & flagsB;
+            Wide any = flagsA | flagsB;
+            bits.Exists |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Exists)) << lane;
+            WideMask solid = WideLanes.Has(both, (int)SideFlags.Responds) & WideLanes.Has(any, (int)SideFlags.Moves);
+            bits.Solid |= WideLanes.Bits(solid) << lane;
+            bits.Heard |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.Heard)) << lane;
+            bits.Boxes |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Box)) << lane;
+            bits.Circles |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Circle)) << lane;
+            bits.NewBox |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.NewBox)) << lane;
+        }
+
+        return bits;
+    }
+
+    /// <summary>Finds the manifolds of all lanes.</summary>
+    public static void Collide(in ContactUpdateInput input, ContactBundle* row, in PairBits bits)
+    {
+        int left = bits.Exists;
+        if ((bits.Boxes & bits.Exists) != 0)
+        {
+            int corners = WideBoxBox.Collide(input.Pairs);
+            left &= ~bits.Boxes | corners;
+        }
+
+        for (int lane = 0; left != 0; lane++, left >>= 1)
+        {
+            if ((left & 1) != 0)
+            {
+                CollideLane(input, row, lane);
+            }
+        }
+    }
+
+    /// <summary>
+    /// Finds the arms of all points, and which pairs touch: those with a point that overlaps or will, with the present velocities
+    /// and gravity, within the step. A pair that touched goes on touching up to a gap of the depth of rest, so that the tremor of
+    /// an impact is not a row of separations.
+    /// </summary>
+    /// <param name="input">Columns and numbers of this step.</param>
+    /// <param name="row">Has the flags of the step before.</param>
+    /// <param name="touched">Lanes that touched in the step before.</param>
+    /// <param name="hit">Lanes that have points.</param>
+    /// <returns>A bit for each lane that touches.</returns>
+    public static int Touch(in ContactUpdateInput input, ContactBundle* row, out int touched, out int hit)
+    {
+        PairLanes* pairs = input.Pairs;
+        int bits = 0;
+        touched = 0;
+        hit = 0;
+        Wide gravityX = Wide.Splat(input.Settings.Gravity.X);
+        Wide gravityY = Wide.Splat(input.Settings.Gravity.Y);
+        Wide dt = Wide.Splat(input.Dt);
+        Wide rest = Wide.Splat(input.Settings.AllowedPenetration);
+        for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
+        {
+            SideLanes* a = &pairs->A;
+            SideLanes* b = &pairs->B;
+            WideMask pulledA = WideLanes.Has(Wide.Load((float*)a->Flags + lane), (int)SideFlags.Pulled);
+            WideMask pulledB = WideLanes.Has(Wide.Load((float*)b->Flags + lane), (int)SideFlags.Pulled);
+            Wide pullX = (Wide.Keep(pulledB, gravityX) - Wide.Keep(pulledA, gravityX)) * dt;
+            Wide pullY = (Wide.Keep(pulledB, gravityY) - Wide.Keep(pulledA, gravityY)) * dt;
+            Wide nx = Wide.Load(pairs->NormalX + lane);
+            Wide ny = Wide.Load(pairs->NormalY + lane);
+            Wide speed = ((Wide.Load(b->VelocityX + lane) - Wide.Load(a->VelocityX + lane)) * nx)
+                + ((Wide.Load(b->VelocityY + lane) - Wide.Load(a->VelocityY + lane)) * ny);
+            Wide gain = Wide.Min((pullX * nx) + (pullY * ny), Wide.Zero);
+            WideMask before = WideLanes.Has(Wide.Load((float*)row->Flags + lane), (int)ContactFlags.Touching);
+            Wide reach = Wide.Keep(before, rest);
+            Wide count = Wide.Load(pairs->Count + lane);
+            WideMask touch0 = TouchPoint(pairs, &pairs->Point0, lane, speed, gain, reach, dt);
+            WideMask touch1 = TouchPoint(pairs, &pairs->Point1, lane, speed, gain, reach, dt);
+            WideMask any = count > Wide.Zero;
+            WideMask touch = any & (touch0 | ((count > Wide.One) & touch1));
+            bits |= WideLanes.Bits(touch) << lane;
+            touched |= WideLanes.Bits(before) << lane;
+            hit |= WideLanes.Bits(any) << lane;
+        }
+
+        return bits;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideMask TouchPoint(PairLanes* pairs, PointLanes* point, int lane, Wide speed, Wide gain, Wide reach, Wide dt)
+    {
+        Wide nx = Wide.Load(pairs->NormalX + lane);
+        Wide ny = Wide.Load(pairs->NormalY + lane);
+        Wide x = Wide.Load(point->X + lane);
+        Wide y = Wide.Load(point->Y + lane);
+        Wide armA = (x * ny) - (y * nx);
+        ((x * nx) + (y * ny)).Store(point->NormalArmA + lane);
+        armA.Store(point->TangentArmA + lane);
+        x = x - Wide.Load(pairs->OffsetX + lane);
+        y = y - Wide.Load(pairs->OffsetY + lane);
+        Wide armB = (x * ny) - (y * nx);
+        ((x * nx) + (y * ny)).Store(point->NormalArmB + lane);
+        armB.Store(point->TangentArmB + lane);
+        Wide closing = speed + (Wide.Load(pairs->B.AngularVelocity + lane) * armB) - (Wide.Load(pairs->A.AngularVelocity + lane) * armA);
+        Wide separation = Wide.Load(point->Separation + lane);
+        return (separation <= reach) | (separation + ((closing + gain) * dt) <= Wide.Zero);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void LoadSide(float* sides, int* index, SideLanes* target, int lane)
+    {
+        BodyLanes.Gather(sides, index, out Wide x, out Wide y, out Wide cos, out Wide sin, ContactSide.Stride);
+        x.Store(target->X + lane);
+        y.Store(target->Y + lane);
+        cos.Store(target->Cos + lane);
+        sin.Store(target->Sin + lane);
+        BodyLanes.Gather(sides + 4, index, out Wide halfX, out Wide halfY, out Wide extent, out Wide reach, ContactSide.Stride);
+        halfX.Store(target->HalfX + lane);
+        halfY.Store(target->HalfY + lane);
+        extent.Store(target->Extent + lane);
+        reach.Store(target->Reach + lane);
+        BodyLanes.Gather(sides + 8, index, out Wide vx, out Wide vy, out Wide w, out Wide flags, ContactSide.Stride);
+        vx.Store(target->VelocityX + lane);
+        vy.Store(target->VelocityY + lane);
+        w.Store(target->AngularVelocity + lane);
+        flags.Store((float*)target->Flags + lane);
+        BodyLanes.Gather(sides + 12, index, out Wide mass, out Wide inertia, out Wide friction, out Wide restitution, ContactSide.Stride);
+        mass.Store(target->InverseMass + lane);
+        inertia.Store(target->InverseInertia + lane);
+        friction.Store(target->Friction + lane);
+        restitution.Store(target->Restitution + lane);
+    }
+
+    private static void CollideLane(in ContactUpdateInput input, ContactBundle* row, int lane)
+    {
+        PairInput pair;
+        pair.Vertices = input.Shapes.Vertices.Pointer;
+        pair.Normals = input.Shapes.Normals.Pointer;
+        pair.OutlineBefore = input.Shapes.OutlineBefore.Pointer;
+        pair.OutlineAfter = input.Shapes.OutlineAfter.Pointer;
+        pair.PieceA = input.Shapes.Pieces.Pointer + row->PieceA[lane];
+        pair.PieceB = input.Shapes.Pieces.Pointer + row->PieceB[lane];
+        BodyPose* poseA = input.Bodies.Pose.Pointer + row->BodyA[lane];
+        BodyPose* poseB = input.Bodies.Pose.Pointer + row->BodyB[lane];
+        pair.RotationA = new Rotation(poseA->Cos, poseA->Sin);
+        pair.RotationB = new Rotation(poseB->Cos, poseB->Sin);
+        pair.Offset = new Vector2(input.Pairs->OffsetX[lane], input.Pairs->OffsetY[lane]);
+        pair.Margin = input.Pairs->Margin[lane];
+        Collision.Collide(pair, out Manifold manifold);
+        PairLanes.Write(input.Pairs, lane, manifold);
+    }
+}

@@ -1,0 +1,159 @@
+using System.Runtime.InteropServices;
+using Farseer.Engine.Numerics;
+
+namespace Farseer.Engine.NarrowPhase;
+
+/// <summary>What a side of a pair is and may do.</summary>
+[System.Flags]
+internal enum SideFlags : int
+{
+    None = 0,
+
+    /// <summary>Not set in the side that empty lanes point at.</summary>
+    Exists = 1,
+
+    /// <summary>The collider takes part in the response.</summary>
+    Responds = 2,
+
+    /// <summary>The solver may move the body.</summary>
+    Moves = 4,
+
+    /// <summary>Gravity acts on the body.</summary>
+    Pulled = 8,
+
+    /// <summary>A listener wants to hear of the collider.</summary>
+    Heard = 16,
+
+    /// <summary>A box that the box kernel can do.</summary>
+    Box = 32,
+
+    /// <summary>A circle.</summary>
+    Circle = 64,
+
+    /// <summary>The fat box is new in this step.</summary>
+    NewBox = 128,
+}
+
+/// <summary>One side of each pair of a bundle: shape, motion and material, as the record it was gathered from has them.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct SideLanes
+{
+    public const int Lanes = WideLanes.BundleLanes;
+
+    /// <summary>Centre of a box or circle from its body's, in world axes.</summary>
+    public fixed float X[Lanes];
+    public fixed float Y[Lanes];
+
+    /// <summary>Direction of a box's own x axis in world axes.</summary>
+    public fixed float Cos[Lanes];
+    public fixed float Sin[Lanes];
+
+    /// <summary>Half sides of a box; the radius of a circle.</summary>
+    public fixed float HalfX[Lanes];
+    public fixed float HalfY[Lanes];
+    public fixed float Extent[Lanes];
+    public fixed float Reach[Lanes];
+
+    public fixed float VelocityX[Lanes];
+    public fixed float VelocityY[Lanes];
+    public fixed float AngularVelocity[Lanes];
+
+    /// <summary><see cref="SideFlags"/>.</summary>
+    public fixed int Flags[Lanes];
+
+    public fixed float InverseMass[Lanes];
+    public fixed float InverseInertia[Lanes];
+    public fixed float Friction[Lanes];
+    public fixed float Restitution[Lanes];
+}
+
+/// <summary>One point of each pair's manifold, as <see cref="ManifoldPoint"/>, and its arms in the contact frame.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct PointLanes
+{
+    public const int Lanes = WideLanes.BundleLanes;
+
+    public fixed float X[Lanes];
+    public fixed float Y[Lanes];
+    public fixed float Separation[Lanes];
+    public fixed uint Id[Lanes];
+
+    /// <summary>Arms an = r·n and at = r×n from the centres of both bodies.</summary>
+    public fixed float NormalArmA[Lanes];
+    public fixed float TangentArmA[Lanes];
+    public fixed float NormalArmB[Lanes];
+    public fixed float TangentArmB[Lanes];
+}
+
+/// <summary>
+/// Eight pairs side by side on their way through the narrow phase: each stage reads what it needs at the point of use and
+/// writes its result, so no stage holds more than a few vectors. It stays in the first-level cache.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct PairLanes
+{
+    public const int Lanes = WideLanes.BundleLanes;
+
+    public SideLanes A;
+    public SideLanes B;
+
+    /// <summary>Centre of body B minus centre of body A.</summary>
+    public fixed float OffsetX[Lanes];
+    public fixed float OffsetY[Lanes];
+
+    /// <summary>Points farther apart than this are left out.</summary>
+    public fixed float Margin[Lanes];
+
+    public fixed float NormalX[Lanes];
+    public fixed float NormalY[Lanes];
+
+    /// <summary>0, 1 or 2 points.</summary>
+    public fixed float Count[Lanes];
+
+    public PointLanes Point0;
+    public PointLanes Point1;
+
+    public static void Write(PairLanes* pairs, int lane, in Manifold manifold)
+    {
+        pairs->NormalX[lane] = manifold.Normal.X;
+        pairs->NormalY[lane] = manifold.Normal.Y;
+        pairs->Count[lane] = manifold.Count;
+        Write(&pairs->Point0, lane, manifold.Point0);
+        Write(&pairs->Point1, lane, manifold.Point1);
+    }
+
+    public static Manifold Read(PairLanes* pairs, int lane)
+    {
+        Manifold manifold = default;
+        manifold.Count = (int)pairs->Count[lane];
+        if (manifold.Count > 0)
+        {
+            manifold.Normal = new System.Numerics.Vector2(pairs->NormalX[lane], pairs->NormalY[lane]);
+            manifold.Point0 = Read(&pairs->Point0, lane);
+        }
+
+        if (manifold.Count > 1)
+        {
+            manifold.Point1 = Read(&pairs->Point1, lane);
+        }
+
+        return manifold;
+    }
+
+    private static void Write(PointLanes* points, int lane, in ManifoldPoint point)
+    {
+        points->X[lane] = point.Anchor.X;
+        points->Y[lane] = point.Anchor.Y;
+        points->Separation[lane] = point.Separation;
+        points->Id[lane] = point.Id;
+    }
+
+    private static ManifoldPoint Read(PointLanes* points, int lane)
+    {
+        ManifoldPoint point;
+        point.Anchor = new System.Numerics.Vector2(points->X[lane], points->Y[lane]);
+        point.Separation = points->Separation[lane];
+        point.Id = points->Id[lane];
+        return point;
+    }
+}
