@@ -3,6 +3,7 @@ using System.Linq;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Porting;
 using Xunit;
 
 namespace Farseer.Tests.Api;
@@ -161,14 +162,24 @@ public class ValueTypeTests
     {
         var position = new Vector2(3f, 4f);
         var velocity = Vector2.Zero;
+        Assert.Equal(0, velocity.X);
+        Assert.Equal(0, velocity.Y);
         velocity.X = 1;
         velocity.Y = 2;
 
-        // The manual's example writes Subtract in line; the vector type has no version with ref and out arguments.
-        Vector2 difference;
-        difference.X = position.X - velocity.X;
-        difference.Y = position.Y - velocity.Y;
-        Assert.Equal(Vector2.Subtract(position, velocity), difference);
+        // The manual's example: the same by value, by reference and written in line.
+        Vector2 inLine;
+        inLine.X = position.X - velocity.X;
+        inLine.Y = position.Y - velocity.Y;
+        Vector2.Subtract(ref position, ref velocity, out Vector2 byReference);
+        Assert.Equal(new Vector2(2, 2), inLine);
+        Assert.Equal(inLine, byReference);
+        Assert.Equal(inLine, Vector2.Subtract(position, velocity));
+        Assert.Equal(new Vector2(3, 4), position);
+
+        // The result may be one of the arguments.
+        Vector2.Subtract(ref position, ref velocity, out position);
+        Assert.Equal(inLine, position);
     }
 
     private static Contact Contact(int vertex) => new(Vector2.Zero, Vector2.UnitY, 0, new ContactId(0, vertex, 0));
