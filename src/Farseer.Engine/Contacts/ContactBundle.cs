@@ -73,6 +73,9 @@ internal unsafe struct ContactBundle
     /// <summary>Combined restitution; 0: the restitution pass skips the contact.</summary>
     public fixed float Restitution[Lanes];
 
+    /// <summary>1 if the pair bounced in this step, else 0: by the step's end nothing else tells of an impact.</summary>
+    public fixed float Struck[Lanes];
+
     public fixed int Island[Lanes];
     public fixed int Level[Lanes];
 }

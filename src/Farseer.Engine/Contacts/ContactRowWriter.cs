@@ -37,6 +37,7 @@ internal static unsafe class ContactRowWriter
             WideMask two = one & (count > Wide.One);
             Wide.Load(pairs->NormalX + lane).Store(row->NormalX + lane);
             Wide.Load(pairs->NormalY + lane).Store(row->NormalY + lane);
+            Wide.Zero.Store(row->Struck + lane);
             Wide.Keep(one & ~two, Wide.One).Store(row->Single + lane);
             WritePoints(input, row, lane, one, two);
             WriteResponses(pairs, row, lane, one, two);
@@ -97,6 +98,7 @@ internal static unsafe class ContactRowWriter
         row->Single[lane] = 0;
         row->Deep[lane] = 0;
         row->Restitution[lane] = 0;
+        row->Struck[lane] = 0;
         row->Island[lane] = 0;
         row->Level[lane] = 0;
         Mute(row, lane);

@@ -16,8 +16,14 @@ internal enum ContactFlags : int
     /// <summary>Gives impulses: both colliders respond and at least one body can move.</summary>
     Solid = 2,
 
-    /// <summary>A handler cancelled the response for this step.</summary>
+    /// <summary>A handler cancelled the response when last asked: the pair has no row until it is asked again.</summary>
     Vetoed = 4,
+
+    /// <summary>
+    /// Listeners are to be told of a contact: the pair touches, may get an impulse before the next narrow phase, or got one since
+    /// the last. The solver looks one substep beyond the step, so a pair may be about to touch, bounce, and never be seen touching.
+    /// </summary>
+    Due = 16,
 
     /// <summary>A listener of either collider wants the points: the manifold is kept.</summary>
     Heard = 8,

@@ -106,7 +106,8 @@ internal static unsafe class ContactUpdate
         fates.Dropped = (bits.NewBox & bits.Exists) == 0 ? 0 : FindDropped(input, row, bits.NewBox & bits.Exists);
         PairStage.Collide(input, row, bits);
         int touching = PairStage.Touch(input, row, out int touched, out int hit);
-        int solid = bits.Solid & hit & bits.Exists & ~fates.Dropped;
+        int due = bits.Heard == 0 ? 0 : FindDue(input, row, bits, touching, hit);
+        int solid = bits.Solid & hit & bits.Exists & ~fates.Dropped & ~FindRefused(row, bits, due);
         fates.Solid = solid;
         fates.Idle = bits.Exists & ~solid & ~fates.Dropped;
         touching = ((touching & ~fates.Dropped) | (touched & fates.Dropped)) & bits.Exists;
@@ -125,7 +126,8 @@ internal static unsafe class ContactUpdate
 
             ContactFlags flags = ((touching & bit) != 0 ? ContactFlags.Touching : ContactFlags.None)
                 | ((bits.Solid & bit) != 0 ? ContactFlags.Solid : ContactFlags.None)
-                | ((bits.Heard & bit) != 0 ? ContactFlags.Heard : ContactFlags.None);
+                | ((bits.Heard & bit) != 0 ? ContactFlags.Heard | ((ContactFlags)row->Flags[lane] & ContactFlags.Vetoed) : ContactFlags.None)
+                | ((due & bit) != 0 ? ContactFlags.Due : ContactFlags.None);
             if ((int)flags != row->Flags[lane] || ((kept | fates.Idle) & bit) != 0)
             {
                 row->Flags[lane] = (int)flags;
@@ -138,6 +140,47 @@ internal static unsafe class ContactUpdate
         }
 
         return fates;
+    }
+
+    /// <summary>The pairs whose listeners are to be told: see <see cref="ContactFlags.Due"/>.</summary>
+    private static int FindDue(in ContactUpdateInput input, ContactBundle* row, in PairBits bits, int touching, int hit)
+    {
+        float horizon = input.Dt + input.Coefficients.Substep;
+        int due = touching & bits.Heard;
+        int open = bits.Heard & bits.Solid & hit & ~touching;
+        for (int lane = 0; open != 0; lane++, open >>= 1)
+        {
+            if ((open & 1) == 0)
+            {
+                continue;
+            }
+
+            // An impulse of the last step that its listeners were told of then is no news.
+            bool wasDue = ((ContactFlags)row->Flags[lane] & ContactFlags.Due) != 0;
+            bool struck = row->Struck[lane] > 0 || row->Point0.Normal[lane] > 0 || row->Point1.Normal[lane] > 0;
+            if ((struck && !wasDue) || PairStage.WillTouch(input, lane, wasDue ? input.Settings.AllowedPenetration : 0, horizon))
+            {
+                due |= 1 << lane;
+            }
+        }
+
+        return due;
+    }
+
+    /// <summary>The pairs that a handler refused when last asked and that are not to be asked now.</summary>
+    private static int FindRefused(ContactBundle* row, in PairBits bits, int due)
+    {
+        int refused = 0;
+        int open = bits.Heard & ~due;
+        for (int lane = 0; open != 0; lane++, open >>= 1)
+        {
+            if ((open & 1) != 0 && ((ContactFlags)row->Flags[lane] & ContactFlags.Vetoed) != 0)
+            {
+                refused |= 1 << lane;
+            }
+        }
+
+        return refused;
     }
 
     private static int FindDropped(in ContactUpdateInput input, ContactBundle* row, int lanes)

@@ -142,6 +142,30 @@ internal static unsafe class PairStage
         return bits;
     }
 
+    /// <summary>
+    /// Whether a pair with points, whose arms <see cref="Touch"/> has found, overlaps or will within <paramref name="time"/>.
+    /// </summary>
+    public static bool WillTouch(in ContactUpdateInput input, int lane, float reach, float time)
+    {
+        PairLanes* pairs = input.Pairs;
+        Vector2 n = new Vector2(pairs->NormalX[lane], pairs->NormalY[lane]);
+        Vector2 pull = Vector2.Zero;
+        pull += (pairs->B.Flags[lane] & (int)SideFlags.Pulled) != 0 ? input.Settings.Gravity : Vector2.Zero;
+        pull -= (pairs->A.Flags[lane] & (int)SideFlags.Pulled) != 0 ? input.Settings.Gravity : Vector2.Zero;
+        float speed = ((pairs->B.VelocityX[lane] - pairs->A.VelocityX[lane]) * n.X)
+            + ((pairs->B.VelocityY[lane] - pairs->A.VelocityY[lane]) * n.Y)
+            + (System.Math.Min(0, (pull.X * n.X) + (pull.Y * n.Y)) * time);
+        return WillTouch(pairs, &pairs->Point0, lane, speed, reach, time)
+            || (pairs->Count[lane] > 1 && WillTouch(pairs, &pairs->Point1, lane, speed, reach, time));
+    }
+
+    private static bool WillTouch(PairLanes* pairs, PointLanes* point, int lane, float speed, float reach, float time)
+    {
+        float closing = speed + (pairs->B.AngularVelocity[lane] * point->TangentArmB[lane])
+            - (pairs->A.AngularVelocity[lane] * point->TangentArmA[lane]);
+        return point->Separation[lane] <= reach || point->Separation[lane] + (closing * time) <= 0;
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideMask TouchPoint(PairLanes* pairs, PointLanes* point, int lane, Wide speed, Wide gain, Wide reach, Wide dt)
     {

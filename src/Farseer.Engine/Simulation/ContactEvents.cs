@@ -161,7 +161,7 @@ internal sealed unsafe class ContactEvents
     // The quirk of the original treats a pair whose boxes overlap as one that separates in every step.
     private static bool IsReported(World world, in ContactRecord record)
     {
-        if ((record.Flags & ContactFlags.Touching) != 0)
+        if ((record.Flags & ContactFlags.Due) != 0)
         {
             return true;
         }
@@ -185,10 +185,11 @@ internal sealed unsafe class ContactEvents
         {
             return false;
         }
+
         for (int i = start; i < end; i++)
         {
             ref ContactRecord record = ref contacts.Records[_contacts[i]];
-            if ((record.Flags & ContactFlags.Touching) != 0)
+            if ((record.Flags & ContactFlags.Due) != 0)
             {
                 points += WritePoints(world, record, contacts.Manifolds[_contacts[i]], _points.Pointer + points);
             }
@@ -200,18 +201,45 @@ internal sealed unsafe class ContactEvents
             accepted = hooks.OnContact(pair.A, pair.B, new ReadOnlySpan<ContactPoint>(_points.Pointer, points));
         }
 
-        for (int i = start; i < end && !accepted; i++)
+        for (int i = start; i < end; i++)
         {
-            ref ContactRecord record = ref contacts.Records[_contacts[i]];
-            record.Flags |= ContactFlags.Vetoed;
-            if (record.Color >= 0)
+            if (accepted || points == 0)
             {
-                GraphColor color = graph[record.Color];
-                ContactRowWriter.Mute(color.BundleOf(record.Row), color.LaneOf(record.Row));
+                Allow(contacts, graph, _contacts[i]);
+            }
+            else
+            {
+                Refuse(contacts, graph, _contacts[i]);
             }
         }
 
         return accepted;
+    }
+
+    private static void Allow(ContactStore contacts, ConstraintGraph graph, int contact)
+    {
+        ref ContactRecord record = ref contacts.Records[contact];
+        if ((record.Flags & ContactFlags.Vetoed) != 0)
+        {
+            record.Flags &= ~ContactFlags.Vetoed;
+            if (record.Color >= 0)
+            {
+                GraphColor color = graph[record.Color];
+                color.BundleOf(record.Row)->Flags[color.LaneOf(record.Row)] = (int)record.Flags;
+            }
+        }
+    }
+
+    /// <summary>Takes the pair's row out, instead of only muting it: a body without rows flies free, exactly.</summary>
+    private static void Refuse(ContactStore contacts, ConstraintGraph graph, int contact)
+    {
+        ref ContactRecord record = ref contacts.Records[contact];
+        record.Flags |= ContactFlags.Vetoed;
+        if (record.Color >= 0)
+        {
+            graph.Remove(ref record, contacts.Records);
+            contacts.AddIdle(contact);
+        }
     }
 
     /// <summary>The quirk's separations of pairs without response: as in the original, after all contacts of the step.</summary>

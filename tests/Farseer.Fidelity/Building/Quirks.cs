@@ -15,10 +15,6 @@ public static class Quirks
         ["collision_category"] = ["OneSidedCategoryFilter"],
         ["friction_changed_in_contact"] = ["PairFrictionFrozen"],
         ["geom_rotation_offset"] = ["OffsetTurnedByRotationOffset"],
-
-        // No quirk text of its own, but its events hold the separations of boxes that only overlap.
-        ["head_on_equal"] = ["SeparationWithoutContact"],
-        ["head_on_unequal"] = ["SeparationWithoutContact"],
         ["impulses"] = ["ImpulseDividedByMassTwice"],
         ["moi_factories"] = ["EllipseInertiaFromRectangle", "PolygonInertiaUnsigned"],
         ["oncollision_false"] = ["SeparationWithoutContact"],

@@ -45,7 +45,7 @@ public sealed class SceneTests
     private static readonly HashSet<string> KnownFaults = new(StringComparer.Ordinal)
     {
         "broadphase_bruteforce", "broadphase_selectivesweep", "broadphase_sweepandprune", "geom_compound", "geom_offset",
-        "head_on_equal", "head_on_unequal", "oncollision_false", "rest_L", "slide_friction_minimum",
+        "rest_L", "slide_friction_minimum",
     };
 
     public static TheoryData<string> BuiltScenes =>
