@@ -183,14 +183,14 @@ public partial class PhysicsSimulator : IDisposable
         get => _quirks;
         set
         {
-            if (GeomList.Count > 0 || _geomsWaiting > 0)
-            {
-                throw new InvalidOperationException("Quirks can be changed only while the simulator has no geoms.");
-            }
-
             if ((value & ~Farseer201Quirks.All) != 0)
             {
                 throw Require.Range(nameof(Quirks), value, "must be made of members of the enum Farseer201Quirks");
+            }
+
+            if (GeomList.Count > 0 || _geomsWaiting > 0)
+            {
+                throw new InvalidOperationException("Quirks can be changed only while the simulator has no geoms.");
             }
 
             _quirks = value;

@@ -10,7 +10,7 @@ public class ContactList : List<Contact>
     /// <param name="capacity">The number of contacts to hold without growing; 0 or more.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="capacity"/> is negative.</exception>
     public ContactList(int capacity)
-        : base(capacity)
+        : base(Require.AtLeast(capacity, 0, nameof(capacity)))
     {
     }
 
@@ -18,7 +18,7 @@ public class ContactList : List<Contact>
     /// <param name="contactList">The list to copy.</param>
     /// <exception cref="ArgumentNullException"><paramref name="contactList"/> is null.</exception>
     public ContactList(ContactList contactList)
-        : base(contactList ?? throw new ArgumentNullException(nameof(contactList)))
+        : base(Require.NotNull(contactList, nameof(contactList)))
     {
     }
 

@@ -137,7 +137,8 @@ public partial class Geom
     /// <param name="geometry1">One geom.</param>
     /// <param name="geometry2">The other geom.</param>
     /// <returns>Whether the first is the younger one.</returns>
-    public static bool operator >(Geom geometry1, Geom geometry2) => geometry2 < geometry1;
+    public static bool operator >(Geom geometry1, Geom geometry2) =>
+        Require.NotNull(geometry1, nameof(geometry1))._id > Require.NotNull(geometry2, nameof(geometry2))._id;
 
     /// <summary>True if the other is the same geom.</summary>
     /// <param name="other">The geom to compare with.</param>

@@ -138,7 +138,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         get => _collisionGridCellSize;
         set
         {
-            _collisionGridCellSize = CellSize(value, _localVertices);
+            _collisionGridCellSize = CellSize(value, _localVertices, nameof(CollisionGridCellSize));
             _grid = null;
         }
     }
@@ -271,9 +271,9 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         body.ThrowIfDisposed();
     }
 
-    private static float CellSize(float value, Vertices vertices)
+    private static float CellSize(float value, Vertices vertices, string name = "collisionGridCellSize")
     {
-        Require.Finite(value, "collisionGridCellSize");
+        Require.Finite(value, name);
         return value > 0 || vertices.Count == 0 ? value : GeomFactory.Instance.CalculateGridCellSizeFromAABB(vertices);
     }
 

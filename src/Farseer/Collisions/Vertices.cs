@@ -154,7 +154,11 @@ public partial class Vertices : List<Vector2>
     /// <param name="index">The index of the vertex at which the edge starts.</param>
     /// <returns>The point half way to the next vertex.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such vertex.</exception>
-    public Vector2 GetEdgeMidPoint(int index) => this[index] + (GetEdge(index) * 0.5f);
+    public Vector2 GetEdgeMidPoint(int index)
+    {
+        CheckIndex(index);
+        return this[index] + (GetEdge(index) * 0.5f);
+    }
 
     /// <summary>The middle of an edge.</summary>
     /// <param name="index">The index of the vertex at which the edge starts.</param>

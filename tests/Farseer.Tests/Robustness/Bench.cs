@@ -1,0 +1,142 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using FarseerGames.FarseerPhysics;
+using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Factories;
+using FarseerGames.FarseerPhysics.Interfaces;
+using FarseerGames.FarseerPhysics.Mathematics;
+using Xunit;
+
+namespace Farseer.Tests.Robustness;
+
+/// <summary>A small scene in full swing, with an object of every public type to call and a valid argument of every type.</summary>
+internal sealed class Bench
+{
+    private const float Dt = 0.01f;
+
+    public Bench()
+    {
+        Simulator = new PhysicsSimulator(new Vector2(0, 100));
+        Body floor = BodyFactory.Instance.CreateRectangleBody(Simulator, 400, 20, 1);
+        floor.IsStatic = true;
+        GeomFactory.Instance.CreateRectangleGeom(Simulator, floor, 400, 20);
+        Box = BodyFactory.Instance.CreateRectangleBody(Simulator, 20, 20, 1);
+        Box.Position = new Vector2(0, -20);
+        BoxGeom = GeomFactory.Instance.CreateRectangleGeom(Simulator, Box, 20, 20);
+        BoxGeom.FrictionCoefficient = 0.5f;
+        Ball = BodyFactory.Instance.CreateCircleBody(Simulator, 5, 2);
+        Ball.Position = new Vector2(3, -42);
+        Ball.LinearVelocity = new Vector2(1, 30);
+        GeomFactory.Instance.CreateCircleGeom(Simulator, Ball, 5, 12);
+        Step(5);
+    }
+
+    public PhysicsSimulator Simulator { get; }
+
+    /// <summary>Rests on the floor.</summary>
+    public Body Box { get; }
+
+    public Geom BoxGeom { get; }
+
+    /// <summary>Falls onto the box.</summary>
+    public Body Ball { get; }
+
+    public static Vertices Outline() => new Vertices { new Vector2(0, 0), new Vector2(0, 2), new Vector2(3, 2), new Vector2(3, 0) };
+
+    public void Step(int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            Simulator.Update(Dt);
+        }
+    }
+
+    /// <summary>The state after some more steps: long enough for the ball to hit the box.</summary>
+    public ulong HashLater()
+    {
+        Step(30);
+        return Simulator.StateHash();
+    }
+
+    public void AssertSound()
+    {
+        foreach (Body body in Simulator.BodyList)
+        {
+            Assert.True(float.IsFinite(body.Position.X) && float.IsFinite(body.Position.Y) && float.IsFinite(body.Rotation));
+            Assert.True(float.IsFinite(body.LinearVelocity.X) && float.IsFinite(body.LinearVelocity.Y) && float.IsFinite(body.AngularVelocity));
+        }
+    }
+
+    /// <summary>The object whose members of <paramref name="type"/> are called; null if they are static or make one.</summary>
+    public object? Target(Type type)
+    {
+        if (type.IsValueType)
+        {
+            return Activator.CreateInstance(type);
+        }
+
+        return type.Name switch
+        {
+            nameof(PhysicsSimulator) => Simulator,
+            nameof(Body) => Box,
+            nameof(Geom) => BoxGeom,
+            nameof(BodyList) => Simulator.BodyList,
+            nameof(GeomList) => Simulator.GeomList,
+            nameof(ArbiterList) => Simulator.ArbiterList,
+            nameof(Arbiter) => Simulator.ArbiterList[0],
+            nameof(BodyFactory) => BodyFactory.Instance,
+            nameof(GeomFactory) => GeomFactory.Instance,
+            nameof(Grid) => BoxGeom.Grid,
+            nameof(BilinearInterpolator) => new BilinearInterpolator(Vector2.Zero, Vector2.One),
+            nameof(CircularInterpolator) => new CircularInterpolator(1, 2, 3, 4, 0, 5),
+            _ => type.GetMethods().Length > 0 && !(type.IsAbstract && type.IsSealed) ? Valid(type, "") : null,
+        };
+    }
+
+    /// <summary>An argument that is fine.</summary>
+    public object? Valid(Type type, string name)
+    {
+        if (type == typeof(float) || type == typeof(double))
+        {
+            return Convert.ChangeType(name is "maxValue" or "max" ? 2 : 1, type);
+        }
+
+        if (type == typeof(Vector2))
+        {
+            return name is "end" or "max" or "point" or "axis" ? new Vector2(3, 4) : new Vector2(1, 2);
+        }
+
+        if (type == typeof(int))
+        {
+            return name == "index" ? 1 : 4;
+        }
+
+        if (type.IsValueType)
+        {
+            return type == typeof(Matrix4x4) ? Matrix4x4.Identity : Activator.CreateInstance(type);
+        }
+
+        object? made = type.Name switch
+        {
+            nameof(PhysicsSimulator) => Simulator,
+            nameof(Body) => new Body(),
+            nameof(Geom) => GeomFactory.Instance.CreateRectangleGeom(new Body(), 2, 3),
+            nameof(Vertices) => Outline(),
+            nameof(AABB) => new AABB(Vector2.Zero, Vector2.One),
+            nameof(ContactList) => new ContactList(4),
+            nameof(Scaling) => new Scaling(0.01f, 0.1f),
+            nameof(IBroadPhaseCollider) => new BruteForceCollider(Simulator),
+            nameof(Object) => "something",
+            _ => null,
+        };
+        return made ?? (type == typeof(Vector2[]) ? new[] { Vector2.Zero, Vector2.One }
+            : type == typeof(Action<Arbiter>) ? (Action<Arbiter>)(_ => { })
+            : type == typeof(Predicate<Arbiter>) ? (Predicate<Arbiter>)(_ => false)
+            : type.GetConstructor(new[] { typeof(PhysicsSimulator) }) is { } forSimulator ? forSimulator.Invoke(new object[] { Simulator })
+            : type.GetConstructor(Type.EmptyTypes) is { } plain ? plain.Invoke(null)
+            : typeof(Delegate).IsAssignableFrom(type) ? null
+            : throw new NotSupportedException("No valid " + type + " for " + name + ": add one."));
+    }
+}

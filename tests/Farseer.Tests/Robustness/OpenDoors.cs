@@ -1,0 +1,74 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Farseer.Tests.Robustness;
+
+/// <summary>Doors through which any value may come, and why. A key ends with * where it stands for all that begin so.</summary>
+internal static class OpenDoors
+{
+    private const string Arithmetic = "pure arithmetic as in System.Math: what is not finite gives what is not finite, and nothing is kept";
+    private const string Question = "a question: no place that is not finite is near or in anything, and nothing is kept";
+    private const string NoHandler = "null takes all handlers away";
+    private const string Comparison = "nothing equals null or a thing of another kind";
+    private const string Report = "a record of what was found, for the user to fill; the simulation does not read it";
+    private const string Bits = "any set of bits is a set of categories or a number of a group";
+    private const string List = "a list of points accepts any; what is made of it checks them";
+
+    private static readonly Dictionary<string, string> _reasons = new Dictionary<string, string>
+    {
+        ["Calculator.*"] = Arithmetic,
+        ["MathHelper.*"] = Arithmetic,
+        ["ConvertUnits.To*"] = Arithmetic,
+        ["BilinearInterpolator.*"] = Arithmetic,
+        ["CircularInterpolator.*"] = Arithmetic,
+        ["CollisionHelper.*"] = Question,
+        ["AABB.Contains*"] = Question,
+        ["Body.GetWorldPosition*"] = Arithmetic,
+        ["Body.GetLocalPosition*"] = Arithmetic,
+        ["Body.GetVelocity*"] = Arithmetic,
+        ["Body.Tag"] = "the user's own",
+        ["Body.Updated"] = NoHandler,
+        ["BodyList.Added"] = NoHandler,
+        ["BodyList.Removed"] = NoHandler,
+        ["GeomList.Added"] = NoHandler,
+        ["GeomList.Removed"] = NoHandler,
+        ["Geom.OnCollision"] = NoHandler,
+        ["Geom.OnSeparation"] = NoHandler,
+        ["Geom.Tag"] = "the user's own",
+        ["Geom.Collide(point)"] = Question,
+        ["Geom.GetNearestDistance*"] = Question,
+        ["Geom.GetNearestFeature(point)"] = Question,
+        ["Geom.GetWorldPosition*"] = Arithmetic,
+        ["Geom.Transform*"] = Arithmetic,
+        ["Geom.Intersect*"] = Question,
+        ["Geom.CollisionGroup"] = Bits,
+        ["Geom.CollisionCategories"] = Bits,
+        ["Geom.CollidesWith"] = Bits,
+        ["Geom.op_Equality*"] = Comparison,
+        ["Geom.op_Inequality*"] = Comparison,
+        ["Geom.Equals*"] = Comparison,
+        ["Arbiter.op_Equality*"] = Comparison,
+        ["Arbiter.op_Inequality*"] = Comparison,
+        ["Arbiter.Equals*"] = Comparison,
+        ["Arbiter.Geom*"] = "an arbiter without geoms names no pair; a broad phase may leave it so",
+        ["Contact.*"] = Report,
+        ["ContactId.*"] = Report,
+        ["ContactList.IndexOfSafe*"] = Question,
+        ["Feature.*"] = Report,
+        ["LineIntersectInfo.*"] = Report,
+        ["Grid.Intersect*"] = Question,
+        ["PhysicsSimulator.Collide*"] = Question,
+        ["Vertices.ProjectToAxis(axis)"] = Arithmetic,
+        ["Vertices.new(vertices)"] = List,
+        ["Vertices.new(vector2)"] = List,
+        ["CollisionPair.Equals*"] = Comparison,
+    };
+
+    public static IReadOnlyDictionary<string, string> Reasons => _reasons;
+
+    public static bool Fits(string pattern, string key) =>
+        pattern.EndsWith('*') ? key.StartsWith(pattern[..^1], StringComparison.Ordinal) : key == pattern;
+
+    public static bool Contains(Door door) => _reasons.Keys.Any(pattern => Fits(pattern, door.Key));
+}
