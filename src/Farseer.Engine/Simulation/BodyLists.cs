@@ -53,7 +53,7 @@ internal sealed unsafe class BodyLists
         {
             BodyFlags f = flags[i];
             moves[i] = 0;
-            if ((f & (BodyFlags.Alive | BodyFlags.Enabled | BodyFlags.Static)) != (BodyFlags.Alive | BodyFlags.Enabled))
+            if ((f & (BodyFlags.Alive | BodyFlags.Enabled)) != (BodyFlags.Alive | BodyFlags.Enabled))
             {
                 continue;
             }
@@ -64,8 +64,27 @@ internal sealed unsafe class BodyLists
                 continue;
             }
 
+            if ((f & BodyFlags.Static) != 0)
+            {
+                continue;
+            }
+
             _active[ActiveCount++] = i;
             moves[i] = (f & BodyFlags.Kinematic) == 0 ? (byte)1 : (byte)0;
+        }
+    }
+
+    /// <summary>Finds static bodies to which a callback of this step gave a velocity out of range: contacts read it.</summary>
+    public void CollectStatics(BodyStore bodies)
+    {
+        int end = bodies.Ids.End;
+        BodyFlags* flags = bodies.Flags.Pointer;
+        for (int i = 0; i < end; i++)
+        {
+            if ((flags[i] & BodyFlags.Static) != 0 && !StateRange.Holds(bodies.State[i]))
+            {
+                CastOut(bodies, i, QuarantineCause.SetFromOutside);
+            }
         }
     }
 

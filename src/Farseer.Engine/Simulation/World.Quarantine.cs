@@ -12,6 +12,9 @@ internal sealed partial class World
 
     public QuarantineRecord Quarantined(int index) => _lists.Outcast(index);
 
+    /// <summary>Whether the step has disabled the body: it does so with all outcasts but the static ones.</summary>
+    public bool IsQuarantined(int body) => (Bodies.Flags[body] & BodyFlags.Quarantined) != 0;
+
     private void CollectBodies()
     {
         _lists.Collect(Bodies);
@@ -32,16 +35,31 @@ internal sealed partial class World
         }
     }
 
+    /// <summary>Before the solver reads the static bodies; the others are looked at when their drives are prepared.</summary>
+    private void CollectStaticsAfterCallbacks()
+    {
+        int before = _lists.OutcastCount;
+        _lists.CollectStatics(Bodies);
+        if (_lists.OutcastCount > before)
+        {
+            Isolate();
+        }
+    }
+
     /// <summary>
     /// Disables the outcasts and lets them stand still at the last place that was in range: enabling
-    /// them is then enough to use them again. Their contacts end as those of any body that is disabled.
+    /// them is then enough to use them again. Their contacts end as those of any body that is disabled. A static body only loses
+    /// its velocity: it has no use for one, and what stands on it must not fall.
     /// </summary>
     private void Isolate()
     {
         for (int i = 0; i < _lists.OutcastCount; i++)
         {
             int body = _lists.Outcast(i).Body;
-            Bodies.Flags[body] = (Bodies.Flags[body] & ~BodyFlags.Enabled) | BodyFlags.Quarantined | BodyFlags.Moved;
+            bool isStatic = (Bodies.Flags[body] & BodyFlags.Static) != 0;
+            Bodies.Flags[body] = isStatic
+                ? Bodies.Flags[body] & ~BodyFlags.Quarantined
+                : (Bodies.Flags[body] & ~BodyFlags.Enabled) | BodyFlags.Quarantined | BodyFlags.Moved;
             ref BodyState state = ref Bodies.State[body];
             state.LinearVelocity = Vector2.Zero;
             state.AngularVelocity = 0;
@@ -57,7 +75,10 @@ internal sealed partial class World
                 FinishBodies.UpdateRotor(ref pose);
             }
 
-            MarkStale(body);
+            if (!isStatic)
+            {
+                MarkStale(body);
+            }
         }
     }
 }

@@ -29,6 +29,11 @@ internal sealed partial class World
         Profile.End(StepStage.GraphAndIslands);
 
         Hooks?.ApplyForces(dt);
+        if (_contactStage.AnyHeard)
+        {
+            CollectStaticsAfterCallbacks();
+        }
+
         Profile.End(StepStage.Forces);
 
         Solve(dt, anyDeep, contacts.Coefficients);

@@ -24,7 +24,7 @@ public class OutlineDoorTests
         { "no area", new float[] { 0, 0, 5, 5, 9, 9 } },
         { "no area", new float[] { 0, 0, 9, 0, 4, 0, 2, 0 } },
         { "no area", new float[] { 0, 0, 10, 10, 10, 0, 0, 10 } },
-        { "crosses itself", new float[] { 0, 0, 10, 10, 20, 0, 0, 10 } },
+        { "crosses itself", new float[] { 0, 0, 10, 10, 20, 0, 0, 12 } },
         { "crosses itself", new float[] { 0, 0, 4, 0, 4, 4, 2, 0, 0, 4 } },
         { "crosses itself", new float[] { 0, 0, 10, 0, 10, 10, 5, 10, 5, 20, 5, 10, 0, 10 } },
         { "NaN", new float[] { 0, 0, 0, 10, 10, float.NaN } },

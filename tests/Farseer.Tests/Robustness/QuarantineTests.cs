@@ -125,6 +125,37 @@ public class QuarantineTests
         bench.AssertSound();
     }
 
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void StaticBody_LosesItsVelocityOnly(bool fromHandler)
+    {
+        var reports = new List<BodyQuarantinedEventArgs>();
+        Bench bench = Watched(reports);
+        Body floor = bench.Simulator.BodyList[0];
+        if (fromHandler)
+        {
+            bench.BoxGeom.OnCollision += (_, _, _) =>
+            {
+                floor.LinearVelocity = new Vector2(float.NaN);
+                return true;
+            };
+            bench.Step(1);
+            bench.BoxGeom.OnCollision = null;
+        }
+        else
+        {
+            floor.AngularVelocity = float.NaN;
+        }
+
+        bench.Step(1);
+        Assert.Same(floor, Assert.Single(reports).Body);
+        Assert.False(floor.IsQuarantined);
+        bench.Step(40);
+        bench.AssertSound();
+        Assert.InRange(bench.Box.Position.Y, -20.1f, -19.9f);
+    }
+
     [Fact]
     public void KinematicBody_IsTakenOutToo()
     {
