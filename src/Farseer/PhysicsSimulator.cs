@@ -81,7 +81,7 @@ public partial class PhysicsSimulator : IDisposable
     public float AllowedPenetration
     {
         get => World.Settings.AllowedPenetration;
-        set => World.Settings.AllowedPenetration = Require.NotNegative(value, nameof(AllowedPenetration));
+        set => World.Settings.AllowedPenetration = Require.Depth(value, nameof(AllowedPenetration));
     }
 
     /// <summary>

@@ -50,8 +50,26 @@ internal static class Require
             ? value
             : throw Range(name, value, "must be a finite number above 0 with a finite inverse");
 
+    /// <summary>A size of a shape: the engine must be able to square it.</summary>
+    public static float Length(float value, string name) =>
+        value >= StateRange.Least && value <= StateRange.Limit
+            ? value
+            : throw Range(name, value, "must be a finite number above 0, from 1.1E-19 to 9.2E18");
+
+    /// <summary>A point of a shape, or an offset: the engine must be able to square its coordinates.</summary>
+    public static Vector2 Place(Vector2 value, string name)
+    {
+        Place(value.X, value, name);
+        Place(value.Y, value, name);
+        return value;
+    }
+
     public static float NotNegative(float value, string name) =>
         value >= 0 && FloatBits.IsFinite(value) ? value : throw Range(name, value, "must be a finite number, 0 or more");
+
+    /// <summary>A length that may be 0.</summary>
+    public static float Depth(float value, string name) =>
+        value >= 0 && value <= StateRange.Limit ? value : throw Range(name, value, "must be a finite number, from 0 to 9.2E18");
 
     public static float NotBelow(float value, float least, string name) =>
         value >= least ? value : throw Range(name, value, "must not be below " + least.ToString(CultureInfo.InvariantCulture));

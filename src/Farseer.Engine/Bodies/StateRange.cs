@@ -11,6 +11,9 @@ internal static class StateRange
     /// <summary>2⁶³; NaN fails every comparison with it.</summary>
     public const float Limit = 9.223372e18f;
 
+    /// <summary>2⁻⁶³: the least size of a shape; the squares of smaller lengths lose their digits.</summary>
+    public const float Least = 1.0842022e-19f;
+
     public static bool Holds(in BodyState state) =>
         Math.Abs(state.LinearVelocity.X) <= Limit & Math.Abs(state.LinearVelocity.Y) <= Limit & Math.Abs(state.AngularVelocity) <= Limit;
 

@@ -88,6 +88,23 @@ internal sealed unsafe class BodyLists
         }
     }
 
+    /// <summary>
+    /// Impulses that are infinite times an inverse mass of 0 leave no number in a static body either: it did nothing and is not
+    /// cast out, but must not hand it on.
+    /// </summary>
+    public static void StopStatics(BodyStore bodies)
+    {
+        int end = bodies.Ids.End;
+        for (int i = 0; i < end; i++)
+        {
+            if ((bodies.Flags[i] & BodyFlags.Static) != 0 && !StateRange.Holds(bodies.State[i]))
+            {
+                bodies.State[i].LinearVelocity = Vector2.Zero;
+                bodies.State[i].AngularVelocity = 0;
+            }
+        }
+    }
+
     /// <summary>Bodies with rows go to the solver; the others fly free and cost nothing there.</summary>
     public void Split(BodyStore bodies, ConstraintGraph graph)
     {

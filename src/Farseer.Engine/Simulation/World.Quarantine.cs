@@ -31,6 +31,7 @@ internal sealed partial class World
         _lists.Finish(Bodies);
         if (_lists.OutcastCount > 0)
         {
+            BodyLists.StopStatics(Bodies);
             Isolate();
         }
     }

@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using System.Numerics;
+using Farseer.Engine.Bodies;
 using Farseer.Engine.Shapes;
 using FarseerGames.FarseerPhysics.Collisions;
 
@@ -17,7 +18,7 @@ internal static class OutlineRules
         for (int i = 0; i < vertices.Count; i++)
         {
             Vector2 vertex = vertices[i];
-            Require.Finite(vertex, name);
+            Require.Place(vertex, name);
             if (outline.Count == 0 || outline[outline.Count - 1] != vertex)
             {
                 outline.Add(vertex);
@@ -42,6 +43,7 @@ internal static class OutlineRules
             throw new ArgumentException(Message(problem, index, outline), name);
         }
 
+        CheckSize(outline, name);
         outline.ForceCounterClockWiseOrder();
         return outline;
     }
@@ -53,7 +55,7 @@ internal static class OutlineRules
         var chain = new Vertices();
         for (int i = 0; i < points.Count; i++)
         {
-            Vector2 point = Require.Finite(points[i], name);
+            Vector2 point = Require.Place(points[i], name);
             if (chain.Count == 0 || chain[chain.Count - 1] != point)
             {
                 chain.Add(point);
@@ -74,7 +76,21 @@ internal static class OutlineRules
                 name);
         }
 
+        CheckSize(chain, name);
         return chain;
+    }
+
+    private static void CheckSize(Vertices points, string name)
+    {
+        var box = new AABB(points);
+        float size = Math.Max(box.Width, box.Height);
+        if (!(size >= StateRange.Least && size <= StateRange.Limit))
+        {
+            throw new ArgumentException(
+                "The size of " + points.Count.ToString(CultureInfo.InvariantCulture) + " points, "
+                + size.ToString(CultureInfo.InvariantCulture) + ", must be from 1.1E-19 to 9.2E18.",
+                name);
+        }
     }
 
     private static string Message(OutlineProblem problem, int index, Vertices outline)

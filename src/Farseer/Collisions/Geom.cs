@@ -286,7 +286,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
 
     private void SetOffset(Vector2 offset, float rotationOffset)
     {
-        _offset = Require.Finite(offset, nameof(offset));
+        _offset = Require.Place(offset, nameof(offset));
         _rotationOffset = Require.Finite(rotationOffset, nameof(rotationOffset));
         _offsetCos = (float)Math.Cos(rotationOffset);
         _offsetSin = (float)Math.Sin(rotationOffset);

@@ -21,8 +21,7 @@ public partial class Body
 
         set
         {
-            Require.Place(value.X, value, nameof(Position));
-            Require.Place(value.Y, value, nameof(Position));
+            Require.Place(value, nameof(Position));
             SetPosition(value.X, value.Y);
         }
     }

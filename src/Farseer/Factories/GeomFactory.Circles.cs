@@ -12,7 +12,7 @@ public partial class GeomFactory
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
@@ -22,7 +22,7 @@ public partial class GeomFactory
 
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
@@ -33,7 +33,7 @@ public partial class GeomFactory
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
     /// <returns>The geom.</returns>
@@ -44,7 +44,7 @@ public partial class GeomFactory
 
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
     /// <returns>The geom.</returns>
@@ -56,7 +56,7 @@ public partial class GeomFactory
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
@@ -68,7 +68,7 @@ public partial class GeomFactory
 
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
@@ -81,7 +81,7 @@ public partial class GeomFactory
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
@@ -94,7 +94,7 @@ public partial class GeomFactory
 
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
@@ -104,7 +104,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateCircleGeom(Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize)
     {
-        Require.Positive(radius, nameof(radius));
+        Require.Length(radius, nameof(radius));
         Require.Within(numberOfEdges, 3, Vertices.MostEdges, nameof(numberOfEdges));
         return new Geom(body, GeomForm.Circle(radius), Vertices.CreateCircle(radius, numberOfEdges), offset, rotationOffset, collisionGridCellSize);
     }
@@ -112,8 +112,8 @@ public partial class GeomFactory
     /// <summary>Makes an ellipse as a polygon of the number of edges given and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="xRadius">Radius along x; finite and above 0.</param>
-    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="xRadius">Radius along x; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="yRadius">Radius along y; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
@@ -123,8 +123,8 @@ public partial class GeomFactory
 
     /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="xRadius">Radius along x; finite and above 0.</param>
-    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="xRadius">Radius along x; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="yRadius">Radius along y; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
@@ -135,8 +135,8 @@ public partial class GeomFactory
     /// <summary>Makes an ellipse as a polygon of the number of edges given and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="xRadius">Radius along x; finite and above 0.</param>
-    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="xRadius">Radius along x; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="yRadius">Radius along y; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
     /// <returns>The geom.</returns>
@@ -147,8 +147,8 @@ public partial class GeomFactory
 
     /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="xRadius">Radius along x; finite and above 0.</param>
-    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="xRadius">Radius along x; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="yRadius">Radius along y; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
     /// <returns>The geom.</returns>
@@ -160,8 +160,8 @@ public partial class GeomFactory
     /// <summary>Makes an ellipse as a polygon of the number of edges given and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="xRadius">Radius along x; finite and above 0.</param>
-    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="xRadius">Radius along x; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="yRadius">Radius along y; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
@@ -173,8 +173,8 @@ public partial class GeomFactory
 
     /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="xRadius">Radius along x; finite and above 0.</param>
-    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="xRadius">Radius along x; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="yRadius">Radius along y; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
@@ -187,8 +187,8 @@ public partial class GeomFactory
     /// <summary>Makes an ellipse as a polygon of the number of edges given and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="xRadius">Radius along x; finite and above 0.</param>
-    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="xRadius">Radius along x; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="yRadius">Radius along y; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
@@ -201,8 +201,8 @@ public partial class GeomFactory
 
     /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="xRadius">Radius along x; finite and above 0.</param>
-    /// <param name="yRadius">Radius along y; finite and above 0.</param>
+    /// <param name="xRadius">Radius along x; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="yRadius">Radius along y; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="numberOfEdges">Edges of the outline; from 3 to 65536.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
@@ -212,8 +212,8 @@ public partial class GeomFactory
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateEllipseGeom(Body body, float xRadius, float yRadius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize)
     {
-        Require.Positive(xRadius, nameof(xRadius));
-        Require.Positive(yRadius, nameof(yRadius));
+        Require.Length(xRadius, nameof(xRadius));
+        Require.Length(yRadius, nameof(yRadius));
         Require.Within(numberOfEdges, 3, Vertices.MostEdges, nameof(numberOfEdges));
         return new Geom(body, Vertices.CreateEllipse(xRadius, yRadius, numberOfEdges), offset, rotationOffset, collisionGridCellSize);
     }

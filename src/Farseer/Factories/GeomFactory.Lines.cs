@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Farseer.Engine.Bodies;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
@@ -14,7 +15,7 @@ public partial class GeomFactory
     /// <param name="body">The body to attach to.</param>
     /// <param name="start">One end of the axis, in body coordinates.</param>
     /// <param name="end">The other end of the axis, in body coordinates.</param>
-    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
@@ -25,13 +26,13 @@ public partial class GeomFactory
     /// <param name="body">The body to attach to.</param>
     /// <param name="start">One end of the axis, in body coordinates.</param>
     /// <param name="end">The other end of the axis, in body coordinates.</param>
-    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateCapsuleGeom(Body body, Vector2 start, Vector2 end, float radius)
     {
-        Require.Positive(radius, nameof(radius));
+        Require.Length(radius, nameof(radius));
         CheckLine(start, end);
         return new Geom(body, new GeomForm(FormKind.Capsule, new[] { start, end }, radius, default, false), CapsuleOutline(start, end, radius), Vector2.Zero, 0, 0);
     }
@@ -86,11 +87,11 @@ public partial class GeomFactory
 
     private static void CheckLine(Vector2 start, Vector2 end)
     {
-        Require.Finite(start, nameof(start));
-        Require.Finite(end, nameof(end));
-        if (start == end)
+        Require.Place(start, nameof(start));
+        Require.Place(end, nameof(end));
+        if (Math.Max(Math.Abs(start.X - end.X), Math.Abs(start.Y - end.Y)) < StateRange.Least)
         {
-            throw new ArgumentException("The two ends are the same point, " + start + ".", nameof(end));
+            throw new ArgumentException("The two ends, " + start + " and " + end + ", are the same point, or nearer than 1.1E-19.", nameof(end));
         }
     }
 

@@ -12,8 +12,8 @@ public partial class GeomFactory
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="width">Width; finite and above 0.</param>
-    /// <param name="height">Height; finite and above 0.</param>
+    /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="height">Height; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
@@ -22,8 +22,8 @@ public partial class GeomFactory
 
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners.</summary>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="width">Width; finite and above 0.</param>
-    /// <param name="height">Height; finite and above 0.</param>
+    /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="height">Height; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
@@ -33,8 +33,8 @@ public partial class GeomFactory
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="width">Width; finite and above 0.</param>
-    /// <param name="height">Height; finite and above 0.</param>
+    /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="height">Height; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
@@ -44,8 +44,8 @@ public partial class GeomFactory
 
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners.</summary>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="width">Width; finite and above 0.</param>
-    /// <param name="height">Height; finite and above 0.</param>
+    /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="height">Height; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
@@ -56,8 +56,8 @@ public partial class GeomFactory
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="width">Width; finite and above 0.</param>
-    /// <param name="height">Height; finite and above 0.</param>
+    /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="height">Height; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
     /// <returns>The geom.</returns>
@@ -68,8 +68,8 @@ public partial class GeomFactory
 
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners.</summary>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="width">Width; finite and above 0.</param>
-    /// <param name="height">Height; finite and above 0.</param>
+    /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="height">Height; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
     /// <returns>The geom.</returns>
@@ -81,8 +81,8 @@ public partial class GeomFactory
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="width">Width; finite and above 0.</param>
-    /// <param name="height">Height; finite and above 0.</param>
+    /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="height">Height; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
@@ -94,8 +94,8 @@ public partial class GeomFactory
 
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners.</summary>
     /// <param name="body">The body to attach to.</param>
-    /// <param name="width">Width; finite and above 0.</param>
-    /// <param name="height">Height; finite and above 0.</param>
+    /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="height">Height; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
     /// <param name="rotationOffset">Rotation of the geom against the body, radians.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
@@ -104,8 +104,8 @@ public partial class GeomFactory
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateRectangleGeom(Body body, float width, float height, Vector2 offset, float rotationOffset, float collisionGridCellSize)
     {
-        Require.Positive(width, nameof(width));
-        Require.Positive(height, nameof(height));
+        Require.Length(width, nameof(width));
+        Require.Length(height, nameof(height));
         return new Geom(body, GeomForm.Box(width, height), Vertices.CreateRectangle(width, height), offset, rotationOffset, collisionGridCellSize);
     }
 }
