@@ -118,7 +118,7 @@ internal sealed class Door
         const BindingFlags Declared = BindingFlags.Public | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly;
         foreach (Type exported in typeof(PhysicsSimulator).Assembly.GetExportedTypes().OrderBy(t => t.FullName, StringComparer.Ordinal))
         {
-            if (exported.IsInterface || exported.IsEnum || typeof(Delegate).IsAssignableFrom(exported))
+            if (exported.Name.Contains('<', StringComparison.Ordinal) || exported.IsInterface || exported.IsEnum || typeof(Delegate).IsAssignableFrom(exported))
             {
                 continue;
             }
