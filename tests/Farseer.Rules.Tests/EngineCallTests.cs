@@ -37,7 +37,7 @@ public sealed class EngineCallTests
     [Theory]
     [InlineData("netstandard2.0")]
     [InlineData("net8.0")]
-    public void Engine_HasNoMutableStaticField(string framework)
+    public void Engine_HasNoStaticFieldButConstants(string framework)
     {
         using AssemblyWalk walk = new(Repository.Library("Farseer.Engine", framework));
         MetadataReader metadata = walk.Metadata;
@@ -53,7 +53,8 @@ public sealed class EngineCallTests
             wrong.AddRange(type.GetFields()
                 .Select(metadata.GetFieldDefinition)
                 .Where(f => (f.Attributes & FieldAttributes.Static) != 0)
-                .Where(f => (f.Attributes & (FieldAttributes.InitOnly | FieldAttributes.Literal)) == 0)
+                // Readonly is not enough: the elements of a static array, or the insides of a static object, can still be written.
+                .Where(f => (f.Attributes & FieldAttributes.Literal) == 0)
                 .Select(f => typeName + "." + metadata.GetString(f.Name)));
         }
 

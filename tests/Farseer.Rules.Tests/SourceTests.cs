@@ -81,19 +81,6 @@ public sealed class SourceTests
             .Select(Repository.Relative));
     }
 
-    [Fact]
-    public void Text_NamesNoMachine()
-    {
-        // An absolute path of a developer's machine means nothing to a reader.
-        Regex machine = new(@"(?<![\w.])/(work|root|home|tmp|Users)/|[A-Z]:\\Users");
-
-        Assert.Empty(Repository.Files("", "*.md")
-            .Concat(_places.SelectMany(p => Repository.Files(p, "*.cs")))
-            .Where(f => Path.GetFileName(f) != "SourceTests.cs")
-            .Where(f => machine.IsMatch(File.ReadAllText(f)))
-            .Select(Repository.Relative));
-    }
-
     private static List<(string File, int Lines)> Lengths() =>
         [.. Repository.Files("src", "*.cs").Select(f => (Repository.Relative(f), File.ReadLines(f).Count()))];
 

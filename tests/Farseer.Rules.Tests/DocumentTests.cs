@@ -1,0 +1,70 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using Xunit;
+
+namespace Farseer.Rules.Tests;
+
+/// <summary>What the documents point at is there, and what they show compiles and runs.</summary>
+public sealed class DocumentTests
+{
+    private static readonly string[] _documents = [.. Repository.Files("", "*.md")];
+
+    [Fact]
+    public void Link_PointsToAFileThatExists()
+    {
+        IEnumerable<string> wrong =
+            from file in _documents
+            from Match link in Regex.Matches(File.ReadAllText(file), @"\]\(([^)#\s]+)(#[^)\s]*)?\)")
+            let target = link.Groups[1].Value
+            where !target.Contains("://", StringComparison.Ordinal)
+            where !Path.Exists(Path.Combine(Path.GetDirectoryName(file)!, target))
+            select Repository.Relative(file) + ": " + target;
+
+        Assert.Empty(wrong);
+    }
+
+    [Fact]
+    public void Path_InBackticks_Exists()
+    {
+        IEnumerable<string> wrong =
+            from file in _documents
+            where !Repository.Relative(file).StartsWith("tests/data/", StringComparison.Ordinal)
+            from Match code in Regex.Matches(File.ReadAllText(file), "`((src|tests|docs|samples|benchmarks)/[A-Za-z0-9_./-]+)`")
+            where !Path.Exists(Path.Combine(Repository.Root, code.Groups[1].Value))
+            select Repository.Relative(file) + ": " + code.Groups[1].Value;
+
+        Assert.Empty(wrong);
+    }
+
+    [Fact]
+    public void Command_NamesAProjectOrSolutionThatExists()
+    {
+        List<(string File, string Target)> targets = [.. from file in _documents
+            from Match command in Regex.Matches(File.ReadAllText(file), @"dotnet (run|test|build|pack)\b[^`\n|]*")
+            from string word in command.Value.Split(' ', StringSplitOptions.RemoveEmptyEntries)
+            where Regex.IsMatch(word, @"^(src|tests|samples|benchmarks)/|\.sln$")
+            select (Repository.Relative(file), word)];
+
+        Assert.NotEmpty(targets);
+        Assert.DoesNotContain(targets, t => !Path.Exists(Path.Combine(Repository.Root, t.Target)));
+    }
+
+    [Fact]
+    public void Code_OfEveryDocument_CompilesAndRuns()
+    {
+        int blocks = 0;
+        foreach (string file in _documents)
+        {
+            foreach (string code in Snippet.Blocks(File.ReadAllText(file)))
+            {
+                Snippet.Run(code, Repository.Relative(file));
+                blocks++;
+            }
+        }
+
+        Assert.True(blocks >= 2, "only " + blocks + " blocks of code were found");
+    }
+}

@@ -1,0 +1,43 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Xunit;
+
+namespace Farseer.Rules.Tests;
+
+/// <summary>Where the facade may touch the engine: in bulk in <c>Bridge</c>, elsewhere at most one folder of the engine a type.</summary>
+public sealed class FacadeTests
+{
+    private const string Facade = "FarseerGames.FarseerPhysics.";
+    private const string Engine = "Farseer.Engine.";
+
+    // The types that need more, with all they may use. A longer list means that work belongs in Bridge.
+    private static readonly Dictionary<string, string[]> _wider = new()
+    {
+        // Owns the engine's world and its settings, steps it and reads its profile.
+        ["PhysicsSimulator"] = ["Bodies", "BroadPhase", "Settings", "Simulation", "Stepping", "Storage"],
+        // Outline and pose.
+        ["Collisions.Geom"] = ["Bodies", "Shapes"],
+        // What a float and a place may be.
+        ["Require"] = ["Bodies", "Numerics"],
+    };
+
+    [Theory]
+    [InlineData("netstandard2.0")]
+    [InlineData("net8.0")]
+    public void Type_OutsideBridge_UsesOneEngineFolder(string framework)
+    {
+        using AssemblyWalk walk = new(Repository.Library("Farseer", framework));
+        List<(string Type, List<string> Folders)> types = [.. walk.Uses()
+            .Where(u => u.UsedType.StartsWith(Engine, StringComparison.Ordinal) && u.User.StartsWith(Facade, StringComparison.Ordinal))
+            .Select(u => (Type: u.User.Split('/')[0][Facade.Length..], Folder: u.UsedType[Engine.Length..].Split('.')[0]))
+            .Where(u => !u.Type.StartsWith("Bridge.", StringComparison.Ordinal))
+            .GroupBy(u => u.Type, u => u.Folder)
+            .Select(g => (g.Key, g.Distinct().Order(StringComparer.Ordinal).ToList()))];
+
+        Assert.True(types.Count >= _wider.Count, "the walk saw only " + types.Count + " types");
+        Assert.Empty(types
+            .Where(t => _wider.TryGetValue(t.Type, out string[]? allowed) ? t.Folders.Except(allowed).Any() : t.Folders.Count > 1)
+            .Select(t => t.Type + " uses " + string.Join(", ", t.Folders)));
+    }
+}
