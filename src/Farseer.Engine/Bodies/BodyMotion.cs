@@ -13,7 +13,7 @@ internal struct BodyMotion
     public float StartY;
     public float StartW;
 
-    /// <summary>Angle turned since the start of the step, radians.</summary>
+    /// <summary>Angle turned since the middle of the step as foreseen at its start (-<see cref="BodyDrive.Lead"/> there), radians.</summary>
     public float Turned;
 
     public float ChangeX;
@@ -34,7 +34,9 @@ internal struct BodyDrive
     /// <summary>Factors by which drag leaves linear and angular velocity after a substep.</summary>
     public float LinearKeep;
     public float AngularKeep;
-    public float Spare0;
+
+    /// <summary>Angle that the body is foreseen to turn until the middle of the step, radians.</summary>
+    public float Lead;
     public float Spare1;
     public float Spare2;
 }

@@ -19,7 +19,7 @@ internal struct BodyState
     /// <summary>Displacement since the start of the step.</summary>
     public Vector2 DeltaPosition;
 
-    /// <summary>Sine and cosine of the turn since the start of the step (0 and 1 between steps).</summary>
+    /// <summary>Sine and cosine of the turn since the middle of the step as foreseen at its start (0 and 1 between steps).</summary>
     public float DeltaSin;
 
     public float DeltaCos;

@@ -20,7 +20,7 @@ internal static unsafe class DrivePreparation
             BodyFlags flags = bodies.Flags[body];
             if ((flags & (BodyFlags.Static | BodyFlags.Kinematic)) != 0)
             {
-                Rest(out drive);
+                Rest(ref drive);
                 if (!StateRange.Holds(bodies.State[body]))
                 {
                     outcasts[found++] = body;
@@ -55,14 +55,14 @@ internal static unsafe class DrivePreparation
             {
                 outcasts[found++] = body;
                 Stop(ref state);
-                Rest(out drive);
+                Rest(ref drive);
             }
         }
 
         return found;
     }
 
-    private static void Rest(out BodyDrive drive) => drive = new BodyDrive { LinearKeep = 1, AngularKeep = 1 };
+    private static void Rest(ref BodyDrive drive) => drive = new BodyDrive { LinearKeep = 1, AngularKeep = 1, Lead = drive.Lead };
 
     private static void Stop(ref BodyState state)
     {

@@ -41,6 +41,10 @@ internal unsafe struct ContactBundle
     public fixed float MassB[Lanes];
     public fixed float InertiaB[Lanes];
 
+    /// <summary>Rounding radii of the pieces: what the normal arms of the surfaces have beyond those of the turning cores.</summary>
+    public fixed float RadiusA[Lanes];
+    public fixed float RadiusB[Lanes];
+
     public ContactPointLanes Point0;
     public ContactPointLanes Point1;
 

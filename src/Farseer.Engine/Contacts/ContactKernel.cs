@@ -184,13 +184,15 @@ internal static unsafe class ContactKernel
             Wide oldNormal = Wide.Load(p->Normal + lane);
             Wide oldTangent = Wide.Load(p->Tangent + lane);
             Wide previous = Wide.Load(p->PreviousNormal + lane);
+            Wide previousTangent = Wide.Load(p->PreviousTangent + lane);
             Wide most = Wide.Splat(ContactCoefficients.LargestGrowth) * (previous + weight);
-            normal = Wide.Min(Wide.Max(oldNormal + (share * (oldNormal - previous)), Wide.Zero), most);
+            WideMask impact = oldNormal > most;
+            normal = Wide.Select(impact, previous, Wide.Max(oldNormal + (share * (oldNormal - previous)), Wide.Zero));
+            tangent = Wide.Select(impact, previousTangent, oldTangent + (share * (oldTangent - previousTangent)));
             Wide bound = friction * normal;
-            tangent = oldTangent + (share * (oldTangent - Wide.Load(p->PreviousTangent + lane)));
             tangent = Wide.Max(Wide.Min(tangent, bound), Wide.Zero - bound);
-            oldNormal.Store(p->PreviousNormal + lane);
-            oldTangent.Store(p->PreviousTangent + lane);
+            Wide.Min(oldNormal, most).Store(p->PreviousNormal + lane);
+            Wide.Select(impact, tangent, oldTangent).Store(p->PreviousTangent + lane);
             normal.Store(p->Normal + lane);
             tangent.Store(p->Tangent + lane);
         }
@@ -257,9 +259,11 @@ internal static unsafe class ContactKernel
         b.X = b.X + (massB * px);
         b.Y = b.Y + (massB * py);
         a.W = a.W + (Wide.Load(row->InertiaA + lane)
-            * ((Wide.Load(row->Point0.NormalArmA + lane) * p0) + (Wide.Load(row->Point1.NormalArmA + lane) * p1)));
+            * ((Wide.Load(row->Point0.NormalArmA + lane) * p0) + (Wide.Load(row->Point1.NormalArmA + lane) * p1)
+                + (Wide.Load(row->RadiusA + lane) * sum)));
         b.W = b.W - (Wide.Load(row->InertiaB + lane)
-            * ((Wide.Load(row->Point0.NormalArmB + lane) * p0) + (Wide.Load(row->Point1.NormalArmB + lane) * p1)));
+            * ((Wide.Load(row->Point0.NormalArmB + lane) * p0) + (Wide.Load(row->Point1.NormalArmB + lane) * p1)
+                - (Wide.Load(row->RadiusB + lane) * sum)));
     }
 
     /// <summary>
@@ -272,8 +276,10 @@ internal static unsafe class ContactKernel
     {
         Wide friction = Wide.Load(row->Friction + lane);
         Wide ut = (Wide.Load(row->NormalY + lane) * (b.X - a.X)) - (Wide.Load(row->NormalX + lane) * (b.Y - a.Y));
-        Wide armA0 = Wide.Load(row->Point0.NormalArmA + lane);
-        Wide armB0 = Wide.Load(row->Point0.NormalArmB + lane);
+        Wide radiusA = Wide.Load(row->RadiusA + lane);
+        Wide radiusB = Wide.Load(row->RadiusB + lane);
+        Wide armA0 = Wide.Load(row->Point0.NormalArmA + lane) + radiusA;
+        Wide armB0 = Wide.Load(row->Point0.NormalArmB + lane) - radiusB;
         Wide v0 = ut + ((a.W * armA0) - (b.W * armB0));
         Wide old0 = Wide.Load(row->Point0.Tangent + lane);
         Wide bound0 = friction * normal0;
@@ -282,8 +288,8 @@ internal static unsafe class ContactKernel
         new0.Store(row->Point0.Tangent + lane);
         Wide change0 = new0 - old0;
 
-        Wide armA1 = Wide.Load(row->Point1.NormalArmA + lane);
-        Wide armB1 = Wide.Load(row->Point1.NormalArmB + lane);
+        Wide armA1 = Wide.Load(row->Point1.NormalArmA + lane) + radiusA;
+        Wide armB1 = Wide.Load(row->Point1.NormalArmB + lane) - radiusB;
         Wide coupling = Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane)
             + (Wide.Load(row->InertiaA + lane) * armA0 * armA1) + (Wide.Load(row->InertiaB + lane) * armB0 * armB1);
         Wide v1 = ut + ((a.W * armA1) - (b.W * armB1)) + (coupling * change0);

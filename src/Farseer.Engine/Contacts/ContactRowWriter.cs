@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Farseer.Engine.Bodies;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Settings;
@@ -7,6 +8,17 @@ using System.Runtime.Intrinsics;
 #endif
 
 namespace Farseer.Engine.Contacts;
+
+/// <summary>The turn of both bodies from the step's start to its middle, and what of their arms does not turn.</summary>
+internal struct ArmTurn
+{
+    public Wide SinA;
+    public Wide CosA;
+    public Wide SinB;
+    public Wide CosB;
+    public Wide RadiusA;
+    public Wide RadiusB;
+}
 
 /// <summary>Turns manifolds into the lanes of a bundle: arms in the contact frame, responses, and the impulses of matching points.</summary>
 internal static unsafe class ContactRowWriter
@@ -85,6 +97,8 @@ internal static unsafe class ContactRowWriter
         row->InertiaA[lane] = 0;
         row->MassB[lane] = 0;
         row->InertiaB[lane] = 0;
+        row->RadiusA[lane] = 0;
+        row->RadiusB[lane] = 0;
         row->K11[lane] = 1;
         row->K22[lane] = 1;
         row->K12[lane] = 0;
@@ -137,8 +151,15 @@ internal static unsafe class ContactRowWriter
         Carry(row->Point0.PreviousTangent + lane, row->Point1.PreviousTangent + lane, same0, crossed0, same1, crossed1, scale);
         Carry(row->Point0.Feed + lane, row->Point1.Feed + lane, same0, crossed0, same1, crossed1, scale);
         Wide rest = Wide.Splat(input.Settings.AllowedPenetration);
-        WritePoint(&input.Pairs->Point0, &row->Point0, lane, one, rest);
-        WritePoint(&input.Pairs->Point1, &row->Point1, lane, two, rest);
+        ArmTurn turn;
+        Foresight.Turn(Spin(&input.Pairs->A, lane), input.Dt, out turn.SinA, out turn.CosA);
+        Foresight.Turn(Spin(&input.Pairs->B, lane), input.Dt, out turn.SinB, out turn.CosB);
+        turn.RadiusA = Radius(&input.Pairs->A, lane);
+        turn.RadiusB = Radius(&input.Pairs->B, lane);
+        turn.RadiusA.Store(row->RadiusA + lane);
+        turn.RadiusB.Store(row->RadiusB + lane);
+        WritePoint(&input.Pairs->Point0, &row->Point0, lane, one, rest, turn);
+        WritePoint(&input.Pairs->Point1, &row->Point1, lane, two, rest, turn);
     }
 
     /// <summary>Impulses follow their point by its id: into the same place, or crosswise.</summary>
@@ -152,15 +173,29 @@ internal static unsafe class ContactRowWriter
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void WritePoint(PointLanes* source, ContactPointLanes* point, int lane, WideMask exists, Wide rest)
+    private static Wide Spin(SideLanes* side, int lane) => Wide.Keep(
+        WideLanes.Has(Wide.Load((float*)side->Flags + lane), (int)SideFlags.Turns), Wide.Load(side->AngularVelocity + lane));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Wide Radius(SideLanes* side, int lane) =>
+        Wide.Keep(~WideLanes.Has(Wide.Load((float*)side->Flags + lane), (int)SideFlags.Box), Wide.Load(side->HalfX + lane));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void WritePoint(
+        PointLanes* source, ContactPointLanes* point, int lane, WideMask exists, Wide rest, in ArmTurn turn)
     {
-        Wide armA = Wide.Load(source->NormalArmA + lane);
-        Wide armB = Wide.Load(source->NormalArmB + lane);
-        Wide.Keep(exists, armA).Store(point->NormalArmA + lane);
-        Wide.Keep(exists, armB).Store(point->NormalArmB + lane);
-        Wide.Keep(exists, Wide.Load(source->TangentArmA + lane)).Store(point->TangentArmA + lane);
-        Wide.Keep(exists, Wide.Load(source->TangentArmB + lane)).Store(point->TangentArmB + lane);
-        Wide start = (Wide.Load(source->Separation + lane) + rest) - (armB - armA);
+        // Where the surfaces are still apart they push when they have met: each body then at its own surface, not midway.
+        Wide separation = Wide.Load(source->Separation + lane);
+        Wide half = Wide.Splat(0.5f) * Wide.Max(separation, Wide.Zero);
+        Wide anA = Wide.Load(source->NormalArmA + lane) - half - turn.RadiusA;
+        Wide anB = Wide.Load(source->NormalArmB + lane) + half + turn.RadiusB;
+        Wide atA = Wide.Load(source->TangentArmA + lane);
+        Wide atB = Wide.Load(source->TangentArmB + lane);
+        Wide.Keep(exists, (turn.CosA * anA) + (turn.SinA * atA)).Store(point->NormalArmA + lane);
+        Wide.Keep(exists, (turn.CosB * anB) + (turn.SinB * atB)).Store(point->NormalArmB + lane);
+        Wide.Keep(exists, (turn.CosA * atA) - (turn.SinA * anA)).Store(point->TangentArmA + lane);
+        Wide.Keep(exists, (turn.CosB * atB) - (turn.SinB * anB)).Store(point->TangentArmB + lane);
+        Wide start = (separation + rest) - (anB - anA);
         Wide.Select(exists, start, Wide.Splat(ContactBundle.NoPoint)).Store(point->Base + lane);
         Wide.Zero.Store(point->Bounce + lane);
     }
@@ -192,10 +227,12 @@ internal static unsafe class ContactRowWriter
         (Wide.One / k11).Store(row->InverseK11 + lane);
         (Wide.One / k22).Store(row->InverseK22 + lane);
         Wide.Keep(block, Wide.One / determinant).Store(row->InverseDeterminant + lane);
-        Wide anA0 = Wide.Load(row->Point0.NormalArmA + lane);
-        Wide anB0 = Wide.Load(row->Point0.NormalArmB + lane);
-        Wide anA1 = Wide.Load(row->Point1.NormalArmA + lane);
-        Wide anB1 = Wide.Load(row->Point1.NormalArmB + lane);
+        Wide radiusA = Wide.Load(row->RadiusA + lane);
+        Wide radiusB = Wide.Load(row->RadiusB + lane);
+        Wide anA0 = Wide.Load(row->Point0.NormalArmA + lane) + radiusA;
+        Wide anB0 = Wide.Load(row->Point0.NormalArmB + lane) - radiusB;
+        Wide anA1 = Wide.Load(row->Point1.NormalArmA + lane) + radiusA;
+        Wide anB1 = Wide.Load(row->Point1.NormalArmB + lane) - radiusB;
         Wide.Keep(one, Wide.One / (m + (iA * (anA0 * anA0)) + (iB * (anB0 * anB0)))).Store(row->TangentMass0 + lane);
         Wide.Keep(two, Wide.One / (m + (iA * (anA1 * anA1)) + (iB * (anB1 * anB1)))).Store(row->TangentMass1 + lane);
     }

@@ -78,7 +78,6 @@ internal sealed unsafe class ContactSides
             side->Y = (sin * piece->Center.X) + (cos * piece->Center.Y);
             side->Cos = (cos * piece->Axis.X) - (sin * piece->Axis.Y);
             side->Sin = (sin * piece->Axis.X) + (cos * piece->Axis.Y);
-            side->HalfX = piece->Half.X;
             side->HalfY = piece->Half.Y;
             side->Extent = piece->Extent;
             side->Reach = piece->Reach;
@@ -90,6 +89,7 @@ internal sealed unsafe class ContactSides
             bool moving = moves[body] != 0;
             SideFlags now = (proxies[i].Flags & ProxyFlags.Moved) != 0 ? SideFlags.NewBox : SideFlags.None;
             side->Flags = now | Describe(piece, collider->Flags, flags[body], moving);
+            side->HalfX = (side->Flags & SideFlags.Box) != 0 ? piece->Half.X : piece->Radius;
             side->InverseMass = moving ? masses[body].InverseMass : 0;
             side->InverseInertia = moving ? masses[body].InverseInertia : 0;
             side->Friction = collider->Friction;
@@ -103,6 +103,7 @@ internal sealed unsafe class ContactSides
         flags |= (collider & ColliderFlags.ResponseEnabled) != 0 ? SideFlags.Responds : SideFlags.None;
         flags |= (collider & (ColliderFlags.WantsContact | ColliderFlags.WantsSeparation)) != 0 ? SideFlags.Heard : SideFlags.None;
         flags |= moving && (body & BodyFlags.IgnoreGravity) == 0 ? SideFlags.Pulled : SideFlags.None;
+        flags |= (body & BodyFlags.Static) == 0 ? SideFlags.Turns : SideFlags.None;
         if ((piece->Flags & PieceFlags.OneSided) != 0)
         {
             return flags;

@@ -32,6 +32,9 @@ internal enum SideFlags : int
 
     /// <summary>The fat box is new in this step.</summary>
     NewBox = 128,
+
+    /// <summary>The body turns with its spin; a static one with a spin only drags along what it touches.</summary>
+    Turns = 256,
 }
 
 /// <summary>One side of each pair of a bundle: shape, motion and material, as the record it was gathered from has them.</summary>
@@ -48,7 +51,7 @@ internal unsafe struct SideLanes
     public fixed float Cos[Lanes];
     public fixed float Sin[Lanes];
 
-    /// <summary>Half sides of a box; the radius of a circle.</summary>
+    /// <summary>Half sides of a box; of other pieces the first is the rounding radius (of a circle all there is).</summary>
     public fixed float HalfX[Lanes];
     public fixed float HalfY[Lanes];
     public fixed float Extent[Lanes];

@@ -105,6 +105,9 @@ internal sealed unsafe class BodyLists
         }
     }
 
+    /// <summary>Foresees where the bodies will have turned by the middle of the step.</summary>
+    public void Foresee(BodyStore bodies, float dt) => Foresight.Begin(bodies, _active.Pointer, ActiveCount, dt);
+
     /// <summary>Bodies with rows go to the solver; the others fly free and cost nothing there.</summary>
     public void Split(BodyStore bodies, ConstraintGraph graph)
     {
@@ -164,6 +167,7 @@ internal sealed unsafe class BodyLists
         for (int i = 0; i < FreeCount; i++)
         {
             FinishBodies.UpdateRotor(ref bodies.Pose[_free[i]]);
+            FinishBodies.ForgetTurn(bodies, _free[i]);
         }
 
         BodyForce* force = bodies.Force.Pointer;

@@ -13,6 +13,7 @@ internal sealed partial class World
         Profile.Begin();
         PurgeNow();
         CollectBodies();
+        _lists.Foresee(Bodies, dt);
         Profile.End(StepStage.DeferredChanges);
 
         _boxes.Update(this, dt);

@@ -20,13 +20,14 @@ internal static unsafe class FinishBodies
             ref BodyMotion motion = ref bodies.Motion[body];
             double x = pose.X + state.DeltaPosition.X;
             double y = pose.Y + state.DeltaPosition.Y;
-            if (StateRange.Holds(state) & StateRange.Holds(x, y, pose.Angle + motion.Turned))
+            double turned = (double)motion.Turned + bodies.Drive[body].Lead;
+            if (StateRange.Holds(state) & StateRange.Holds(x, y, pose.Angle + turned))
             {
                 pose.X = x;
                 pose.Y = y;
-                if (motion.Turned != 0)
+                if (turned != 0)
                 {
-                    pose.Angle += motion.Turned;
+                    pose.Angle += turned;
                     UpdateRotor(ref pose);
                 }
             }
@@ -36,12 +37,18 @@ internal static unsafe class FinishBodies
             }
 
             state.DeltaPosition = Vector2.Zero;
-            state.DeltaSin = 0;
-            state.DeltaCos = 1;
-            motion.Turned = 0;
+            ForgetTurn(bodies, body);
         }
 
         return found;
+    }
+
+    public static void ForgetTurn(BodyStore bodies, int body)
+    {
+        ref BodyState state = ref bodies.State[body];
+        state.DeltaSin = 0;
+        state.DeltaCos = 1;
+        bodies.Motion[body].Turned = 0;
     }
 
     public static void UpdateRotor(ref BodyPose pose)

@@ -47,7 +47,7 @@ public class ScalingTests
             Sandbox.Run(scaled, 15);
         }
 
-        Assert.True(simulator.ArbiterList.Count >= 10, "The scene was to come to contacts.");
+        Assert.True(simulator.ArbiterList.Count >= 5, "The scene was to come to contacts.");
     }
 
     [Fact]
