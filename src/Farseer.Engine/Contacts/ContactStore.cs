@@ -47,6 +47,9 @@ internal struct ContactRecord
 
     /// <summary>Friction when the pair was made, for worlds that freeze it.</summary>
     public float FirstFriction;
+
+    /// <summary>A collider of the pair has several pieces: the pair of colliders may have further records.</summary>
+    public bool OfSeveral;
 }
 
 /// <summary>All pairs, the map from pieces to pairs, and the list of pairs without a row.</summary>
@@ -69,6 +72,9 @@ internal sealed class ContactStore
     public Column<Manifold> Manifolds { get; }
 
     public PairMap Map { get; } = new PairMap();
+
+    /// <summary>How many records there are of a pair of colliders of which one has several pieces.</summary>
+    public PairMap Compounds { get; } = new PairMap();
 
     public int Count { get; private set; }
 
@@ -99,18 +105,39 @@ internal sealed class ContactStore
         Map.Set(key, index);
         Count++;
         AddIdle(index);
+        if (record.OfSeveral)
+        {
+            Compounds.TryGet(ColliderKey(record.ColliderA, record.ColliderB), out int others);
+            Compounds.Set(ColliderKey(record.ColliderA, record.ColliderB), others + 1);
+        }
+
         return index;
     }
+
+    public static ulong ColliderKey(int a, int b) => ((ulong)(uint)a << 32) | (uint)b;
 
     /// <summary>Forgets a pair that is in the idle list.</summary>
     public void Destroy(int index, ulong key)
     {
         RemoveIdle(index);
         Map.Remove(key);
+        if (Records[index].OfSeveral)
+        {
+            Leave(ColliderKey(Records[index].ColliderA, Records[index].ColliderB));
+        }
+
         Records[index] = default;
         Records[index].PieceA = -1;
         _free[_freeCount++] = index;
         Count--;
+    }
+
+    private void Leave(ulong colliders)
+    {
+        if (Compounds.Remove(colliders, out int records) && records > 1)
+        {
+            Compounds.Set(colliders, records - 1);
+        }
     }
 
     public void AddIdle(int index)

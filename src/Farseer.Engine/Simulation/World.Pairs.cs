@@ -12,6 +12,7 @@ internal sealed partial class World
 {
     private readonly PairBuffer _pairs = new PairBuffer();
     private readonly RadixSort _pairSort = new RadixSort();
+    private readonly PairMap _verdicts = new PairMap();
     private readonly Column<byte> _staleBodies = new Column<byte>();
     private bool _anyStale;
 
@@ -64,6 +65,11 @@ internal sealed partial class World
     private unsafe void FindPairs()
     {
         _pairs.Clear();
+        if (_verdicts.Count > 0)
+        {
+            _verdicts.Clear();
+        }
+
         BroadPhase.Collect(Proxies, _pairs);
         _pairSort.Sort(_pairs.Pointer, _pairs.Count);
         for (int i = 0; i < _pairs.Count; i++)
@@ -88,8 +94,8 @@ internal sealed partial class World
             (colliderA, colliderB) = (colliderB, colliderA);
         }
 
-        if (!PassesFilter(Shapes.Colliders[colliderA], Shapes.Colliders[colliderB])
-            || (Hooks != null && !Hooks.AcceptPair(colliderA, colliderB)))
+        bool ofSeveral = HasSeveralPieces(colliderA) || HasSeveralPieces(colliderB);
+        if (!PassesFilter(Shapes.Colliders[colliderA], Shapes.Colliders[colliderB]) || !Accept(colliderA, colliderB, ofSeveral))
         {
             return;
         }
@@ -102,9 +108,43 @@ internal sealed partial class World
             BodyB = Shapes.Pieces[b].Body,
             ColliderA = colliderA,
             ColliderB = colliderB,
+            OfSeveral = ofSeveral,
         };
         record.FirstFriction = ContactUpdate.MixFriction(Shapes, Settings.FrictionMix, record);
         _contacts.Create(key, record);
+    }
+
+    private bool HasSeveralPieces(int collider) => Shapes.NextPiece[Shapes.Colliders[collider].FirstPiece] >= 0;
+
+    /// <summary>
+    /// Asks the listeners, once for a pair of colliders, however many of their pieces come near each other: while there are records
+    /// of the pair it stands, and within a step the first answer holds.
+    /// </summary>
+    private bool Accept(int colliderA, int colliderB, bool ofSeveral)
+    {
+        if (Hooks == null)
+        {
+            return true;
+        }
+
+        ulong key = ContactStore.ColliderKey(colliderA, colliderB);
+        if (!ofSeveral)
+        {
+            return Hooks.AcceptPair(colliderA, colliderB);
+        }
+
+        if (_contacts.Compounds.Contains(key))
+        {
+            return true;
+        }
+
+        if (!_verdicts.TryGet(key, out int verdict))
+        {
+            verdict = Hooks.AcceptPair(colliderA, colliderB) ? 1 : 0;
+            _verdicts.Set(key, verdict);
+        }
+
+        return verdict != 0;
     }
 
     private bool PassesFilter(in ColliderInfo a, in ColliderInfo b)

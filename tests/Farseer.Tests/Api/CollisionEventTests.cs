@@ -4,6 +4,8 @@ using System.Linq;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Factories;
 using FarseerGames.FarseerPhysics.Interfaces;
 using Xunit;
 using static Farseer.Tests.Sandbox;
@@ -183,6 +185,50 @@ public class CollisionEventTests
 
     [Theory]
     [MemberData(nameof(Colliders))]
+    [ManualRow("F263")]
+    public void OnBroadPhaseCollision_OfGeomsOfManyPieces_IsRaisedOnceForThePair(string name)
+    {
+        foreach (bool answer in new[] { true, false })
+        {
+            var simulator = new PhysicsSimulator();
+            simulator.BroadPhaseCollider = Make(name, simulator);
+            Geom lower = Comb(simulator, new Vector2(0, 0));
+            Geom upper = Comb(simulator, new Vector2(0, -70));
+            upper.Body.LinearVelocity = new Vector2(0, 50);
+            int asked = 0;
+            int touched = 0;
+            lower.OnCollision += (_, _, _) => ++touched > 0;
+            simulator.BroadPhaseCollider.OnBroadPhaseCollision += (x, y) =>
+            {
+                Assert.Same(lower, x);
+                Assert.Same(upper, y);
+                asked++;
+                return answer;
+            };
+            Run(simulator, 1);
+            Assert.Equal(0, asked);
+            while (asked == 0)
+            {
+                Run(simulator, 1);
+            }
+
+            Assert.Equal(1, asked);
+            if (answer)
+            {
+                // The other teeth come near later, while the pair stands.
+                while (touched == 0)
+                {
+                    Run(simulator, 1);
+                }
+
+                Run(simulator, 2);
+                Assert.Equal(1, asked);
+            }
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Colliders))]
     [ManualRow("F265")]
     public void OnBroadPhaseCollision_ReturningFalse_LeavesNoArbiterNoEventNoImpulse(string name)
     {
@@ -234,6 +280,17 @@ public class CollisionEventTests
             order.Add("broad");
             return true;
         }
+    }
+
+    /// <summary>A concave geom of five teeth.</summary>
+    private static Geom Comb(PhysicsSimulator simulator, Vector2 place)
+    {
+        Vertices outline = Outline(
+            0, 0, 90, 0, 90, 30, 80, 30, 80, 10, 70, 10, 70, 30, 60, 30, 60, 10, 50, 10, 50, 30, 40, 30, 40, 10, 30, 10, 30, 30, 20, 30, 20, 10, 0, 10);
+        Body body = BodyFactory.Instance.CreatePolygonBody(simulator, outline, 1);
+        body.Position = place;
+        WithoutDrag(body);
+        return GeomFactory.Instance.CreatePolygonGeom(simulator, body, outline, 0);
     }
 
     private static IBroadPhaseCollider Make(string name, PhysicsSimulator simulator) => name switch
