@@ -48,6 +48,10 @@ public class AllocationTests
 
             Run(simulator, WarmSteps);
             Read(simulator);
+            Run(simulator, 1);
+
+            // The second reading is the first to put arbiters back.
+            Read(simulator);
             long before = GC.GetAllocatedBytesForCurrentThread();
             for (int i = 0; i < CountedSteps; i++)
             {
