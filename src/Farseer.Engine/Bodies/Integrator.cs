@@ -13,6 +13,7 @@ internal static unsafe class Integrator
     /// v ← v·keep + drive. Before that the change of the last substep is noted: where a body accelerates steadily (falls,
     /// slides, rolls) it is what <see cref="IntegratePositions"/> needs to be exact.
     /// </summary>
+    [MethodImpl(KernelMethod.Optimized)]
     public static void IntegrateVelocities(int* list, int count, BodyState* states, BodyMotion* motions, BodyDrive* drives)
     {
         for (int i = 0; i < count; i += Wide.Count)
@@ -38,6 +39,7 @@ internal static unsafe class Integrator
     /// sign). Under constant acceleration, also by friction, that is the exact x += h·(v₀ + v₁)/2: a sliding box stops
     /// within 1e-6 of v²/2μg instead of 0.1 %. In an impact the two changes disagree and the step is the plain symplectic one.
     /// </summary>
+    [MethodImpl(KernelMethod.Optimized)]
     public static void IntegratePositions(int* list, int count, BodyState* states, BodyMotion* motions, float h)
     {
         Wide step = Wide.Splat(h);

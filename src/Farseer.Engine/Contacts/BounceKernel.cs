@@ -1,6 +1,7 @@
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
 #endif
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Numerics;
 
@@ -16,6 +17,7 @@ internal static unsafe class BounceKernel
     /// <summary>Impacts slower than this many substeps of outside acceleration are rest, not impact.</summary>
     private const float RestSubsteps = 4f;
 
+    [MethodImpl(KernelMethod.Optimized)]
     public static void Prepare(ContactBundle* bundles, int count, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
@@ -49,6 +51,7 @@ internal static unsafe class BounceKernel
     }
 
     /// <summary>One sweep; the last one also lets go of the impulses of the points that bounced, which are not to be repeated.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
     public static void Apply(ContactBundle* bundles, int count, BodyState* bodies, bool last)
     {
         for (int i = 0; i < count; i++)

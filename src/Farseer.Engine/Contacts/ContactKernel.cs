@@ -19,6 +19,7 @@ internal static unsafe class ContactKernel
     /// Applies the impulses of the substep before, extrapolated by a third of their change (a free momentum term for the
     /// block solver), friction kept within its cone.
     /// </summary>
+    [MethodImpl(KernelMethod.Optimized)]
     public static void WarmStart(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c)
     {
         Wide fall = Wide.Splat(c.Gravity * c.Substep);
@@ -48,6 +49,7 @@ internal static unsafe class ContactKernel
     /// sink from there, slowly, to the depth of rest. Contacts of deep islands are solved hard here;
     /// their overlap goes in <see cref="PushOut"/>.
     /// </summary>
+    [MethodImpl(KernelMethod.Optimized)]
     public static void SolveBiased(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
@@ -103,6 +105,7 @@ internal static unsafe class ContactKernel
     /// Moves the contacts of deep islands apart. The velocities found here move the bodies and are then forgotten, and so are
     /// the impulses, so that a deep overlap never becomes speed.
     /// </summary>
+    [MethodImpl(KernelMethod.Optimized)]
     public static void PushOut(ContactBundle* bundles, int count, BodyState* bodies, float recoveryRate, in ContactCoefficients c)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
@@ -135,6 +138,7 @@ internal static unsafe class ContactKernel
     /// The relax pass at the new positions: the same block without bias and softness, so that no push-out velocity is left,
     /// then friction within the cone of the true normal impulses, then the feed-forward follows.
     /// </summary>
+    [MethodImpl(KernelMethod.Optimized)]
     public static void Relax(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);

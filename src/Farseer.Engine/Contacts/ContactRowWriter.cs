@@ -38,6 +38,7 @@ internal static unsafe class ContactRowWriter
     /// Writes the constraints of a bundle from its manifolds. Lanes without a contact, and points that do not exist, become
     /// inert. Stored impulses are those of one substep and are scaled to this step's.
     /// </summary>
+    [MethodImpl(KernelMethod.Optimized)]
     public static void Write(in ContactUpdateInput input, ContactBundle* row)
     {
         PairLanes* pairs = input.Pairs;

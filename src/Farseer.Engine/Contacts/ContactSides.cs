@@ -1,7 +1,9 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
@@ -49,6 +51,7 @@ internal sealed unsafe class ContactSides
     /// <summary>The side of piece 0; that of <see cref="NoPiece"/> stands before it.</summary>
     public ContactSide* Pointer => _sides.Pointer + 1;
 
+    [MethodImpl(KernelMethod.Optimized)]
     public void Prepare(ShapeStore shapes, BodyStore bodies, ProxyInfo* proxies, byte* moves)
     {
         int end = shapes.PieceIds.End;

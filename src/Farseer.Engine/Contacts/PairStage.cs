@@ -35,6 +35,7 @@ internal static unsafe class PairStage
     private const float SkinShare = 0.02f;
 
     /// <summary>Gathers both sides of each pair, their bodies' offset, and the distance from which on points are kept.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
     public static PairBits Load(in ContactUpdateInput input, ContactBundle* row)
     {
         PairLanes* pairs = input.Pairs;
@@ -104,6 +105,7 @@ internal static unsafe class PairStage
     /// <param name="touched">Lanes that touched in the step before.</param>
     /// <param name="hit">Lanes that have points.</param>
     /// <returns>A bit for each lane that touches.</returns>
+    [MethodImpl(KernelMethod.Optimized)]
     public static int Touch(in ContactUpdateInput input, ContactBundle* row, out int touched, out int hit)
     {
         PairLanes* pairs = input.Pairs;

@@ -11,6 +11,7 @@ internal static unsafe class WideBoxBox
 {
     /// <summary>Writes the manifolds of all lanes as if each were a pair of boxes.</summary>
     /// <returns>Lanes (a bit each) that are near, but not face against face: what is written there does not count.</returns>
+    [MethodImpl(KernelMethod.Optimized)]
     public static int Collide(PairLanes* pairs)
     {
         int corners = 0;
