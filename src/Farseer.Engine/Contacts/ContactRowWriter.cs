@@ -55,7 +55,7 @@ internal static unsafe class ContactRowWriter
             WritePoints(input, row, lane, one, two);
             WriteResponses(pairs, row, lane, one, two);
             WriteMaterial(input, row, lane);
-            WriteStiffness(input, row, lane, two);
+            WriteStiffness(input, row, lane, one, two);
         }
 
         if (input.Settings.FreezePairFriction)
@@ -82,8 +82,8 @@ internal static unsafe class ContactRowWriter
         row->Flags[lane] = (int)record.Flags;
     }
 
-    /// <summary>An empty lane: bodies 0 (the dummy), no mass, unit responses so that nothing divides by zero.</summary>
-    public static void ClearLane(ContactBundle* row, int lane)
+    /// <summary>A lane that holds no pair.</summary>
+    public static void Unname(ContactBundle* row, int lane)
     {
         row->BodyA[lane] = 0;
         row->BodyB[lane] = 0;
@@ -91,6 +91,22 @@ internal static unsafe class ContactRowWriter
         row->PieceB[lane] = ContactSides.NoPiece;
         row->Contact[lane] = -1;
         row->Flags[lane] = 0;
+    }
+
+    /// <summary>A bundle without pairs, to be named and then written.</summary>
+    public static void ClearForWrite(ContactBundle* row)
+    {
+        Unsafe.InitBlock(row, 0, (uint)sizeof(ContactBundle));
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            Unname(row, lane);
+        }
+    }
+
+    /// <summary>An empty lane: bodies 0 (the dummy), no mass, unit responses so that nothing divides by zero.</summary>
+    public static void ClearLane(ContactBundle* row, int lane)
+    {
+        Unname(row, lane);
         row->NormalX[lane] = 0;
         row->NormalY[lane] = 0;
         row->Friction[lane] = 0;
@@ -254,7 +270,7 @@ internal static unsafe class ContactRowWriter
 
     /// <summary>How fully the load is fed forward, and deepness: a row stays deep until its depth is under half of what made it so.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void WriteStiffness(in ContactUpdateInput input, ContactBundle* row, int lane, WideMask two)
+    private static void WriteStiffness(in ContactUpdateInput input, ContactBundle* row, int lane, WideMask one, WideMask two)
     {
         PairLanes* pairs = input.Pairs;
         Wide rest = Wide.Splat(input.Settings.AllowedPenetration);
@@ -274,7 +290,7 @@ internal static unsafe class ContactRowWriter
         limit = limit + (Wide.Splat(DeepSags) * input.Coefficients.Sag(load));
         WideMask deep = depth > limit;
         WideMask still = (Wide.Load(row->Deep + lane) > Wide.Zero) & (depth > Wide.Splat(0.5f) * limit);
-        Wide.Keep(deep | still, Wide.One).Store(row->Deep + lane);
+        Wide.Keep(one & (deep | still), Wide.One).Store(row->Deep + lane);
     }
 
     /// <summary>A quirk of the original: the friction of a pair stays what it was when the pair was made.</summary>

@@ -61,16 +61,16 @@ internal static unsafe class ContactUpdate
     public static ContactFates UpdateRows(in ContactUpdateInput input, ContactBundle* row)
     {
         PairBits bits = PairStage.Load(input, row);
-        ContactFates fates = Update(input, row, bits, bits.Heard);
+        ContactFates fates = Update(input, row, bits, 0);
         ContactRowWriter.Write(input, row);
         return fates;
     }
 
-    /// <summary>Updates pairs without rows; their manifolds are kept for <see cref="FillRows"/> and for readers.</summary>
+    /// <summary>Updates pairs without rows; the manifolds of those that get one are kept for <see cref="FillRows"/>.</summary>
     public static ContactFates UpdateIdle(in ContactUpdateInput input, ContactBundle* row)
     {
         PairBits bits = PairStage.Load(input, row);
-        return Update(input, row, bits, bits.Exists);
+        return Update(input, row, bits, bits.Solid);
     }
 
     /// <summary>Writes the constraints of pairs that have just been given a place in the graph.</summary>
@@ -99,7 +99,7 @@ internal static unsafe class ContactUpdate
     /// <param name="input">Columns and numbers of this step.</param>
     /// <param name="row">Names the pairs and their flags.</param>
     /// <param name="bits">What the sides are.</param>
-    /// <param name="kept">Lanes whose manifolds are to be kept in any case.</param>
+    /// <param name="kept">Lanes whose manifolds are to be kept if they have points; those that are heard are kept in any case.</param>
     private static ContactFates Update(in ContactUpdateInput input, ContactBundle* row, in PairBits bits, int kept)
     {
         ContactFates fates;
@@ -114,6 +114,7 @@ internal static unsafe class ContactUpdate
         fates.Touching = touching;
         fates.TouchingNow = touching & ~touched;
         fates.Heard = bits.Heard & bits.Exists;
+        kept = bits.Heard | (kept & hit);
 
         // Flags hardly ever change, and each record is a cache line of its own: they are visited only if something is new.
         for (int lane = 0; lane < ContactBundle.Lanes; lane++)
@@ -128,14 +129,15 @@ internal static unsafe class ContactUpdate
                 | ((bits.Solid & bit) != 0 ? ContactFlags.Solid : ContactFlags.None)
                 | ((bits.Heard & bit) != 0 ? ContactFlags.Heard | ((ContactFlags)row->Flags[lane] & ContactFlags.Vetoed) : ContactFlags.None)
                 | ((due & bit) != 0 ? ContactFlags.Due : ContactFlags.None);
-            if ((int)flags != row->Flags[lane] || ((kept | fates.Idle) & bit) != 0)
+            if ((int)flags != row->Flags[lane])
             {
                 row->Flags[lane] = (int)flags;
                 input.Contacts.Records[row->Contact[lane]].Flags = flags;
-                if (((kept | fates.Idle) & bit) != 0)
-                {
-                    input.Contacts.Manifolds[row->Contact[lane]] = PairLanes.Read(input.Pairs, lane);
-                }
+            }
+
+            if ((kept & bit) != 0)
+            {
+                input.Contacts.Manifolds[row->Contact[lane]] = PairLanes.Read(input.Pairs, lane);
             }
         }
 

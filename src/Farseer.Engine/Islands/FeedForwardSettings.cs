@@ -1,7 +1,12 @@
 using System;
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Farseer.Engine.Islands;
 
@@ -64,19 +69,39 @@ internal sealed unsafe class FeedForwardSettings
         for (int k = 0; k < ConstraintGraph.ColorCount; k++)
         {
             GraphColor color = graph[k];
-            for (int r = 0; r < color.RowCount; r++)
-            {
-                ContactBundle* row = color.BundleOf(r);
-                int lane = color.LaneOf(r);
-                float load = Math.Max(row->Point0.Normal[lane] * row->K11[lane], row->Point1.Normal[lane] * row->K22[lane]);
-                float sag = c.Sag(load);
-                int slot = row->Level[lane];
-                if (sag > slotSag[slot])
-                {
-                    slotSag[slot] = sag;
-                }
+            CollectSag(color.Bundles, color.BundleCount, slotSag, c);
+        }
+    }
 
-                if (row->Deep[lane] > 0)
+    [MethodImpl(KernelMethod.Optimized)]
+    private void CollectSag(ContactBundle* rows, int count, float* slotSag, in ContactCoefficients c)
+    {
+        float* sags = stackalloc float[ContactBundle.Lanes];
+        for (ContactBundle* row = rows; count > 0; count--, row++)
+        {
+            int deep = 0;
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                Wide load = Wide.Max(
+                    Wide.Load(row->Point0.Normal + lane) * Wide.Load(row->K11 + lane),
+                    Wide.Load(row->Point1.Normal + lane) * Wide.Load(row->K22 + lane));
+                c.Sag(load).Store(sags + lane);
+                deep |= WideLanes.Bits(Wide.Load(row->Deep + lane) > Wide.Zero) << lane;
+            }
+
+            // An empty lane has no sag, and changes nothing in slot 0.
+            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            {
+                int slot = row->Level[lane];
+                if (sags[lane] > slotSag[slot])
+                {
+                    slotSag[slot] = sags[lane];
+                }
+            }
+
+            for (int lane = 0; deep != 0; lane++, deep >>= 1)
+            {
+                if ((deep & 1) != 0)
                 {
                     _deep[row->Island[lane]] = 1;
                 }
@@ -87,18 +112,21 @@ internal sealed unsafe class FeedForwardSettings
     private bool WriteRows(ConstraintGraph graph)
     {
         float any = 0;
+        float* rate = _rate.Pointer;
+        float* deep = _deep.Pointer;
         for (int k = 0; k < ConstraintGraph.ColorCount; k++)
         {
             GraphColor color = graph[k];
-            for (int r = 0; r < color.RowCount; r++)
+            int count = color.BundleCount;
+            for (ContactBundle* row = color.Bundles; count > 0; count--, row++)
             {
-                ContactBundle* row = color.BundleOf(r);
-                int lane = color.LaneOf(r);
-                int island = row->Island[lane];
-                row->FeedRate[lane] = _rate[island];
-                float deep = _deep[island];
-                row->Deep[lane] = deep;
-                any = Math.Max(any, deep);
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+                {
+                    int island = row->Island[lane];
+                    row->FeedRate[lane] = rate[island];
+                    row->Deep[lane] = deep[island];
+                    any = Math.Max(any, deep[island]);
+                }
             }
         }
 

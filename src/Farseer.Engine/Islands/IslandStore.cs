@@ -16,9 +16,12 @@ internal sealed unsafe class IslandStore
     private readonly Column<int> _start = new Column<int>();
     private readonly Column<int> _neighbours = new Column<int>();
     private readonly Column<int> _queue = new Column<int>();
+    private readonly Column<Edge> _edges = new Column<Edge>();
     private readonly Column<int> _islandOf = new Column<int>();
     private readonly Column<int> _firstSlot = new Column<int>();
     private readonly Column<float> _slotSag = new Column<float>();
+
+    private int _edgeCount;
 
     public int Count { get; private set; }
 
@@ -37,8 +40,8 @@ internal sealed unsafe class IslandStore
     public void Build(ConstraintGraph graph, int bodyEnd, byte* moves)
     {
         EnsureBodies(bodyEnd, graph.RowCount);
-        Union(graph, bodyEnd, moves);
-        FindLevels(graph, bodyEnd, moves);
+        int queued = CollectEdges(graph, bodyEnd, moves);
+        FindLevels(bodyEnd, queued);
         NumberIslands(bodyEnd, moves);
         WriteRows(graph, moves);
     }
@@ -50,42 +53,81 @@ internal sealed unsafe class IslandStore
         _islandOf.EnsureCapacity(bodyEnd);
         _start.EnsureCapacity(bodyEnd + 1);
         _queue.EnsureCapacity(bodyEnd);
+        _edges.EnsureCapacity(Math.Max(rows, 2 * bodyEnd));
         _neighbours.EnsureCapacity(2 * Math.Max(rows, 2 * bodyEnd));
     }
 
-    private void Union(ConstraintGraph graph, int bodyEnd, byte* moves)
+    /// <summary>One walk over the rows: joins islands, lists the pairs of moving bodies, and queues the bodies on the ground.</summary>
+    /// <returns>How many bodies are queued.</returns>
+    private int CollectEdges(ConstraintGraph graph, int bodyEnd, byte* moves)
     {
         int* parent = _parent.Pointer;
+        int* start = _start.Pointer;
+        int* level = _level.Pointer;
+        int* queue = _queue.Pointer;
+        Edge* edges = _edges.Pointer;
         for (int i = 0; i < bodyEnd; i++)
         {
             parent[i] = i;
+            start[i] = 0;
+            level[i] = -1;
         }
 
+        start[bodyEnd] = 0;
+        int queued = 0;
+        _edgeCount = 0;
         for (int c = 0; c < ConstraintGraph.ColorCount; c++)
         {
             GraphColor color = graph[c];
-            for (int r = 0; r < color.RowCount; r++)
+            int count = color.BundleCount;
+            for (ContactBundle* row = color.Bundles; count > 0; count--, row++)
             {
-                ContactBundle* row = color.BundleOf(r);
-                int lane = color.LaneOf(r);
-                int a = row->BodyA[lane];
-                int b = row->BodyB[lane];
-                if (moves[a] != 0 && moves[b] != 0)
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    a = Find(parent, a);
-                    b = Find(parent, b);
-
-                    // The lower index becomes the root, whatever the order of the rows.
-                    if (a < b)
+                    // In an empty lane both are the dummy, which does not move and carries nothing.
+                    int a = row->BodyA[lane];
+                    int b = row->BodyB[lane];
+                    if ((moves[a] & moves[b]) != 0)
                     {
-                        parent[b] = a;
+                        edges[_edgeCount].A = a;
+                        edges[_edgeCount++].B = b;
+                        start[a + 1]++;
+                        start[b + 1]++;
+                        Join(parent, a, b);
                     }
-                    else
+                    else if (a != b)
                     {
-                        parent[a] = b;
+                        int body = moves[a] != 0 ? a : b;
+                        if (level[body] < 0)
+                        {
+                            level[body] = 0;
+                            queue[queued++] = body;
+                        }
                     }
                 }
             }
+        }
+
+        return queued;
+    }
+
+    // The lower index becomes the root, whatever the order of the rows.
+    private static void Join(int* parent, int a, int b)
+    {
+        if (parent[a] == parent[b])
+        {
+            return;
+        }
+
+        a = Find(parent, a);
+        b = Find(parent, b);
+        if (a < b)
+        {
+            parent[b] = a;
+        }
+        else
+        {
+            parent[a] = b;
         }
     }
 
@@ -100,8 +142,8 @@ internal sealed unsafe class IslandStore
         return i;
     }
 
-    /// <summary>Breadth first from the bodies on the ground; bodies that nothing carries get level 0 too.</summary>
-    private void FindLevels(ConstraintGraph graph, int bodyEnd, byte* moves)
+    /// <summary>Breadth first from the bodies on the ground; bodies that nothing carries keep the level -1.</summary>
+    private void FindLevels(int bodyEnd, int queued)
     {
         int* start = _start.Pointer;
         int* level = _level.Pointer;
@@ -109,76 +151,29 @@ internal sealed unsafe class IslandStore
         int* neighbours = _neighbours.Pointer;
         for (int i = 0; i < bodyEnd; i++)
         {
-            start[i] = 0;
-            level[i] = -1;
-        }
-
-        start[bodyEnd] = 0;
-        int queued = 0;
-        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
-        {
-            GraphColor color = graph[c];
-            for (int r = 0; r < color.RowCount; r++)
-            {
-                ContactBundle* row = color.BundleOf(r);
-                int lane = color.LaneOf(r);
-                int a = row->BodyA[lane];
-                int b = row->BodyB[lane];
-                if (moves[a] != 0 && moves[b] != 0)
-                {
-                    start[a + 1]++;
-                    start[b + 1]++;
-                }
-                else
-                {
-                    int body = moves[a] != 0 ? a : b;
-                    if (level[body] < 0)
-                    {
-                        level[body] = 0;
-                        queue[queued++] = body;
-                    }
-                }
-            }
-        }
-
-        for (int i = 0; i < bodyEnd; i++)
-        {
             start[i + 1] += start[i];
         }
 
-        FillNeighbours(graph, moves, start, neighbours);
+        // After filling, start[i] is the end of body i's range (and start[i - 1] its beginning).
+        Edge* edges = _edges.Pointer;
+        for (int i = 0; i < _edgeCount; i++)
+        {
+            neighbours[start[edges[i].A]++] = edges[i].B;
+            neighbours[start[edges[i].B]++] = edges[i].A;
+        }
+
         for (int head = 0; head < queued; head++)
         {
             int body = queue[head];
+            int next = level[body] + 1;
             int end = body == 0 ? 0 : start[body];
             for (int k = body == 0 ? 0 : start[body - 1]; k < end; k++)
             {
                 int other = neighbours[k];
                 if (level[other] < 0)
                 {
-                    level[other] = level[body] + 1;
+                    level[other] = next;
                     queue[queued++] = other;
-                }
-            }
-        }
-    }
-
-    // After filling, start[i] is the end of body i's range (and start[i - 1] its beginning).
-    private static void FillNeighbours(ConstraintGraph graph, byte* moves, int* start, int* neighbours)
-    {
-        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
-        {
-            GraphColor color = graph[c];
-            for (int r = 0; r < color.RowCount; r++)
-            {
-                ContactBundle* row = color.BundleOf(r);
-                int lane = color.LaneOf(r);
-                int a = row->BodyA[lane];
-                int b = row->BodyB[lane];
-                if (moves[a] != 0 && moves[b] != 0)
-                {
-                    neighbours[start[a]++] = b;
-                    neighbours[start[b]++] = a;
                 }
             }
         }
@@ -231,24 +226,38 @@ internal sealed unsafe class IslandStore
     private void WriteRows(ConstraintGraph graph, byte* moves)
     {
         int* level = _level.Pointer;
+        int* islandOf = _islandOf.Pointer;
+        int* firstSlot = _firstSlot.Pointer;
         for (int c = 0; c < ConstraintGraph.ColorCount; c++)
         {
             GraphColor color = graph[c];
-            for (int r = 0; r < color.RowCount; r++)
+            int count = color.BundleCount;
+            for (ContactBundle* row = color.Bundles; count > 0; count--, row++)
             {
-                ContactBundle* row = color.BundleOf(r);
-                int lane = color.LaneOf(r);
-                int a = row->BodyA[lane];
-                int b = row->BodyB[lane];
-                int body = moves[a] != 0 ? a : b;
-                int other = moves[a] != 0 && moves[b] != 0 ? b : body;
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+                {
+                    int a = row->BodyA[lane];
+                    int b = row->BodyB[lane];
+                    if (a == b)
+                    {
+                        continue;
+                    }
 
-                // A contact belongs to the level of its upper body; the ground carries level 0.
-                int height = Math.Max(0, Math.Max(level[body], level[other]));
-                int island = _islandOf[body];
-                row->Island[lane] = island;
-                row->Level[lane] = _firstSlot[island] + height;
+                    // A contact belongs to the level of its upper body; the ground carries level 0.
+                    int body = moves[a] != 0 ? a : b;
+                    int other = moves[b] != 0 ? b : body;
+                    int height = Math.Max(0, Math.Max(level[body], level[other]));
+                    int island = islandOf[body];
+                    row->Island[lane] = island;
+                    row->Level[lane] = firstSlot[island] + height;
+                }
             }
         }
+    }
+
+    private struct Edge
+    {
+        public int A;
+        public int B;
     }
 }

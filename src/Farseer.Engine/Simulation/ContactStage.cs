@@ -107,7 +107,7 @@ internal sealed unsafe class ContactStage
         }
     }
 
-    /// <summary>The pairs without a row, eight at a time in a bundle of their own.</summary>
+    /// <summary>The pairs without a row, eight at a time in a bundle of their own, which has never held an impulse.</summary>
     private void UpdateIdle(in ContactUpdateInput input)
     {
         ContactStore contacts = input.Contacts;
@@ -116,11 +116,14 @@ internal sealed unsafe class ContactStage
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane++)
             {
-                ContactRowWriter.ClearLane(bundle, lane);
                 if (i + lane < contacts.IdleCount)
                 {
                     int index = contacts.Idle(i + lane);
                     ContactRowWriter.Name(bundle, lane, index, contacts.Records[index]);
+                }
+                else
+                {
+                    ContactRowWriter.Unname(bundle, lane);
                 }
             }
 
@@ -189,17 +192,14 @@ internal sealed unsafe class ContactStage
         for (int i = 0; i < _gainedCount; i += ContactBundle.Lanes)
         {
             int count = System.Math.Min(ContactBundle.Lanes, _gainedCount - i);
-            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            ContactRowWriter.ClearForWrite(bundle);
+            for (int lane = 0; lane < count; lane++)
             {
-                ContactRowWriter.ClearLane(bundle, lane);
-                if (lane < count)
-                {
-                    int index = _gained[i + lane];
-                    ref ContactRecord record = ref contacts.Records[index];
-                    contacts.RemoveIdle(index);
-                    graph.Add(index, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
-                    ContactRowWriter.Name(bundle, lane, index, record);
-                }
+                int index = _gained[i + lane];
+                ref ContactRecord record = ref contacts.Records[index];
+                contacts.RemoveIdle(index);
+                graph.Add(index, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
+                ContactRowWriter.Name(bundle, lane, index, record);
             }
 
             ContactUpdate.FillRows(input, bundle);
