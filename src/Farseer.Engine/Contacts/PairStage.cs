@@ -86,6 +86,12 @@ internal static unsafe class PairStage
             left &= ~bits.Boxes | corners;
         }
 
+        if ((bits.Circles & bits.Exists) != 0)
+        {
+            WideCircleCircle.Collide(input.Pairs);
+            left &= ~bits.Circles;
+        }
+
         for (int lane = 0; left != 0; lane++, left >>= 1)
         {
             if ((left & 1) != 0)

@@ -9,12 +9,12 @@ namespace Farseer.Engine.NarrowPhase;
 internal static unsafe class CirclePairs
 {
     /// <summary>Centres nearer than this share of the radii give no direction.</summary>
-    private const float ShortestArm = 1e-6f;
+    public const float ShortestArm = 1e-6f;
 
     /// <summary>
     /// A circle has one point of contact, whatever feature it rolls on: its impulses follow it from edge to edge.
     /// </summary>
-    private const uint Id = 1;
+    public const uint Id = 1;
 
     public static void CircleCircle(in PairInput pair, out Manifold manifold)
     {

@@ -99,7 +99,7 @@ internal static unsafe class PieceBaker
             Flags = (source.OutlineNormalBefore != null ? PieceFlags.Seamed : PieceFlags.None)
                 | (source.OneSided ? PieceFlags.OneSided : PieceFlags.None),
             Center = (min + max) * 0.5f,
-            Half = box ? HalfSides(range.Vertices, axis) : Vector2.Zero,
+            Half = box ? HalfSides(range.Vertices, axis) : new Vector2(source.Radius, source.Radius),
             Axis = axis,
         };
     }

@@ -39,7 +39,7 @@ internal struct Piece
     /// <summary>Centre of the local bounds, in body coordinates.</summary>
     public Vector2 Center;
 
-    /// <summary>A box's half sides along <see cref="Axis"/> and across it; 0 for other kinds.</summary>
+    /// <summary>A box's half sides along <see cref="Axis"/> and across it; the radius for other kinds.</summary>
     public Vector2 Half;
 
     /// <summary>A box's own x axis, the normal of its edge 1, in body coordinates.</summary>
