@@ -55,17 +55,17 @@ internal static unsafe class BodyLanes
         Scatter((float*)bodies + 4, index, d.X, d.Y, d.Sin, d.Cos);
     }
 
-    /// <summary>Reads four floats of each record, <paramref name="stride"/> floats long, and turns them into four lane vectors.</summary>
+    /// <summary>Reads four floats of each record of 32 bytes and turns them into four lane vectors.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Gather(float* records, int* index, out Wide a, out Wide b, out Wide c, out Wide d, int stride = 8)
+    public static void Gather(float* records, int* index, out Wide a, out Wide b, out Wide c, out Wide d)
     {
 #if NET8_0_OR_GREATER
         if (Avx.IsSupported)
         {
-            Vector256<float> r0 = Pair(records, index[0] * stride, index[4] * stride);
-            Vector256<float> r1 = Pair(records, index[1] * stride, index[5] * stride);
-            Vector256<float> r2 = Pair(records, index[2] * stride, index[6] * stride);
-            Vector256<float> r3 = Pair(records, index[3] * stride, index[7] * stride);
+            Vector256<float> r0 = Pair(records, index[0], index[4]);
+            Vector256<float> r1 = Pair(records, index[1], index[5]);
+            Vector256<float> r2 = Pair(records, index[2], index[6]);
+            Vector256<float> r3 = Pair(records, index[3], index[7]);
             Transpose(ref r0, ref r1, ref r2, ref r3);
             a = r0;
             b = r1;
@@ -74,7 +74,53 @@ internal static unsafe class BodyLanes
             return;
         }
 #endif
-        GatherByElement(records, index, stride, out a, out b, out c, out d);
+        GatherByElement(records, index, 8, out a, out b, out c, out d);
+    }
+
+    /// <summary>
+    /// Reads whole records of 16 floats, and writes lane vectors <see cref="WideLanes.BundleLanes"/> floats apart. The places of the
+    /// records are worked out once for all four quarters.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void GatherRecords(float* records, int* index, float* target)
+    {
+#if NET8_0_OR_GREATER
+        if (Avx.IsSupported)
+        {
+            float* p0 = records + (index[0] * 16);
+            float* p1 = records + (index[1] * 16);
+            float* p2 = records + (index[2] * 16);
+            float* p3 = records + (index[3] * 16);
+            float* p4 = records + (index[4] * 16);
+            float* p5 = records + (index[5] * 16);
+            float* p6 = records + (index[6] * 16);
+            float* p7 = records + (index[7] * 16);
+            for (int i = 0; i < 16; i += 4)
+            {
+                Vector256<float> r0 = Vector256.Create(Vector128.Load(p0 + i), Vector128.Load(p4 + i));
+                Vector256<float> r1 = Vector256.Create(Vector128.Load(p1 + i), Vector128.Load(p5 + i));
+                Vector256<float> r2 = Vector256.Create(Vector128.Load(p2 + i), Vector128.Load(p6 + i));
+                Vector256<float> r3 = Vector256.Create(Vector128.Load(p3 + i), Vector128.Load(p7 + i));
+                Transpose(ref r0, ref r1, ref r2, ref r3);
+                r0.Store(target);
+                r1.Store(target + 8);
+                r2.Store(target + 16);
+                r3.Store(target + 24);
+                target += 32;
+            }
+
+            return;
+        }
+#endif
+        for (int i = 0; i < 16; i += 4)
+        {
+            GatherByElement(records + i, index, 16, out Wide a, out Wide b, out Wide c, out Wide d);
+            a.Store(target);
+            b.Store(target + WideLanes.BundleLanes);
+            c.Store(target + (2 * WideLanes.BundleLanes));
+            d.Store(target + (3 * WideLanes.BundleLanes));
+            target += 4 * WideLanes.BundleLanes;
+        }
     }
 
     /// <summary>Centres of the bodies B less those of the bodies A, subtracted in double and rounded once.</summary>
@@ -173,7 +219,7 @@ internal static unsafe class BodyLanes
 #if NET8_0_OR_GREATER
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<float> Pair(float* records, int low, int high) =>
-        Vector256.Create(Vector128.Load(records + low), Vector128.Load(records + high));
+        Vector256.Create(Vector128.Load(records + (low * 8)), Vector128.Load(records + (high * 8)));
 
     // Two bodies' (x, y) side by side. A pose begins with x and y.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

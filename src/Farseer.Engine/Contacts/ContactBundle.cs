@@ -22,23 +22,15 @@ internal unsafe struct ContactBundle
     /// <summary>Separation of a point that does not exist. Finite also after the division by the substep.</summary>
     public const float NoPoint = 1e30f;
 
+    // The order is that of use: two columns share a cache line, every line of the first part is read in every substep, and the
+    // passes over a large world wait for memory more than for anything else. The size is a whole number of lines.
     public fixed int BodyA[Lanes];
     public fixed int BodyB[Lanes];
-    public fixed int PieceA[Lanes];
-    public fixed int PieceB[Lanes];
-
-    /// <summary>Index of the contact record; -1 in an empty lane.</summary>
-    public fixed int Contact[Lanes];
-
-    /// <summary><see cref="ContactFlags"/> of the record, so that it is only touched when they change.</summary>
-    public fixed int Flags[Lanes];
-
     public fixed float NormalX[Lanes];
     public fixed float NormalY[Lanes];
-    public fixed float Friction[Lanes];
     public fixed float MassA[Lanes];
-    public fixed float InertiaA[Lanes];
     public fixed float MassB[Lanes];
+    public fixed float InertiaA[Lanes];
     public fixed float InertiaB[Lanes];
 
     /// <summary>Rounding radii of the pieces: what the normal arms of the surfaces have beyond those of the turning cores.</summary>
@@ -52,24 +44,26 @@ internal unsafe struct ContactBundle
     public fixed float K11[Lanes];
     public fixed float K22[Lanes];
     public fixed float K12[Lanes];
-    public fixed float InverseK11[Lanes];
-    public fixed float InverseK22[Lanes];
 
     /// <summary>1/(k11·k22 - k12²), or 0 where the points are too close together for the block: then row by row.</summary>
     public fixed float InverseDeterminant[Lanes];
 
+    public fixed float InverseK11[Lanes];
+    public fixed float InverseK22[Lanes];
+    public fixed float Friction[Lanes];
+
     /// <summary>Tangent masses 1/(mA + mB + iA·anA² + iB·anB²) per point.</summary>
     public fixed float TangentMass0[Lanes];
     public fixed float TangentMass1[Lanes];
+
+    /// <summary>1 for a contact with one point, whose feed-forward follows its own impulse; else 0.</summary>
+    public fixed float Single[Lanes];
 
     /// <summary>h/τ of the feed-forward: how fast it follows the impulse.</summary>
     public fixed float FeedRate[Lanes];
 
     /// <summary>η: the share of the load that the feed-forward carries.</summary>
     public fixed float FeedShare[Lanes];
-
-    /// <summary>1 for a contact with one point, whose feed-forward follows its own impulse; else 0.</summary>
-    public fixed float Single[Lanes];
 
     /// <summary>1 for a contact of a deep island, else 0.</summary>
     public fixed float Deep[Lanes];
@@ -80,8 +74,17 @@ internal unsafe struct ContactBundle
     /// <summary>1 if the pair bounced in this step, else 0: by the step's end nothing else tells of an impact.</summary>
     public fixed float Struck[Lanes];
 
+    /// <summary>Index of the contact record; -1 in an empty lane.</summary>
+    public fixed int Contact[Lanes];
+
+    /// <summary><see cref="ContactFlags"/> of the record, so that it is only touched when they change.</summary>
+    public fixed int Flags[Lanes];
+
+    public fixed int PieceA[Lanes];
+    public fixed int PieceB[Lanes];
     public fixed int Island[Lanes];
     public fixed int Level[Lanes];
+    public fixed int Spare[Lanes];
 }
 
 /// <summary>One point of each contact of a bundle.</summary>
@@ -101,11 +104,12 @@ internal unsafe struct ContactPointLanes
     /// <summary>Impulses of the present substep (λn, λt) and of the one before, for the extrapolated warm start.</summary>
     public fixed float Normal[Lanes];
     public fixed float Tangent[Lanes];
-    public fixed float PreviousNormal[Lanes];
-    public fixed float PreviousTangent[Lanes];
 
     /// <summary>Feed-forward impulse φ.</summary>
     public fixed float Feed[Lanes];
+
+    public fixed float PreviousNormal[Lanes];
+    public fixed float PreviousTangent[Lanes];
 
     /// <summary>Speed at which the surfaces are to part after an impact; 0: no impact in this substep.</summary>
     public fixed float Bounce[Lanes];

@@ -16,9 +16,6 @@ namespace Farseer.Engine.Contacts;
 [StructLayout(LayoutKind.Sequential, Size = 64)]
 internal struct ContactSide
 {
-    /// <summary>Floats of a record, the stride of gathers.</summary>
-    public const int Stride = 16;
-
     public float X;
     public float Y;
     public float Cos;

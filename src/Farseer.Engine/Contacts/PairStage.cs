@@ -45,8 +45,8 @@ internal static unsafe class PairStage
         Wide dt = Wide.Splat(input.Dt);
         for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
         {
-            LoadSide(sides, row->PieceA + lane, &pairs->A, lane);
-            LoadSide(sides, row->PieceB + lane, &pairs->B, lane);
+            BodyLanes.GatherRecords(sides, row->PieceA + lane, (float*)&pairs->A + lane);
+            BodyLanes.GatherRecords(sides, row->PieceB + lane, (float*)&pairs->B + lane);
             BodyLanes.GatherOffset(input.Bodies.Pose.Pointer, row->BodyA + lane, row->BodyB + lane, out Wide x, out Wide y);
             x.Store(pairs->OffsetX + lane);
             y.Store(pairs->OffsetY + lane);
@@ -192,31 +192,6 @@ internal static unsafe class PairStage
         Wide closing = speed + (Wide.Load(pairs->B.AngularVelocity + lane) * armB) - (Wide.Load(pairs->A.AngularVelocity + lane) * armA);
         Wide separation = Wide.Load(point->Separation + lane);
         return (separation <= reach) | (separation + ((closing + gain) * dt) <= Wide.Zero);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void LoadSide(float* sides, int* index, SideLanes* target, int lane)
-    {
-        BodyLanes.Gather(sides, index, out Wide x, out Wide y, out Wide cos, out Wide sin, ContactSide.Stride);
-        x.Store(target->X + lane);
-        y.Store(target->Y + lane);
-        cos.Store(target->Cos + lane);
-        sin.Store(target->Sin + lane);
-        BodyLanes.Gather(sides + 4, index, out Wide halfX, out Wide halfY, out Wide extent, out Wide reach, ContactSide.Stride);
-        halfX.Store(target->HalfX + lane);
-        halfY.Store(target->HalfY + lane);
-        extent.Store(target->Extent + lane);
-        reach.Store(target->Reach + lane);
-        BodyLanes.Gather(sides + 8, index, out Wide vx, out Wide vy, out Wide w, out Wide flags, ContactSide.Stride);
-        vx.Store(target->VelocityX + lane);
-        vy.Store(target->VelocityY + lane);
-        w.Store(target->AngularVelocity + lane);
-        flags.Store((float*)target->Flags + lane);
-        BodyLanes.Gather(sides + 12, index, out Wide mass, out Wide inertia, out Wide friction, out Wide restitution, ContactSide.Stride);
-        mass.Store(target->InverseMass + lane);
-        inertia.Store(target->InverseInertia + lane);
-        friction.Store(target->Friction + lane);
-        restitution.Store(target->Restitution + lane);
     }
 
     private static void CollideLane(in ContactUpdateInput input, ContactBundle* row, int lane)
