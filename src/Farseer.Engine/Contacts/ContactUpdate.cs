@@ -85,7 +85,7 @@ internal static unsafe class ContactUpdate
             }
         }
 
-        PairStage.Touch(input, row, out _, out _);
+        PairStage.Touch(input, row);
         ContactRowWriter.Write(input, row);
     }
 
@@ -105,26 +105,29 @@ internal static unsafe class ContactUpdate
         ContactFates fates;
         fates.Dropped = (bits.NewBox & bits.Exists) == 0 ? 0 : FindDropped(input, row, bits.NewBox & bits.Exists);
         PairStage.Collide(input, row, bits);
-        int touching = PairStage.Touch(input, row, out int touched, out int hit);
+        TouchBits touch = PairStage.Touch(input, row);
+        int hit = touch.Hit;
+        int touching = touch.Touching;
         int due = bits.Heard == 0 ? 0 : FindDue(input, row, bits, touching, hit);
         int solid = bits.Solid & hit & bits.Exists & ~fates.Dropped & ~FindRefused(row, bits, due);
         fates.Solid = solid;
         fates.Idle = bits.Exists & ~solid & ~fates.Dropped;
-        touching = ((touching & ~fates.Dropped) | (touched & fates.Dropped)) & bits.Exists;
+        touching = ((touching & ~fates.Dropped) | (touch.Touched & fates.Dropped)) & bits.Exists;
         fates.Touching = touching;
-        fates.TouchingNow = touching & ~touched;
+        fates.TouchingNow = touching & ~touch.Touched;
         fates.Heard = bits.Heard & bits.Exists;
         kept = bits.Heard | (kept & hit);
 
         // Flags hardly ever change, and each record is a cache line of its own: they are visited only if something is new.
-        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        int news = bits.Exists & ~fates.Dropped & (~touch.Same | kept);
+        for (int lane = 0; news != 0; lane++, news >>= 1)
         {
-            int bit = 1 << lane;
-            if ((bits.Exists & ~fates.Dropped & bit) == 0)
+            if ((news & 1) == 0)
             {
                 continue;
             }
 
+            int bit = 1 << lane;
             ContactFlags flags = ((touching & bit) != 0 ? ContactFlags.Touching : ContactFlags.None)
                 | ((bits.Solid & bit) != 0 ? ContactFlags.Solid : ContactFlags.None)
                 | ((bits.Heard & bit) != 0 ? ContactFlags.Heard | ((ContactFlags)row->Flags[lane] & ContactFlags.Vetoed) : ContactFlags.None)

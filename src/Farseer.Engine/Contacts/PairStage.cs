@@ -22,6 +22,21 @@ internal struct PairBits
     public int NewBox;
 }
 
+/// <summary>What the manifolds of a bundle's pairs say, a bit for each lane.</summary>
+internal struct TouchBits
+{
+    public int Touching;
+
+    /// <summary>Touched in the step before.</summary>
+    public int Touched;
+
+    /// <summary>Has points.</summary>
+    public int Hit;
+
+    /// <summary>The flags of an unheard pair are what they were.</summary>
+    public int Same;
+}
+
 /// <summary>
 /// The narrow phase of eight pairs side by side: gather the sides, find the manifolds, see whether the surfaces touch. The pairs
 /// are named by the first columns of a bundle.
@@ -106,18 +121,10 @@ internal static unsafe class PairStage
     /// and gravity, within the step. A pair that touched goes on touching up to a gap of the depth of rest, so that the tremor of
     /// an impact is not a row of separations.
     /// </summary>
-    /// <param name="input">Columns and numbers of this step.</param>
-    /// <param name="row">Has the flags of the step before.</param>
-    /// <param name="touched">Lanes that touched in the step before.</param>
-    /// <param name="hit">Lanes that have points.</param>
-    /// <returns>A bit for each lane that touches.</returns>
-    [MethodImpl(KernelMethod.Optimized)]
-    public static int Touch(in ContactUpdateInput input, ContactBundle* row, out int touched, out int hit)
+    public static TouchBits Touch(in ContactUpdateInput input, ContactBundle* row)
     {
         PairLanes* pairs = input.Pairs;
-        int bits = 0;
-        touched = 0;
-        hit = 0;
+        TouchBits bits = default;
         Wide gravityX = Wide.Splat(input.Settings.Gravity.X);
         Wide gravityY = Wide.Splat(input.Settings.Gravity.Y);
         Wide dt = Wide.Splat(input.Dt);
@@ -126,8 +133,10 @@ internal static unsafe class PairStage
         {
             SideLanes* a = &pairs->A;
             SideLanes* b = &pairs->B;
-            WideMask pulledA = WideLanes.Has(Wide.Load((float*)a->Flags + lane), (int)SideFlags.Pulled);
-            WideMask pulledB = WideLanes.Has(Wide.Load((float*)b->Flags + lane), (int)SideFlags.Pulled);
+            Wide flagsA = Wide.Load((float*)a->Flags + lane);
+            Wide flagsB = Wide.Load((float*)b->Flags + lane);
+            WideMask pulledA = WideLanes.Has(flagsA, (int)SideFlags.Pulled);
+            WideMask pulledB = WideLanes.Has(flagsB, (int)SideFlags.Pulled);
             Wide pullX = (Wide.Keep(pulledB, gravityX) - Wide.Keep(pulledA, gravityX)) * dt;
             Wide pullY = (Wide.Keep(pulledB, gravityY) - Wide.Keep(pulledA, gravityY)) * dt;
             Wide nx = Wide.Load(pairs->NormalX + lane);
@@ -135,16 +144,21 @@ internal static unsafe class PairStage
             Wide speed = ((Wide.Load(b->VelocityX + lane) - Wide.Load(a->VelocityX + lane)) * nx)
                 + ((Wide.Load(b->VelocityY + lane) - Wide.Load(a->VelocityY + lane)) * ny);
             Wide gain = Wide.Min((pullX * nx) + (pullY * ny), Wide.Zero);
-            WideMask before = WideLanes.Has(Wide.Load((float*)row->Flags + lane), (int)ContactFlags.Touching);
+            Wide old = Wide.Load((float*)row->Flags + lane);
+            WideMask before = WideLanes.Has(old, (int)ContactFlags.Touching);
             Wide reach = Wide.Keep(before, rest);
             Wide count = Wide.Load(pairs->Count + lane);
             WideMask touch0 = TouchPoint(pairs, &pairs->Point0, lane, speed, gain, reach, dt);
             WideMask touch1 = TouchPoint(pairs, &pairs->Point1, lane, speed, gain, reach, dt);
             WideMask any = count > Wide.Zero;
             WideMask touch = any & (touch0 | ((count > Wide.One) & touch1));
-            bits |= WideLanes.Bits(touch) << lane;
-            touched |= WideLanes.Bits(before) << lane;
-            hit |= WideLanes.Bits(any) << lane;
+            WideMask solid = WideLanes.Has(flagsA & flagsB, (int)SideFlags.Responds)
+                & WideLanes.Has(flagsA | flagsB, (int)SideFlags.Moves);
+            Wide now = Wide.Keep(touch, Wide.FromBits((int)ContactFlags.Touching)) | Wide.Keep(solid, Wide.FromBits((int)ContactFlags.Solid));
+            bits.Touching |= WideLanes.Bits(touch) << lane;
+            bits.Touched |= WideLanes.Bits(before) << lane;
+            bits.Hit |= WideLanes.Bits(any) << lane;
+            bits.Same |= WideLanes.Bits(Wide.SameBits(old, now)) << lane;
         }
 
         return bits;

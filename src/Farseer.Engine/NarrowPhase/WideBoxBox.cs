@@ -11,7 +11,6 @@ internal static unsafe class WideBoxBox
 {
     /// <summary>Writes the manifolds of all lanes as if each were a pair of boxes.</summary>
     /// <returns>Lanes (a bit each) that are near, but not face against face: what is written there does not count.</returns>
-    [MethodImpl(KernelMethod.Optimized)]
     public static int Collide(PairLanes* pairs)
     {
         int corners = 0;
@@ -72,7 +71,7 @@ internal static unsafe class WideBoxBox
         reference.Sin = Wide.Select(flipped, Wide.Zero - turn, turn);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(KernelMethod.Optimized)]
     private static WideMask Collide(PairLanes* pairs, int lane)
     {
         FindAxis(pairs, lane, out Reference reference);
