@@ -64,6 +64,12 @@ public enum Farseer201Quirks
     /// <summary>Setting <see cref="Collisions.Geom.IsSensor"/> also sets <see cref="Dynamics.Body.IsStatic"/> of its body to the same value.</summary>
     SensorMakesBodyStatic = 1024,
 
+    /// <summary>
+    /// A spring breaks by the error that it had in the update before, and still pulls in the update in which it breaks; by default
+    /// it is judged by its present error and pulls no more.
+    /// </summary>
+    SpringBreaksLate = 2048,
+
     /// <summary>All quirks.</summary>
-    All = 2047,
+    All = 4095,
 }

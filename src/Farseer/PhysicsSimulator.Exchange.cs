@@ -35,11 +35,13 @@ public partial class PhysicsSimulator
             _bodiesIn.RemoveRange(0, count);
         }
 
+        TakeInControls();
         if (_geomsOut.Count + _geomsDisposed.Count + _bodiesOut.Count + _bodiesDisposed.Count > 0)
         {
             RemoveWaiting();
         }
 
+        TakeOutControls();
         if (_geomsChanged.Count > 0)
         {
             int count = _geomsChanged.Count;

@@ -8,7 +8,7 @@ namespace FarseerGames.FarseerPhysics;
 
 /// <content>
 /// What comes and goes. Additions and removals, also those from within handlers, wait for the next update, which takes them in
-/// before the broad phase: geoms, then bodies; then out in the same order.
+/// before the broad phase: geoms, bodies, controllers, springs; then out in the same order.
 /// </content>
 public partial class PhysicsSimulator
 {
@@ -179,6 +179,7 @@ public partial class PhysicsSimulator
 
             GeomList.Clear();
             BodyList.Clear();
+            ClearControls();
         }
         finally
         {

@@ -134,9 +134,10 @@ public partial class PhysicsSimulator
         }
     }
 
-    /// <summary>The part of the step where forces act: stored impulses become velocity.</summary>
+    /// <summary>The part of the step where forces act: controllers, springs, then stored impulses become velocity.</summary>
     internal void ApplyForces(float dt)
     {
+        UpdateControls(dt);
         bool dividedTwice = (_quirks & Farseer201Quirks.ImpulseDividedByMassTwice) != 0;
         int kept = 0;
         for (int i = 0; i < _pending.Count; i++)

@@ -5,7 +5,9 @@ using Farseer.Engine.Settings;
 using Farseer.Engine.Simulation;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Controllers;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Springs;
 using FarseerGames.FarseerPhysics.Interfaces;
 
 namespace FarseerGames.FarseerPhysics;
@@ -42,6 +44,12 @@ public partial class PhysicsSimulator : IDisposable
         _arbiters = new ArbiterView(this, _table);
         BodyList = new BodyList { Owner = this };
         GeomList = new GeomList { Owner = this };
+        ControllerList = new ControllerList { Owner = this };
+        SpringList = new SpringList { Owner = this };
+        _controllers = new ItemQueue<Controller>(this, ControllerList, ControllerList.TakeIn, ControllerList.TakeOut);
+        _springs = new ItemQueue<Spring>(this, SpringList, SpringList.TakeIn, SpringList.TakeOut);
+        InactivityController = new InactivityController(this);
+        _controllers.Add(InactivityController, nameof(InactivityController));
         World.Hooks = _relay;
         Gravity = Require.Finite(gravity, nameof(gravity));
         _broadPhaseCollider = new SelectiveSweepCollider(this);

@@ -3,6 +3,7 @@ using Farseer.Engine.Bodies;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Solver;
+using Farseer.Engine.Springs;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
@@ -108,8 +109,8 @@ internal sealed unsafe class BodyLists
     /// <summary>Foresees where the bodies will have turned by the middle of the step.</summary>
     public void Foresee(BodyStore bodies, float dt) => Foresight.Begin(bodies, _active.Pointer, ActiveCount, dt);
 
-    /// <summary>Bodies with rows go to the solver; the others fly free and cost nothing there.</summary>
-    public void Split(BodyStore bodies, ConstraintGraph graph)
+    /// <summary>Bodies with rows or springs go to the solver; the others fly free and cost nothing there.</summary>
+    public void Split(BodyStore bodies, ConstraintGraph graph, SpringStore springs)
     {
         _solver.EnsureCapacity(ActiveCount + WideLanes.BundleLanes);
         _free.EnsureCapacity(ActiveCount);
@@ -118,7 +119,7 @@ internal sealed unsafe class BodyLists
         for (int i = 0; i < ActiveCount; i++)
         {
             int body = _active[i];
-            if (graph.Degree(body) > 0)
+            if (graph.Degree(body) > 0 || springs.Touches(body))
             {
                 _solver[SolverCount++] = body;
             }

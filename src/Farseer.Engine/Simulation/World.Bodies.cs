@@ -160,6 +160,7 @@ internal sealed partial class World
             return;
         }
 
+        _bodiesSwitched = true;
         Bodies.Flags[body.Index] |= BodyFlags.Moved;
         BodyMass mass = Bodies.Mass[body.Index];
         SetMass(body, mass.Mass, mass.Inertia);

@@ -29,7 +29,7 @@ internal sealed partial class World
         bool anyDeep = UpdateIslands(contacts.Coefficients);
         Profile.End(StepStage.GraphAndIslands);
 
-        Hooks?.ApplyForces(dt);
+        ApplyForces(dt);
         if (_contactStage.AnyHeard)
         {
             CollectStaticsAfterCallbacks();
@@ -43,6 +43,18 @@ internal sealed partial class World
         FinishBodiesOfStep();
         _lastSubstep = substep;
         Profile.End(StepStage.Finish);
+    }
+
+    private void ApplyForces(float dt)
+    {
+        _bodiesSwitched = false;
+        _springs.Clear();
+        Hooks?.ApplyForces(dt);
+        if (_bodiesSwitched)
+        {
+            // A body that was enabled, disabled or made static by a hook moves, or stays, from this step on.
+            _lists.Collect(Bodies);
+        }
     }
 
     private unsafe ContactUpdateInput ContactInput(float dt, float substep)
@@ -84,7 +96,8 @@ internal sealed partial class World
     private unsafe void Solve(float dt, bool anyDeep, in ContactCoefficients coefficients)
     {
         float substep = coefficients.Substep;
-        _lists.Split(Bodies, _graph);
+        _springs.Prepare(Bodies, _lists.Moves, _graph.Degrees, substep);
+        _lists.Split(Bodies, _graph, _springs);
         _lists.FlyFree(Bodies, Settings.Gravity, dt, substep);
         if (_lists.SolverCount == 0)
         {
@@ -101,6 +114,7 @@ internal sealed partial class World
         input.Substep = substep;
         input.Coefficients = coefficients;
         input.Recovery = Settings.Recovery;
+        input.Springs = _springs;
         input.AnyDeep = anyDeep;
         input.AnyBounce = _contactStage.AnyBounce;
         input.ColdStart = _contactStage.ColdStart;

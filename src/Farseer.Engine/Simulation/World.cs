@@ -7,6 +7,7 @@ using Farseer.Engine.Islands;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Solver;
+using Farseer.Engine.Springs;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
@@ -24,6 +25,8 @@ internal sealed partial class World
     private readonly ContactEvents _events = new ContactEvents();
     private readonly BoxStage _boxes = new BoxStage();
     private readonly BodyLists _lists = new BodyLists();
+    private readonly SpringStore _springs = new SpringStore();
+    private bool _bodiesSwitched;
     private float _lastSubstep;
 
     public World()

@@ -2,6 +2,7 @@ using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Springs;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Solver;
@@ -18,6 +19,7 @@ internal unsafe ref struct SolverInput
     public int Substeps;
     public float Substep;
     public ContactCoefficients Coefficients;
+    public SpringStore Springs;
 
     /// <summary>Share of a deep overlap that goes in one step.</summary>
     public float Recovery;
@@ -30,7 +32,7 @@ internal unsafe ref struct SolverInput
 
 /// <summary>
 /// The substeps of a step: small steps with one pass of each kind beat many passes on a large one at the same cost. Each
-/// substep: velocities, warm start, biased pass, positions, relax pass, impacts.
+/// substep: velocities, springs, warm start, biased pass, positions, relax pass, impacts.
 /// </summary>
 internal sealed unsafe class SubstepSolver
 {
@@ -62,6 +64,7 @@ internal sealed unsafe class SubstepSolver
             }
 
             Integrator.IntegrateVelocities(input.List, input.PaddedCount, states, motions, drives);
+            input.Springs.Apply(input.Bodies, input.Substep);
             WarmStart(input.Graph, states, coefficients);
             for (int sweep = 0; sweep < sweeps; sweep++)
             {

@@ -23,6 +23,7 @@ public static class Quirks
         ["rotation_set"] = ["RotationSetAddsRevolutions"],
         ["sensor"] = ["SensorMakesBodyStatic", "SeparationWithoutContact"],
         ["simulator_paused"] = ["ForcesAccumulateWhilePaused"],
+        ["spring_break"] = ["SpringBreaksLate"],
     };
 
     private static Type? EnumType => Facade.FindType("Farseer201Quirks");

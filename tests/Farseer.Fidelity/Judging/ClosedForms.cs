@@ -29,6 +29,7 @@ public static class ClosedForms
         ["head_on_unequal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn),
         ["incline_circle_rolls"] = new("a circle is a true circle, so it rolls without the losses of a polygon", Rolling),
         ["rest_L"] = new("the inertia of a concave polygon is the integral over its area", MassProperty: PolygonInertia),
+        ["spring_break"] = new("a spring alone swings with its own frequency, where the original runs ahead by its step's error", HungAndBreaking),
     };
 
     /// <summary>
@@ -86,6 +87,35 @@ public static class ClosedForms
             speed * alongX,
             speed * alongY,
             speed / wheel.Radius);
+    }
+
+    /// <summary>
+    /// A body hung on a spring: with w^2 = k/m, z = c/(2m) and u = x - x_rest (x_rest: g/w^2 below the start, where the spring has its rest length), u is e^(-z t) times
+    /// u0 cos d t + ((v0 + z u0) / d) sin d t, d = sqrt(w^2 - z^2). The update after the first one that starts with an
+    /// error above Breakpoint breaks it and still pulls; then the body falls freely.
+    /// </summary>
+    private static Row HungAndBreaking(SceneFile file, string body, double time)
+    {
+        Circle hung = new(file.Bodies.Single(b => b.Id == body));
+        MadeObject spring = file.Springs.Single(s => Json.Text(s.Args, "body") == body);
+        double gravity = Impacts.Gravity(file);
+        double square = Json.Required(spring.Args, "springConstant").GetDouble() / hung.Mass;
+        double decay = Json.Required(spring.Args, "dampingConstant").GetDouble() / (2 * hung.Mass);
+        double turn = Math.Sqrt(square - (decay * decay));
+        double most = Property(spring, "breakpoint").GetDouble();
+        double sag = gravity / square;
+        double Stretch(double t) => sag - (sag * Math.Exp(-decay * t) * (Math.Cos(turn * t) + (decay / turn * Math.Sin(turn * t))));
+        double Speed(double t) => sag * Math.Exp(-decay * t) * square / turn * Math.Sin(turn * t);
+        double end = double.PositiveInfinity;
+        for (int update = 1; update < file.Steps && double.IsPositiveInfinity(end); update++)
+        {
+            end = Stretch((update - 1) * (double)file.Dt) > most ? (update + 1) * (double)file.Dt : end;
+        }
+
+        double pulled = Math.Min(time, end);
+        double free = time - pulled;
+        double y = hung.Y + Stretch(pulled) + (Speed(pulled) * free) + (gravity * free * free / 2);
+        return new Row(hung.X, y, 0, 0, Speed(pulled) + (gravity * free), 0);
     }
 
     /// <summary>

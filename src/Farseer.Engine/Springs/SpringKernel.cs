@@ -1,0 +1,216 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Bodies;
+
+namespace Farseer.Engine.Springs;
+
+/// <summary>
+/// One spring in one substep, in double precision. C is the length minus the rest length (or the difference of the angles minus the
+/// rest), J its Jacobian: C' = n·(vB − vA) + (rB×n)·ωB − (rA×n)·ωA.
+/// </summary>
+internal static unsafe class SpringKernel
+{
+    public static double InverseMassA(in SpringRow row) =>
+        (row.InverseMassA * Linear(row)) + (row.InverseInertiaA * row.TurnA * row.TurnA);
+
+    public static double InverseMassB(in SpringRow row) =>
+        (row.InverseMassB * Linear(row)) + (row.InverseInertiaB * row.TurnB * row.TurnB);
+
+    /// <summary>A body that is switched off is a place of the world and nothing else.</summary>
+    public static void Pin(ref SpringRow row, BodyStore bodies)
+    {
+        if (IsOff(bodies, row.Def.BodyA))
+        {
+            PinEnd(bodies, ref row.Def.BodyA, ref row.Def.AnchorA, row.Def.Kind, out double angle);
+            row.Def.Rest += angle;
+        }
+
+        if (IsOff(bodies, row.Def.BodyB))
+        {
+            PinEnd(bodies, ref row.Def.BodyB, ref row.Def.AnchorB, row.Def.Kind, out double angle);
+            row.Def.Rest -= angle;
+        }
+    }
+
+    /// <summary>Where the ends are at the step's start.</summary>
+    public static void SetOffsets(ref SpringRow row, BodyStore bodies)
+    {
+        ref BodyPose a = ref bodies.Pose[row.Def.BodyA];
+        ref BodyPose b = ref bodies.Pose[row.Def.BodyB];
+        if (row.Def.Kind == SpringKind.Angular)
+        {
+            row.OffsetX = b.Angle - a.Angle - row.Def.Rest;
+            return;
+        }
+
+        row.OffsetX = b.X - a.X;
+        row.OffsetY = b.Y - a.Y;
+        Vector2 p = row.Def.AnchorA;
+        Vector2 q = row.Def.AnchorB;
+        row.ArmAX = ((double)a.Cos * p.X) - ((double)a.Sin * p.Y);
+        row.ArmAY = ((double)a.Sin * p.X) + ((double)a.Cos * p.Y);
+        row.ArmBX = ((double)b.Cos * q.X) - ((double)b.Sin * q.Y);
+        row.ArmBY = ((double)b.Sin * q.X) + ((double)b.Cos * q.Y);
+    }
+
+    /// <summary>Fixes the parts of the Jacobian that never change.</summary>
+    public static void Place(ref SpringRow row)
+    {
+        if (row.Def.Kind == SpringKind.Angular)
+        {
+            row.TurnA = 1;
+            row.TurnB = 1;
+        }
+    }
+
+    /// <summary>The Jacobian and C where the bodies will be <paramref name="ahead"/> seconds from now with their velocities.</summary>
+    public static double FormJacobian(ref SpringRow row, in EndState a, in EndState b, double ahead)
+    {
+        if (row.Def.Kind == SpringKind.Angular)
+        {
+            return row.OffsetX + b.Turned - a.Turned + (ahead * (b.W - a.W));
+        }
+
+        Turn(row.ArmAX, row.ArmAY, a, ahead, out double ax, out double ay);
+        Turn(row.ArmBX, row.ArmBY, b, ahead, out double bx, out double by);
+        double x = row.OffsetX + (b.X - a.X) + (ahead * (b.VX - a.VX)) + bx - ax;
+        double y = row.OffsetY + (b.Y - a.Y) + (ahead * (b.VY - a.VY)) + by - ay;
+        double length = Math.Sqrt((x * x) + (y * y));
+        if (!(length > 0))
+        {
+            // The ends coincide: the line has no direction, and the spring no force in this substep.
+            row.NormalX = row.NormalY = row.TurnA = row.TurnB = 0;
+            return 0;
+        }
+
+        row.NormalX = x / length;
+        row.NormalY = y / length;
+        row.TurnA = (ax * row.NormalY) - (ay * row.NormalX);
+        row.TurnB = (bx * row.NormalY) - (by * row.NormalX);
+        return length - row.Def.Rest;
+    }
+
+    /// <summary>Acts by the exact law, see <see cref="SpringLaw"/>: a kick, and a shift that makes the way of the substep that of the law.</summary>
+    public static void Kick(ref SpringRow row, BodyStore bodies, double h)
+    {
+        EndState a = EndState.Read(bodies, row.Def.BodyA, row.MovesA);
+        EndState b = EndState.Read(bodies, row.Def.BodyB, row.MovesB);
+        double c = FormJacobian(ref row, a, b, h / 2);
+        double mass = InverseMassA(row) + InverseMassB(row);
+        if (!(mass > 0))
+        {
+            return;
+        }
+
+        if (row.LawMass != mass)
+        {
+            // An angular spring damps each end by its own spin; between equal ends that is half of damping their difference.
+            double damped = row.Def.Kind == SpringKind.Angular ? Math.Max(row.InverseInertiaA, row.InverseInertiaB) : mass;
+            row.Law = new SpringLaw(row.Def.Stiffness * h * h * mass, row.Def.Damping * h * damped);
+            row.LawMass = mass;
+        }
+
+        double speed = Speed(row, a.VX, a.VY, a.W, b.VX, b.VY, b.W);
+        double drive = Speed(row, a.DriveX, a.DriveY, a.DriveW, b.DriveX, b.DriveY, b.DriveW);
+
+        // C half a substep ahead, less the way until then along its own line.
+        double x = c - (h / 2 * speed);
+        double change = row.Law.Change(x, speed, drive, h);
+        double shift = row.Law.Way(x, speed, drive, h) - Plain(speed, change, drive, h);
+        double impulse = (change - drive) / mass;
+        shift /= mass;
+        if (row.Def.Kind == SpringKind.Angular)
+        {
+            KickAngular(row, bodies, a, b, impulse, shift, h);
+            return;
+        }
+
+        EndState.Push(
+            bodies, row.Def.BodyA, 0, -impulse * row.InverseMassA * row.NormalX, -impulse * row.InverseMassA * row.NormalY, -impulse * row.InverseInertiaA * row.TurnA);
+        EndState.Shift(
+            bodies, row.Def.BodyA, -shift * row.InverseMassA * row.NormalX, -shift * row.InverseMassA * row.NormalY, -shift * row.InverseInertiaA * row.TurnA);
+        EndState.Push(
+            bodies, row.Def.BodyB, 0, impulse * row.InverseMassB * row.NormalX, impulse * row.InverseMassB * row.NormalY, impulse * row.InverseInertiaB * row.TurnB);
+        EndState.Shift(
+            bodies, row.Def.BodyB, shift * row.InverseMassB * row.NormalX, shift * row.InverseMassB * row.NormalY, shift * row.InverseInertiaB * row.TurnB);
+    }
+
+    /// <summary>C' for the given velocities of the ends.</summary>
+    public static double Speed(in SpringRow row, double ax, double ay, double aw, double bx, double by, double bw) =>
+        (row.NormalX * (bx - ax)) + (row.NormalY * (by - ay)) + (row.TurnB * bw) - (row.TurnA * aw);
+
+    /// <summary>The way that the integrator gives a velocity v that changes by <paramref name="change"/>: half of the drive's change is taken back.</summary>
+    private static double Plain(double speed, double change, double drive, double h) => h * (speed + change - (drive / 2));
+
+    private static void KickAngular(in SpringRow row, BodyStore bodies, in EndState a, in EndState b, double impulse, double shift, double h)
+    {
+        double changeA = -impulse * row.InverseInertiaA;
+        double changeB = impulse * row.InverseInertiaB;
+        double shiftA = -shift * row.InverseInertiaA;
+        double shiftB = shift * row.InverseInertiaB;
+        if (row.InverseInertiaA > 0 && row.InverseInertiaB > 0)
+        {
+            // Of two equal ends the common spin is damped as that of one.
+            var drag = new SpringLaw(0, row.Def.Damping * h * row.InverseInertiaA);
+            double spin = (a.W + b.W) / 2;
+            double drive = (a.DriveW + b.DriveW) / 2;
+            double change = drag.Change(0, spin, drive, h);
+            double way = drag.Way(0, spin, drive, h) - Plain(spin, change, drive, h);
+            changeA += change - drive;
+            changeB += change - drive;
+            shiftA += way;
+            shiftB += way;
+        }
+
+        PushTurn(bodies, row.Def.BodyA, changeA, shiftA, row.Def.MaxTorque * h * row.InverseInertiaA, h);
+        PushTurn(bodies, row.Def.BodyB, changeB, shiftB, row.Def.MaxTorque * h * row.InverseInertiaB, h);
+    }
+
+    private static void PushTurn(BodyStore bodies, int body, double change, double shift, double most, double h)
+    {
+        if (Math.Abs(change) > most)
+        {
+            // A steady torque: the way lags by half of the change.
+            change = change > 0 ? most : -most;
+            shift = -h / 2 * change;
+        }
+
+        EndState.Push(bodies, body, 0, 0, 0, change);
+        EndState.Shift(bodies, body, 0, 0, shift);
+    }
+
+    private static double Linear(in SpringRow row) => (row.NormalX * row.NormalX) + (row.NormalY * row.NormalY);
+
+    private static bool IsOff(BodyStore bodies, int body) =>
+        body != 0 && (bodies.Flags[body] & (BodyFlags.Alive | BodyFlags.Enabled)) != (BodyFlags.Alive | BodyFlags.Enabled);
+
+    private static void PinEnd(BodyStore bodies, ref int body, ref Vector2 anchor, SpringKind kind, out double angle)
+    {
+        ref BodyPose pose = ref bodies.Pose[body];
+        angle = kind == SpringKind.Angular ? pose.Angle : 0;
+        anchor = new Vector2(
+            (float)(pose.X + ((double)pose.Cos * anchor.X) - ((double)pose.Sin * anchor.Y)),
+            (float)(pose.Y + ((double)pose.Sin * anchor.X) + ((double)pose.Cos * anchor.Y)));
+        body = 0;
+    }
+
+    /// <summary>
+    /// The arm after the turn so far and that ahead. With t = ωτ/2 the rotation (1 − t², 2t)/(1 + t²) is that by ωτ to third order,
+    /// and it keeps the length.
+    /// </summary>
+    private static void Turn(double armX, double armY, in EndState end, double ahead, out double x, out double y)
+    {
+        x = (end.Cos * armX) - (end.Sin * armY);
+        y = (end.Sin * armX) + (end.Cos * armY);
+        double t = end.W * ahead / 2;
+        if (t != 0)
+        {
+            double scale = 1 / (1 + (t * t));
+            double cos = (1 - (t * t)) * scale;
+            double sin = 2 * t * scale;
+            double turned = (cos * x) - (sin * y);
+            y = (sin * x) + (cos * y);
+            x = turned;
+        }
+    }
+}

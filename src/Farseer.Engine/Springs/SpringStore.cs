@@ -1,0 +1,248 @@
+using System;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Springs;
+
+/// <summary>
+/// The springs of one step. They are handed in anew in each step, in the order in which they act, and forgotten at its end: a
+/// spring that is disabled, broken or disposed is simply not there, and no state of it outlives the step.
+/// </summary>
+internal sealed unsafe class SpringStore
+{
+    /// <summary>
+    /// Largest sum of k·h²/m and c·h/m over the springs at the bodies of one spring up to which a mesh is integrated by the
+    /// midpoint rule, which keeps the energy; above it by the implicit Euler rule, which takes the swings away that a substep is
+    /// too long for.
+    /// </summary>
+    private const double LooseLoad = 1;
+
+    /// <summary>Share of the turning in the inverse mass below which a spring counts as pulling through the centres.</summary>
+    private const double CentralShare = 1e-3;
+
+    private readonly Column<SpringRow> _rows = new Column<SpringRow>();
+    private readonly Column<BodyRecord> _records = new Column<BodyRecord>();
+    private readonly SpringMesh _mesh = new SpringMesh();
+
+    public int Count { get; private set; }
+
+    /// <summary>True if a spring of this step pulls at a body; valid after <see cref="Prepare"/>.</summary>
+    public bool Touches(int body) => Count > 0 && _records[body].Springs > 0;
+
+    public void Add(in SpringDef def)
+    {
+        _rows.EnsureCapacity(Count + 1);
+        _rows[Count++] = new SpringRow { Def = def };
+    }
+
+    public void Clear()
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            ref SpringDef def = ref _rows[i].Def;
+            Forget(def.BodyA);
+            Forget(def.BodyB);
+        }
+
+        Count = 0;
+    }
+
+    /// <summary>Fixes for the step what each spring needs, and how it is integrated.</summary>
+    /// <param name="bodies">The bodies.</param>
+    /// <param name="moves">1 for each body that forces may move.</param>
+    /// <param name="degrees">Number of contacts and joints at each body.</param>
+    /// <param name="h">The substep, seconds.</param>
+    public void Prepare(BodyStore bodies, byte* moves, int* degrees, double h)
+    {
+        if (Count == 0)
+        {
+            return;
+        }
+
+        _records.EnsureCapacity(bodies.Ids.End);
+        for (int i = 0; i < Count; i++)
+        {
+            ref SpringRow row = ref _rows[i];
+            Settle(bodies, ref row, moves, degrees);
+            SpringKernel.Place(ref row);
+            SpringKernel.FormJacobian(ref row, EndState.AtStart, EndState.AtStart, 0);
+            Note(row.Def.BodyA, row.MovesA, row.Def, SpringKernel.InverseMassA(row), h);
+            Note(row.Def.BodyB, row.MovesB, row.Def, SpringKernel.InverseMassB(row), h);
+        }
+
+        JoinMeshes();
+        for (int i = 0; i < Count; i++)
+        {
+            _rows[i].Form = Choose(_rows[i], h);
+            _rows[i].LawMass = -1;
+        }
+
+        _mesh.Begin(Count, bodies.Ids.End);
+        for (int i = 0; i < Count; i++)
+        {
+            ref SpringRow row = ref _rows[i];
+            if (row.Form == SpringForm.Mesh)
+            {
+                ref BodyRecord root = ref _records[RootOf(row)];
+                if (root.Mesh < 0)
+                {
+                    root.Mesh = _mesh.Add(root.Load <= LooseLoad);
+                }
+
+                _mesh.Count(root.Mesh, row);
+            }
+        }
+
+        _mesh.Arrange();
+        for (int i = 0; i < Count; i++)
+        {
+            if (_rows[i].Form == SpringForm.Mesh)
+            {
+                _mesh.Place(_records[RootOf(_rows[i])].Mesh, i);
+            }
+        }
+    }
+
+    /// <summary>The kicks of one substep, after the drive of the bodies and before their constraints.</summary>
+    public void Apply(BodyStore bodies, double h)
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            ref SpringRow row = ref _rows[i];
+            if (row.Form == SpringForm.Exact)
+            {
+                SpringKernel.Kick(ref row, bodies, h);
+            }
+        }
+
+        if (Count > 0)
+        {
+            _mesh.Solve(_rows.Pointer, bodies, h);
+        }
+    }
+
+    private static void Settle(BodyStore bodies, ref SpringRow row, byte* moves, int* degrees)
+    {
+        SpringKernel.Pin(ref row, bodies);
+        int a = row.Def.BodyA;
+        int b = row.Def.BodyB;
+        row.MovesA = moves[a];
+        row.MovesB = moves[b];
+        row.HeldA = row.MovesA != 0 && degrees[a] > 0 ? 1 : 0;
+        row.HeldB = row.MovesB != 0 && degrees[b] > 0 ? 1 : 0;
+        row.InverseMassA = row.MovesA != 0 ? bodies.Mass[a].InverseMass : 0;
+        row.InverseMassB = row.MovesB != 0 ? bodies.Mass[b].InverseMass : 0;
+        row.InverseInertiaA = row.MovesA != 0 ? bodies.Mass[a].InverseInertia : 0;
+        row.InverseInertiaB = row.MovesB != 0 ? bodies.Mass[b].InverseInertia : 0;
+        SpringKernel.SetOffsets(ref row, bodies);
+        row.IsPlain = row.Def.Kind == SpringKind.Linear || IsPlain(bodies, row) ? 1 : 0;
+    }
+
+    private static bool IsPlain(BodyStore bodies, in SpringRow row) => row.InverseInertiaA > 0 && row.InverseInertiaB > 0
+        ? row.InverseInertiaA == row.InverseInertiaB
+        : bodies.State[row.InverseInertiaA > 0 ? row.Def.BodyB : row.Def.BodyA].AngularVelocity == 0;
+
+    private void Note(int body, int moves, in SpringDef def, double inverseMass, double h)
+    {
+        if (moves != 0)
+        {
+            ref BodyRecord record = ref _records[body];
+            if (record.Springs == 0)
+            {
+                record.Root = body;
+                record.Mesh = -1;
+            }
+
+            record.Springs++;
+            record.OwnLoad += ((def.Stiffness * h * h) + (def.Damping * h)) * inverseMass;
+        }
+    }
+
+    private void Forget(int body)
+    {
+        if (body < _records.Capacity)
+        {
+            _records[body] = default;
+        }
+    }
+
+    /// <summary>
+    /// Finds what hangs together by springs. The root of a mesh then holds its number of springs and its largest load, the others
+    /// keep the mark that they are touched.
+    /// </summary>
+    private void JoinMeshes()
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            ref SpringRow row = ref _rows[i];
+            if (row.MovesA != 0 && row.MovesB != 0)
+            {
+                int a = Find(row.Def.BodyA);
+                int b = Find(row.Def.BodyB);
+                if (a != b)
+                {
+                    _records[b].Root = a;
+                }
+            }
+        }
+
+        for (int i = 0; i < Count; i++)
+        {
+            ref SpringRow row = ref _rows[i];
+            if (row.MovesA != 0 || row.MovesB != 0)
+            {
+                double loadA = row.MovesA != 0 ? _records[row.Def.BodyA].OwnLoad : 0;
+                double loadB = row.MovesB != 0 ? _records[row.Def.BodyB].OwnLoad : 0;
+                ref BodyRecord root = ref _records[RootOf(row)];
+                root.Load = Math.Max(root.Load, loadA + loadB);
+                root.Rows++;
+            }
+        }
+    }
+
+    private int RootOf(in SpringRow row) => Find(row.MovesA != 0 ? row.Def.BodyA : row.Def.BodyB);
+
+    private int Find(int body)
+    {
+        while (_records[body].Root != body)
+        {
+            _records[body].Root = _records[_records[body].Root].Root;
+            body = _records[body].Root;
+        }
+
+        return body;
+    }
+
+    private SpringForm Choose(in SpringRow row, double h)
+    {
+        if (row.MovesA == 0 && row.MovesB == 0)
+        {
+            return SpringForm.Idle;
+        }
+
+        ref BodyRecord root = ref _records[RootOf(row)];
+        if (root.Rows > 1 || row.HeldA != 0 || row.HeldB != 0 || row.IsPlain == 0)
+        {
+            return SpringForm.Mesh;
+        }
+
+        double mass = SpringKernel.InverseMassA(row) + SpringKernel.InverseMassB(row);
+        double turning = row.Def.Kind == SpringKind.Linear
+            ? (row.TurnA * row.TurnA * row.InverseInertiaA) + (row.TurnB * row.TurnB * row.InverseInertiaB)
+            : 0;
+        bool isResolved = SpringLaw.IsResolved(row.Def.Stiffness * h * h * mass, row.Def.Damping * h * mass);
+        bool isStraight = turning <= CentralShare * mass || root.Load <= LooseLoad;
+        return isResolved && isStraight ? SpringForm.Exact : SpringForm.Mesh;
+    }
+
+    /// <summary>What the springs of the step say of a body; of the root of a mesh also what they say of the mesh.</summary>
+    private struct BodyRecord
+    {
+        public int Springs;
+        public int Root;
+        public int Rows;
+        public int Mesh;
+        public double OwnLoad;
+        public double Load;
+    }
+}

@@ -1,0 +1,168 @@
+using System;
+using System.Collections.Generic;
+
+namespace FarseerGames.FarseerPhysics.Bridge;
+
+/// <summary>
+/// Items of one kind that wait to be taken in or out at the next update. What a handler adds while the queue is worked off waits
+/// for the update after.
+/// </summary>
+internal sealed class ItemQueue<T>
+    where T : class, IItem
+{
+    private readonly PhysicsSimulator _owner;
+    private readonly List<T> _list;
+    private readonly Action<T> _takeIn;
+    private readonly Action<T> _takeOut;
+    private readonly List<T> _in = new List<T>();
+    private readonly List<T> _out = new List<T>();
+
+    /// <param name="owner">The simulator.</param>
+    /// <param name="list">Its list of the items, the users' view.</param>
+    /// <param name="takeIn">Adds to the list and tells of it.</param>
+    /// <param name="takeOut">Removes from the list and tells of it.</param>
+    public ItemQueue(PhysicsSimulator owner, List<T> list, Action<T> takeIn, Action<T> takeOut)
+    {
+        _owner = owner;
+        _list = list;
+        _takeIn = takeIn;
+        _takeOut = takeOut;
+    }
+
+    public void Add(T? item, string name)
+    {
+        Check.NotNull(item, name);
+        if (item!.IsDisposed)
+        {
+            throw new ObjectDisposedException(item.GetType().Name);
+        }
+
+        if (item.Simulator is not null && !ReferenceEquals(item.Simulator, _owner))
+        {
+            throw new ArgumentException("The " + item.GetType().Name + " belongs to another simulator.", name);
+        }
+
+        switch (item.Membership)
+        {
+            case Membership.RemoveQueued:
+                item.Membership = Membership.Added;
+                return;
+            case Membership.None:
+                item.Membership = Membership.AddQueued;
+                item.Simulator = _owner;
+                _in.Add(item);
+                return;
+            default:
+                throw new ArgumentException("The " + item.GetType().Name + " was added to this simulator before.", name);
+        }
+    }
+
+    public void Remove(T? item, string name)
+    {
+        Check.NotNull(item, name);
+        if (item!.Simulator is not null && !ReferenceEquals(item.Simulator, _owner))
+        {
+            throw new ArgumentException("The " + item.GetType().Name + " belongs to another simulator.", name);
+        }
+
+        if (item.Membership == Membership.AddQueued)
+        {
+            Forget(item);
+        }
+        else if (item.Membership == Membership.Added)
+        {
+            item.Membership = Membership.RemoveQueued;
+            _out.Add(item);
+        }
+    }
+
+    /// <summary>Takes in what waited when the update began.</summary>
+    public void TakeIn()
+    {
+        int count = _in.Count;
+        for (int i = 0; i < count; i++)
+        {
+            T item = _in[i];
+            if (item.Membership == Membership.AddQueued && ReferenceEquals(item.Simulator, _owner))
+            {
+                if (item.IsDisposed)
+                {
+                    Forget(item);
+                }
+                else
+                {
+                    item.Membership = Membership.Added;
+                    _takeIn(item);
+                }
+            }
+        }
+
+        _in.RemoveRange(0, count);
+    }
+
+    /// <summary>Takes out what waited when the update began.</summary>
+    public void TakeOut()
+    {
+        int count = _out.Count;
+        for (int i = 0; i < count; i++)
+        {
+            if (_out[i].Membership == Membership.RemoveQueued)
+            {
+                Forget(_out[i]);
+                _takeOut(_out[i]);
+            }
+        }
+
+        _out.RemoveRange(0, count);
+    }
+
+    /// <summary>Lets every item check what it needs, and sweeps out those that are disposed.</summary>
+    public void Sweep(EventRelay relay)
+    {
+        for (int i = 0; i < _list.Count; i++)
+        {
+            T item = _list[i];
+            if (!item.IsDisposed)
+            {
+                try
+                {
+                    item.Validate();
+                }
+                catch (Exception exception)
+                {
+                    relay.Keep(exception);
+                }
+            }
+
+            if (item.IsDisposed && i < _list.Count && ReferenceEquals(_list[i], item))
+            {
+                Forget(item);
+                _takeOut(item);
+                i--;
+            }
+        }
+    }
+
+    public void Clear()
+    {
+        Forget(_in);
+        Forget(_out);
+        Forget(_list);
+    }
+
+    private static void Forget(T item)
+    {
+        item.Membership = Membership.None;
+        item.Simulator = null;
+    }
+
+    private static void Forget(List<T> items)
+    {
+        foreach (T item in items)
+        {
+            Forget(item);
+        }
+
+        items.Clear();
+    }
+}

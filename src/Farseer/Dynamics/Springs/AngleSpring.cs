@@ -1,0 +1,130 @@
+using System;
+using System.Numerics;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
+
+/// <summary>
+/// A torsion bar between two bodies: a torque of constant·(angle of body 2 − angle of body 1 − target angle), against each other,
+/// and on each body a torque of −damping·(its own angular velocity).
+/// </summary>
+public class AngleSpring : Spring
+{
+    private Body? _body1;
+    private Body? _body2;
+    private Vector2 _anchor1;
+    private Vector2 _anchor2;
+    private float _targetAngle;
+    private float _maxTorque = float.MaxValue;
+    private float _torqueMultiplier = 1;
+
+    /// <summary>Makes a spring without bodies; it does nothing until it has both.</summary>
+    public AngleSpring()
+    {
+    }
+
+    /// <summary>Makes a spring whose target angle is the present difference of the rotations.</summary>
+    /// <param name="body1">First body.</param>
+    /// <param name="body2">Second body.</param>
+    /// <param name="springConstant">Torque per radian; finite and at least 0.</param>
+    /// <param name="dampingConstant">Torque per angular velocity; finite and at least 0.</param>
+    /// <exception cref="ArgumentNullException">A body is null.</exception>
+    /// <exception cref="ArgumentException">Both bodies are the same.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
+    public AngleSpring(Body body1, Body body2, float springConstant, float dampingConstant)
+    {
+        _body1 = Check.NotNull(body1, nameof(body1));
+        _body2 = Check.NotNull(body2, nameof(body2));
+        SpringCheck.Distinct(body1, body2, nameof(body2));
+        SpringConstant = Check.NotNegative(springConstant, nameof(springConstant));
+        DampingConstant = Check.NotNegative(dampingConstant, nameof(dampingConstant));
+        _targetAngle = (float)SpringLink.Angle(body1, body2);
+    }
+
+    /// <summary>First body.</summary>
+    /// <exception cref="ArgumentNullException">The value is null.</exception>
+    /// <exception cref="ArgumentException">The value is the other body.</exception>
+    public Body? Body1
+    {
+        get => _body1;
+        set
+        {
+            SpringCheck.Distinct(Check.NotNull(value, nameof(value)), _body2, nameof(value));
+            _body1 = value;
+        }
+    }
+
+    /// <summary>Second body.</summary>
+    /// <exception cref="ArgumentNullException">The value is null.</exception>
+    /// <exception cref="ArgumentException">The value is the other body.</exception>
+    public Body? Body2
+    {
+        get => _body2;
+        set
+        {
+            SpringCheck.Distinct(Check.NotNull(value, nameof(value)), _body1, nameof(value));
+            _body2 = value;
+        }
+    }
+
+    /// <summary>
+    /// A point of <see cref="Body1"/>, in its coordinates, for drawing the spring: a torque is the same about every point.
+    /// Default (0, 0).
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public Vector2 Anchor1
+    {
+        get => _anchor1;
+        set => _anchor1 = Check.Finite(value, nameof(value));
+    }
+
+    /// <summary>A point of <see cref="Body2"/>, as <see cref="Anchor1"/>. Default (0, 0).</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public Vector2 Anchor2
+    {
+        get => _anchor2;
+        set => _anchor2 = Check.Finite(value, nameof(value));
+    }
+
+    /// <summary>Angle without force, radians; finite. More than a turn is allowed.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public float TargetAngle
+    {
+        get => _targetAngle;
+        set => _targetAngle = Check.Finite(value, nameof(value));
+    }
+
+    /// <summary>Largest torque on a body, after <see cref="TorqueMultiplier"/>; at least 0. Default the largest float.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not a number.</exception>
+    public float MaxTorque
+    {
+        get => _maxTorque;
+        set => _maxTorque = Require.NotBelow(value, 0, nameof(value));
+    }
+
+    /// <summary>The torque of the spring is multiplied by it; finite and at least 0. Default 1.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float TorqueMultiplier
+    {
+        get => _torqueMultiplier;
+        set => _torqueMultiplier = Check.NotNegative(value, nameof(value));
+    }
+
+    /// <inheritdoc />
+    public override void Validate()
+    {
+        if (_body1 is { IsDisposed: true } || _body2 is { IsDisposed: true })
+        {
+            Dispose();
+        }
+    }
+
+    /// <inheritdoc />
+    public override void Update(float dt)
+    {
+        if (_body1 is not null && _body2 is not null && Survives((float)(SpringLink.Angle(_body1, _body2) - _targetAngle)))
+        {
+            SpringLink.Angular(this, _body1, _body2, _targetAngle, _torqueMultiplier, _maxTorque);
+        }
+    }
+}

@@ -1,0 +1,84 @@
+using System;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
+
+/// <summary>
+/// A torsion bar between a body and the world: a torque of −constant·(angle of the body − target angle) − damping·(angular velocity).
+/// </summary>
+public class FixedAngleSpring : Spring
+{
+    private Body? _body;
+    private float _targetAngle;
+    private float _maxTorque = float.MaxValue;
+    private float _torqueMultiplier = 1;
+
+    /// <summary>Makes a spring without a body; it does nothing until it has one.</summary>
+    public FixedAngleSpring()
+    {
+    }
+
+    /// <summary>Makes a spring whose target angle is the present rotation of the body.</summary>
+    /// <param name="body">The body.</param>
+    /// <param name="springConstant">Torque per radian; finite and at least 0.</param>
+    /// <param name="dampingConstant">Torque per angular velocity; finite and at least 0.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
+    public FixedAngleSpring(Body body, float springConstant, float dampingConstant)
+    {
+        _body = Check.NotNull(body, nameof(body));
+        SpringConstant = Check.NotNegative(springConstant, nameof(springConstant));
+        DampingConstant = Check.NotNegative(dampingConstant, nameof(dampingConstant));
+        _targetAngle = (float)SpringLink.Angle(null, body);
+    }
+
+    /// <summary>The body.</summary>
+    /// <exception cref="ArgumentNullException">The value is null.</exception>
+    public Body? Body
+    {
+        get => _body;
+        set => _body = Check.NotNull(value, nameof(value));
+    }
+
+    /// <summary>Angle without force, radians; finite. More than a turn is allowed.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public float TargetAngle
+    {
+        get => _targetAngle;
+        set => _targetAngle = Check.Finite(value, nameof(value));
+    }
+
+    /// <summary>Largest torque on a body, after <see cref="TorqueMultiplier"/>; at least 0. Default the largest float.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not a number.</exception>
+    public float MaxTorque
+    {
+        get => _maxTorque;
+        set => _maxTorque = Require.NotBelow(value, 0, nameof(value));
+    }
+
+    /// <summary>The torque of the spring is multiplied by it; finite and at least 0. Default 1.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float TorqueMultiplier
+    {
+        get => _torqueMultiplier;
+        set => _torqueMultiplier = Check.NotNegative(value, nameof(value));
+    }
+
+    /// <inheritdoc />
+    public override void Validate()
+    {
+        if (_body is { IsDisposed: true })
+        {
+            Dispose();
+        }
+    }
+
+    /// <inheritdoc />
+    public override void Update(float dt)
+    {
+        if (_body is not null && Survives((float)(_targetAngle - SpringLink.Angle(null, _body))))
+        {
+            SpringLink.Angular(this, null, _body, _targetAngle, _torqueMultiplier, _maxTorque);
+        }
+    }
+}

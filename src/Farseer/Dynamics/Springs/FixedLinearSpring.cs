@@ -1,0 +1,98 @@
+using System;
+using System.Numerics;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
+
+/// <summary>
+/// Pulls and pushes a body towards a distance from a point of the world; see <see cref="LinearSpring"/>. With a rest length of 0 it
+/// is what a mouse drags a body by.
+/// </summary>
+public class FixedLinearSpring : Spring
+{
+    private Body? _body;
+    private Vector2 _bodyAttachPoint;
+    private Vector2 _worldAttachPoint;
+    private float _restLength;
+
+    /// <summary>Makes a spring without a body; it does nothing until it has one.</summary>
+    public FixedLinearSpring()
+    {
+    }
+
+    /// <summary>Makes a spring whose rest length is the present distance of the attach points.</summary>
+    /// <param name="body">The body.</param>
+    /// <param name="bodyAttachPoint">Point of the body, in its coordinates; finite.</param>
+    /// <param name="worldAttachPoint">Point of the world; finite.</param>
+    /// <param name="springConstant">Force per length; finite and at least 0.</param>
+    /// <param name="dampingConstant">Force per speed; finite and at least 0.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
+    public FixedLinearSpring(Body body, Vector2 bodyAttachPoint, Vector2 worldAttachPoint, float springConstant, float dampingConstant)
+    {
+        _body = Check.NotNull(body, nameof(body));
+        _bodyAttachPoint = Check.Finite(bodyAttachPoint, nameof(bodyAttachPoint));
+        _worldAttachPoint = Check.Finite(worldAttachPoint, nameof(worldAttachPoint));
+        SpringConstant = Check.NotNegative(springConstant, nameof(springConstant));
+        DampingConstant = Check.NotNegative(dampingConstant, nameof(dampingConstant));
+        _restLength = SpringLink.Distance(body, bodyAttachPoint, null, worldAttachPoint);
+    }
+
+    /// <summary>The body.</summary>
+    /// <exception cref="ArgumentNullException">The value is null.</exception>
+    public Body? Body
+    {
+        get => _body;
+        set => _body = Check.NotNull(value, nameof(value));
+    }
+
+    /// <summary>Attach point of <see cref="Body"/>, in its coordinates. Default (0, 0).</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public Vector2 BodyAttachPoint
+    {
+        get => _bodyAttachPoint;
+        set => _bodyAttachPoint = Check.Finite(value, nameof(value));
+    }
+
+    /// <summary>The point of the world at the other end. Default (0, 0).</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public Vector2 WorldAttachPoint
+    {
+        get => _worldAttachPoint;
+        set => _worldAttachPoint = Check.Finite(value, nameof(value));
+    }
+
+    /// <summary>The same as <see cref="WorldAttachPoint"/>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public Vector2 Position
+    {
+        get => WorldAttachPoint;
+        set => WorldAttachPoint = value;
+    }
+
+    /// <summary>Length without force; finite and at least 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float RestLength
+    {
+        get => _restLength;
+        set => _restLength = Check.NotNegative(value, nameof(value));
+    }
+
+    /// <inheritdoc />
+    public override void Validate()
+    {
+        if (_body is { IsDisposed: true })
+        {
+            Dispose();
+        }
+    }
+
+    /// <inheritdoc />
+    public override void Update(float dt)
+    {
+        if (_body is not null && Survives(SpringLink.Distance(_body, _bodyAttachPoint, null, _worldAttachPoint) - _restLength))
+        {
+            SpringLink.Linear(this, _body, _bodyAttachPoint, null, _worldAttachPoint, _restLength);
+        }
+    }
+}
