@@ -63,18 +63,21 @@ internal static unsafe class SpringKernel
         }
     }
 
-    /// <summary>The Jacobian and C where the bodies will be <paramref name="ahead"/> seconds from now with their velocities.</summary>
+    /// <summary>
+    /// C now, and the Jacobian where the line will be <paramref name="ahead"/> seconds from now: turned by the velocities across it, of
+    /// second order for a body that circles. The motion along the line is left to the law: a stiff spring would run past its own end.
+    /// </summary>
     public static double FormJacobian(ref SpringRow row, in EndState a, in EndState b, double ahead)
     {
         if (row.Def.Kind == SpringKind.Angular)
         {
-            return row.OffsetX + b.Turned - a.Turned + (ahead * (b.W - a.W));
+            return row.OffsetX + b.Turned - a.Turned;
         }
 
-        Turn(row.ArmAX, row.ArmAY, a, ahead, out double ax, out double ay);
-        Turn(row.ArmBX, row.ArmBY, b, ahead, out double bx, out double by);
-        double x = row.OffsetX + (b.X - a.X) + (ahead * (b.VX - a.VX)) + bx - ax;
-        double y = row.OffsetY + (b.Y - a.Y) + (ahead * (b.VY - a.VY)) + by - ay;
+        Turn(row.ArmAX, row.ArmAY, a, 0, out double ax, out double ay);
+        Turn(row.ArmBX, row.ArmBY, b, 0, out double bx, out double by);
+        double x = row.OffsetX + (b.X - a.X) + bx - ax;
+        double y = row.OffsetY + (b.Y - a.Y) + by - ay;
         double length = Math.Sqrt((x * x) + (y * y));
         if (!(length > 0))
         {
@@ -83,8 +86,16 @@ internal static unsafe class SpringKernel
             return 0;
         }
 
-        row.NormalX = x / length;
-        row.NormalY = y / length;
+        double vx = b.VX - (b.W * by) - a.VX + (a.W * ay);
+        double vy = b.VY + (b.W * bx) - a.VY - (a.W * ax);
+        double across = ahead * ((x * vy) - (y * vx)) / (length * length);
+        double nx = x - (across * y);
+        double ny = y + (across * x);
+        double scale = 1 / Math.Sqrt((nx * nx) + (ny * ny));
+        row.NormalX = nx * scale;
+        row.NormalY = ny * scale;
+        Turn(row.ArmAX, row.ArmAY, a, ahead, out ax, out ay);
+        Turn(row.ArmBX, row.ArmBY, b, ahead, out bx, out by);
         row.TurnA = (ax * row.NormalY) - (ay * row.NormalX);
         row.TurnB = (bx * row.NormalY) - (by * row.NormalX);
         return length - row.Def.Rest;
@@ -95,7 +106,7 @@ internal static unsafe class SpringKernel
     {
         EndState a = EndState.Read(bodies, row.Def.BodyA, row.MovesA);
         EndState b = EndState.Read(bodies, row.Def.BodyB, row.MovesB);
-        double c = FormJacobian(ref row, a, b, h / 2);
+        double x = FormJacobian(ref row, a, b, h / 2);
         double mass = InverseMassA(row) + InverseMassB(row);
         if (!(mass > 0))
         {
@@ -112,9 +123,6 @@ internal static unsafe class SpringKernel
 
         double speed = Speed(row, a.VX, a.VY, a.W, b.VX, b.VY, b.W);
         double drive = Speed(row, a.DriveX, a.DriveY, a.DriveW, b.DriveX, b.DriveY, b.DriveW);
-
-        // C half a substep ahead, less the way until then along its own line.
-        double x = c - (h / 2 * speed);
         double change = row.Law.Change(x, speed, drive, h);
         double shift = row.Law.Way(x, speed, drive, h) - Plain(speed, change, drive, h);
         double impulse = (change - drive) / mass;

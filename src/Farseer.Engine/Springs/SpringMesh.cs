@@ -97,15 +97,14 @@ internal sealed unsafe class SpringMesh
             Enlist(ref mesh, rows, bodies);
         }
 
-        // The midpoint rule sees the geometry of the middle of the way, the other that of its start: it must not run ahead of itself.
+        // The midpoint rule sees the lines as they are in the middle of the way, the other as they are at its start.
         double ahead = mesh.Theta < 1 ? h * mesh.Theta : 0;
         for (int i = 0; i < mesh.RowCount; i++)
         {
             ref SpringRow row = ref rows[_rows[mesh.FirstRow + i]];
             EndState a = EndState.Read(bodies, row.Def.BodyA, row.MovesA);
             EndState b = EndState.Read(bodies, row.Def.BodyB, row.MovesB);
-            double c = SpringKernel.FormJacobian(ref row, a, b, ahead);
-            row.Stretch = c - (ahead * SpringKernel.Speed(row, a.VX, a.VY, a.W, b.VX, b.VY, b.W));
+            row.Stretch = SpringKernel.FormJacobian(ref row, a, b, ahead);
             row.Saturated = 0;
         }
 

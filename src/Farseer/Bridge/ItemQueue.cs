@@ -31,7 +31,7 @@ internal sealed class ItemQueue<T>
 
     public void Add(T? item, string name)
     {
-        Check.NotNull(item, name);
+        Require.NotNull(item, name);
         if (item!.IsDisposed)
         {
             throw new ObjectDisposedException(item.GetType().Name);
@@ -59,7 +59,7 @@ internal sealed class ItemQueue<T>
 
     public void Remove(T? item, string name)
     {
-        Check.NotNull(item, name);
+        Require.NotNull(item, name);
         if (item!.Simulator is not null && !ReferenceEquals(item.Simulator, _owner))
         {
             throw new ArgumentException("The " + item.GetType().Name + " belongs to another simulator.", name);

@@ -117,7 +117,14 @@ internal static class SpringLink
         }
 
         Vector2 normal = line / length;
-        Vector2 speed = (body2 is null ? Vector2.Zero : body2.GetVelocityAtLocalPoint(point2)) - body1.GetVelocityAtLocalPoint(point1);
+        body1.GetVelocityAtLocalPoint(ref point1, out Vector2 speed);
+        speed = -speed;
+        if (body2 is not null)
+        {
+            body2.GetVelocityAtLocalPoint(ref point2, out Vector2 speed2);
+            speed += speed2;
+        }
+
         Vector2 force = ((spring.SpringConstant * (length - restLength)) + (spring.DampingConstant * Vector2.Dot(speed, normal))) * normal;
         body1.ApplyForceAtLocalPoint(force, point1);
         body2?.ApplyForceAtLocalPoint(-force, point2);

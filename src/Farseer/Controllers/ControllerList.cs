@@ -26,7 +26,7 @@ public class ControllerList : List<Controller>
     /// <exception cref="System.ArgumentNullException"><paramref name="controller"/> is null.</exception>
     public new void Add(Controller controller)
     {
-        Check.NotNull(controller, nameof(controller));
+        Require.NotNull(controller, nameof(controller));
         if (Owner is null)
         {
             TakeIn(controller);
@@ -42,7 +42,7 @@ public class ControllerList : List<Controller>
     /// <exception cref="System.ArgumentNullException"><paramref name="controller"/> is null.</exception>
     public new void Remove(Controller controller)
     {
-        Check.NotNull(controller, nameof(controller));
+        Require.NotNull(controller, nameof(controller));
         if (Owner is null)
         {
             TakeOut(controller);

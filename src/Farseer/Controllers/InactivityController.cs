@@ -20,7 +20,7 @@ public class InactivityController : Controller
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
     public InactivityController(PhysicsSimulator physicsSimulator)
     {
-        _simulator = Check.NotNull(physicsSimulator, nameof(physicsSimulator));
+        _simulator = Require.NotNull(physicsSimulator, nameof(physicsSimulator));
         Enabled = false;
     }
 
@@ -31,7 +31,7 @@ public class InactivityController : Controller
     public float ActivationDistance
     {
         get => _activationDistance;
-        set => _activationDistance = Check.NotNegative(value, nameof(value));
+        set => _activationDistance = Require.NotNegative(value, nameof(ActivationDistance));
     }
 
     /// <summary>Milliseconds for which a body may be slow before it is disabled; finite and at least 0. Default 1000.</summary>
@@ -39,7 +39,7 @@ public class InactivityController : Controller
     public float MaxIdleTime
     {
         get => _maxIdleTime;
-        set => _maxIdleTime = Check.NotNegative(value, nameof(value));
+        set => _maxIdleTime = Require.NotNegative(value, nameof(MaxIdleTime));
     }
 
     /// <summary>How many bodies of the simulator were enabled when the controller last acted.</summary>
@@ -52,7 +52,7 @@ public class InactivityController : Controller
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     public bool IsInActivationDistance(Body b1, Body b2)
     {
-        double x = Check.NotNull(b2, nameof(b2)).PositionX - Check.NotNull(b1, nameof(b1)).PositionX;
+        double x = Require.NotNull(b2, nameof(b2)).PositionX - Require.NotNull(b1, nameof(b1)).PositionX;
         double y = b2.PositionY - b1.PositionY;
         return (x * x) + (y * y) <= (double)_activationDistance * _activationDistance;
     }

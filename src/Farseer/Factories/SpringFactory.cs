@@ -128,7 +128,7 @@ public class SpringFactory
     private static T Added<T>(PhysicsSimulator physicsSimulator, T spring)
         where T : Spring
     {
-        Check.NotNull(physicsSimulator, nameof(physicsSimulator)).Add(spring);
+        Require.NotNull(physicsSimulator, nameof(physicsSimulator)).Add(spring);
         return spring;
     }
 }

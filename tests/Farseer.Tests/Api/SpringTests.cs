@@ -546,8 +546,8 @@ public class SpringTests
         Assert.Throws<ArgumentOutOfRangeException>("springConstant", () => new AngleSpring(a, b, float.PositiveInfinity, 1));
         Assert.Throws<ArgumentNullException>(() => new FixedAngleSpring(null!, 1, 1));
         var linear = new LinearSpring(a, Vector2.Zero, b, Vector2.Zero, 1, 1);
-        Assert.Throws<ArgumentOutOfRangeException>(() => linear.RestLength = -1);
-        Assert.Throws<ArgumentOutOfRangeException>(() => linear.SpringConstant = -1);
+        Assert.Throws<ArgumentOutOfRangeException>("RestLength", () => linear.RestLength = -1);
+        Assert.Throws<ArgumentOutOfRangeException>("SpringConstant", () => linear.SpringConstant = -1);
         Assert.Throws<ArgumentOutOfRangeException>(() => linear.DampningConstant = float.NaN);
         Assert.Throws<ArgumentOutOfRangeException>(() => linear.Breakpoint = float.NaN);
         Assert.Throws<ArgumentOutOfRangeException>(() => linear.AttachPoint1 = bad);

@@ -128,8 +128,8 @@ public class SpringMotionTests
             if (c > 0 && c * c * 1000 > k)
             {
                 double sag = 200 / (30 * k);
-                double due = c > 1e3 * k ? 0.5 : 1e-3 * Math.Max(sag, 1);
-                Assert.InRange(hung.PositionY, c > 1e3 * k ? 20 : 20 + sag - due, c > 1e3 * k ? 41 : 20 + sag + due);
+                double due = c >= 1e3 * k ? 0.5 : 1e-3 * Math.Max(sag, 1);
+                Assert.InRange(hung.PositionY, c >= 1e3 * k ? 20 : 20 + sag - due, c >= 1e3 * k ? 41 : 20 + sag + due);
             }
         }
     }

@@ -15,7 +15,6 @@ public sealed class SceneTests
     {
         ["chain_pin"] = "ComplexFactory",
         ["chain_revolute"] = "ComplexFactory",
-        ["fluid_circle"] = "FluidDragController",
         ["joint_angle"] = "JointFactory",
         ["joint_angle_limit"] = "JointFactory",
         ["joint_break"] = "JointFactory",
@@ -29,7 +28,6 @@ public sealed class SceneTests
         ["joint_softness"] = "JointFactory",
         ["track"] = "ComplexFactory",
         ["vertices"] = "Vertices.CreatePolygon",
-        ["wave"] = "WaveController",
     };
 
     /// <summary>

@@ -33,11 +33,11 @@ public class AngleSpring : Spring
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public AngleSpring(Body body1, Body body2, float springConstant, float dampingConstant)
     {
-        _body1 = Check.NotNull(body1, nameof(body1));
-        _body2 = Check.NotNull(body2, nameof(body2));
+        _body1 = Require.NotNull(body1, nameof(body1));
+        _body2 = Require.NotNull(body2, nameof(body2));
         SpringCheck.Distinct(body1, body2, nameof(body2));
-        SpringConstant = Check.NotNegative(springConstant, nameof(springConstant));
-        DampingConstant = Check.NotNegative(dampingConstant, nameof(dampingConstant));
+        SpringConstant = Require.NotNegative(springConstant, nameof(springConstant));
+        DampingConstant = Require.NotNegative(dampingConstant, nameof(dampingConstant));
         _targetAngle = (float)SpringLink.Angle(body1, body2);
     }
 
@@ -49,7 +49,7 @@ public class AngleSpring : Spring
         get => _body1;
         set
         {
-            SpringCheck.Distinct(Check.NotNull(value, nameof(value)), _body2, nameof(value));
+            SpringCheck.Distinct(Require.NotNull(value, nameof(Body1)), _body2, nameof(Body1));
             _body1 = value;
         }
     }
@@ -62,7 +62,7 @@ public class AngleSpring : Spring
         get => _body2;
         set
         {
-            SpringCheck.Distinct(Check.NotNull(value, nameof(value)), _body1, nameof(value));
+            SpringCheck.Distinct(Require.NotNull(value, nameof(Body2)), _body1, nameof(Body2));
             _body2 = value;
         }
     }
@@ -75,7 +75,7 @@ public class AngleSpring : Spring
     public Vector2 Anchor1
     {
         get => _anchor1;
-        set => _anchor1 = Check.Finite(value, nameof(value));
+        set => _anchor1 = Require.Finite(value, nameof(Anchor1));
     }
 
     /// <summary>A point of <see cref="Body2"/>, as <see cref="Anchor1"/>. Default (0, 0).</summary>
@@ -83,7 +83,7 @@ public class AngleSpring : Spring
     public Vector2 Anchor2
     {
         get => _anchor2;
-        set => _anchor2 = Check.Finite(value, nameof(value));
+        set => _anchor2 = Require.Finite(value, nameof(Anchor2));
     }
 
     /// <summary>Angle without force, radians; finite. More than a turn is allowed.</summary>
@@ -91,7 +91,7 @@ public class AngleSpring : Spring
     public float TargetAngle
     {
         get => _targetAngle;
-        set => _targetAngle = Check.Finite(value, nameof(value));
+        set => _targetAngle = Require.Finite(value, nameof(TargetAngle));
     }
 
     /// <summary>Largest torque on a body, after <see cref="TorqueMultiplier"/>; at least 0. Default the largest float.</summary>
@@ -99,7 +99,7 @@ public class AngleSpring : Spring
     public float MaxTorque
     {
         get => _maxTorque;
-        set => _maxTorque = Require.NotBelow(value, 0, nameof(value));
+        set => _maxTorque = Require.NotBelow(value, 0, nameof(MaxTorque));
     }
 
     /// <summary>The torque of the spring is multiplied by it; finite and at least 0. Default 1.</summary>
@@ -107,7 +107,7 @@ public class AngleSpring : Spring
     public float TorqueMultiplier
     {
         get => _torqueMultiplier;
-        set => _torqueMultiplier = Check.NotNegative(value, nameof(value));
+        set => _torqueMultiplier = Require.NotNegative(value, nameof(TorqueMultiplier));
     }
 
     /// <inheritdoc />

@@ -26,9 +26,9 @@ public class FixedAngleSpring : Spring
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public FixedAngleSpring(Body body, float springConstant, float dampingConstant)
     {
-        _body = Check.NotNull(body, nameof(body));
-        SpringConstant = Check.NotNegative(springConstant, nameof(springConstant));
-        DampingConstant = Check.NotNegative(dampingConstant, nameof(dampingConstant));
+        _body = Require.NotNull(body, nameof(body));
+        SpringConstant = Require.NotNegative(springConstant, nameof(springConstant));
+        DampingConstant = Require.NotNegative(dampingConstant, nameof(dampingConstant));
         _targetAngle = (float)SpringLink.Angle(null, body);
     }
 
@@ -37,7 +37,7 @@ public class FixedAngleSpring : Spring
     public Body? Body
     {
         get => _body;
-        set => _body = Check.NotNull(value, nameof(value));
+        set => _body = Require.NotNull(value, nameof(Body));
     }
 
     /// <summary>Angle without force, radians; finite. More than a turn is allowed.</summary>
@@ -45,7 +45,7 @@ public class FixedAngleSpring : Spring
     public float TargetAngle
     {
         get => _targetAngle;
-        set => _targetAngle = Check.Finite(value, nameof(value));
+        set => _targetAngle = Require.Finite(value, nameof(TargetAngle));
     }
 
     /// <summary>Largest torque on a body, after <see cref="TorqueMultiplier"/>; at least 0. Default the largest float.</summary>
@@ -53,7 +53,7 @@ public class FixedAngleSpring : Spring
     public float MaxTorque
     {
         get => _maxTorque;
-        set => _maxTorque = Require.NotBelow(value, 0, nameof(value));
+        set => _maxTorque = Require.NotBelow(value, 0, nameof(MaxTorque));
     }
 
     /// <summary>The torque of the spring is multiplied by it; finite and at least 0. Default 1.</summary>
@@ -61,7 +61,7 @@ public class FixedAngleSpring : Spring
     public float TorqueMultiplier
     {
         get => _torqueMultiplier;
-        set => _torqueMultiplier = Check.NotNegative(value, nameof(value));
+        set => _torqueMultiplier = Require.NotNegative(value, nameof(TorqueMultiplier));
     }
 
     /// <inheritdoc />

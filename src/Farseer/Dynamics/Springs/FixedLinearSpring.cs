@@ -30,11 +30,11 @@ public class FixedLinearSpring : Spring
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public FixedLinearSpring(Body body, Vector2 bodyAttachPoint, Vector2 worldAttachPoint, float springConstant, float dampingConstant)
     {
-        _body = Check.NotNull(body, nameof(body));
-        _bodyAttachPoint = Check.Finite(bodyAttachPoint, nameof(bodyAttachPoint));
-        _worldAttachPoint = Check.Finite(worldAttachPoint, nameof(worldAttachPoint));
-        SpringConstant = Check.NotNegative(springConstant, nameof(springConstant));
-        DampingConstant = Check.NotNegative(dampingConstant, nameof(dampingConstant));
+        _body = Require.NotNull(body, nameof(body));
+        _bodyAttachPoint = Require.Finite(bodyAttachPoint, nameof(bodyAttachPoint));
+        _worldAttachPoint = Require.Finite(worldAttachPoint, nameof(worldAttachPoint));
+        SpringConstant = Require.NotNegative(springConstant, nameof(springConstant));
+        DampingConstant = Require.NotNegative(dampingConstant, nameof(dampingConstant));
         _restLength = SpringLink.Distance(body, bodyAttachPoint, null, worldAttachPoint);
     }
 
@@ -43,7 +43,7 @@ public class FixedLinearSpring : Spring
     public Body? Body
     {
         get => _body;
-        set => _body = Check.NotNull(value, nameof(value));
+        set => _body = Require.NotNull(value, nameof(Body));
     }
 
     /// <summary>Attach point of <see cref="Body"/>, in its coordinates. Default (0, 0).</summary>
@@ -51,7 +51,7 @@ public class FixedLinearSpring : Spring
     public Vector2 BodyAttachPoint
     {
         get => _bodyAttachPoint;
-        set => _bodyAttachPoint = Check.Finite(value, nameof(value));
+        set => _bodyAttachPoint = Require.Finite(value, nameof(BodyAttachPoint));
     }
 
     /// <summary>The point of the world at the other end. Default (0, 0).</summary>
@@ -59,7 +59,7 @@ public class FixedLinearSpring : Spring
     public Vector2 WorldAttachPoint
     {
         get => _worldAttachPoint;
-        set => _worldAttachPoint = Check.Finite(value, nameof(value));
+        set => _worldAttachPoint = Require.Finite(value, nameof(WorldAttachPoint));
     }
 
     /// <summary>The same as <see cref="WorldAttachPoint"/>.</summary>
@@ -75,7 +75,7 @@ public class FixedLinearSpring : Spring
     public float RestLength
     {
         get => _restLength;
-        set => _restLength = Check.NotNegative(value, nameof(value));
+        set => _restLength = Require.NotNegative(value, nameof(RestLength));
     }
 
     /// <inheritdoc />

@@ -34,13 +34,13 @@ public class LinearSpring : Spring
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public LinearSpring(Body body1, Vector2 attachPoint1, Body body2, Vector2 attachPoint2, float springConstant, float dampingConstant)
     {
-        _body1 = Check.NotNull(body1, nameof(body1));
-        _body2 = Check.NotNull(body2, nameof(body2));
+        _body1 = Require.NotNull(body1, nameof(body1));
+        _body2 = Require.NotNull(body2, nameof(body2));
         SpringCheck.Distinct(body1, body2, nameof(body2));
-        _attachPoint1 = Check.Finite(attachPoint1, nameof(attachPoint1));
-        _attachPoint2 = Check.Finite(attachPoint2, nameof(attachPoint2));
-        SpringConstant = Check.NotNegative(springConstant, nameof(springConstant));
-        DampingConstant = Check.NotNegative(dampingConstant, nameof(dampingConstant));
+        _attachPoint1 = Require.Finite(attachPoint1, nameof(attachPoint1));
+        _attachPoint2 = Require.Finite(attachPoint2, nameof(attachPoint2));
+        SpringConstant = Require.NotNegative(springConstant, nameof(springConstant));
+        DampingConstant = Require.NotNegative(dampingConstant, nameof(dampingConstant));
         _restLength = SpringLink.Distance(body1, attachPoint1, body2, attachPoint2);
     }
 
@@ -52,7 +52,7 @@ public class LinearSpring : Spring
         get => _body1;
         set
         {
-            SpringCheck.Distinct(Check.NotNull(value, nameof(value)), _body2, nameof(value));
+            SpringCheck.Distinct(Require.NotNull(value, nameof(Body1)), _body2, nameof(Body1));
             _body1 = value;
         }
     }
@@ -65,7 +65,7 @@ public class LinearSpring : Spring
         get => _body2;
         set
         {
-            SpringCheck.Distinct(Check.NotNull(value, nameof(value)), _body1, nameof(value));
+            SpringCheck.Distinct(Require.NotNull(value, nameof(Body2)), _body1, nameof(Body2));
             _body2 = value;
         }
     }
@@ -75,7 +75,7 @@ public class LinearSpring : Spring
     public Vector2 AttachPoint1
     {
         get => _attachPoint1;
-        set => _attachPoint1 = Check.Finite(value, nameof(value));
+        set => _attachPoint1 = Require.Finite(value, nameof(AttachPoint1));
     }
 
     /// <summary>Attach point of <see cref="Body2"/>, in its coordinates. Default (0, 0).</summary>
@@ -83,7 +83,7 @@ public class LinearSpring : Spring
     public Vector2 AttachPoint2
     {
         get => _attachPoint2;
-        set => _attachPoint2 = Check.Finite(value, nameof(value));
+        set => _attachPoint2 = Require.Finite(value, nameof(AttachPoint2));
     }
 
     /// <summary>The same as <see cref="AttachPoint1"/>, by the name of the manual.</summary>
@@ -109,7 +109,7 @@ public class LinearSpring : Spring
     public float RestLength
     {
         get => _restLength;
-        set => _restLength = Check.NotNegative(value, nameof(value));
+        set => _restLength = Require.NotNegative(value, nameof(RestLength));
     }
 
     /// <inheritdoc />

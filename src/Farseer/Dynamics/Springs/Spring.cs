@@ -38,7 +38,7 @@ public abstract class Spring : IDisposable, IItem
     public float SpringConstant
     {
         get => _springConstant;
-        set => _springConstant = Check.NotNegative(value, nameof(value));
+        set => _springConstant = Require.NotNegative(value, nameof(SpringConstant));
     }
 
     /// <summary>
@@ -49,7 +49,7 @@ public abstract class Spring : IDisposable, IItem
     public float DampingConstant
     {
         get => _dampingConstant;
-        set => _dampingConstant = Check.NotNegative(value, nameof(value));
+        set => _dampingConstant = Require.NotNegative(value, nameof(DampingConstant));
     }
 
     /// <summary>The same as <see cref="DampingConstant"/>, in the spelling of the manual.</summary>
@@ -67,7 +67,7 @@ public abstract class Spring : IDisposable, IItem
     public float Breakpoint
     {
         get => _breakpoint;
-        set => _breakpoint = Require.NotBelow(value, 0, nameof(value));
+        set => _breakpoint = Require.NotBelow(value, 0, nameof(Breakpoint));
     }
 
     /// <summary>How far the spring was from its rest when it last acted: a length or an angle, with its sign. Default 0.</summary>

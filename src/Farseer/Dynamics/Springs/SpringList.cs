@@ -26,7 +26,7 @@ public class SpringList : List<Spring>
     /// <exception cref="System.ArgumentNullException"><paramref name="spring"/> is null.</exception>
     public new void Add(Spring spring)
     {
-        Check.NotNull(spring, nameof(spring));
+        Require.NotNull(spring, nameof(spring));
         if (Owner is null)
         {
             TakeIn(spring);
@@ -42,7 +42,7 @@ public class SpringList : List<Spring>
     /// <exception cref="System.ArgumentNullException"><paramref name="spring"/> is null.</exception>
     public new void Remove(Spring spring)
     {
-        Check.NotNull(spring, nameof(spring));
+        Require.NotNull(spring, nameof(spring));
         if (Owner is null)
         {
             TakeOut(spring);

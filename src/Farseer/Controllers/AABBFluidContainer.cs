@@ -1,0 +1,40 @@
+using System;
+using System.Numerics;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Interfaces;
+
+namespace FarseerGames.FarseerPhysics.Controllers;
+
+/// <summary>A fluid at rest in a box.</summary>
+public class AABBFluidContainer : IFluidContainer
+{
+    private AABB? _aabb;
+
+    /// <summary>Makes a container without a box, which holds nothing until it has one.</summary>
+    public AABBFluidContainer()
+    {
+    }
+
+    /// <summary>Makes a container.</summary>
+    /// <param name="aabb">Its box.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="aabb"/> is null.</exception>
+    public AABBFluidContainer(AABB aabb)
+    {
+        _aabb = Require.NotNull(aabb, nameof(aabb));
+    }
+
+    /// <summary>The box of the fluid, in the world. Default null.</summary>
+    /// <exception cref="ArgumentNullException">The value is null.</exception>
+    public AABB? AABB
+    {
+        get => _aabb;
+        set => _aabb = Require.NotNull(value, nameof(AABB));
+    }
+
+    /// <inheritdoc />
+    public bool Intersect(AABB aabb) => _aabb is not null && Collisions.AABB.Intersect(aabb, _aabb);
+
+    /// <inheritdoc />
+    public bool Contains(ref Vector2 vector) => _aabb is not null && _aabb.Contains(ref vector);
+}

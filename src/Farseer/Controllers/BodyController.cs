@@ -1,0 +1,49 @@
+using System;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Dynamics;
+
+namespace FarseerGames.FarseerPhysics.Controllers;
+
+/// <summary>
+/// Base of the controllers that act on bodies one by one: on all of the simulator, or on those that <see cref="Filter"/> lets pass.
+/// Disabled and static bodies are left out. (An addition to the original.)
+/// </summary>
+public abstract class BodyController : Controller
+{
+    /// <summary>Makes a controller for all bodies.</summary>
+    protected BodyController()
+    {
+    }
+
+    /// <summary>Chooses the bodies: true lets the controller act. Default null: it acts on all.</summary>
+    public Func<Body, bool>? Filter { get; set; }
+
+    /// <inheritdoc />
+    public override void Validate()
+    {
+    }
+
+    /// <inheritdoc />
+    public override void Update(float dt)
+    {
+        if (Simulator is not { } simulator)
+        {
+            return;
+        }
+
+        BodyList bodies = simulator.BodyList;
+        for (int i = 0; i < bodies.Count; i++)
+        {
+            Body body = bodies[i];
+            if (body.Enabled && !body.IsDisposed && body.InverseMass > 0 && (Filter is null || Filter(body)))
+            {
+                Act(body, dt);
+            }
+        }
+    }
+
+    /// <summary>Acts on a body, at the moment at which forces act.</summary>
+    /// <param name="body">An enabled body that can move.</param>
+    /// <param name="dt">The step, seconds.</param>
+    protected abstract void Act(Body body, float dt);
+}
