@@ -19,6 +19,8 @@ internal sealed class Actor
         StartAngle = angle;
     }
 
+    public Body Body => _body;
+
     public double Mass { get; }
 
     public double Inertia { get; }

@@ -5,6 +5,7 @@ using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Springs;
 using FarseerGames.FarseerPhysics.Factories;
 
 namespace Farseer.Accuracy;
@@ -92,6 +93,14 @@ internal sealed class Rig : IDisposable
         float cell = GeomFactory.Instance.CalculateGridCellSizeFromAABB(vertices);
         Attach(GeomFactory.Instance.CreatePolygonGeom(_simulator, body, vertices, cell));
         return actor;
+    }
+
+    /// <summary>From the centre of a body to the origin.</summary>
+    public void AddFixedSpring(Actor actor, double restLength, double stiffness, double damping)
+    {
+        FixedLinearSpring spring = SpringFactory.Instance.CreateFixedLinearSpring(
+            _simulator, actor.Body, Vector2.Zero, Vector2.Zero, (float)stiffness, (float)damping);
+        spring.RestLength = (float)restLength;
     }
 
     public void Step()

@@ -34,6 +34,7 @@ internal static class Catalogue
         .. Accuracy.Scenes.FreeMotion.Scenes,
         .. Accuracy.Scenes.Impacts.Scenes,
         .. Accuracy.Scenes.Friction.Scenes,
+        .. Accuracy.Scenes.Springs.Scenes,
         .. Accuracy.Scenes.Stacks.Scenes,
         .. Accuracy.Scenes.Masonry.Scenes,
         .. Accuracy.Scenes.Overlaps.Scenes,

@@ -8,6 +8,7 @@ internal static class CommandLine
 {
     private static readonly string[] _runOptions = ["--steps", "--iterations", "--dt", "--json"];
     private static readonly string[] _watchOptions = ["--iterations", "--dt"];
+    private static readonly string[] _drawOptions = ["--step", "--out", "--iterations", "--dt"];
 
     public static void None(string verb, ReadOnlySpan<string> words)
     {
@@ -19,7 +20,12 @@ internal static class CommandLine
 
     public static RunOptions Run(string verb, ReadOnlySpan<string> words)
     {
-        string[] known = verb == "watch" ? _watchOptions : _runOptions;
+        string[] known = verb switch
+        {
+            "watch" => _watchOptions,
+            "draw" => _drawOptions,
+            _ => _runOptions,
+        };
         RunOptions options = new(string.Empty);
         for (int i = 0; i < words.Length; i++)
         {
@@ -46,8 +52,10 @@ internal static class CommandLine
             string? value = ++i < words.Length ? words[i] : null;
             options = word switch
             {
-                "--steps" => options with { Steps = Whole(word, value) },
-                "--iterations" => options with { Iterations = Whole(word, value) },
+                "--steps" => options with { Steps = Whole(word, value, 1) },
+                "--step" => options with { Steps = Whole(word, value, 0) },
+                "--out" => options with { Out = value ?? throw Bad(word, "the name of a file", null) },
+                "--iterations" => options with { Iterations = Whole(word, value, 1) },
                 _ => options with { Dt = Seconds(word, value) },
             };
         }
@@ -57,10 +65,10 @@ internal static class CommandLine
             : throw new UsageException($"'{verb}' needs the name of a scene or a scene file; 'list' shows the names");
     }
 
-    private static int Whole(string option, string? text) =>
-        int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= 1
+    private static int Whole(string option, string? text, int least) =>
+        int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least
             ? value
-            : throw Bad(option, "a whole number of at least 1", text);
+            : throw Bad(option, FormattableString.Invariant($"a whole number of at least {least}"), text);
 
     private static float Seconds(string option, string? text) =>
         float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out float value) && value > 0f && float.IsFinite(value)

@@ -6,12 +6,12 @@ using Spectre.Console;
 
 namespace Farseer.Samples;
 
-/// <summary>The console: lists, runs, shows and checks the scenes of the library.</summary>
+/// <summary>The console: lists, runs, shows, draws and checks the scenes of the library.</summary>
 internal static class Program
 {
     private const int Fine = 0;
     private const int WrongUse = 2;
-    private static readonly string[] _verbs = ["list", "run", "watch", "check", "help"];
+    private static readonly string[] _verbs = ["list", "run", "watch", "draw", "check", "help"];
 
     private static bool HasTerminal => !Console.IsInputRedirected && !Console.IsOutputRedirected;
 
@@ -65,6 +65,8 @@ internal static class Program
                 return RunCommand.Execute(CommandLine.Run("run", rest));
             case "watch":
                 return WatchCommand.Execute(CommandLine.Run("watch", rest), HasTerminal);
+            case "draw":
+                return DrawCommand.Execute(CommandLine.Run("draw", rest));
             case "check":
                 CommandLine.None("check", rest);
                 return CheckCommand.Execute();

@@ -11,6 +11,9 @@ internal sealed record RunOptions(string Scene)
 
     public bool Json { get; init; }
 
+    /// <summary>The file to draw into.</summary>
+    public string? Out { get; init; }
+
     /// <summary>A scene's outcomes are meant for its own steps and time step; more iterations must not harm them.</summary>
     public bool KeepsOutcome => Steps is null && Dt is null;
 }

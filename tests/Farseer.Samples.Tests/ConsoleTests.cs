@@ -1,8 +1,10 @@
 using System;
 using System.Diagnostics;
 using System.IO;
+using System.Linq;
 using System.Text.Json;
 using System.Threading.Tasks;
+using System.Xml.Linq;
 using Xunit;
 
 namespace Farseer.Samples.Tests;
@@ -43,6 +45,11 @@ public sealed class ConsoleTests : IDisposable
     [InlineData("wach pyramid", "there is no command 'wach' (did you mean 'watch'?")]
     [InlineData("pyramid", "did you mean 'run pyramid'")]
     [InlineData("list all", "'list' takes no arguments")]
+    [InlineData("draw", "'draw' needs the name of a scene")]
+    [InlineData("draw pyramid --step -1", "--step needs a whole number of at least 0, not '-1'")]
+    [InlineData("draw pyramid --out", "--out needs the name of a file")]
+    [InlineData("draw pyramid --steps 5", "has no option '--steps' (did you mean '--step'?")]
+    [InlineData("draw pyramid --step 1 --out /no/such/folder/f.svg", "cannot write '/no/such/folder/f.svg'")]
     public async Task Console_WrongUse_SaysOneLineAndExitsWith2(string arguments, string expected) =>
         AssertRefused(await Run(arguments.Split(' ')), expected);
 
@@ -81,6 +88,21 @@ public sealed class ConsoleTests : IDisposable
 
         // What falls without drag keeps its energy: 0 at the origin at rest. Float velocity: 2 kg * 2 m/s * 1e-6 m/s.
         Assert.InRange(json.RootElement.GetProperty("energy").GetDouble(), -1e-5, 1e-5);
+    }
+
+    [Fact]
+    public async Task Console_Draw_WritesAPictureOfTheStep()
+    {
+        string file = Path.Combine(_folder, "step.svg");
+
+        (int code, string output, string error) = await Run("draw", "falling-stack", "--step", "3", "--out", file);
+
+        Assert.Equal(string.Empty, error);
+        Assert.Equal(0, code);
+        Assert.Contains("falling-stack after 3 updates: " + file, output, StringComparison.Ordinal);
+        XElement picture = XDocument.Load(file).Root!;
+        Assert.Equal("svg", picture.Name.LocalName);
+        Assert.True(picture.Elements().Count(e => e.Name.LocalName == "polygon") > 2);
     }
 
     [Fact]

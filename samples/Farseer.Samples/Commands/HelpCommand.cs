@@ -17,6 +17,10 @@ internal static class HelpCommand
           watch <scene|file.json>   live in the terminal
               --iterations N, --dt S
               keys: space pause, right or n one step, + and - speed, r restart, q quit
+          draw <scene|file.json>    one step as a picture (SVG)
+              --step N              after N updates (default: the scene's last)
+              --out f.svg           the file (default: the scene's name)
+              --iterations N, --dt S
           check                     run all scenes and compare with what must come out
           help                      this
 

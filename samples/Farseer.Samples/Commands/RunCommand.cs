@@ -47,7 +47,7 @@ internal static class RunCommand
     }
 
     /// <summary>What the simulator refuses of the command line's numbers is wrong use as well.</summary>
-    private static SceneRun Start(Scene scene, RunOptions options)
+    public static SceneRun Start(Scene scene, RunOptions options)
     {
         try
         {

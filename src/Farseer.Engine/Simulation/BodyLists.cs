@@ -40,13 +40,14 @@ internal sealed unsafe class BodyLists
 
     public QuarantineRecord Outcast(int index) => _outcasts[index];
 
+    public void ForgetOutcasts() => OutcastCount = 0;
+
     /// <summary>Sorts the bodies; those whose state is out of range are left out and become outcasts.</summary>
     public void Collect(BodyStore bodies)
     {
         int end = bodies.Ids.End;
         _moves.EnsureCapacity(end);
         _active.EnsureCapacity(end);
-        OutcastCount = 0;
         byte* moves = _moves.Pointer;
         BodyFlags* flags = bodies.Flags.Pointer;
         ActiveCount = 0;

@@ -17,6 +17,7 @@ internal sealed partial class World
 
     private void CollectBodies()
     {
+        _lists.ForgetOutcasts();
         _lists.Collect(Bodies);
         if (_lists.OutcastCount > 0)
         {

@@ -53,7 +53,12 @@ internal sealed partial class World
         if (_bodiesSwitched)
         {
             // A body that was enabled, disabled or made static by a hook moves, or stays, from this step on.
+            int before = _lists.OutcastCount;
             _lists.Collect(Bodies);
+            if (_lists.OutcastCount > before)
+            {
+                Isolate();
+            }
         }
     }
 

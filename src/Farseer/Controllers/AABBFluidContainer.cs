@@ -33,7 +33,11 @@ public class AABBFluidContainer : IFluidContainer
     }
 
     /// <inheritdoc />
-    public bool Intersect(AABB aabb) => _aabb is not null && Collisions.AABB.Intersect(aabb, _aabb);
+    public bool Intersect(AABB aabb)
+    {
+        Require.NotNull(aabb, nameof(aabb));
+        return _aabb is not null && Collisions.AABB.Intersect(aabb, _aabb);
+    }
 
     /// <inheritdoc />
     public bool Contains(ref Vector2 vector) => _aabb is not null && _aabb.Contains(ref vector);

@@ -26,6 +26,7 @@ public abstract class BodyController : Controller
     /// <inheritdoc />
     public override void Update(float dt)
     {
+        Require.NotNegative(dt, nameof(dt));
         if (Simulator is not { } simulator)
         {
             return;

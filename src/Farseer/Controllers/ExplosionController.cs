@@ -34,6 +34,7 @@ public class ExplosionController : BodyController
     /// <inheritdoc />
     public override void Update(float dt)
     {
+        Require.NotNegative(dt, nameof(dt));
         if (_charges.Count > 0)
         {
             base.Update(dt);

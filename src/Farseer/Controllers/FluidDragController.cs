@@ -38,8 +38,7 @@ public class FluidDragController : Controller
 
     /// <summary>Handles the entry of a geom into the fluid.</summary>
     /// <param name="geom">The geom.</param>
-    /// <param name="verts">Its vertices that are in the fluid; the list is used again after the call.</param>
-    public delegate void EntryEventHandler(Geom geom, Vertices verts);
+    public delegate void EntryEventHandler(Geom geom);
 
     /// <summary>Called when a geom enters the fluid: once for each until <see cref="Reset"/>. Use with +=. Default null.</summary>
     public EntryEventHandler? Entry { get; set; }
@@ -138,6 +137,7 @@ public class FluidDragController : Controller
     /// <inheritdoc />
     public override void Update(float dt)
     {
+        Require.NotNegative(dt, nameof(dt));
         if (_container is null)
         {
             return;
@@ -152,7 +152,7 @@ public class FluidDragController : Controller
                 if (!_entered[i])
                 {
                     _entered[i] = true;
-                    Entry?.Invoke(geom, _inside);
+                    Entry?.Invoke(geom);
                 }
             }
         }

@@ -14,7 +14,7 @@ public class GravityController : BodyController
     private Vector2 _center;
     private float _strength;
     private float _minRadius;
-    private float _maxRadius = float.PositiveInfinity;
+    private float _maxRadius = float.MaxValue;
 
     /// <summary>Makes a controller.</summary>
     /// <param name="center">The point, in the world; finite.</param>
@@ -52,12 +52,12 @@ public class GravityController : BodyController
         set => _minRadius = Require.Positive(value, nameof(MinRadius));
     }
 
-    /// <summary>Distance beyond which nothing is pulled; at least 0. Default infinite.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not a number.</exception>
+    /// <summary>Distance beyond which nothing is pulled; finite and at least 0. Default the largest float.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float MaxRadius
     {
         get => _maxRadius;
-        set => _maxRadius = Require.NotBelow(value, 0, nameof(MaxRadius));
+        set => _maxRadius = Require.NotNegative(value, nameof(MaxRadius));
     }
 
     /// <inheritdoc />

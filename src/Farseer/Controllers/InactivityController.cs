@@ -65,6 +65,7 @@ public class InactivityController : Controller
     /// <inheritdoc />
     public override void Update(float dt)
     {
+        Require.NotNegative(dt, nameof(dt));
         float milliseconds = dt * 1000;
         BodiesEnabled = 0;
         BodyList bodies = _simulator.BodyList;

@@ -14,29 +14,29 @@ public class VelocityLimitController : BodyController
     private float _maxAngularVelocity;
 
     /// <summary>Makes a controller.</summary>
-    /// <param name="maxLinearVelocity">Largest speed, length/s; at least 0, infinite: no limit.</param>
-    /// <param name="maxAngularVelocity">Largest angular speed, rad/s; at least 0, infinite: no limit.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A number is negative or not a number.</exception>
+    /// <param name="maxLinearVelocity">Largest speed, length/s; finite and at least 0; the largest float: no limit.</param>
+    /// <param name="maxAngularVelocity">Largest angular speed, rad/s; finite and at least 0; the largest float: no limit.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is negative or not finite.</exception>
     public VelocityLimitController(float maxLinearVelocity, float maxAngularVelocity)
     {
-        _maxLinearVelocity = Require.NotBelow(maxLinearVelocity, 0, nameof(maxLinearVelocity));
-        _maxAngularVelocity = Require.NotBelow(maxAngularVelocity, 0, nameof(maxAngularVelocity));
+        _maxLinearVelocity = Require.NotNegative(maxLinearVelocity, nameof(maxLinearVelocity));
+        _maxAngularVelocity = Require.NotNegative(maxAngularVelocity, nameof(maxAngularVelocity));
     }
 
-    /// <summary>Largest speed, length/s; at least 0, infinite: no limit.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not a number.</exception>
+    /// <summary>Largest speed, length/s; finite and at least 0; the largest float: no limit.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float MaxLinearVelocity
     {
         get => _maxLinearVelocity;
-        set => _maxLinearVelocity = Require.NotBelow(value, 0, nameof(MaxLinearVelocity));
+        set => _maxLinearVelocity = Require.NotNegative(value, nameof(MaxLinearVelocity));
     }
 
-    /// <summary>Largest angular speed, rad/s; at least 0, infinite: no limit.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not a number.</exception>
+    /// <summary>Largest angular speed, rad/s; finite and at least 0; the largest float: no limit.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float MaxAngularVelocity
     {
         get => _maxAngularVelocity;
-        set => _maxAngularVelocity = Require.NotBelow(value, 0, nameof(MaxAngularVelocity));
+        set => _maxAngularVelocity = Require.NotNegative(value, nameof(MaxAngularVelocity));
     }
 
     /// <inheritdoc />

@@ -173,12 +173,13 @@ public class WaveController : Controller, IFluidContainer
     /// <exception cref="ArgumentOutOfRangeException">There is no such node, or <paramref name="offset"/> is not finite.</exception>
     public void Disturb(int node, float offset)
     {
+        Require.Finite(offset, nameof(offset));
         if (node < 0 || node >= _currentWave.Length)
         {
             throw new ArgumentOutOfRangeException(nameof(node), node, "node must be the index of a node.");
         }
 
-        _currentWave[node] += Require.Finite(offset, nameof(offset));
+        _currentWave[node] += offset;
         _highest = Math.Min(_highest, _currentWave[node]);
     }
 
@@ -219,6 +220,7 @@ public class WaveController : Controller, IFluidContainer
     /// <inheritdoc />
     public override void Update(float dt)
     {
+        Require.NotNegative(dt, nameof(dt));
         if (_currentWave.Length == 0)
         {
             return;

@@ -27,7 +27,6 @@ public sealed class SceneTests
         ["joint_slider"] = "JointFactory",
         ["joint_softness"] = "JointFactory",
         ["track"] = "ComplexFactory",
-        ["vertices"] = "Vertices.CreatePolygon",
     };
 
     /// <summary>

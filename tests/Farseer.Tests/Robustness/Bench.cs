@@ -1,12 +1,16 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Controllers;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Springs;
 using FarseerGames.FarseerPhysics.Factories;
 using FarseerGames.FarseerPhysics.Interfaces;
 using FarseerGames.FarseerPhysics.Mathematics;
+using FarseerGames.FarseerPhysics.Views;
 using Xunit;
 
 namespace Farseer.Tests.Robustness;
@@ -44,6 +48,26 @@ internal sealed class Bench
     public Body Ball { get; }
 
     public static Vertices Outline() => new Vertices { new Vector2(0, 0), new Vector2(0, 2), new Vector2(3, 2), new Vector2(3, 0) };
+
+    private static Curve Slope()
+    {
+        var curve = new Curve();
+        for (int i = 0; i < 6; i++)
+        {
+            curve.Keys.Add(new CurveKey(i, i * i));
+        }
+
+        return curve;
+    }
+
+    private static SvgDebugDraw Picture() => new SvgDebugDraw(Vector2.Zero, Vector2.One, 10, 10);
+
+    private static WaveController Wave()
+    {
+        var wave = new WaveController { NodeCount = 10, Width = 20, Height = 5 };
+        wave.Initialize();
+        return wave;
+    }
 
     public void Step(int count)
     {
@@ -88,6 +112,19 @@ internal sealed class Bench
             nameof(Arbiter) => Simulator.ArbiterList[0],
             nameof(BodyFactory) => BodyFactory.Instance,
             nameof(GeomFactory) => GeomFactory.Instance,
+            nameof(SpringFactory) => SpringFactory.Instance,
+            nameof(ControllerFactory) => ControllerFactory.Instance,
+            nameof(Spring) => new FixedLinearSpring(new Body(), Vector2.Zero, Vector2.One, 1, 1),
+            nameof(Controller) => new ExplosionController(),
+            nameof(BodyController) or nameof(GravityController) => new GravityController(Vector2.Zero, 1, 1),
+            nameof(WindController) => new WindController(Vector2.One, 1),
+            nameof(VelocityLimitController) => new VelocityLimitController(1, 1),
+            nameof(WaveController) => Wave(),
+            nameof(Curve) => Slope(),
+            nameof(CurveKeyCollection) => Slope().Keys,
+            nameof(CurveKey) => new CurveKey(1, 2),
+            nameof(SvgDebugDraw) => Picture(),
+            nameof(PhysicsSimulatorView) => new PhysicsSimulatorView(Simulator, Picture()),
             nameof(Grid) => BoxGeom.Grid,
             nameof(BilinearInterpolator) => new BilinearInterpolator(Vector2.Zero, Vector2.One),
             nameof(CircularInterpolator) => new CircularInterpolator(1, 2, 3, 4, 0, 5),
@@ -129,9 +166,16 @@ internal sealed class Bench
             nameof(Scaling) => new Scaling(0.01f, 0.1f),
             nameof(IBroadPhaseCollider) => new BruteForceCollider(Simulator),
             nameof(Object) => "something",
+            nameof(IFluidContainer) => new AABBFluidContainer(new AABB(Vector2.Zero, Vector2.One)),
+            nameof(Spring) => new FixedLinearSpring(),
+            nameof(CurveKey) => new CurveKey(1, 2),
+            nameof(IDebugDraw) => Picture(),
+            nameof(Controller) => new ExplosionController(),
             _ => null,
         };
-        return made ?? (type == typeof(Vector2[]) ? new[] { Vector2.Zero, Vector2.One }
+        return made ?? (type == typeof(uint[]) ? Enumerable.Repeat(uint.MaxValue, 16).ToArray()
+            : type == typeof(CurveKey[]) ? new CurveKey[12]
+            : type == typeof(Vector2[]) ? new[] { Vector2.Zero, Vector2.One }
             : type == typeof(Action<Arbiter>) ? (Action<Arbiter>)(_ => { })
             : type == typeof(Predicate<Arbiter>) ? (Predicate<Arbiter>)(_ => false)
             : type.GetConstructor(new[] { typeof(PhysicsSimulator) }) is { } forSimulator ? forSimulator.Invoke(new object[] { Simulator })

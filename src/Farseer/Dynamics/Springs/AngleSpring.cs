@@ -94,12 +94,12 @@ public class AngleSpring : Spring
         set => _targetAngle = Require.Finite(value, nameof(TargetAngle));
     }
 
-    /// <summary>Largest torque on a body, after <see cref="TorqueMultiplier"/>; at least 0. Default the largest float.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not a number.</exception>
+    /// <summary>Largest torque on a body, after <see cref="TorqueMultiplier"/>; finite and at least 0. Default the largest float.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float MaxTorque
     {
         get => _maxTorque;
-        set => _maxTorque = Require.NotBelow(value, 0, nameof(MaxTorque));
+        set => _maxTorque = Require.NotNegative(value, nameof(MaxTorque));
     }
 
     /// <summary>The torque of the spring is multiplied by it; finite and at least 0. Default 1.</summary>
@@ -122,6 +122,7 @@ public class AngleSpring : Spring
     /// <inheritdoc />
     public override void Update(float dt)
     {
+        Require.NotNegative(dt, nameof(dt));
         if (_body1 is not null && _body2 is not null && Survives((float)(SpringLink.Angle(_body1, _body2) - _targetAngle)))
         {
             SpringLink.Angular(this, _body1, _body2, _targetAngle, _torqueMultiplier, _maxTorque);

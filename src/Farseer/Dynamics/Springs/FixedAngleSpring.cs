@@ -48,12 +48,12 @@ public class FixedAngleSpring : Spring
         set => _targetAngle = Require.Finite(value, nameof(TargetAngle));
     }
 
-    /// <summary>Largest torque on a body, after <see cref="TorqueMultiplier"/>; at least 0. Default the largest float.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not a number.</exception>
+    /// <summary>Largest torque on a body, after <see cref="TorqueMultiplier"/>; finite and at least 0. Default the largest float.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float MaxTorque
     {
         get => _maxTorque;
-        set => _maxTorque = Require.NotBelow(value, 0, nameof(MaxTorque));
+        set => _maxTorque = Require.NotNegative(value, nameof(MaxTorque));
     }
 
     /// <summary>The torque of the spring is multiplied by it; finite and at least 0. Default 1.</summary>
@@ -76,6 +76,7 @@ public class FixedAngleSpring : Spring
     /// <inheritdoc />
     public override void Update(float dt)
     {
+        Require.NotNegative(dt, nameof(dt));
         if (_body is not null && Survives((float)(_targetAngle - SpringLink.Angle(null, _body))))
         {
             SpringLink.Angular(this, null, _body, _targetAngle, _torqueMultiplier, _maxTorque);

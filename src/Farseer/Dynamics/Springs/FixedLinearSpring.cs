@@ -67,7 +67,7 @@ public class FixedLinearSpring : Spring
     public Vector2 Position
     {
         get => WorldAttachPoint;
-        set => WorldAttachPoint = value;
+        set => _worldAttachPoint = Require.Finite(value, nameof(Position));
     }
 
     /// <summary>Length without force; finite and at least 0.</summary>
@@ -90,6 +90,7 @@ public class FixedLinearSpring : Spring
     /// <inheritdoc />
     public override void Update(float dt)
     {
+        Require.NotNegative(dt, nameof(dt));
         if (_body is not null && Survives(SpringLink.Distance(_body, _bodyAttachPoint, null, _worldAttachPoint) - _restLength))
         {
             SpringLink.Linear(this, _body, _bodyAttachPoint, null, _worldAttachPoint, _restLength);

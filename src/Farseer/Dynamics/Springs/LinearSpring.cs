@@ -91,7 +91,7 @@ public class LinearSpring : Spring
     public Vector2 Anchor1
     {
         get => AttachPoint1;
-        set => AttachPoint1 = value;
+        set => _attachPoint1 = Require.Finite(value, nameof(Anchor1));
     }
 
     /// <summary>The same as <see cref="AttachPoint2"/>, by the name of the manual.</summary>
@@ -99,7 +99,7 @@ public class LinearSpring : Spring
     public Vector2 Anchor2
     {
         get => AttachPoint2;
-        set => AttachPoint2 = value;
+        set => _attachPoint2 = Require.Finite(value, nameof(Anchor2));
     }
 
     /// <summary>
@@ -124,6 +124,7 @@ public class LinearSpring : Spring
     /// <inheritdoc />
     public override void Update(float dt)
     {
+        Require.NotNegative(dt, nameof(dt));
         if (_body1 is null || _body2 is null)
         {
             return;

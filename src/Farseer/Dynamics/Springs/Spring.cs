@@ -57,17 +57,17 @@ public abstract class Spring : IDisposable, IItem
     public float DampningConstant
     {
         get => DampingConstant;
-        set => DampingConstant = value;
+        set => _dampingConstant = Require.NotNegative(value, nameof(DampningConstant));
     }
 
     /// <summary>
-    /// Size of <see cref="SpringError"/> above which the spring breaks; at least 0. Default the largest float: it never breaks.
+    /// Size of <see cref="SpringError"/> above which the spring breaks; finite and at least 0. Default the largest float: it never breaks.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not a number.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float Breakpoint
     {
         get => _breakpoint;
-        set => _breakpoint = Require.NotBelow(value, 0, nameof(Breakpoint));
+        set => _breakpoint = Require.NotNegative(value, nameof(Breakpoint));
     }
 
     /// <summary>How far the spring was from its rest when it last acted: a length or an angle, with its sign. Default 0.</summary>
@@ -95,7 +95,11 @@ public abstract class Spring : IDisposable, IItem
     /// <see cref="Broke"/>. Call it first, or after setting the error.
     /// </summary>
     /// <param name="dt">The step, seconds.</param>
-    public virtual void Update(float dt) => Judge();
+    public virtual void Update(float dt)
+    {
+        Require.NotNegative(dt, nameof(dt));
+        Judge();
+    }
 
     /// <summary>Disposes the spring: it acts no more and leaves the simulator at its next update. Calling it again does nothing.</summary>
     public void Dispose()
