@@ -12,6 +12,7 @@ namespace Farseer.Engine.Simulation;
 internal sealed unsafe class BodyLists
 {
     private readonly Column<byte> _moves = new Column<byte>();
+    private readonly Column<byte> _wasActive = new Column<byte>();
     private readonly Column<int> _active = new Column<int>();
     private readonly Column<int> _solver = new Column<int>();
     private readonly Column<int> _free = new Column<int>();
@@ -73,6 +74,30 @@ internal sealed unsafe class BodyLists
 
             _active[ActiveCount++] = i;
             moves[i] = (f & BodyFlags.Kinematic) == 0 ? (byte)1 : (byte)0;
+        }
+    }
+
+    /// <summary>Sorts the bodies anew within a step: those that were not foreseen at its start are foreseen now.</summary>
+    public void CollectAgain(BodyStore bodies, float dt)
+    {
+        _wasActive.EnsureCapacity(bodies.Ids.End);
+        for (int i = 0; i < bodies.Ids.End; i++)
+        {
+            _wasActive[i] = 0;
+        }
+
+        for (int i = 0; i < ActiveCount; i++)
+        {
+            _wasActive[_active[i]] = 1;
+        }
+
+        Collect(bodies);
+        for (int i = 0; i < ActiveCount; i++)
+        {
+            if (_wasActive[_active[i]] == 0)
+            {
+                Foresight.Begin(bodies, _active.Pointer + i, 1, dt);
+            }
         }
     }
 

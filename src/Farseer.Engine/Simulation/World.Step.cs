@@ -54,7 +54,7 @@ internal sealed partial class World
         {
             // A body that was enabled, disabled or made static by a hook moves, or stays, from this step on.
             int before = _lists.OutcastCount;
-            _lists.Collect(Bodies);
+            _lists.CollectAgain(Bodies, dt);
             if (_lists.OutcastCount > before)
             {
                 Isolate();

@@ -5,7 +5,7 @@ namespace Farseer.Engine.Springs;
 /// <summary>A body at one end of a spring, in the middle of a step.</summary>
 internal struct EndState
 {
-    /// <summary>Displacement and turn since the step's start.</summary>
+    /// <summary>Displacement since the step's start, and turn since its foreseen middle.</summary>
     public double X;
     public double Y;
     public double Sin;
@@ -25,16 +25,23 @@ internal struct EndState
     /// <summary>An end that neither moves nor has moved.</summary>
     public static EndState AtStart => new EndState { Cos = 1 };
 
-    public static EndState Read(BodyStore bodies, int body, int moves)
+    /// <param name="bodies">The bodies.</param>
+    /// <param name="body">Index of the body.</param>
+    /// <param name="moves">1 if forces may move it.</param>
+    /// <param name="acts">1 if it moves or is driven.</param>
+    public static EndState Read(BodyStore bodies, int body, int moves, int acts)
     {
         ref BodyState state = ref bodies.State[body];
-        EndState end;
-        end.X = state.DeltaPosition.X;
-        end.Y = state.DeltaPosition.Y;
-        end.Sin = state.DeltaSin;
-        end.Cos = state.DeltaCos;
-        end.Turned = bodies.Motion[body].Turned;
-        end.DriveX = end.DriveY = end.DriveW = 0;
+        EndState end = AtStart;
+        if (acts != 0)
+        {
+            end.X = state.DeltaPosition.X;
+            end.Y = state.DeltaPosition.Y;
+            end.Sin = state.DeltaSin;
+            end.Cos = state.DeltaCos;
+            end.Turned = bodies.Motion[body].Turned;
+        }
+
         if (moves != 0)
         {
             ref BodyDrive drive = ref bodies.Drive[body];

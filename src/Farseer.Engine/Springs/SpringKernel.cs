@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Springs;
 
@@ -32,14 +33,16 @@ internal static unsafe class SpringKernel
         }
     }
 
-    /// <summary>Where the ends are at the step's start.</summary>
+    /// <summary>Where the ends are; their turns are reckoned from the foreseen middle of the step, see <see cref="Foresight"/>.</summary>
     public static void SetOffsets(ref SpringRow row, BodyStore bodies)
     {
         ref BodyPose a = ref bodies.Pose[row.Def.BodyA];
         ref BodyPose b = ref bodies.Pose[row.Def.BodyB];
+        double leadA = row.ActsA != 0 ? bodies.Drive[row.Def.BodyA].Lead : 0;
+        double leadB = row.ActsB != 0 ? bodies.Drive[row.Def.BodyB].Lead : 0;
         if (row.Def.Kind == SpringKind.Angular)
         {
-            row.OffsetX = b.Angle - a.Angle - row.Def.Rest;
+            row.OffsetX = b.Angle + leadB - a.Angle - leadA - row.Def.Rest;
             return;
         }
 
@@ -47,10 +50,8 @@ internal static unsafe class SpringKernel
         row.OffsetY = b.Y - a.Y;
         Vector2 p = row.Def.AnchorA;
         Vector2 q = row.Def.AnchorB;
-        row.ArmAX = ((double)a.Cos * p.X) - ((double)a.Sin * p.Y);
-        row.ArmAY = ((double)a.Sin * p.X) + ((double)a.Cos * p.Y);
-        row.ArmBX = ((double)b.Cos * q.X) - ((double)b.Sin * q.Y);
-        row.ArmBY = ((double)b.Sin * q.X) + ((double)b.Cos * q.Y);
+        SetArm(a, leadA, p, out row.ArmAX, out row.ArmAY);
+        SetArm(b, leadB, q, out row.ArmBX, out row.ArmBY);
     }
 
     /// <summary>Fixes the parts of the Jacobian that never change.</summary>
@@ -104,8 +105,8 @@ internal static unsafe class SpringKernel
     /// <summary>Acts by the exact law, see <see cref="SpringLaw"/>: a kick, and a shift that makes the way of the substep that of the law.</summary>
     public static void Kick(ref SpringRow row, BodyStore bodies, double h)
     {
-        EndState a = EndState.Read(bodies, row.Def.BodyA, row.MovesA);
-        EndState b = EndState.Read(bodies, row.Def.BodyB, row.MovesB);
+        EndState a = EndState.Read(bodies, row.Def.BodyA, row.MovesA, row.ActsA);
+        EndState b = EndState.Read(bodies, row.Def.BodyB, row.MovesB, row.ActsB);
         double x = FormJacobian(ref row, a, b, h / 2);
         double mass = InverseMassA(row) + InverseMassB(row);
         if (!(mass > 0))
@@ -185,6 +186,15 @@ internal static unsafe class SpringKernel
 
         EndState.Push(bodies, body, 0, 0, 0, change);
         EndState.Shift(bodies, body, 0, 0, shift);
+    }
+
+    private static void SetArm(in BodyPose pose, double lead, Vector2 anchor, out double x, out double y)
+    {
+        StableMath.SinCos(lead, out double sin, out double cos);
+        double turnedX = ((double)pose.Cos * anchor.X) - ((double)pose.Sin * anchor.Y);
+        double turnedY = ((double)pose.Sin * anchor.X) + ((double)pose.Cos * anchor.Y);
+        x = (cos * turnedX) - (sin * turnedY);
+        y = (sin * turnedX) + (cos * turnedY);
     }
 
     private static double Linear(in SpringRow row) => (row.NormalX * row.NormalX) + (row.NormalY * row.NormalY);

@@ -102,8 +102,8 @@ internal sealed unsafe class SpringMesh
         for (int i = 0; i < mesh.RowCount; i++)
         {
             ref SpringRow row = ref rows[_rows[mesh.FirstRow + i]];
-            EndState a = EndState.Read(bodies, row.Def.BodyA, row.MovesA);
-            EndState b = EndState.Read(bodies, row.Def.BodyB, row.MovesB);
+            EndState a = EndState.Read(bodies, row.Def.BodyA, row.MovesA, row.ActsA);
+            EndState b = EndState.Read(bodies, row.Def.BodyB, row.MovesB, row.ActsB);
             row.Stretch = SpringKernel.FormJacobian(ref row, a, b, ahead);
             row.Saturated = 0;
         }
@@ -118,7 +118,7 @@ internal sealed unsafe class SpringMesh
         for (int i = 0; i < mesh.SlotCount; i++)
         {
             int body = _bodies[mesh.FirstSlot + i];
-            EndState end = EndState.Read(bodies, body, 1);
+            EndState end = EndState.Read(bodies, body, 1, 1);
             double* v = _velocity.Pointer + (3 * (mesh.FirstSlot + i));
             double x = ((v[0] - end.VX) / mesh.Theta) - end.DriveX;
             double y = ((v[1] - end.VY) / mesh.Theta) - end.DriveY;
@@ -212,7 +212,7 @@ internal sealed unsafe class SpringMesh
     {
         for (int i = mesh.FirstSlot; i < mesh.FirstSlot + mesh.SlotCount; i++)
         {
-            EndState end = EndState.Read(bodies, _bodies[i], 1);
+            EndState end = EndState.Read(bodies, _bodies[i], 1, 1);
             double* v = _velocity.Pointer + (3 * i);
             v[0] = end.VX + (mesh.Theta * end.DriveX);
             v[1] = end.VY + (mesh.Theta * end.DriveY);

@@ -60,6 +60,10 @@ internal struct SpringRow
     public int MovesA;
     public int MovesB;
 
+    /// <summary>1 if the body moves or is driven: then its turn within the step is counted from the foreseen middle of it.</summary>
+    public int ActsA;
+    public int ActsB;
+
     /// <summary>1 if the body has constraints besides springs: the solver's positions then speak for all changes of its velocity.</summary>
     public int HeldA;
     public int HeldB;
@@ -72,11 +76,11 @@ internal struct SpringRow
     /// <summary>1 if the exact law covers the damping: not for the own spins of unequal ends, nor against an end that is driven.</summary>
     public int IsPlain;
 
-    /// <summary>Centre of B minus centre of A at the step's start, or the difference of the angles (in X).</summary>
+    /// <summary>Centre of B minus centre of A at the step's start, or (in X) the difference of the angles in its foreseen middle less the rest.</summary>
     public double OffsetX;
     public double OffsetY;
 
-    /// <summary>Anchors from the centres, in world axes, at the step's start.</summary>
+    /// <summary>Anchors from the centres, in world axes, as they are in the foreseen middle of the step.</summary>
     public double ArmAX;
     public double ArmAY;
     public double ArmBX;

@@ -128,6 +128,8 @@ internal sealed unsafe class SpringStore
         int b = row.Def.BodyB;
         row.MovesA = moves[a];
         row.MovesB = moves[b];
+        row.ActsA = Acts(bodies, a);
+        row.ActsB = Acts(bodies, b);
         row.HeldA = row.MovesA != 0 && degrees[a] > 0 ? 1 : 0;
         row.HeldB = row.MovesB != 0 && degrees[b] > 0 ? 1 : 0;
         row.InverseMassA = row.MovesA != 0 ? bodies.Mass[a].InverseMass : 0;
@@ -137,6 +139,9 @@ internal sealed unsafe class SpringStore
         SpringKernel.SetOffsets(ref row, bodies);
         row.IsPlain = row.Def.Kind == SpringKind.Linear || IsPlain(bodies, row) ? 1 : 0;
     }
+
+    // Pinned ends are at body 0, which is static; all others are enabled.
+    private static int Acts(BodyStore bodies, int body) => (bodies.Flags[body] & BodyFlags.Static) == 0 ? 1 : 0;
 
     private static bool IsPlain(BodyStore bodies, in SpringRow row) => row.InverseInertiaA > 0 && row.InverseInertiaB > 0
         ? row.InverseInertiaA == row.InverseInertiaB

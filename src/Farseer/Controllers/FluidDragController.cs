@@ -82,11 +82,14 @@ public class FluidDragController : Controller
         IFluidContainer fluidContainer, float density, float linearDragCoefficient, float rotationalDragCoefficient, Vector2 gravity)
     {
         Require.NotNull(fluidContainer, nameof(fluidContainer));
-        _density = Require.NotNegative(density, nameof(density));
-        _linearDragCoefficient = Require.NotNegative(linearDragCoefficient, nameof(linearDragCoefficient));
-        _rotationalDragCoefficient = Require.NotNegative(rotationalDragCoefficient, nameof(rotationalDragCoefficient));
+        Require.NotNegative(density, nameof(density));
+        Require.NotNegative(linearDragCoefficient, nameof(linearDragCoefficient));
+        Require.NotNegative(rotationalDragCoefficient, nameof(rotationalDragCoefficient));
         _gravity = Require.Finite(gravity, nameof(gravity));
         _container = fluidContainer;
+        _density = density;
+        _linearDragCoefficient = linearDragCoefficient;
+        _rotationalDragCoefficient = rotationalDragCoefficient;
     }
 
     /// <summary>Lets a geom feel the fluid. One that was added before is ignored.</summary>

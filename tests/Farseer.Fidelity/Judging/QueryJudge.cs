@@ -29,7 +29,7 @@ public static class QueryJudge
         {
             SceneQuery query = file.Queries[i];
             JsonElement answer = closedForm?.Invoke(query) is { } truth ? JsonSerializer.SerializeToElement(truth) : expected[i];
-            double magnitude = query.Args.Select(ValueComparer.Magnitude).Append(ValueComparer.Magnitude(answer)).Max();
+            double magnitude = query.Args.Append(Points(file, query)).Select(ValueComparer.Magnitude).Append(ValueComparer.Magnitude(answer)).Max();
 
             // What is asked after some steps is asked of bodies that may be off by the limits of the trajectory.
             bool inMotion = query.AfterStep > 0 && (moved.Position > 0 || moved.Rotation > 0);
@@ -78,6 +78,11 @@ public static class QueryJudge
             }
         }
     }
+
+    /// <summary>The polygon that is asked, whose coordinates are rounded as well: the centre of a hexagon about the origin is 0 to their rounding.</summary>
+    private static JsonElement Points(SceneFile file, SceneQuery query) => query.Vertices.ValueKind == JsonValueKind.String
+        ? Json.Optional(Json.Optional(file.Root, "vertices"), query.Vertices.GetString()!)
+        : query.Vertices;
 
     private static double SpinOf(SceneFile file, int iterations)
         => file.Recordings[iterations].Rows.Values.SelectMany(r => r).Select(r => Math.Abs(r.AngularVelocity)).DefaultIfEmpty(0).Max();

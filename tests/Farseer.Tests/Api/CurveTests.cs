@@ -66,7 +66,7 @@ public class CurveTests
         curve.Keys[0] = new CurveKey(5, 7);
         Assert.Equal([2, 3, 5], curve.Keys.Select(k => k.Position));
         Assert.Equal(2, curve.Keys.IndexOf(new CurveKey(5, 7)));
-        Assert.True(curve.Keys.Contains(new CurveKey(5, 7)));
+        Assert.Contains(new CurveKey(5, 7), curve.Keys);
         Curve clone = curve.Clone();
         clone.Keys[0].Value = 99;
         Assert.Equal(2, curve.Keys[0].Value);

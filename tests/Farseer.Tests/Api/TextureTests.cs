@@ -28,12 +28,12 @@ public class TextureTests
     [Fact]
     public void CreatePolygon_OfARectangle_GoesThroughItsOuterPixels()
     {
-        uint[] bits = Bits("......", ".####.", ".####.", ".####.", "......");
-        Vertices outline = Vertices.CreatePolygon(bits, 6, 5, Vector2.Zero, 20, 0.4f);
-        Assert.Equal([new(1, 1), new(4, 1), new(4, 3), new(1, 3)], outline);
-        Vertices moved = Vertices.CreatePolygon(bits, 6, 5, new Vector2(3, 2), 20, 0.4f);
+        uint[] bits = Bits("......", ".####.", ".####.", ".####.", ".####.", ".####.", "......");
+        Vertices outline = Vertices.CreatePolygon(bits, 6, 7, Vector2.Zero, 20, 0.4f);
+        Assert.Equal([new(1, 1), new(4, 1), new(4, 5), new(1, 5)], outline);
+        Vertices moved = Vertices.CreatePolygon(bits, 6, 7, new Vector2(3, 2), 20, 0.4f);
         Assert.Equal(outline.Select(v => v - new Vector2(3, 2)), moved);
-        Assert.True(Vertices.CreatePolygon(bits, 6, 5).Count > 1);
+        Assert.True(Vertices.CreatePolygon(bits, 6, 7).Count > 1);
         Assert.Single(Vertices.CreatePolygon(Bits("...", ".#.", "..."), 3, 3));
     }
 

@@ -79,6 +79,7 @@ internal static class OpenDoors
         ["CurveKey.op_*"] = Comparison,
         ["CurveKey.Equals*"] = Comparison,
         ["CurveKey.CompareTo*"] = Comparison,
+        ["CurveKeyCollection.Item"] = "an indexer names its index or its value",
         ["CurveKeyCollection.Contains*"] = Question,
         ["CurveKeyCollection.IndexOf*"] = Question,
         ["CurveKeyCollection.Remove(item)"] = Question,
