@@ -15,7 +15,7 @@ public sealed record ClosedForm(
     string Reason,
     Func<SceneFile, string, double, Row>? Row = null,
     Func<SceneFile, string, string, double?>? MassProperty = null,
-    Func<SceneFile, SceneQuery, bool?>? Query = null);
+    Func<SceneFile, SceneQuery, object?>? Query = null);
 
 /// <summary>The scenes judged by a closed form: at most eight.</summary>
 public static class ClosedForms
@@ -24,12 +24,13 @@ public static class ClosedForms
 
     public static IReadOnlyDictionary<string, ClosedForm> ByScene { get; } = new Dictionary<string, ClosedForm>(StringComparer.Ordinal)
     {
-        ["collide_point"] = new("circles are true circles, so they touch what their polygon of edges just misses", Query: CircleTouchesBox),
+        ["collide_point"] = new("circles are true circles, so they touch what their polygon of edges just misses", Query: (file, query) => CircleTouchesBox(file, query)),
         ["head_on_equal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn),
         ["head_on_unequal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn),
         ["incline_circle_rolls"] = new("a circle is a true circle, so it rolls without the losses of a polygon", Rolling),
         ["rest_L"] = new("the inertia of a concave polygon is the integral over its area", MassProperty: PolygonInertia),
         ["spring_break"] = new("a spring alone swings with its own frequency, where the original runs ahead by its step's error", HungAndBreaking),
+        ["vertices"] = new("the inertia of a concave polygon is the integral over its area", Query: OutlineInertia),
     };
 
     /// <summary>
@@ -132,6 +133,17 @@ public static class ClosedForms
 
         double[][] points = Json.Required(Json.Required(file.Root, "vertices"), Json.Text(made.Args, "vertices")).EnumerateArray()
             .Select(p => new[] { p[0].GetDouble(), p[1].GetDouble() }).ToArray();
+        double inertia = Json.Required(made.Args, "mass").GetDouble() * CentralInertia(points);
+        return property == "momentOfInertia" ? inertia : 1 / inertia;
+    }
+
+    private static object? OutlineInertia(SceneFile file, SceneQuery query) => query.Call != "GetMomentOfInertia"
+        ? null
+        : CentralInertia(Json.Required(Json.Required(file.Root, "vertices"), query.Vertices.GetString()!).EnumerateArray()
+            .Select(p => new[] { p[0].GetDouble(), p[1].GetDouble() }).ToArray());
+
+    private static double CentralInertia(double[][] points)
+    {
         double area = 0;
         double momentX = 0;
         double momentY = 0;
@@ -147,8 +159,7 @@ public static class ClosedForms
             second += cross * ((p[0] * p[0]) + (p[1] * p[1]) + (p[0] * q[0]) + (p[1] * q[1]) + (q[0] * q[0]) + (q[1] * q[1])) / 12;
         }
 
-        double inertia = Json.Required(made.Args, "mass").GetDouble() * ((second / area) - (((momentX * momentX) + (momentY * momentY)) / (area * area)));
-        return property == "momentOfInertia" ? inertia : 1 / inertia;
+        return (second / area) - (((momentX * momentX) + (momentY * momentY)) / (area * area));
     }
 
     /// <summary>A circle touches a box if the box's nearest point, |p| clamped to the half-widths in its own frame, is within r.</summary>

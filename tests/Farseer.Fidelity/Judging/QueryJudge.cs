@@ -15,7 +15,7 @@ public static class QueryJudge
 
     private static readonly double Ulp = Math.Pow(2, -23);
 
-    public static IEnumerable<Check> Queries(SceneFile file, int iterations, Recording ours, Func<SceneQuery, bool?>? closedForm)
+    public static IEnumerable<Check> Queries(SceneFile file, int iterations, Recording ours, Func<SceneQuery, object?>? closedForm)
     {
         IReadOnlyList<JsonElement> expected = file.Recordings[iterations].QueryResults;
         if (expected.Count == 0)

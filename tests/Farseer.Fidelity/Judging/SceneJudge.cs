@@ -78,7 +78,7 @@ public static class SceneJudge
     {
         Func<string, double, Row>? row = closedForm?.Row is { } form ? (body, time) => form(file, body, time) : null;
         Func<string, string, double?>? mass = closedForm?.MassProperty is { } massForm ? (body, property) => massForm(file, body, property) : null;
-        Func<SceneQuery, bool?>? query = closedForm?.Query is { } queryForm ? asked => queryForm(file, asked) : null;
+        Func<SceneQuery, object?>? query = closedForm?.Query is { } queryForm ? asked => queryForm(file, asked) : null;
         return RowJudge.Judge(file, iterations, run.Recording, row)
             .Concat(EventJudge.Judge(file, iterations, run.Recording))
             .Concat(ObservationJudge.Judge(file, iterations, run.Recording))
