@@ -17,6 +17,12 @@ internal readonly struct ContactCoefficients
     /// </summary>
     public const float LargestGrowth = 4f;
 
+    /// <summary>
+    /// Share of its lesser point's load that a contact gives up to sink to the depth of rest. If it gave up all, nothing would hold
+    /// against friction meanwhile, and a sliding box would tilt.
+    /// </summary>
+    public const float SettleShare = 0.25f;
+
     /// <summary>Rest 1 - η of the static load that the feed-forward leaves: 10 times less sag. 0 lets pyramids creep.</summary>
     private const float FeedRest = 0.1f;
     private const float SmallestFeedRest = 1e-4f;

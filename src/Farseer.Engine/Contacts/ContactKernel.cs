@@ -58,6 +58,7 @@ internal static unsafe class ContactKernel
         Wide leak = Wide.Splat(ContactCoefficients.ImpulseScale);
         Wide rest = Wide.Splat(c.Rest);
         Wide settle = Wide.Splat(c.BiasRate * c.Rest);
+        Wide settleShare = Wide.Splat(ContactCoefficients.SettleShare);
         for (int i = 0; i < count; i++)
         {
             ContactBundle* row = bundles + i;
@@ -74,8 +75,12 @@ internal static unsafe class ContactKernel
                 Wide gap1 = s1 - rest;
                 WideMask apart0 = gap0 > Wide.Zero;
                 WideMask apart1 = gap1 > Wide.Zero;
-                Wide closing0 = (gap0 * inverseSubstep) + settle;
-                Wide closing1 = (gap1 * inverseSubstep) + settle;
+                Wide load0 = lambda0 * Wide.Load(row->K11 + lane);
+                Wide load1 = lambda1 * Wide.Load(row->K22 + lane);
+                Wide sink = settleShare * Wide.Select(Wide.Load(row->Single + lane) > Wide.Zero, load0, Wide.Min(load0, load1));
+                Wide slowly = Wide.Min(settle, sink);
+                Wide closing0 = (gap0 * inverseSubstep) + slowly;
+                Wide closing1 = (gap1 * inverseSubstep) + slowly;
                 if (anyDeep)
                 {
                     WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
@@ -85,9 +90,9 @@ internal static unsafe class ContactKernel
                     apart1 = apart1 | deep;
                 }
 
-                Wide soft0 = (massScale * v0) + (biasRate * s0)
+                Wide soft0 = (massScale * v0) + Wide.Min(biasRate * s0, sink)
                     + (Wide.Load(row->K11 + lane) * leak * (lambda0 - Wide.Load(row->Point0.Feed + lane)));
-                Wide soft1 = (massScale * v1) + (biasRate * s1)
+                Wide soft1 = (massScale * v1) + Wide.Min(biasRate * s1, sink)
                     + (Wide.Load(row->K22 + lane) * leak * (lambda1 - Wide.Load(row->Point1.Feed + lane)));
                 Wide r0 = Wide.Select(apart0, v0 + closing0, soft0);
                 Wide r1 = Wide.Select(apart1, v1 + closing1, soft1);
