@@ -141,10 +141,10 @@ internal static unsafe class ContactKernel
 
     /// <summary>
     /// The relax pass at the new positions: the same block without bias and softness, so that no push-out velocity is left,
-    /// then friction within the cone of the true normal impulses, then the feed-forward follows.
+    /// then friction within the cone of the true normal impulses unless <paramref name="rub"/> is false, then the feed-forward follows.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Relax(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c)
+    public static void Relax(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool rub)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rest = Wide.Splat(c.Rest);
@@ -165,7 +165,11 @@ internal static unsafe class ContactKernel
                 x0.Store(row->Point0.Normal + lane);
                 x1.Store(row->Point1.Normal + lane);
                 ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
-                SolveFriction(row, lane, ref a, ref b, x0, x1, WideLanes.AllSet);
+                if (rub)
+                {
+                    SolveFriction(row, lane, ref a, ref b, x0, x1, WideLanes.AllSet);
+                }
+
                 BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
 

@@ -12,6 +12,7 @@ internal sealed unsafe class ContactStage
     private readonly Column<int> _dropped = new Column<int>();
     private readonly Column<ulong> _gainKeys = new Column<ulong>();
     private readonly Column<int> _gained = new Column<int>();
+    private bool _startedCold;
     private readonly RadixSort _sort = new RadixSort();
     private readonly ContactSides _sides = new ContactSides();
 
@@ -27,7 +28,10 @@ internal sealed unsafe class ContactStage
     /// <summary>A contact of the graph can bounce.</summary>
     public bool AnyBounce { get; private set; }
 
-    /// <summary>At least half of the pairs that touch do so for the first time in this step.</summary>
+    /// <summary>
+    /// At least half of the pairs that touch do so for the first time in this step or the one before: an impact late in a step
+    /// ends in the next.
+    /// </summary>
     public bool ColdStart { get; private set; }
 
     /// <summary>A pair has a listener.</summary>
@@ -54,7 +58,9 @@ internal sealed unsafe class ContactStage
         UpdateIdle(input);
         Take(contacts, graph);
         Give(input, graph);
-        ColdStart = _touchingNow > 0 && _touchingNow * 2 >= _touching;
+        bool now = _touchingNow > 0 && _touchingNow * 2 >= _touching;
+        ColdStart = now || _startedCold;
+        _startedCold = now;
     }
 
     /// <summary>Takes a pair out of the graph and forgets it.</summary>

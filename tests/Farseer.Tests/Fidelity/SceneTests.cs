@@ -35,7 +35,7 @@ public sealed class SceneTests
     /// </summary>
     private static readonly HashSet<string> KnownFaults = new(StringComparer.Ordinal)
     {
-        "geom_compound", "geom_offset", "rest_L", "slide_friction_minimum",
+        "geom_compound", "geom_offset", "rest_L",
     };
 
     public static TheoryData<string> BuiltScenes =>
