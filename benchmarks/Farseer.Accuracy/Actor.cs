@@ -47,8 +47,17 @@ internal sealed class Actor
 
     public Vec Displacement => Position - StartPosition;
 
-    /// <summary>Angle modulo a full turn.</summary>
-    public double Angle => _body.Rotation;
+    /// <summary>Angle with whole turns.</summary>
+    public double Angle
+    {
+        get
+        {
+            _body.GetTotalRotation(out double angle);
+            return angle;
+        }
+    }
+
+    internal Body Body => _body;
 
     /// <summary>Turn since the start, taken to the nearest: right as long as the body turned less than half a turn.</summary>
     public double Turn => Math.IEEERemainder(Angle - StartAngle, 2.0 * Math.PI);

@@ -37,6 +37,26 @@ internal static class Metrics
         return deepest;
     }
 
+    /// <summary>Largest depth of one body in any of some others, 0 = none.</summary>
+    public static double Penetration(IReadOnlyList<Actor> others, Actor one)
+    {
+        double deepest = 0;
+        foreach (Actor other in others)
+        {
+            foreach (Vec[] a in other.Pieces)
+            {
+                foreach (Vec[] b in one.Pieces)
+                {
+                    deepest = Math.Max(
+                        deepest,
+                        Outlines.Depth(Outlines.Placed(a, other.Position, other.Angle), Outlines.Placed(b, one.Position, one.Angle)));
+                }
+            }
+        }
+
+        return deepest;
+    }
+
     /// <summary>Runs for <paramref name="seconds"/>; the mean over the last second of sqrt(mean over dynamic bodies of |v|²).</summary>
     public static double RunForRmsSpeed(Rig rig, double seconds, Action? afterStep = null)
     {

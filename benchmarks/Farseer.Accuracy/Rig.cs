@@ -11,12 +11,13 @@ using FarseerGames.FarseerPhysics.Factories;
 namespace Farseer.Accuracy;
 
 /// <summary>One world of a scene. The clock runs inside <c>Update</c> only.</summary>
-internal sealed class Rig : IDisposable
+internal sealed partial class Rig : IDisposable
 {
     private const double ExplodedBeyond = 3e7;
 
     private readonly PhysicsSimulator _simulator;
     private readonly List<Actor> _actors = [];
+    private readonly List<Geom> _made = [];
     private readonly float _dt;
     private int _dynamicCount;
 
@@ -155,6 +156,7 @@ internal sealed class Rig : IDisposable
 
     private void Attach(Geom geom)
     {
+        _made.Add(geom);
         geom.FrictionCoefficient = (float)Friction;
         geom.RestitutionCoefficient = (float)Restitution;
     }

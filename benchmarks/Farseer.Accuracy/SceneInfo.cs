@@ -41,6 +41,9 @@ internal static class Catalogue
         .. Accuracy.Scenes.FastBodies.Scenes,
         .. Accuracy.Scenes.FarAway.Scenes,
         .. Accuracy.Scenes.Concave.Scenes,
+        .. Accuracy.Scenes.Pendulums.Scenes,
+        .. Accuracy.Scenes.Chains.Scenes,
+        .. Accuracy.Scenes.Mechanisms.Scenes,
     ];
 
     public static SceneInfo? Find(string name)

@@ -35,10 +35,25 @@ public partial class PhysicsSimulator
             _bodiesIn.RemoveRange(0, count);
         }
 
+        if (_jointsIn.Count > 0)
+        {
+            TakeJointsIn();
+        }
+
         TakeInControls();
         if (_geomsOut.Count + _geomsDisposed.Count + _bodiesOut.Count + _bodiesDisposed.Count > 0)
         {
             RemoveWaiting();
+        }
+
+        if (_jointsOut.Count > 0)
+        {
+            TakeJointsOut();
+        }
+
+        if (JointList.Count > 0 || _jointsDisposed.Count > 0)
+        {
+            SweepJoints();
         }
 
         TakeOutControls();
@@ -178,7 +193,7 @@ public partial class PhysicsSimulator
     private void TakeOut(Body body)
     {
         body.Membership = Membership.None;
-        if (body.Link.Colliders == 0)
+        if (!body.Link.IsUsed)
         {
             Detach(body);
         }
@@ -265,7 +280,7 @@ public partial class PhysicsSimulator
 
     private void DetachIfUnused(Body body)
     {
-        if (body.Link.World is not null && body.Link.Colliders == 0 && !body.Link.IsSimulated)
+        if (body.Link.World is not null && !body.Link.IsUsed && !body.Link.IsSimulated)
         {
             Detach(body);
         }

@@ -161,6 +161,7 @@ public partial class PhysicsSimulator
         try
         {
             DropQueued();
+            ClearJoints();
             for (int i = 0; i < _table.GeomEnd; i++)
             {
                 if (_table.Geom(i) is { } geom)
@@ -220,7 +221,7 @@ public partial class PhysicsSimulator
     /// <summary>A body belongs to a simulator as long as it, or a geom of it, is in it or waits for it.</summary>
     private static void ReleaseIfUnused(Body body)
     {
-        if (body.Membership != Membership.None)
+        if (body.Membership != Membership.None || body.JointCount > 0)
         {
             return;
         }

@@ -7,6 +7,7 @@ using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Controllers;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Joints;
 using FarseerGames.FarseerPhysics.Dynamics.Springs;
 using FarseerGames.FarseerPhysics.Interfaces;
 
@@ -44,6 +45,7 @@ public partial class PhysicsSimulator : IDisposable
         _arbiters = new ArbiterView(this, _table);
         BodyList = new BodyList { Owner = this };
         GeomList = new GeomList { Owner = this };
+        JointList = new JointList { Owner = this };
         ControllerList = new ControllerList { Owner = this };
         SpringList = new SpringList { Owner = this };
         _controllers = new ItemQueue<Controller>(this, ControllerList, ControllerList.TakeIn, ControllerList.TakeOut);
@@ -51,6 +53,7 @@ public partial class PhysicsSimulator : IDisposable
         InactivityController = new InactivityController(this);
         _controllers.Add(InactivityController, nameof(InactivityController));
         World.Hooks = _relay;
+        _jointRelay = new JointRelay(_relay, World);
         Gravity = Require.Finite(gravity, nameof(gravity));
         _broadPhaseCollider = new SelectiveSweepCollider(this);
         UseCollider(_broadPhaseCollider);

@@ -1,6 +1,7 @@
 using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Joints;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Solver;
 using Farseer.Engine.Springs;
@@ -135,8 +136,8 @@ internal sealed unsafe class BodyLists
     /// <summary>Foresees where the bodies will have turned by the middle of the step.</summary>
     public void Foresee(BodyStore bodies, float dt) => Foresight.Begin(bodies, _active.Pointer, ActiveCount, dt);
 
-    /// <summary>Bodies with rows or springs go to the solver; the others fly free and cost nothing there.</summary>
-    public void Split(BodyStore bodies, ConstraintGraph graph, SpringStore springs)
+    /// <summary>Bodies with rows, springs or joints go to the solver; the others fly free and cost nothing there.</summary>
+    public void Split(BodyStore bodies, ConstraintGraph graph, SpringStore springs, JointSolver? joints, bool all)
     {
         _solver.EnsureCapacity(ActiveCount + WideLanes.BundleLanes);
         _free.EnsureCapacity(ActiveCount);
@@ -145,7 +146,7 @@ internal sealed unsafe class BodyLists
         for (int i = 0; i < ActiveCount; i++)
         {
             int body = _active[i];
-            if (graph.Degree(body) > 0 || springs.Touches(body))
+            if (graph.Degree(body) > 0 || springs.Touches(body) || all || (joints != null && joints.Holds(body)))
             {
                 _solver[SolverCount++] = body;
             }

@@ -55,6 +55,7 @@ internal sealed partial class World
             }
         }
 
+        DestroyJointsOf(body.Index);
         Bodies.Flags[body.Index] &= ~(BodyFlags.Alive | BodyFlags.Enabled);
         _deadBodies.EnsureCapacity(_deadBodyCount + 1);
         _deadBodies[_deadBodyCount++] = body;

@@ -95,7 +95,9 @@ internal sealed partial class World
         }
 
         bool ofSeveral = HasSeveralPieces(colliderA) || HasSeveralPieces(colliderB);
-        if (!PassesFilter(Shapes.Colliders[colliderA], Shapes.Colliders[colliderB]) || !Accept(colliderA, colliderB, ofSeveral))
+        if (!PassesFilter(Shapes.Colliders[colliderA], Shapes.Colliders[colliderB])
+            || (Joints.Count > 0 && Joints.KeepsApart(Shapes.Pieces[a].Body, Shapes.Pieces[b].Body))
+            || !Accept(colliderA, colliderB, ofSeveral))
         {
             return;
         }

@@ -102,7 +102,9 @@ internal sealed partial class World
     {
         float substep = coefficients.Substep;
         _springs.Prepare(Bodies, _lists.Moves, _graph.Degrees, substep);
-        _lists.Split(Bodies, _graph, _springs);
+        bool anyJoints = BeginJoints(dt, substep);
+        bool anyUserJoints = UserJoints != null && UserJoints.Any;
+        _lists.Split(Bodies, _graph, _springs, anyJoints ? _jointSolver : null, anyUserJoints);
         _lists.FlyFree(Bodies, Settings.Gravity, dt, substep);
         if (_lists.SolverCount == 0)
         {
@@ -123,6 +125,12 @@ internal sealed partial class World
         input.AnyDeep = anyDeep;
         input.AnyBounce = _contactStage.AnyBounce;
         input.ColdStart = _contactStage.ColdStart;
+        input.Joints = anyJoints ? _jointSolver : null;
+        input.UserJoints = anyUserJoints ? UserJoints : null;
         _solver.Solve(input);
+        if (anyJoints)
+        {
+            _jointSolver.Finish();
+        }
     }
 }

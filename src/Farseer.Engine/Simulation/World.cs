@@ -4,6 +4,7 @@ using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
+using Farseer.Engine.Joints;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Solver;
@@ -31,6 +32,8 @@ internal sealed partial class World
 
     public World()
     {
+        _jointSolver = new JointSolver(Joints);
+
         // Body 0 is the dummy that empty lanes point at; it never moves and has no mass.
         Bodies.Ids.Take();
         EnsureBodies(1);

@@ -1,6 +1,7 @@
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Joints;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Springs;
 using Farseer.Engine.Storage;
@@ -28,6 +29,10 @@ internal unsafe ref struct SolverInput
 
     /// <summary>Most contacts are new in this step and have no impulses to start from.</summary>
     public bool ColdStart;
+
+    /// <summary>The joints, if there are any.</summary>
+    public JointSolver? Joints;
+    public IUserJoints? UserJoints;
 }
 
 /// <summary>
@@ -53,6 +58,7 @@ internal sealed unsafe class SubstepSolver
     private const int FewRowsSweeps = 16;
 
     private readonly Column<BodyState> _saved = new Column<BodyState>();
+    private readonly UserJointPass _userJoints = new UserJointPass();
 
     public void Solve(in SolverInput input)
     {
@@ -72,10 +78,17 @@ internal sealed unsafe class SubstepSolver
 
             Integrator.IntegrateVelocities(input.List, input.PaddedCount, states, motions, drives);
             input.Springs.Apply(input.Bodies, input.Substep);
+            input.Joints?.Enter();
             WarmStart(input.Graph, states, coefficients);
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
                 SolveBiased(input.Graph, states, coefficients, input.AnyDeep);
+                input.Joints?.Solve();
+            }
+
+            if (input.UserJoints != null)
+            {
+                _userJoints.Run(input.UserJoints, input.Bodies, input.List, input.PaddedCount, input.Substeps, coefficients.InverseSubstep);
             }
 
             if (input.AnyDeep)
@@ -87,15 +100,19 @@ internal sealed unsafe class SubstepSolver
                 Integrator.IntegratePositions(input.List, input.PaddedCount, states, motions, input.Substep);
             }
 
+            input.Joints?.CorrectPositions();
+
             // Friction waits for the second half: it would answer turns that the normals make only until they have settled.
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
                 Relax(input.Graph, states, coefficients, sweep * 2 >= sweeps - 1);
+                input.Joints?.Relax();
             }
 
             if (input.AnyBounce)
             {
                 Bounce(input.Graph, states);
+                input.Joints?.Relax();
             }
         }
     }

@@ -29,6 +29,12 @@ internal sealed class BodyLink
     /// <summary>How many colliders the body carries in the world.</summary>
     public int Colliders { get; set; }
 
+    /// <summary>How many joints hold the body in the world.</summary>
+    public int Joints { get; set; }
+
+    /// <summary>Something in the world needs the body.</summary>
+    public bool IsUsed => Colliders > 0 || Joints > 0;
+
     public World? World => _world;
 
     public Handle Handle => _handle;

@@ -120,6 +120,10 @@ public partial class Body
         y = pose.Y;
     }
 
+    /// <summary>The total rotation in full precision. (An addition to the original.)</summary>
+    /// <param name="totalRotation">The rotation with whole turns, radians.</param>
+    public void GetTotalRotation(out double totalRotation) => totalRotation = Link.PoseRef.Angle;
+
     /// <summary>Turns and moves a local point into the world.</summary>
     /// <param name="localPosition">Point in body coordinates.</param>
     /// <returns>The point in world coordinates.</returns>

@@ -207,6 +207,9 @@ public partial class Body : IDisposable
 
     internal PhysicsSimulator? Simulator { get; set; }
 
+    /// <summary>Joints of its simulator, or on their way there, that hold the body.</summary>
+    internal int JointCount { get; set; }
+
     internal Membership Membership { get; set; }
 
     /// <summary>True while the body is in its simulator's list of those with a stored impulse or a force at a local point.</summary>

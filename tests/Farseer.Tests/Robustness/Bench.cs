@@ -2,10 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using System.Reflection;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Controllers;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Joints;
 using FarseerGames.FarseerPhysics.Dynamics.Springs;
 using FarseerGames.FarseerPhysics.Factories;
 using FarseerGames.FarseerPhysics.Interfaces;
@@ -108,10 +110,12 @@ internal sealed class Bench
             nameof(Geom) => BoxGeom,
             nameof(BodyList) => Simulator.BodyList,
             nameof(GeomList) => Simulator.GeomList,
+            nameof(JointList) => Simulator.JointList,
             nameof(ArbiterList) => Simulator.ArbiterList,
             nameof(Arbiter) => Simulator.ArbiterList[0],
             nameof(BodyFactory) => BodyFactory.Instance,
             nameof(GeomFactory) => GeomFactory.Instance,
+            nameof(JointFactory) => JointFactory.Instance,
             nameof(SpringFactory) => SpringFactory.Instance,
             nameof(ControllerFactory) => ControllerFactory.Instance,
             nameof(Spring) => new FixedLinearSpring(new Body(), Vector2.Zero, Vector2.One, 1, 1),
@@ -165,6 +169,8 @@ internal sealed class Bench
             nameof(ContactList) => new ContactList(4),
             nameof(Scaling) => new Scaling(0.01f, 0.1f),
             nameof(IBroadPhaseCollider) => new BruteForceCollider(Simulator),
+            nameof(Joint) or nameof(PairJoint) => new AngleJoint(new Body(), new Body()),
+            nameof(WorldJoint) => new FixedAngleJoint(new Body()),
             nameof(Object) => "something",
             nameof(IFluidContainer) => new AABBFluidContainer(new AABB(Vector2.Zero, Vector2.One)),
             nameof(Spring) => new FixedLinearSpring(),
@@ -180,7 +186,14 @@ internal sealed class Bench
             : type == typeof(Predicate<Arbiter>) ? (Predicate<Arbiter>)(_ => false)
             : type.GetConstructor(new[] { typeof(PhysicsSimulator) }) is { } forSimulator ? forSimulator.Invoke(new object[] { Simulator })
             : type.GetConstructor(Type.EmptyTypes) is { } plain ? plain.Invoke(null)
+            : typeof(Joint).IsAssignableFrom(type) ? NewJoint(type)
             : typeof(Delegate).IsAssignableFrom(type) ? null
             : throw new NotSupportedException("No valid " + type + " for " + name + ": add one."));
+    }
+
+    private object NewJoint(Type type)
+    {
+        ConstructorInfo constructor = type.GetConstructors()[0];
+        return constructor.Invoke(constructor.GetParameters().Select(p => Valid(p.ParameterType, p.Name!)).ToArray());
     }
 }

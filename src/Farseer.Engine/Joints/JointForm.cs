@@ -1,0 +1,60 @@
+using System;
+
+namespace Farseer.Engine.Joints;
+
+/// <summary>
+/// A kind of joint: the equations φ(xA, xB) that it keeps, written as rows. Everything else (factorisation, iteration, warm
+/// start, limits, motors, springs) is the same for all kinds and is written once, in the solver.
+/// </summary>
+internal abstract class JointForm
+{
+    private const double TwoPi = 6.283185307179586;
+
+    /// <summary>Writes the rows at a pose; <see cref="JointFrame.SetAnchors"/> has been called.</summary>
+    public abstract void Write(in JointFrame f, in JointSettings s, JointFlags flags, ref JointRows rows);
+
+    /// <summary>
+    /// The original's softness σ: dφ/dt + β·φ/dt + σ·P = 0 with the impulse P of a whole step, so that a force F holds it at
+    /// φ = σ·F·dt²/β. The speed -β·φ/dt is kept for the step, and the impulses of its substeps are P·h/dt.
+    /// </summary>
+    protected static void Soften(ref JointRows rows, int row, in JointFrame f, in JointSettings s)
+    {
+        rows.SetMotor(row, -s.BiasFactor * rows.ErrorOf(row) / f.Dt, s.MaxImpulse);
+        rows.SetSpring(row, 0, s.Softness * f.Dt / f.H);
+    }
+
+    protected static double AngularFrequency(in JointSettings s) => TwoPi * s.Frequency;
+
+    /// <summary>
+    /// A row that turns towards φ = 0: the speed takes away the share β of the error in a step. With an unbounded impulse and
+    /// no softness it belongs to the block.
+    /// </summary>
+    protected static void AddServo(in JointFrame f, in JointSettings s, ref JointRows rows, double wa, double wb, double error)
+    {
+        bool rigid = double.IsInfinity(s.MaxImpulse) && s.Softness == 0;
+        int row = rows.Add(rigid ? RowType.Servo : RowType.Motor, 0, 0, wa, 0, 0, wb, error);
+        rows.SetMotor(row, -s.BiasFactor * error / f.Dt, s.MaxImpulse);
+        rows.SetShare(row, 1 - s.Softness);
+        rows.JointError = error;
+    }
+
+    /// <summary>The unit vector from anchor to anchor; the x axis where they coincide.</summary>
+    protected static double Direction(in JointFrame f, out double nx, out double ny)
+    {
+        double length = Math.Sqrt((f.DX * f.DX) + (f.DY * f.DY));
+        if (length > 0)
+        {
+            nx = f.DX / length;
+            ny = f.DY / length;
+        }
+        else
+        {
+            nx = 1;
+            ny = 0;
+        }
+
+        return length;
+    }
+
+    protected static double Distance(in JointFrame f) => Math.Sqrt((f.DX * f.DX) + (f.DY * f.DY));
+}

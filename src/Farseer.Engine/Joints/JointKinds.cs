@@ -1,0 +1,27 @@
+using Farseer.Engine.Joints.Kinds;
+
+namespace Farseer.Engine.Joints;
+
+/// <summary>The registry: one line a kind, in the order of <see cref="JointKind"/>.</summary>
+internal sealed class JointKinds
+{
+    private readonly JointForm[] _forms =
+    {
+        new RevoluteForm(),
+        new AngleForm(),
+        new AngleLimitForm(),
+        new PinForm(),
+        new SliderForm(),
+        new GearForm(),
+        new PrismaticForm(),
+        new PulleyForm(),
+        new DistanceForm(),
+        new WeldForm(),
+        new WheelForm(),
+        new TargetForm(),
+        new RopeForm(),
+        new MotorForm(),
+    };
+
+    public JointForm Of(JointKind kind) => _forms[(int)kind];
+}

@@ -1,0 +1,228 @@
+using System;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Numerics;
+
+namespace Farseer.Engine.Joints;
+
+/// <summary>What hard rows are to reach.</summary>
+internal enum TargetKind
+{
+    /// <summary>The velocities that take the errors away within the substep.</summary>
+    Biased,
+
+    /// <summary>The velocity changes that take away what is left of them.</summary>
+    Correction,
+
+    /// <summary>Standstill.</summary>
+    Relaxed,
+}
+
+/// <content>Rows and targets.</content>
+internal sealed unsafe partial class JointSolver
+{
+    private const double Small = 0.02;
+
+    /// <summary>The rows at the present poses; servo and motor keep the speeds of the step's start.</summary>
+    private void WriteRows(bool begin)
+    {
+        double* speeds = stackalloc double[JointRows.Most];
+        for (int i = 0; i < _count; i++)
+        {
+            JointRows* rows = _rows.Pointer + i;
+            int before = begin ? 0 : rows->Count;
+            for (int k = 0; k < before; k++)
+            {
+                speeds[k] = rows->Speed[k];
+            }
+
+            WriteJoint(i);
+            for (int k = 0; k < before; k++)
+            {
+                rows->Speed[k] = speeds[k];
+            }
+        }
+    }
+
+    private void WriteErrors()
+    {
+        // The directions stay those of the substep's start until the correction is done, or it would not be symplectic.
+        JointRows fresh = default;
+        for (int i = 0; i < _count; i++)
+        {
+            JointRows* rows = _rows.Pointer + i;
+            fresh.Count = 0;
+            fresh.Hard = 0;
+            WriteInto(i, ref fresh);
+            for (int k = 0; k < rows->Hard; k++)
+            {
+                rows->Error[k] = fresh.Error[k];
+            }
+        }
+    }
+
+    private void WriteJoint(int index)
+    {
+        ref JointRows rows = ref _rows[index];
+        rows.Count = 0;
+        rows.Hard = 0;
+        WriteInto(index, ref rows);
+    }
+
+    private void WriteInto(int index, ref JointRows rows)
+    {
+        ref ActiveJoint joint = ref _active[index];
+        ref JointSettings settings = ref joint.Settings;
+        JointFrame frame = default;
+        frame.Dt = _step.Dt;
+        frame.H = _step.Substep;
+        ReadPose(joint.NodeA, joint.BodyA, out frame.AX, out frame.AY, out frame.AAngle, out frame.ACos, out frame.ASin);
+        ReadPose(joint.NodeB, joint.BodyB, out frame.BX, out frame.BY, out frame.BAngle, out frame.BCos, out frame.BSin);
+        frame.SetAnchors(settings);
+        rows.Bias = settings.BiasFactor;
+        rows.Size = Math.Sqrt((frame.RAX * frame.RAX) + (frame.RAY * frame.RAY))
+            + Math.Sqrt((frame.RBX * frame.RBX) + (frame.RBY * frame.RBY));
+        _kinds.Of(joint.Kind).Write(frame, settings, joint.Flags, ref rows);
+    }
+
+    /// <summary>
+    /// How far the hard rows would be off if the bodies went on as they move now for a whole step. An exact joint has no error
+    /// to break by; an iterated one, which takes the share β of its error away in a step, has this much over β, and so games
+    /// choose their breaking points by it.
+    /// </summary>
+    private double StraightDrift(int index)
+    {
+        ref ActiveJoint joint = ref _active[index];
+        JointRows* now = _rows.Pointer + index;
+        JointRows then = default;
+        JointFrame frame = default;
+        frame.Dt = _step.Dt;
+        frame.H = _step.Substep;
+        BodyState* a = _step.Bodies.State.Pointer + joint.BodyA;
+        BodyState* b = _step.Bodies.State.Pointer + joint.BodyB;
+        ReadPose(joint.NodeA, joint.BodyA, out frame.AX, out frame.AY, out frame.AAngle, out frame.ACos, out frame.ASin);
+        ReadPose(joint.NodeB, joint.BodyB, out frame.BX, out frame.BY, out frame.BAngle, out frame.BCos, out frame.BSin);
+        frame.AX += a->LinearVelocity.X * _step.Dt;
+        frame.AY += a->LinearVelocity.Y * _step.Dt;
+        frame.AAngle += a->AngularVelocity * _step.Dt;
+        StableMath.SinCos(frame.AAngle, out frame.ASin, out frame.ACos);
+        frame.BX += b->LinearVelocity.X * _step.Dt;
+        frame.BY += b->LinearVelocity.Y * _step.Dt;
+        frame.BAngle += b->AngularVelocity * _step.Dt;
+        StableMath.SinCos(frame.BAngle, out frame.BSin, out frame.BCos);
+        frame.SetAnchors(joint.Settings);
+        _kinds.Of(joint.Kind).Write(frame, joint.Settings, joint.Flags, ref then);
+        double sum = 0;
+        for (int k = 0; k < now->Count; k++)
+        {
+            if (now->Type[k] == (byte)RowType.Hard || (now->Type[k] == (byte)RowType.Motor && now->Damping[k] > 0))
+            {
+                double* ja = now->A + (k * 3);
+                double* jb = now->B + (k * 3);
+                double speed = (ja[0] * a->LinearVelocity.X) + (ja[1] * a->LinearVelocity.Y) + (ja[2] * a->AngularVelocity)
+                    + (jb[0] * b->LinearVelocity.X) + (jb[1] * b->LinearVelocity.Y) + (jb[2] * b->AngularVelocity);
+                double drift = then.Error[k] - now->Error[k] - (speed * _step.Dt);
+                sum += drift * drift;
+            }
+        }
+
+        return Math.Sqrt(sum);
+    }
+
+    private void ReadPose(int node, int body, out double x, out double y, out double angle, out double cos, out double sin)
+    {
+        if (node >= 0)
+        {
+            TreeNode* n = _forest.Nodes + node;
+            x = n->X;
+            y = n->Y;
+            angle = n->Angle;
+            cos = n->Cos;
+            sin = n->Sin;
+            return;
+        }
+
+        ref BodyPose pose = ref _step.Bodies.Pose[body];
+        ref BodyState state = ref _step.Bodies.State[body];
+        x = pose.X + state.DeltaPosition.X;
+        y = pose.Y + state.DeltaPosition.Y;
+        bool still = (_step.Bodies.Flags[body] & (BodyFlags.Enabled | BodyFlags.Kinematic)) != (BodyFlags.Enabled | BodyFlags.Kinematic);
+        angle = still ? pose.Angle : pose.Angle + Turn(body);
+        StableMath.SinCos(angle, out sin, out cos);
+    }
+
+    /// <summary>Writes what the hard rows are to reach.</summary>
+    /// <returns>The largest error in terms of the joint's size; of use for the correction.</returns>
+    private double SetTargets(TargetKind kind)
+    {
+        double worst = 0;
+        for (int i = 0; i < _forest.Count; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            int at = 0;
+            for (int k = 0; k < node->EdgeCount; k++)
+            {
+                JointRows* rows = _rows.Pointer + _forest.EdgeJoints[node->EdgeFirst + k];
+                for (int r = 0; r < rows->Hard; r++)
+                {
+                    node->Target[at++] = Target(rows, r, kind, ref worst);
+                }
+            }
+        }
+
+        for (int i = 0; i < _forest.AnchorCount; i++)
+        {
+            TreeAnchor* anchor = _forest.Anchors + i;
+            JointRows* rows = _rows.Pointer + anchor->Active;
+            ActiveJoint* joint = _active.Pointer + anchor->Active;
+            bool movesA = joint->NodeA == anchor->Node;
+            BodyState* still = _step.Bodies.State.Pointer + (movesA ? joint->BodyB : joint->BodyA);
+            for (int r = 0; r < rows->Hard; r++)
+            {
+                double target = Target(rows, r, kind, ref worst);
+                if (kind != TargetKind.Correction)
+                {
+                    // What cannot be moved may yet be moving: a kinematic body.
+                    double* j = (movesA ? rows->B : rows->A) + (r * 3);
+                    target -= (j[0] * still->LinearVelocity.X) + (j[1] * still->LinearVelocity.Y) + (j[2] * still->AngularVelocity);
+                }
+
+                anchor->Target[r] = target;
+            }
+        }
+
+        return worst;
+    }
+
+    /// <summary>
+    /// An error up to the share <see cref="Small"/> of the joint's size comes from the motion and is taken out at once. What is
+    /// beyond it was put there from outside (a body moved by hand, another length) and goes at the rate of the bias factor.
+    /// </summary>
+    private double Target(JointRows* rows, int r, TargetKind kind, ref double worst)
+    {
+        bool servo = rows->Type[r] == (byte)RowType.Servo;
+        if (servo || kind == TargetKind.Relaxed)
+        {
+            return kind == TargetKind.Correction ? 0 : rows->Speed[r];
+        }
+
+        double error = rows->Error[r];
+        bool turns = rows->A[r * 3] == 0 && rows->A[(r * 3) + 1] == 0 && rows->B[r * 3] == 0 && rows->B[(r * 3) + 1] == 0;
+        double size = turns ? 1 : rows->Size;
+        double small = Small * size;
+        double magnitude = Math.Abs(error);
+        if (magnitude <= small)
+        {
+            worst = Math.Max(worst, size > 0 ? magnitude / size : 0);
+            return -error / _step.Substep;
+        }
+
+        if (kind == TargetKind.Correction)
+        {
+            return 0;
+        }
+
+        double rest = (magnitude - small) * Math.Min(1, rows->Bias * _step.Substep / _step.Dt);
+        return -(error < 0 ? -1 : 1) * (small + rest) / _step.Substep;
+    }
+}

@@ -1,0 +1,142 @@
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Joints;
+
+/// <summary>All joints, in columns, with the list of joints of each body. A slot keeps its index for the life of the joint.</summary>
+internal sealed class JointStore
+{
+    private readonly ColumnSet _set = new ColumnSet();
+    private readonly Column<int> _first = new Column<int>();
+    private readonly Column<int> _degree = new Column<int>();
+    private int _bodies;
+    private int _order;
+
+    public JointStore()
+    {
+        Links = _set.Add<JointLink>();
+        Settings = _set.Add<JointSettings>();
+        Flags = _set.Add<JointFlags>();
+        States = _set.Add<JointState>();
+    }
+
+    public IdPool Ids { get; } = new IdPool();
+
+    public Column<JointLink> Links { get; }
+
+    public Column<JointSettings> Settings { get; }
+
+    public Column<JointFlags> Flags { get; }
+
+    public Column<JointState> States { get; }
+
+    public int Count => Ids.Count;
+
+    /// <summary>Joints came, went, or were switched since the solver last looked.</summary>
+    public bool Changed { get; set; }
+
+    /// <summary>Number of joints at a body, switched off ones included.</summary>
+    public int Degree(int body) => body < _bodies ? _degree[body] : 0;
+
+    /// <summary>First joint of a body, times two plus the side; -1: none.</summary>
+    public int First(int body) => body < _bodies ? _first[body] : -1;
+
+    public int Next(int entry)
+    {
+        ref JointLink link = ref Links[entry >> 1];
+        return (entry & 1) == 0 ? link.NextA : link.NextB;
+    }
+
+    public Handle Add(JointKind kind, int bodyA, int bodyB, in JointSettings settings, JointFlags flags)
+    {
+        Handle handle = Ids.Take();
+        int joint = handle.Index;
+        _set.EnsureCapacity(Ids.End);
+        EnsureBodies((bodyA > bodyB ? bodyA : bodyB) + 1);
+        Settings[joint] = settings;
+        Flags[joint] = flags | JointFlags.Alive;
+        States[joint] = default;
+        Links[joint] = new JointLink
+        {
+            BodyA = bodyA,
+            BodyB = bodyB,
+            NextA = _first[bodyA],
+            NextB = -1,
+            Order = _order++,
+            Kind = kind,
+        };
+        _first[bodyA] = joint * 2;
+        Links[joint].NextB = _first[bodyB];
+        _first[bodyB] = (joint * 2) + 1;
+        _degree[bodyA]++;
+        _degree[bodyB]++;
+        Changed = true;
+        return handle;
+    }
+
+    public void Remove(Handle handle)
+    {
+        int joint = handle.Index;
+        ref JointLink link = ref Links[joint];
+        Unlink(link.BodyA, joint * 2);
+        Unlink(link.BodyB, (joint * 2) + 1);
+        _degree[link.BodyA]--;
+        _degree[link.BodyB]--;
+        Flags[joint] = JointFlags.None;
+        Ids.Return(handle);
+        Changed = true;
+    }
+
+    /// <summary>True if an enabled joint between the two bodies keeps them from colliding.</summary>
+    public bool KeepsApart(int bodyA, int bodyB)
+    {
+        int few = Degree(bodyA) <= Degree(bodyB) ? bodyA : bodyB;
+        int other = few == bodyA ? bodyB : bodyA;
+        for (int entry = First(few); entry >= 0; entry = Next(entry))
+        {
+            ref JointLink link = ref Links[entry >> 1];
+            if ((link.BodyA == other || link.BodyB == other)
+                && (Flags[entry >> 1] & (JointFlags.CollideConnected | JointFlags.Enabled)) == JointFlags.Enabled)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private void EnsureBodies(int end)
+    {
+        _first.EnsureCapacity(end);
+        _degree.EnsureCapacity(end);
+        for (; _bodies < end; _bodies++)
+        {
+            _first[_bodies] = -1;
+            _degree[_bodies] = 0;
+        }
+    }
+
+    private void Unlink(int body, int entry)
+    {
+        int next = Next(entry);
+        if (_first[body] == entry)
+        {
+            _first[body] = next;
+            return;
+        }
+
+        int at = _first[body];
+        while (Next(at) != entry)
+        {
+            at = Next(at);
+        }
+
+        if ((at & 1) == 0)
+        {
+            Links[at >> 1].NextA = next;
+        }
+        else
+        {
+            Links[at >> 1].NextB = next;
+        }
+    }
+}

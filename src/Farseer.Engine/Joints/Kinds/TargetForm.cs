@@ -1,0 +1,25 @@
+namespace Farseer.Engine.Joints.Kinds;
+
+/// <summary>
+/// Draws anchor B towards anchor A (the target, usually a point of the world) by a damped spring with a largest force: one
+/// spring row along the way to the target, which carries the force, and one across. Reads AnchorA, AnchorB, Frequency,
+/// DampingRatio, MotorLimit (force).
+/// </summary>
+internal sealed class TargetForm : JointForm
+{
+    public override void Write(in JointFrame f, in JointSettings s, JointFlags flags, ref JointRows rows)
+    {
+        double length = Direction(f, out double nx, out double ny);
+        double bound = s.MotorLimit * f.H;
+        for (int i = 0; i < 2; i++)
+        {
+            int row = i == 0
+                ? rows.AddDistance(RowType.Spring, f, nx, ny, 1, length)
+                : rows.AddDistance(RowType.Spring, f, -ny, nx, 1, 0);
+            rows.SetMotor(row, 0, bound);
+            rows.SetSpring(row, AngularFrequency(s), s.DampingRatio);
+        }
+
+        rows.JointError = length;
+    }
+}

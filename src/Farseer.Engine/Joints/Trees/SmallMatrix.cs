@@ -1,0 +1,113 @@
+namespace Farseer.Engine.Joints.Trees;
+
+/// <summary>Arithmetic on matrices of at most 3×3 doubles, row by row, in a fixed order of operations.</summary>
+internal static unsafe class SmallMatrix
+{
+    /// <summary>r = s·y with s of n×3 and y of 3×3.</summary>
+    public static void Multiply(double* s, int n, double* y, double* r)
+    {
+        for (int i = 0; i < n; i++)
+        {
+            double a = s[i * 3];
+            double b = s[(i * 3) + 1];
+            double c = s[(i * 3) + 2];
+            r[i * 3] = (a * y[0]) + (b * y[3]) + (c * y[6]);
+            r[(i * 3) + 1] = (a * y[1]) + (b * y[4]) + (c * y[7]);
+            r[(i * 3) + 2] = (a * y[2]) + (b * y[5]) + (c * y[8]);
+        }
+    }
+
+    /// <summary>r = p·qᵀ with p and q of n×3; r has rows of length n.</summary>
+    public static void MultiplyTransposed(double* p, double* q, int n, double* r)
+    {
+        for (int i = 0; i < n; i++)
+        {
+            for (int j = 0; j < n; j++)
+            {
+                r[(i * n) + j] = (p[i * 3] * q[j * 3]) + (p[(i * 3) + 1] * q[(j * 3) + 1]) + (p[(i * 3) + 2] * q[(j * 3) + 2]);
+            }
+        }
+    }
+
+    /// <summary>r = hᵗ·p with h of n×n, symmetric, and p of n×3.</summary>
+    public static void MultiplySquare(double* h, int n, double* p, double* r)
+    {
+        for (int i = 0; i < n; i++)
+        {
+            double a = 0;
+            double b = 0;
+            double c = 0;
+            for (int k = 0; k < n; k++)
+            {
+                double f = h[(i * n) + k];
+                a += f * p[k * 3];
+                b += f * p[(k * 3) + 1];
+                c += f * p[(k * 3) + 2];
+            }
+
+            r[i * 3] = a;
+            r[(i * 3) + 1] = b;
+            r[(i * 3) + 2] = c;
+        }
+    }
+
+    /// <summary>y -= pᵀ·w with p and w of n×3.</summary>
+    public static void SubtractOuter(double* y, double* p, double* w, int n)
+    {
+        for (int k = 0; k < n; k++)
+        {
+            for (int i = 0; i < 3; i++)
+            {
+                double f = p[(k * 3) + i];
+                y[i * 3] -= f * w[k * 3];
+                y[(i * 3) + 1] -= f * w[(k * 3) + 1];
+                y[(i * 3) + 2] -= f * w[(k * 3) + 2];
+            }
+        }
+    }
+
+    /// <summary>The inverse of a symmetric positive matrix of n×n; 0 where it has none.</summary>
+    public static void Invert(double* m, int n, double* r)
+    {
+        if (n == 1)
+        {
+            r[0] = m[0] > 0 ? 1 / m[0] : 0;
+        }
+        else if (n == 2)
+        {
+            double det = (m[0] * m[3]) - (m[1] * m[2]);
+            double f = det > 0 ? 1 / det : 0;
+            r[0] = f * m[3];
+            r[1] = -f * m[1];
+            r[2] = r[1];
+            r[3] = f * m[0];
+        }
+        else
+        {
+            double a = (m[4] * m[8]) - (m[5] * m[7]);
+            double b = (m[5] * m[6]) - (m[3] * m[8]);
+            double c = (m[3] * m[7]) - (m[4] * m[6]);
+            double det = (m[0] * a) + (m[1] * b) + (m[2] * c);
+            double f = det > 0 ? 1 / det : 0;
+            r[0] = f * a;
+            r[1] = f * b;
+            r[2] = f * c;
+            r[3] = r[1];
+            r[4] = f * ((m[0] * m[8]) - (m[2] * m[6]));
+            r[5] = f * ((m[2] * m[3]) - (m[0] * m[5]));
+            r[6] = r[2];
+            r[7] = r[5];
+            r[8] = f * ((m[0] * m[4]) - (m[1] * m[3]));
+        }
+    }
+
+    /// <summary>r = m·v with m of 3×3.</summary>
+    public static void Apply(double* m, double x, double y, double w, double* r)
+    {
+        r[0] = (m[0] * x) + (m[1] * y) + (m[2] * w);
+        r[1] = (m[3] * x) + (m[4] * y) + (m[5] * w);
+        r[2] = (m[6] * x) + (m[7] * y) + (m[8] * w);
+    }
+
+    public static double Dot(double* a, double* b) => (a[0] * b[0]) + (a[1] * b[1]) + (a[2] * b[2]);
+}

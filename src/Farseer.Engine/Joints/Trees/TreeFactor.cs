@@ -1,0 +1,171 @@
+namespace Farseer.Engine.Joints.Trees;
+
+/// <summary>
+/// Eliminates the hard rows of the trees, leaves first. With Y the inverse mass of a body together with its subtree (at first
+/// its own), an anchor with Jacobian S and H = (S Y Sᵀ + ε)⁻¹ leaves Y - Y Sᵀ H S Y. An edge with S at the child, Sₚ at the
+/// parent and K = S Y Sᵀ + ε has E = K⁻¹ and G = Y Sᵀ E, and with H = (K + Sₚ Yₚ Sₚᵀ)⁻¹ leaves the parent
+/// Yₚ - (Sₚ Yₚ)ᵀ H Sₚ Yₚ. Inverse masses, never masses: what cannot move needs no special case.
+/// ε, 1e-9 of the bodies' own response, keeps a tree with two anchors regular: there the far end has nothing left to give.
+/// </summary>
+internal static unsafe class TreeFactor
+{
+    private const double Regular = 1e-9;
+
+    /// <summary>Factors all trees at the poses of <paramref name="rows"/>.</summary>
+    public static void Run(JointForest forest, ActiveJoint* active, JointRows* rows)
+    {
+        TreeNode* nodes = forest.Nodes;
+        for (int i = 0; i < forest.Count; i++)
+        {
+            Reset(nodes[i].SubtreeMass, nodes[i].InverseMass, nodes[i].InverseInertia);
+            FillEdge(nodes + i, nodes, forest.EdgeJoints, active, rows);
+        }
+
+        for (int i = 0; i < forest.AnchorCount; i++)
+        {
+            TreeAnchor* anchor = forest.Anchors + i;
+            ActiveJoint* joint = active + anchor->Active;
+            TreeNode* node = nodes + anchor->Node;
+            CopyRows(joint->NodeA == anchor->Node ? rows[anchor->Active].A : rows[anchor->Active].B, anchor->S, anchor->Rows);
+            EliminateAnchor(anchor, node);
+        }
+
+        for (int i = forest.Count - 1; i >= 0; i--)
+        {
+            if (nodes[i].Parent >= 0)
+            {
+                EliminateEdge(nodes + i, nodes + nodes[i].Parent);
+            }
+        }
+    }
+
+    /// <summary>Inverse mass within the whole tree, root first: A = Y - G S Y + T Aₚ Tᵀ.</summary>
+    public static void CompleteMasses(JointForest forest)
+    {
+        TreeNode* nodes = forest.Nodes;
+        double* product = stackalloc double[9];
+        for (int i = 0; i < forest.Count; i++)
+        {
+            TreeNode* node = nodes + i;
+            for (int k = 0; k < 9; k++)
+            {
+                node->FullMass[k] = node->SubtreeMass[k];
+            }
+
+            if (node->Parent < 0)
+            {
+                continue;
+            }
+
+            // G S Y: both factors are kept row by row of the edge.
+            int n = node->Rows;
+            SmallMatrix.Multiply(node->ChildS, n, node->SubtreeMass, product);
+            SmallMatrix.SubtractOuter(node->FullMass, node->G, product, n);
+            SmallMatrix.Multiply(node->T, 3, nodes[node->Parent].FullMass, product);
+            for (int r = 0; r < 3; r++)
+            {
+                for (int c = 0; c < 3; c++)
+                {
+                    node->FullMass[(r * 3) + c] += SmallMatrix.Dot(product + (r * 3), node->T + (c * 3));
+                }
+            }
+        }
+    }
+
+    private static void Reset(double* y, double mass, double inertia)
+    {
+        for (int i = 1; i < 8; i++)
+        {
+            y[i] = 0;
+        }
+
+        y[0] = mass;
+        y[4] = mass;
+        y[8] = inertia;
+    }
+
+    private static void FillEdge(TreeNode* node, TreeNode* nodes, int* edgeJoints, ActiveJoint* active, JointRows* rows)
+    {
+        int at = 0;
+        for (int k = 0; k < node->EdgeCount; k++)
+        {
+            int index = edgeJoints[node->EdgeFirst + k];
+            bool childIsA = active[index].BodyA == node->Body;
+            JointRows* r = rows + index;
+            CopyRows(childIsA ? r->A : r->B, node->ChildS + at, r->Hard);
+            CopyRows(childIsA ? r->B : r->A, node->ParentS + at, r->Hard);
+            at += r->Hard * 3;
+        }
+    }
+
+    private static void CopyRows(double* from, double* to, int rows)
+    {
+        for (int i = 0; i < rows * 3; i++)
+        {
+            to[i] = from[i];
+        }
+    }
+
+    private static void AddRegular(double* k, int n, double* s, TreeNode* node)
+    {
+        for (int i = 0; i < n; i++)
+        {
+            double x = s[i * 3];
+            double y = s[(i * 3) + 1];
+            double w = s[(i * 3) + 2];
+            k[(i * n) + i] += Regular * ((((x * x) + (y * y)) * node->InverseMass) + (w * w * node->InverseInertia));
+        }
+    }
+
+    private static void EliminateAnchor(TreeAnchor* anchor, TreeNode* node)
+    {
+        double* sy = stackalloc double[9];
+        double* k = stackalloc double[9];
+        double* h = stackalloc double[9];
+        int n = anchor->Rows;
+        SmallMatrix.Multiply(anchor->S, n, node->SubtreeMass, sy);
+        SmallMatrix.MultiplyTransposed(sy, anchor->S, n, k);
+        AddRegular(k, n, anchor->S, node);
+        SmallMatrix.Invert(k, n, h);
+        SmallMatrix.MultiplySquare(h, n, sy, anchor->Gain);
+        SmallMatrix.SubtractOuter(node->SubtreeMass, sy, anchor->Gain, n);
+    }
+
+    private static void EliminateEdge(TreeNode* node, TreeNode* parent)
+    {
+        double* sy = stackalloc double[9];
+        double* spy = stackalloc double[9];
+        double* k = stackalloc double[9];
+        double* h = stackalloc double[9];
+        int n = node->Rows;
+        SmallMatrix.Multiply(node->ChildS, n, node->SubtreeMass, sy);
+        SmallMatrix.MultiplyTransposed(sy, node->ChildS, n, k);
+        AddRegular(k, n, node->ChildS, node);
+        SmallMatrix.Invert(k, n, node->E);
+        SmallMatrix.MultiplySquare(node->E, n, sy, node->G);
+        SmallMatrix.Multiply(node->ParentS, n, parent->SubtreeMass, spy);
+        SmallMatrix.MultiplyTransposed(spy, node->ParentS, n, h);
+        for (int i = 0; i < n * n; i++)
+        {
+            k[i] += h[i];
+        }
+
+        AddRegular(k, n, node->ParentS, parent);
+        SmallMatrix.Invert(k, n, h);
+        SmallMatrix.MultiplySquare(h, n, spy, node->W);
+        SmallMatrix.SubtractOuter(parent->SubtreeMass, spy, node->W, n);
+        for (int r = 0; r < 3; r++)
+        {
+            for (int c = 0; c < 3; c++)
+            {
+                double sum = 0;
+                for (int i = 0; i < n; i++)
+                {
+                    sum -= node->G[(i * 3) + r] * node->ParentS[(i * 3) + c];
+                }
+
+                node->T[(r * 3) + c] = sum;
+            }
+        }
+    }
+}

@@ -1,0 +1,85 @@
+using System.Runtime.InteropServices;
+
+namespace Farseer.Engine.Joints.Trees;
+
+/// <summary>
+/// A body in the joint solver. Matrices are row by row; those of the edge to the parent have up to three rows. Symbols: S the
+/// Jacobians of the edge at child and parent, Y the inverse mass of the body with its subtree, A that within the whole tree.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct TreeNode
+{
+    public int Body;
+
+    /// <summary>Index of the parent's node; -1 for a root.</summary>
+    public int Parent;
+    public int Root;
+    public int Depth;
+
+    /// <summary>Joints of the edge to the parent: a range of the list of edge joints.</summary>
+    public int EdgeFirst;
+    public int EdgeCount;
+
+    /// <summary>Joints with what cannot move: a range of the unary joints.</summary>
+    public int UnaryFirst;
+    public int UnaryCount;
+
+    /// <summary>Rows of the edge.</summary>
+    public int Rows;
+
+    /// <summary>Root only: the node at which the lazy walk stands, and whether the tree carries rows.</summary>
+    public int Current;
+    public int Carries;
+
+    /// <summary>Root only: no body of the tree touches anything.</summary>
+    public int Free;
+
+    /// <summary>Next node on the way down of a walk.</summary>
+    public int Towards;
+
+    public double X;
+    public double Y;
+    public double Angle;
+    public double Cos;
+    public double Sin;
+    public double InverseMass;
+    public double InverseInertia;
+
+    public fixed double ChildS[9];
+    public fixed double ParentS[9];
+
+    /// <summary>E = (S Y Sᵀ)⁻¹ at the child and G = Y Sᵀ E.</summary>
+    public fixed double E[9];
+    public fixed double G[9];
+
+    /// <summary>W = H S Y of the parent, with H the inverse of both ends' response.</summary>
+    public fixed double W[9];
+
+    /// <summary>T = -G S of the parent: a velocity change of the parent moves the child by T times it.</summary>
+    public fixed double T[9];
+    public fixed double SubtreeMass[9];
+    public fixed double FullMass[9];
+    public fixed double Target[3];
+    public fixed double Velocity[3];
+
+    /// <summary>Velocity change of the position correction.</summary>
+    public fixed double Correction[3];
+
+    /// <summary>Impulse from the subtree that has not been passed up, and the parent's velocity at the last crossing.</summary>
+    public fixed double Pending[3];
+    public fixed double Seen[3];
+}
+
+/// <summary>A joint of a tree's body with something that cannot move.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct TreeAnchor
+{
+    public int Active;
+    public int Node;
+    public int Rows;
+    public fixed double S[9];
+
+    /// <summary>Y Sᵀ H.</summary>
+    public fixed double Gain[9];
+    public fixed double Target[3];
+}

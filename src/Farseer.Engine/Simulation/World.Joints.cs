@@ -1,0 +1,132 @@
+using System;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>Making, changing and removing joints, outside of a step.</summary>
+internal sealed partial class World
+{
+    private readonly JointSolver _jointSolver;
+
+    /// <summary>The frame of the world: joints with a fixed point hold on to it.</summary>
+    public static Handle WorldFrame => new Handle(0, 1);
+
+    public JointStore Joints { get; } = new JointStore();
+
+    /// <summary>Who hears of broken joints and solves those that a user wrote.</summary>
+    public IUserJoints? UserJoints { get; set; }
+
+    /// <param name="kind">Which equations it keeps.</param>
+    /// <param name="bodyA">First body, or <see cref="WorldFrame"/>.</param>
+    /// <param name="bodyB">Second body.</param>
+    /// <param name="settings">What the kind reads.</param>
+    /// <param name="flags">Enabled, limits, motor, spring, colliding.</param>
+    public Handle CreateJoint(JointKind kind, Handle bodyA, Handle bodyB, in JointSettings settings, JointFlags flags)
+    {
+        RequireOutside();
+        Require(bodyA);
+        Require(bodyB);
+        if (bodyA.Index == bodyB.Index)
+        {
+            throw new ArgumentException("A joint needs two different bodies.", nameof(bodyB));
+        }
+
+        Purge();
+        Handle joint = Joints.Add(kind, bodyA.Index, bodyB.Index, settings, flags);
+        Refilter(bodyA.Index, bodyB.Index, flags);
+        return joint;
+    }
+
+    public void DestroyJoint(Handle joint)
+    {
+        RequireOutside();
+        Require(joint, Joints.Ids, nameof(joint));
+        JointLink link = Joints.Links[joint.Index];
+        JointFlags flags = Joints.Flags[joint.Index];
+        Joints.Remove(joint);
+        Refilter(link.BodyA, link.BodyB, flags);
+    }
+
+    public void SetJoint(Handle joint, in JointSettings settings, JointFlags flags)
+    {
+        const JointFlags Filter = JointFlags.Enabled | JointFlags.CollideConnected;
+        Require(joint, Joints.Ids, nameof(joint));
+        JointFlags before = Joints.Flags[joint.Index];
+        Joints.Settings[joint.Index] = settings;
+        Joints.Flags[joint.Index] = flags | JointFlags.Alive;
+        if (((before ^ flags) & JointFlags.Enabled) != 0)
+        {
+            Joints.Changed = true;
+            Joints.States[joint.Index] = default;
+        }
+
+        if (((before ^ flags) & Filter) != 0)
+        {
+            JointLink link = Joints.Links[joint.Index];
+            Refilter(link.BodyA, link.BodyB, before & flags);
+        }
+    }
+
+    public ref JointState JointState(Handle joint)
+    {
+        Require(joint, Joints.Ids, nameof(joint));
+        return ref Joints.States[joint.Index];
+    }
+
+    public JointFlags JointFlagsOf(Handle joint)
+    {
+        Require(joint, Joints.Ids, nameof(joint));
+        return Joints.Flags[joint.Index];
+    }
+
+    /// <summary>A joint that keeps its bodies apart changed: their contacts are judged anew.</summary>
+    private void Refilter(int bodyA, int bodyB, JointFlags flags)
+    {
+        if ((flags & JointFlags.CollideConnected) == 0 && bodyA != 0)
+        {
+            MarkStale(bodyA);
+            Bodies.Flags[bodyA] |= BodyFlags.Moved;
+        }
+    }
+
+    private void DestroyJointsOf(int body)
+    {
+        for (int entry = Joints.First(body); entry >= 0; entry = Joints.First(body))
+        {
+            DestroyJoint(Joints.Ids.HandleOf(entry >> 1));
+        }
+    }
+
+    private void RequireOutside()
+    {
+        if (IsStepping)
+        {
+            throw new InvalidOperationException("Joints come and go between steps only.");
+        }
+    }
+
+    private unsafe bool BeginJoints(float dt, float substep)
+    {
+        if (Joints.Count == 0 && !Joints.Changed)
+        {
+            return false;
+        }
+
+        JointStep step;
+        step.Bodies = Bodies;
+        step.Moves = _lists.Moves;
+        step.Touches = _graph.Degrees;
+        step.Dt = dt;
+        step.Substep = substep;
+        step.ImpulseScale = _lastSubstep > 0 ? (double)substep / _lastSubstep : 1;
+        _jointSolver.Begin(step);
+        for (int i = 0; i < _jointSolver.BrokenCount; i++)
+        {
+            UserJoints?.Broke(_jointSolver.Broken(i));
+        }
+
+        return _jointSolver.Any;
+    }
+}

@@ -1,0 +1,81 @@
+using System;
+using Farseer.Engine.Joints;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
+
+/// <summary>
+/// Keeps the angle of the second body less that of the first between two limits. It has no target and never turns the bodies by
+/// itself. <see cref="Joint.JointError"/> is how far the angle is past a limit, radians: 0 within the slop.
+/// </summary>
+public class AngleLimitJoint : PairJoint
+{
+    private float _lowerLimit;
+    private float _upperLimit;
+    private float _slop = 0.01f;
+
+    /// <summary>Makes a joint without bodies: set them and the limits before it is added.</summary>
+    public AngleLimitJoint()
+    {
+    }
+
+    /// <summary>Makes a joint.</summary>
+    /// <param name="body1">First body.</param>
+    /// <param name="body2">Second body.</param>
+    /// <param name="lowerLimit">Smallest angle, radians; finite.</param>
+    /// <param name="upperLimit">Largest angle, radians; finite.</param>
+    /// <exception cref="ArgumentNullException">A body is null.</exception>
+    /// <exception cref="ArgumentException">Both bodies are the same.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A limit is not finite.</exception>
+    public AngleLimitJoint(Body body1, Body body2, float lowerLimit, float upperLimit)
+        : base(body1, body2)
+    {
+        _lowerLimit = Require.Finite(lowerLimit, nameof(lowerLimit));
+        _upperLimit = Require.Finite(upperLimit, nameof(upperLimit));
+    }
+
+    /// <summary>Smallest angle, radians; finite. Default 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public float LowerLimit
+    {
+        get => _lowerLimit;
+        set
+        {
+            _lowerLimit = Require.Finite(value, nameof(LowerLimit));
+            Changed();
+        }
+    }
+
+    /// <summary>Largest angle, radians; finite. With a value below <see cref="LowerLimit"/> the joint comes to rest between the two. Default 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public float UpperLimit
+    {
+        get => _upperLimit;
+        set
+        {
+            _upperLimit = Require.Finite(value, nameof(UpperLimit));
+            Changed();
+        }
+    }
+
+    /// <summary>How far past a limit the angle may be without being turned back, radians; at least 0. Default 0.01.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float Slop
+    {
+        get => _slop;
+        set
+        {
+            _slop = Require.NotNegative(value, nameof(Slop));
+            Changed();
+        }
+    }
+
+    internal override JointKind? Kind => JointKind.AngleLimit;
+
+    internal override void Fill(ref JointSettings settings, ref JointFlags flags)
+    {
+        settings.Lower = _lowerLimit;
+        settings.Upper = _upperLimit;
+        settings.Slop = _slop;
+    }
+}

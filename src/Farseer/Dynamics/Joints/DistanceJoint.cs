@@ -1,0 +1,155 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Joints;
+
+namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
+
+/// <summary>
+/// Keeps two anchors at a distance, rigidly or, with a <see cref="Frequency"/>, as a damped spring that is stable at any stiffness.
+/// <see cref="Joint.JointError"/> is the distance less the wanted one. (An addition to the original.)
+/// </summary>
+public class DistanceJoint : PairJoint
+{
+    private Vector2 _anchor1;
+    private Vector2 _anchor2;
+    private float _distance;
+    private float _frequency;
+    private float _dampingRatio;
+    private bool _limited;
+    private float _lower;
+    private float _upper;
+
+    /// <summary>Makes a rigid joint whose distance is that of the anchors now.</summary>
+    /// <param name="body1">First body.</param>
+    /// <param name="anchor1">Anchor in the coordinates of the first body; finite.</param>
+    /// <param name="body2">Second body.</param>
+    /// <param name="anchor2">Anchor in the coordinates of the second body; finite.</param>
+    /// <exception cref="ArgumentNullException">A body is null.</exception>
+    /// <exception cref="ArgumentException">Both bodies are the same.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
+    public DistanceJoint(Body body1, Vector2 anchor1, Body body2, Vector2 anchor2)
+        : base(body1, body2)
+    {
+        _anchor1 = Require.Finite(anchor1, nameof(anchor1));
+        _anchor2 = Require.Finite(anchor2, nameof(anchor2));
+        _distance = AnchorDistance(anchor1, anchor2);
+    }
+
+    /// <summary>Wanted distance; finite and at least 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float TargetDistance
+    {
+        get => _distance;
+        set
+        {
+            _distance = Require.NotNegative(value, nameof(TargetDistance));
+            Changed();
+        }
+    }
+
+    /// <summary>Frequency of the spring, hertz; at least 0. 0 makes it rigid. Default 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float Frequency
+    {
+        get => _frequency;
+        set
+        {
+            _frequency = Require.NotNegative(value, nameof(Frequency));
+            Changed();
+        }
+    }
+
+    /// <summary>Damping of the spring in terms of the critical one; at least 0. Default 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float DampingRatio
+    {
+        get => _dampingRatio;
+        set
+        {
+            _dampingRatio = Require.NotNegative(value, nameof(DampingRatio));
+            Changed();
+        }
+    }
+
+    /// <summary>True keeps the distance of a springy joint between the limits. Default false.</summary>
+    public bool AreLimitsEnabled
+    {
+        get => _limited;
+        set
+        {
+            _limited = value;
+            Changed();
+        }
+    }
+
+    /// <summary>Smallest value of the distance of a springy joint; finite. Default 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public float LowerLimit
+    {
+        get => _lower;
+        set
+        {
+            _lower = Require.Finite(value, nameof(LowerLimit));
+            Changed();
+        }
+    }
+
+    /// <summary>Largest value of the distance of a springy joint; finite. Default 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public float UpperLimit
+    {
+        get => _upper;
+        set
+        {
+            _upper = Require.Finite(value, nameof(UpperLimit));
+            Changed();
+        }
+    }
+
+    /// <summary>Anchor in the coordinates of the first body; finite. Default (0, 0).</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public Vector2 Anchor1
+    {
+        get => _anchor1;
+        set
+        {
+            _anchor1 = Require.Finite(value, nameof(Anchor1));
+            Changed();
+        }
+    }
+
+    /// <summary>Anchor in the coordinates of the second body; finite. Default (0, 0).</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public Vector2 Anchor2
+    {
+        get => _anchor2;
+        set
+        {
+            _anchor2 = Require.Finite(value, nameof(Anchor2));
+            Changed();
+        }
+    }
+
+    /// <summary>The anchor of the first body in world coordinates.</summary>
+    public Vector2 WorldAnchor1 => World1(_anchor1);
+
+    /// <summary>The anchor of the second body in world coordinates.</summary>
+    public Vector2 WorldAnchor2 => World2(_anchor2);
+
+    internal override JointKind? Kind => JointKind.Distance;
+
+    internal override void Fill(ref JointSettings settings, ref JointFlags flags)
+    {
+        settings.AnchorAX = _anchor1.X;
+        settings.AnchorAY = _anchor1.Y;
+        settings.AnchorBX = _anchor2.X;
+        settings.AnchorBY = _anchor2.Y;
+        settings.Target = _distance;
+        settings.Frequency = _frequency;
+        settings.DampingRatio = _dampingRatio;
+        flags |= _frequency > 0 ? JointFlags.Spring : JointFlags.None;
+        settings.Lower = _lower;
+        settings.Upper = _upper;
+        flags |= _limited ? JointFlags.Limit : JointFlags.None;
+    }
+}

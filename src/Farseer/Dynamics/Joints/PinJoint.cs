@@ -1,0 +1,91 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Joints;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
+
+/// <summary>
+/// A rod: keeps two anchors at a set distance, and lets the bodies turn. <see cref="Joint.JointError"/> is the distance less the wanted
+/// one.
+/// </summary>
+public class PinJoint : PairJoint
+{
+    private Vector2 _anchor1;
+    private Vector2 _anchor2;
+    private float _targetDistance;
+
+    /// <summary>Makes a joint without bodies: set them, the anchors and the distance before it is added.</summary>
+    public PinJoint()
+    {
+    }
+
+    /// <summary>Makes a joint whose distance is that of the anchors now.</summary>
+    /// <param name="body1">First body.</param>
+    /// <param name="anchor1">Anchor in the coordinates of the first body; finite.</param>
+    /// <param name="body2">Second body.</param>
+    /// <param name="anchor2">Anchor in the coordinates of the second body; finite.</param>
+    /// <exception cref="ArgumentNullException">A body is null.</exception>
+    /// <exception cref="ArgumentException">Both bodies are the same.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite.</exception>
+    public PinJoint(Body body1, Vector2 anchor1, Body body2, Vector2 anchor2)
+        : base(body1, body2)
+    {
+        _anchor1 = Require.Finite(anchor1, nameof(anchor1));
+        _anchor2 = Require.Finite(anchor2, nameof(anchor2));
+        _targetDistance = AnchorDistance(anchor1, anchor2);
+    }
+
+    /// <summary>Wanted distance of the anchors; finite and at least 0. Default: what it was when the joint was made.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float TargetDistance
+    {
+        get => _targetDistance;
+        set
+        {
+            _targetDistance = Require.NotNegative(value, nameof(TargetDistance));
+            Changed();
+        }
+    }
+
+    /// <summary>Anchor in the coordinates of the first body; finite. Default (0, 0).</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public Vector2 Anchor1
+    {
+        get => _anchor1;
+        set
+        {
+            _anchor1 = Require.Finite(value, nameof(Anchor1));
+            Changed();
+        }
+    }
+
+    /// <summary>Anchor in the coordinates of the second body; finite. Default (0, 0).</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public Vector2 Anchor2
+    {
+        get => _anchor2;
+        set
+        {
+            _anchor2 = Require.Finite(value, nameof(Anchor2));
+            Changed();
+        }
+    }
+
+    /// <summary>The anchor of the first body in world coordinates.</summary>
+    public Vector2 WorldAnchor1 => World1(_anchor1);
+
+    /// <summary>The anchor of the second body in world coordinates.</summary>
+    public Vector2 WorldAnchor2 => World2(_anchor2);
+
+    internal override JointKind? Kind => JointKind.Pin;
+
+    internal override void Fill(ref JointSettings settings, ref JointFlags flags)
+    {
+        settings.AnchorAX = _anchor1.X;
+        settings.AnchorAY = _anchor1.Y;
+        settings.AnchorBX = _anchor2.X;
+        settings.AnchorBY = _anchor2.Y;
+        settings.Target = _targetDistance;
+    }
+}

@@ -1,0 +1,143 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Joints;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
+
+/// <summary>
+/// Keeps the distance of two anchors between a smallest and a largest, as a rod that slides in a tube. <see cref="Joint.JointError"/> is
+/// how far the distance is past a limit: 0 within the slop.
+/// </summary>
+public class SliderJoint : PairJoint
+{
+    private Vector2 _anchor1;
+    private Vector2 _anchor2;
+    private float _min;
+    private float _max;
+    private float _slop = 0.01f;
+
+    /// <summary>Makes a joint without bodies: set them, the anchors and the limits before it is added.</summary>
+    public SliderJoint()
+    {
+    }
+
+    /// <summary>Makes a joint.</summary>
+    /// <param name="body1">First body.</param>
+    /// <param name="anchor1">Anchor in the coordinates of the first body; finite.</param>
+    /// <param name="body2">Second body.</param>
+    /// <param name="anchor2">Anchor in the coordinates of the second body; finite.</param>
+    /// <param name="min">Smallest distance; finite and at least 0.</param>
+    /// <param name="max">Largest distance; finite and at least 0.</param>
+    /// <exception cref="ArgumentNullException">A body is null.</exception>
+    /// <exception cref="ArgumentException">Both bodies are the same.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or a distance is negative.</exception>
+    public SliderJoint(Body body1, Vector2 anchor1, Body body2, Vector2 anchor2, float min, float max)
+        : base(body1, body2)
+    {
+        _anchor1 = Require.Finite(anchor1, nameof(anchor1));
+        _anchor2 = Require.Finite(anchor2, nameof(anchor2));
+        _min = Require.NotNegative(min, nameof(min));
+        _max = Require.NotNegative(max, nameof(max));
+    }
+
+    /// <summary>Smallest distance of the anchors; finite and at least 0. Default 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float Min
+    {
+        get => _min;
+        set
+        {
+            _min = Require.NotNegative(value, nameof(Min));
+            Changed();
+        }
+    }
+
+    /// <summary>Largest distance of the anchors; finite and at least 0. Default 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float Max
+    {
+        get => _max;
+        set
+        {
+            _max = Require.NotNegative(value, nameof(Max));
+            Changed();
+        }
+    }
+
+    /// <summary>How far past a limit the distance may be without being pushed back; at least 0. Default 0.01.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float Slop
+    {
+        get => _slop;
+        set
+        {
+            _slop = Require.NotNegative(value, nameof(Slop));
+            Changed();
+        }
+    }
+
+    /// <summary>
+    /// The distance midway between <see cref="Min"/> and <see cref="Max"/>; setting it moves both limits by the same amount, the lower
+    /// one no further than to 0. Finite and at least 0.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float TargetDistance
+    {
+        get => (_min + _max) / 2;
+        set
+        {
+            Require.NotNegative(value, nameof(TargetDistance));
+            float half = (_max - _min) / 2;
+            _min = Math.Max(0, value - half);
+            _max = value + half;
+            Changed();
+        }
+    }
+
+    /// <summary>Anchor in the coordinates of the first body; finite. Default (0, 0).</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public Vector2 Anchor1
+    {
+        get => _anchor1;
+        set
+        {
+            _anchor1 = Require.Finite(value, nameof(Anchor1));
+            Changed();
+        }
+    }
+
+    /// <summary>Anchor in the coordinates of the second body; finite. Default (0, 0).</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public Vector2 Anchor2
+    {
+        get => _anchor2;
+        set
+        {
+            _anchor2 = Require.Finite(value, nameof(Anchor2));
+            Changed();
+        }
+    }
+
+    /// <summary>The anchor of the first body in world coordinates.</summary>
+    public Vector2 WorldAnchor1 => World1(_anchor1);
+
+    /// <summary>The anchor of the second body in world coordinates.</summary>
+    public Vector2 WorldAnchor2 => World2(_anchor2);
+
+    /// <summary>The anchor of the first body in world coordinates.</summary>
+    public Vector2 CurrentAnchorPosition => WorldAnchor1;
+
+    internal override JointKind? Kind => JointKind.Slider;
+
+    internal override void Fill(ref JointSettings settings, ref JointFlags flags)
+    {
+        settings.AnchorAX = _anchor1.X;
+        settings.AnchorAY = _anchor1.Y;
+        settings.AnchorBX = _anchor2.X;
+        settings.AnchorBY = _anchor2.Y;
+        settings.Lower = _min;
+        settings.Upper = _max;
+        settings.Slop = _slop;
+    }
+}

@@ -1,0 +1,94 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Joints;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
+
+/// <summary>
+/// Draws a point of a body to a point of the world by a spring with a largest force: what a mouse that picks up a body needs.
+/// <see cref="Joint.JointError"/> is the distance of the two. (An addition to the original.)
+/// </summary>
+public class TargetJoint : WorldJoint
+{
+    private readonly double _x;
+    private readonly double _y;
+    private Vector2 _target;
+    private float _maxForce = float.MaxValue;
+    private float _frequency = 5;
+    private float _dampingRatio = 0.7f;
+
+    /// <summary>Makes a joint that holds a body at a point.</summary>
+    /// <param name="body">The body.</param>
+    /// <param name="target">The point, in world coordinates: it is taken for that of the body and for its target; finite.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
+    public TargetJoint(Body body, Vector2 target)
+        : base(body)
+    {
+        _target = Require.Finite(target, nameof(target));
+        JointAttachment.ToLocal(body, target, out _x, out _y);
+    }
+
+    /// <summary>Where the point of the body is drawn to, in world coordinates; finite.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    public Vector2 Target
+    {
+        get => _target;
+        set
+        {
+            _target = Require.Finite(value, nameof(Target));
+            Changed();
+        }
+    }
+
+    /// <summary>Largest force; at least 0. Default <see cref="float.MaxValue"/>: as much as it takes.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float MaxForce
+    {
+        get => _maxForce;
+        set
+        {
+            _maxForce = Require.NotNegative(value, nameof(MaxForce));
+            Changed();
+        }
+    }
+
+    /// <summary>Frequency of the spring, hertz; at least 0. 0 makes it limp. Default 5.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float Frequency
+    {
+        get => _frequency;
+        set
+        {
+            _frequency = Require.NotNegative(value, nameof(Frequency));
+            Changed();
+        }
+    }
+
+    /// <summary>Damping of the spring in terms of the critical one; at least 0. Default 0.7.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float DampingRatio
+    {
+        get => _dampingRatio;
+        set
+        {
+            _dampingRatio = Require.NotNegative(value, nameof(DampingRatio));
+            Changed();
+        }
+    }
+
+    internal override JointKind? Kind => JointKind.Target;
+
+    internal override void Fill(ref JointSettings settings, ref JointFlags flags)
+    {
+        settings.AnchorAX = _target.X;
+        settings.AnchorAY = _target.Y;
+        settings.AnchorBX = _x;
+        settings.AnchorBY = _y;
+        settings.MotorLimit = Bound(_maxForce);
+        settings.Frequency = _frequency;
+        settings.DampingRatio = _dampingRatio;
+        flags |= _frequency > 0 ? JointFlags.Spring : JointFlags.None;
+    }
+}

@@ -1,0 +1,75 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Joints;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
+
+/// <summary>
+/// Holds two bodies together as one; with a <see cref="Frequency"/> they may bend against each other as on a damped spring.
+/// <see cref="Joint.JointError"/> is the distance of the two anchors. (An addition to the original.)
+/// </summary>
+public class WeldJoint : PairJoint
+{
+    private readonly double _x1;
+    private readonly double _y1;
+    private readonly double _x2;
+    private readonly double _y2;
+    private readonly double _startAngle;
+    private float _frequency;
+    private float _dampingRatio;
+
+    /// <summary>Makes a rigid joint of the bodies as they stand.</summary>
+    /// <param name="body1">First body.</param>
+    /// <param name="body2">Second body.</param>
+    /// <param name="anchor">Where they are joined, in world coordinates; finite.</param>
+    /// <exception cref="ArgumentNullException">A body is null.</exception>
+    /// <exception cref="ArgumentException">Both bodies are the same.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
+    public WeldJoint(Body body1, Body body2, Vector2 anchor)
+        : base(body1, body2)
+    {
+        Require.Finite(anchor, nameof(anchor));
+        JointAttachment.ToLocal(body1, anchor, out _x1, out _y1);
+        JointAttachment.ToLocal(body2, anchor, out _x2, out _y2);
+        _startAngle = JointAttachment.Angle(body2) - JointAttachment.Angle(body1);
+    }
+
+    /// <summary>Frequency of the spring, hertz; at least 0. 0 makes it rigid. Default 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float Frequency
+    {
+        get => _frequency;
+        set
+        {
+            _frequency = Require.NotNegative(value, nameof(Frequency));
+            Changed();
+        }
+    }
+
+    /// <summary>Damping of the spring in terms of the critical one; at least 0. Default 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float DampingRatio
+    {
+        get => _dampingRatio;
+        set
+        {
+            _dampingRatio = Require.NotNegative(value, nameof(DampingRatio));
+            Changed();
+        }
+    }
+
+    internal override JointKind? Kind => JointKind.Weld;
+
+    internal override void Fill(ref JointSettings settings, ref JointFlags flags)
+    {
+        settings.AnchorAX = _x1;
+        settings.AnchorAY = _y1;
+        settings.AnchorBX = _x2;
+        settings.AnchorBY = _y2;
+        settings.Target = _startAngle;
+        settings.Frequency = _frequency;
+        settings.DampingRatio = _dampingRatio;
+        flags |= _frequency > 0 ? JointFlags.Spring : JointFlags.None;
+    }
+}
