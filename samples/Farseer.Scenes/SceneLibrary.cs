@@ -28,6 +28,10 @@ public static class SceneLibrary
         new KinematicPlatform(),
         new CirclePile(),
         new Projectiles(),
+        new LinearAndAngularSprings(),
+        new Water(),
+        new BitmapBody(),
+        new Inactivity(),
         new FarFromOrigin(),
         new PixelsAndMetres(),
     ];

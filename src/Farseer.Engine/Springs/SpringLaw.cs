@@ -56,8 +56,8 @@ internal struct SpringLaw
         else
         {
             double decay = StableMath.Exp(-half);
-            double cos = 1 + (discriminant / 2);
-            double sinc = 1 + (discriminant / 6);
+            double cos = 1 + (discriminant / 2 * (1 + (discriminant / 12 * (1 + (discriminant / 30)))));
+            double sinc = 1 + (discriminant / 6 * (1 + (discriminant / 20 * (1 + (discriminant / 42)))));
             if (discriminant < -SeriesLimit)
             {
                 double turn = Math.Sqrt(-discriminant);
