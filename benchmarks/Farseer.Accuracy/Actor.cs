@@ -57,8 +57,6 @@ internal sealed class Actor
         }
     }
 
-    internal Body Body => _body;
-
     /// <summary>Turn since the start, taken to the nearest: right as long as the body turned less than half a turn.</summary>
     public double Turn => Math.IEEERemainder(Angle - StartAngle, 2.0 * Math.PI);
 
