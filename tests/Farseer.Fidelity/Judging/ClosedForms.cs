@@ -25,6 +25,7 @@ public static class ClosedForms
     public static IReadOnlyDictionary<string, ClosedForm> ByScene { get; } = new Dictionary<string, ClosedForm>(StringComparer.Ordinal)
     {
         ["collide_point"] = new("circles are true circles, so they touch what their polygon of edges just misses", Query: (file, query) => CircleTouchesBox(file, query)),
+        ["geom_compound"] = new("circles are true circles, so a dumbbell rolls on its end without the bumps of a polygon", FallingBody.At),
         ["head_on_equal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn),
         ["head_on_unequal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn),
         ["incline_circle_rolls"] = new("a circle is a true circle, so it rolls without the losses of a polygon", Rolling),
