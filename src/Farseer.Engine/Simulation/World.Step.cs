@@ -101,9 +101,9 @@ internal sealed partial class World
     private unsafe void Solve(float dt, bool anyDeep, in ContactCoefficients coefficients)
     {
         float substep = coefficients.Substep;
-        _springs.Prepare(Bodies, _lists.Moves, _graph.Degrees, substep);
         bool anyJoints = BeginJoints(dt, substep);
         bool anyUserJoints = UserJoints != null && UserJoints.Any;
+        _springs.Prepare(Bodies, _lists.Moves, _graph.Degrees, anyJoints ? _jointSolver : null, anyUserJoints, substep);
         _lists.Split(Bodies, _graph, _springs, anyJoints ? _jointSolver : null, anyUserJoints);
         _lists.FlyFree(Bodies, Settings.Gravity, dt, substep);
         if (_lists.SolverCount == 0)

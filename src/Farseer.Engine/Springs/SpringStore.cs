@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Springs;
@@ -50,9 +51,11 @@ internal sealed unsafe class SpringStore
     /// <summary>Fixes for the step what each spring needs, and how it is integrated.</summary>
     /// <param name="bodies">The bodies.</param>
     /// <param name="moves">1 for each body that forces may move.</param>
-    /// <param name="degrees">Number of contacts and joints at each body.</param>
+    /// <param name="degrees">Number of contacts at each body.</param>
+    /// <param name="joints">The joints, or null if there are none.</param>
+    /// <param name="allHeld">True if joints of the user's own may hold any body.</param>
     /// <param name="h">The substep, seconds.</param>
-    public void Prepare(BodyStore bodies, byte* moves, int* degrees, double h)
+    public void Prepare(BodyStore bodies, byte* moves, int* degrees, JointSolver? joints, bool allHeld, double h)
     {
         if (Count == 0)
         {
@@ -63,7 +66,9 @@ internal sealed unsafe class SpringStore
         for (int i = 0; i < Count; i++)
         {
             ref SpringRow row = ref _rows[i];
-            Settle(bodies, ref row, moves, degrees);
+            Settle(bodies, ref row, moves);
+            row.HeldA = row.MovesA != 0 && (allHeld || IsHeld(row.Def.BodyA, degrees, joints)) ? 1 : 0;
+            row.HeldB = row.MovesB != 0 && (allHeld || IsHeld(row.Def.BodyB, degrees, joints)) ? 1 : 0;
             SpringKernel.Place(ref row);
             SpringKernel.FormJacobian(ref row, EndState.AtStart, EndState.AtStart, 0);
             Note(row.Def.BodyA, row.MovesA, row.Def, SpringKernel.InverseMassA(row), h);
@@ -121,7 +126,10 @@ internal sealed unsafe class SpringStore
         }
     }
 
-    private static void Settle(BodyStore bodies, ref SpringRow row, byte* moves, int* degrees)
+    private static bool IsHeld(int body, int* degrees, JointSolver? joints) =>
+        degrees[body] > 0 || (joints != null && joints.Holds(body));
+
+    private static void Settle(BodyStore bodies, ref SpringRow row, byte* moves)
     {
         SpringKernel.Pin(ref row, bodies);
         int a = row.Def.BodyA;
@@ -130,8 +138,6 @@ internal sealed unsafe class SpringStore
         row.MovesB = moves[b];
         row.ActsA = Acts(bodies, a);
         row.ActsB = Acts(bodies, b);
-        row.HeldA = row.MovesA != 0 && degrees[a] > 0 ? 1 : 0;
-        row.HeldB = row.MovesB != 0 && degrees[b] > 0 ? 1 : 0;
         row.InverseMassA = row.MovesA != 0 ? bodies.Mass[a].InverseMass : 0;
         row.InverseMassB = row.MovesB != 0 ? bodies.Mass[b].InverseMass : 0;
         row.InverseInertiaA = row.MovesA != 0 ? bodies.Mass[a].InverseInertia : 0;

@@ -108,17 +108,17 @@ public partial class PhysicsSimulatorView
         return spring.Enabled ? Math.Min(1, Math.Max(share, error / Math.Max(spring.Breakpoint, float.Epsilon))) : 0;
     }
 
-    private DebugColor Mixed(float strain) => new DebugColor(
-        Mix(SpringColor.R, StrainedColor.R, strain),
-        Mix(SpringColor.G, StrainedColor.G, strain),
-        Mix(SpringColor.B, StrainedColor.B, strain),
-        Mix(SpringColor.A, StrainedColor.A, strain));
+    private DebugColor Mixed(DebugColor rest, float strain) => new DebugColor(
+        Mix(rest.R, StrainedColor.R, strain),
+        Mix(rest.G, StrainedColor.G, strain),
+        Mix(rest.B, StrainedColor.B, strain),
+        Mix(rest.A, StrainedColor.A, strain));
 
     private static byte Mix(byte a, byte b, float share) => (byte)(a + ((b - a) * share));
 
     private void DrawCoil(Vector2 start, Vector2 end, float strain)
     {
-        DebugColor color = Mixed(strain);
+        DebugColor color = Mixed(SpringColor, strain);
         Vector2 way = end - start;
         Vector2 side = new Vector2(-way.Y, way.X);
         float length = way.Length();
@@ -138,7 +138,7 @@ public partial class PhysicsSimulatorView
 
     private void DrawTwist(Vector2 place, Spring spring)
     {
-        DebugColor color = Mixed(Strain(spring, (float)Math.PI));
+        DebugColor color = Mixed(SpringColor, Strain(spring, (float)Math.PI));
         _draw.DrawCircle(place, _markLength / 2, color, color.WithAlpha(0));
         _draw.DrawPoint(place, _pointSize, color);
     }

@@ -9,7 +9,7 @@ namespace FarseerGames.FarseerPhysics.Views;
 
 /// <summary>
 /// Draws what is in a simulator, for debugging: geoms in the colours of their states, vertices, grids, boxes, contacts with normals
-/// and impulses, and springs with their anchors and errors. Each part can be switched off.
+/// and impulses, joints and springs with their anchors and errors. Each part can be switched off.
 /// </summary>
 public partial class PhysicsSimulatorView
 {
@@ -48,6 +48,9 @@ public partial class PhysicsSimulatorView
 
     /// <summary>Draws springs from anchor to anchor, redder the larger their error. Default true.</summary>
     public bool EnableSpringView { get; set; } = true;
+
+    /// <summary>Draws joints from body to body over their anchors, redder the larger their error. Default true.</summary>
+    public bool EnableJointView { get; set; } = true;
 
     /// <summary>Length, in the world, of a body's axes and of the normal of the strongest contact; finite and at least 0. Default 10.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
@@ -98,7 +101,10 @@ public partial class PhysicsSimulatorView
     /// <summary>Colour of springs at rest.</summary>
     public DebugColor SpringColor { get; set; } = new DebugColor(90, 170, 60);
 
-    /// <summary>Colour of springs with a large error: as long as their rest length, or near their breakpoint.</summary>
+    /// <summary>Colour of joints.</summary>
+    public DebugColor JointColor { get; set; } = new DebugColor(120, 80, 30);
+
+    /// <summary>Colour of springs with a large error, as long as their rest length or near their breakpoint, and of joints near theirs.</summary>
     public DebugColor StrainedColor { get; set; } = new DebugColor(220, 60, 40);
 
     /// <summary>Colour of the axes of bodies; the y axis is half as opaque.</summary>
@@ -118,6 +124,14 @@ public partial class PhysicsSimulatorView
             for (int i = 0; i < _simulator.BodyList.Count; i++)
             {
                 DrawAxes(_simulator.BodyList[i]);
+            }
+        }
+
+        if (EnableJointView)
+        {
+            for (int i = 0; i < _simulator.JointList.Count; i++)
+            {
+                DrawJoint(_simulator.JointList[i]);
             }
         }
 

@@ -76,6 +76,32 @@ public class DebugViewTests
     }
 
     [Fact]
+    [ManualRow("F070")]
+    public void Draw_ShowsJointsOverTheirAnchors()
+    {
+        var simulator = new PhysicsSimulator();
+        Body a = SpringTests.Free(simulator, 0, 0);
+        Body b = SpringTests.Free(simulator, 20, 0);
+        JointFactory.Instance.CreateRevoluteJoint(simulator, a, b, new Vector2(10, 3));
+        JointFactory.Instance.CreatePinJoint(simulator, a, new Vector2(1, 0), b, new Vector2(-1, 0));
+        JointFactory.Instance.CreateFixedRevoluteJoint(simulator, a, new Vector2(0, 9));
+        JointFactory.Instance.CreateAngleJoint(simulator, a, b);
+        JointFactory.Instance.CreateFixedAngleJoint(simulator, b);
+        simulator.Update(0.01f);
+        var recorder = new Recorder();
+        var view = new PhysicsSimulatorView(simulator, recorder);
+        view.Draw();
+        Assert.Contains(recorder.Points, p => Vector2.Distance(p.Position, new Vector2(10, 3)) < 1e-3f);
+        Assert.Contains(recorder.Lines, l => Vector2.Distance(l.Start, new Vector2(1, 0)) < 1e-3f && Vector2.Distance(l.End, new Vector2(19, 0)) < 1e-3f);
+        Assert.Contains(recorder.Points, p => Vector2.Distance(p.Position, new Vector2(0, 9)) < 1e-3f);
+        Assert.Single(recorder.Circles);
+        recorder.Clear();
+        view.EnableJointView = false;
+        view.Draw();
+        Assert.Empty(recorder.All);
+    }
+
+    [Fact]
     public void SvgDebugDraw_WritesADocument_WithEverythingInItsPlace()
     {
         PhysicsSimulator simulator = Pile(out _, out Geom flying, out _, out _);

@@ -233,6 +233,31 @@ public class SpringMotionTests
     }
 
     [Fact]
+    public void SpringOnAHinge_SwingsWithTheInertiaAboutTheHinge()
+    {
+        const float Dt = 1 / 60f;
+        var simulator = new PhysicsSimulator();
+        Body rod = Free(simulator, 0, 0);
+        JointFactory.Instance.CreateFixedRevoluteJoint(simulator, rod, new Vector2(-2, 0));
+        FixedAngleSpring spring = Factory.CreateFixedAngleSpring(simulator, rod, 500, 0);
+        spring.TargetAngle = 0.1f;
+
+        // The inertia about the hinge is 1 + 1·2²: a frequency of 10 rad/s.
+        int crossings = 0;
+        double last = -0.1;
+        for (int i = 0; i < 600; i++)
+        {
+            simulator.Update(Dt);
+            double angle = rod.TotalRotation - 0.1;
+            crossings += last < 0 && angle >= 0 ? 1 : 0;
+            last = angle;
+        }
+
+        // 10 s at 10 rad/s: 15.9 turns.
+        Assert.InRange(crossings, 15, 16);
+    }
+
+    [Fact]
     public void SpringOnABodyThatIsOffOrNotAdded_TreatsItAsAPlace()
     {
         var simulator = new PhysicsSimulator();
