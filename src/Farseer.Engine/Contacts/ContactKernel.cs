@@ -142,12 +142,15 @@ internal static unsafe class ContactKernel
     /// <summary>
     /// The relax pass at the new positions: the same block without bias and softness, so that no push-out velocity is left,
     /// then friction within the cone of the true normal impulses unless <paramref name="rub"/> is false, then the feed-forward follows.
+    /// A surface that is still open gets no impulse more: what it needs, the next substep finds at its own gap. Here it would
+    /// come with the rounding of the gap over the substep, as a spin of a body that falls flat.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static void Relax(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool rub)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rest = Wide.Splat(c.Rest);
+        Wide open = Wide.Splat(c.Open);
         for (int i = 0; i < count; i++)
         {
             ContactBundle* row = bundles + i;
@@ -159,9 +162,13 @@ internal static unsafe class ContactKernel
                 NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
                 Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
-                Wide r0 = v0 + (Wide.Max(s0 - rest, Wide.Zero) * inverseSubstep);
-                Wide r1 = v1 + (Wide.Max(s1 - rest, Wide.Zero) * inverseSubstep);
+                Wide gap0 = s0 - rest;
+                Wide gap1 = s1 - rest;
+                Wide r0 = v0 + (Wide.Max(gap0, Wide.Zero) * inverseSubstep);
+                Wide r1 = v1 + (Wide.Max(gap1, Wide.Zero) * inverseSubstep);
                 SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
+                x0 = Wide.Select(gap0 > open, Wide.Min(x0, lambda0), x0);
+                x1 = Wide.Select(gap1 > open, Wide.Min(x1, lambda1), x1);
                 x0.Store(row->Point0.Normal + lane);
                 x1.Store(row->Point1.Normal + lane);
                 ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);

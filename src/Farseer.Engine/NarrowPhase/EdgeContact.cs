@@ -16,7 +16,9 @@ internal static class EdgeContact
         Vector2 origin = reference.Vertices[edge];
         float length = Vector2.Dot(reference.Vertices[edgeEnd] - origin, tangent);
         int support = axis.Support;
-        int incident = IncidentEdge(other, support, placement.Rotation.InverseRotate(normal));
+        Vector2 normalInOther = placement.Rotation.InverseRotate(normal);
+        int incident = IncidentEdge(other, support, normalInOther);
+        bool neighbours = BelongsToNeighbour(other, support, normalInOther);
         int i0 = incident < 0 ? support : incident;
         int i1 = incident < 0 ? support : other.Next(incident);
         Vector2 w0 = placement.Apply(other.Vertices[i0]) - origin;
@@ -50,7 +52,7 @@ internal static class EdgeContact
         var frame = new PointFrame(origin, normal, tangent, reference.Radius, sum, margin);
         if (high.X <= low.X || hi < lo)
         {
-            if (seamed && (near.X < 0 || near.X > length))
+            if (neighbours || (seamed && (near.X < 0 || near.X > length)))
             {
                 return;
             }
@@ -62,14 +64,20 @@ internal static class EdgeContact
         float slope = (high.Y - low.Y) / (high.X - low.X);
         float yLo = low.X > 0 ? low.Y : low.Y - (low.X * slope);
         float yHi = high.X < length ? high.Y : high.Y + ((length - high.X) * slope);
-        if (flipped)
+        bool takesHigh = !(neighbours && supportIsHigh && high.X <= length);
+        bool takesLow = !(neighbours && !supportIsHigh && low.X >= 0);
+        if (flipped && takesHigh)
         {
             frame.Add(hi, yHi, Id(edgeEnd, i0, flipped), ref manifold);
-            frame.Add(lo, yLo, Id(edge, i1, flipped), ref manifold);
         }
-        else
+
+        if (takesLow)
         {
             frame.Add(lo, yLo, Id(edge, i1, flipped), ref manifold);
+        }
+
+        if (!flipped && takesHigh)
+        {
             frame.Add(hi, yHi, Id(edgeEnd, i0, flipped), ref manifold);
         }
     }
@@ -83,6 +91,23 @@ internal static class EdgeContact
         uint a = (uint)(flipped ? otherVertex : referenceVertex) & 0x7FFF;
         uint b = (uint)(flipped ? referenceVertex : otherVertex) & 0x7FFF;
         return (a << 16) | (b << 1) | 1;
+    }
+
+    // Where a seam ends at the support vertex, one of the outline's two edges there is the neighbour's. If that one faces the
+    // reference edge more, the neighbour touches it with the same vertex. Two rows that hold one point would each be solved
+    // against the other: after an impact of an L on its side that left it a spin of 6e-4 rad/s.
+    private static unsafe bool BelongsToNeighbour(in Hull other, int support, Vector2 normal)
+    {
+        bool ownAfter = other.IsReal(support);
+        bool ownBefore = other.IsReal(other.Previous(support));
+        if (!other.IsSeamed || ownAfter == ownBefore)
+        {
+            return false;
+        }
+
+        float after = Vector2.Dot(other.After[support], normal);
+        float before = Vector2.Dot(other.Before[support], normal);
+        return ownAfter ? before < after : after < before;
     }
 
     // Of the two edges at the support vertex the one that faces the reference edge more; a seam is not there to be touched.

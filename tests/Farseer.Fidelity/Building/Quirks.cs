@@ -20,6 +20,7 @@ public static class Quirks
         ["oncollision_false"] = ["SeparationWithoutContact"],
         ["onseparation"] = ["SeparationWithoutContact"],
         ["remove_geom"] = ["NoSeparationOnRemoval"],
+        ["rest_L"] = ["PolygonInertiaUnsigned"],
         ["rotation_set"] = ["RotationSetAddsRevolutions"],
         ["sensor"] = ["SensorMakesBodyStatic", "SeparationWithoutContact"],
         ["simulator_paused"] = ["ForcesAccumulateWhilePaused"],

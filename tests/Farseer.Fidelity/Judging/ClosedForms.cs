@@ -9,12 +9,10 @@ namespace Farseer.Fidelity.Judging;
 /// <summary>A closed form that stands in for the original's numbers where a decision here is truer than the original.</summary>
 /// <param name="Reason">Which decision, in one line.</param>
 /// <param name="Row">The state of a body at a time, or null where the original's rows stay the reference.</param>
-/// <param name="MassProperty">A mass property of a body, or null where the original's stays the reference.</param>
 /// <param name="Query">The answer to a query, or null where the original's stays the reference.</param>
 public sealed record ClosedForm(
     string Reason,
     Func<SceneFile, string, double, Row>? Row = null,
-    Func<SceneFile, string, string, double?>? MassProperty = null,
     Func<SceneFile, SceneQuery, object?>? Query = null);
 
 /// <summary>The scenes judged by a closed form: at most eight.</summary>
@@ -29,7 +27,6 @@ public static class ClosedForms
         ["head_on_equal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn),
         ["head_on_unequal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn),
         ["incline_circle_rolls"] = new("a circle is a true circle, so it rolls without the losses of a polygon", Rolling),
-        ["rest_L"] = new("the inertia of a concave polygon is the integral over its area", MassProperty: PolygonInertia),
         ["spring_break"] = new("a spring alone swings with its own frequency, where the original runs ahead by its step's error", HungAndBreaking),
         ["vertices"] = new("the inertia of a concave polygon is the integral over its area", Query: OutlineInertia),
     };
@@ -120,29 +117,15 @@ public static class ClosedForms
         return new Row(hung.X, y, 0, 0, Speed(pulled) + (gravity * free), 0);
     }
 
-    /// <summary>
-    /// Over the triangles (0, p, q) of the outline, with d = p x q: the area is the sum of d / 2, the centroid c
-    /// that of (p + q) d / 6 over it, and the integral of r^2 that of d (p.p + p.q + q.q) / 12, less area c.c.
-    /// </summary>
-    private static double? PolygonInertia(SceneFile file, string body, string property)
-    {
-        MadeObject made = file.Bodies.Single(b => b.Id == body);
-        if (made.Factory != "CreatePolygonBody" || !property.EndsWith("omentOfInertia", StringComparison.Ordinal))
-        {
-            return null;
-        }
-
-        double[][] points = Json.Required(Json.Required(file.Root, "vertices"), Json.Text(made.Args, "vertices")).EnumerateArray()
-            .Select(p => new[] { p[0].GetDouble(), p[1].GetDouble() }).ToArray();
-        double inertia = Json.Required(made.Args, "mass").GetDouble() * CentralInertia(points);
-        return property == "momentOfInertia" ? inertia : 1 / inertia;
-    }
-
     private static object? OutlineInertia(SceneFile file, SceneQuery query) => query.Call != "GetMomentOfInertia"
         ? null
         : CentralInertia(Json.Required(Json.Required(file.Root, "vertices"), query.Vertices.GetString()!).EnumerateArray()
             .Select(p => new[] { p[0].GetDouble(), p[1].GetDouble() }).ToArray());
 
+    /// <summary>
+    /// Over the triangles (0, p, q) of the outline, with d = p x q: the area is the sum of d / 2, the centroid c
+    /// that of (p + q) d / 6 over it, and the integral of r^2 that of d (p.p + p.q + q.q) / 12, less area c.c.
+    /// </summary>
     private static double CentralInertia(double[][] points)
     {
         double area = 0;

@@ -77,13 +77,12 @@ public static class SceneJudge
     private static IEnumerable<Check> JudgeRun(SceneFile file, int iterations, RunResult run, ClosedForm? closedForm)
     {
         Func<string, double, Row>? row = closedForm?.Row is { } form ? (body, time) => form(file, body, time) : null;
-        Func<string, string, double?>? mass = closedForm?.MassProperty is { } massForm ? (body, property) => massForm(file, body, property) : null;
         Func<SceneQuery, object?>? query = closedForm?.Query is { } queryForm ? asked => queryForm(file, asked) : null;
         return RowJudge.Judge(file, iterations, run.Recording, row)
             .Concat(EventJudge.Judge(file, iterations, run.Recording))
             .Concat(ObservationJudge.Judge(file, iterations, run.Recording))
             .Concat(QueryJudge.Queries(file, iterations, run.Recording, query))
-            .Concat(QueryJudge.MassProperties(file, run, mass))
+            .Concat(QueryJudge.MassProperties(file, run))
             .Concat(QueryJudge.Paths(file, run));
     }
 

@@ -110,8 +110,8 @@ public class ImpactTests
         for (int i = 0; i < 60; i++)
         {
             Sandbox.Run(simulator, 1);
-            Assert.InRange(body.LinearVelocity.X, -0.02f, 0.02f);
-            Assert.InRange(body.AngularVelocity, -1e-3f, 1e-3f);
+            Assert.InRange(body.LinearVelocity.X, -1e-4f, 1e-4f);
+            Assert.InRange(body.AngularVelocity, -1e-6f, 1e-6f);
         }
     }
 
