@@ -39,7 +39,7 @@ public sealed class StateHashTests
 
     [Theory]
     [MemberData(nameof(Ways))]
-    public void FiveScenes_RunThisWay_GiveTheGoldenHashes(string project, string configuration, string switchedOff)
+    public void Scenes_RunThisWay_GiveTheGoldenHashes(string project, string configuration, string switchedOff)
     {
         RenewIfAsked();
 
@@ -56,7 +56,7 @@ public sealed class StateHashTests
     }
 
     [Fact]
-    public void GoldenHashes_NameTheFiveScenesOnce()
+    public void GoldenHashes_NameTheScenesOnce()
     {
         RenewIfAsked();
 

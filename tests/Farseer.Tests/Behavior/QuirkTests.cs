@@ -5,6 +5,7 @@ using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Springs;
 using FarseerGames.FarseerPhysics.Factories;
 using Xunit;
 using static Farseer.Tests.Sandbox;
@@ -43,6 +44,9 @@ public class QuirkTests
 
         // Half a second of free fall, or none.
         [Farseer201Quirks.SensorMakesBodyStatic] = new(FallOfASensor, 50 * 0.5 * 0.5, 0, 1e-3),
+
+        // The error grows by 0.1 an update, from 0 in the first: it is above 0.95 in the 11th, and the flag looks at the one before.
+        [Farseer201Quirks.SpringBreaksLate] = new(UpdateInWhichASpringBreaks, 11, 12, 0),
     };
 
     public static TheoryData<Farseer201Quirks> Flags => new(Enum.GetValues<Farseer201Quirks>()
@@ -91,6 +95,24 @@ public class QuirkTests
         body.ApplyImpulse(new Vector2(8, 0));
         simulator.Update(Step);
         return body.LinearVelocity.X;
+    }
+
+    private static double UpdateInWhichASpringBreaks(PhysicsSimulator simulator)
+    {
+        Body body = BodyFactory.Instance.CreateRectangleBody(simulator, 10, 10, 1);
+        body.IgnoreGravity = true;
+        WithoutDrag(body);
+        body.LinearVelocity = new Vector2(10, 0);
+        FixedLinearSpring spring = SpringFactory.Instance.CreateFixedLinearSpring(simulator, body, Vector2.Zero, Vector2.Zero, 0, 0);
+        spring.Breakpoint = 0.95f;
+        int updates = 0;
+        while (spring.Enabled)
+        {
+            simulator.Update(Step);
+            updates++;
+        }
+
+        return updates;
     }
 
     private static double LInertia(PhysicsSimulator simulator) =>
