@@ -48,6 +48,9 @@ internal unsafe struct ActiveJoint
     public fixed double Block[9];
     public fixed double Lambda[JointRows.Most];
 
+    /// <summary>Impulse on body B in the step: linear and about its centre.</summary>
+    public fixed double Given[3];
+
     /// <summary>Response k of a row.</summary>
     public fixed double Response[JointRows.Most];
 

@@ -76,6 +76,7 @@ internal sealed unsafe class JointPass
                     continue;
                 }
 
+                Give(joint, r, k, joint->Lambda[k]);
                 Push(forest.Nodes, joint->NodeA, r->A + (k * 3), joint->Lambda[k]);
                 Push(forest.Nodes, joint->NodeB, r->B + (k * 3), joint->Lambda[k]);
             }
@@ -235,6 +236,7 @@ internal sealed unsafe class JointPass
             return;
         }
 
+        Give(joint, r, k, impulse);
         if (joint->NodeB >= 0)
         {
             double* j = r->B + (k * 3);
@@ -251,6 +253,13 @@ internal sealed unsafe class JointPass
                 TreeWalk.Visit(nodes, joint->NodeB);
             }
         }
+    }
+
+    private static void Give(ActiveJoint* joint, JointRows* r, int k, double impulse)
+    {
+        joint->Given[0] += r->B[k * 3] * impulse;
+        joint->Given[1] += r->B[(k * 3) + 1] * impulse;
+        joint->Given[2] += r->B[(k * 3) + 2] * impulse;
     }
 
     private void SolveRow(TreeNode* nodes, ActiveJoint* joint, JointRows* r, int k, double h, bool biased)

@@ -104,6 +104,10 @@ internal unsafe struct JointRows
     /// <summary>A length of the joint that says which errors are small: the arms together.</summary>
     public double Size;
 
+    /// <summary>Arm from body B to its anchor.</summary>
+    public double ArmX;
+    public double ArmY;
+
     /// <summary>Share of an error from outside that is taken away in a step.</summary>
     public double Bias;
 

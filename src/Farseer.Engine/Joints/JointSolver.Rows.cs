@@ -80,6 +80,8 @@ internal sealed unsafe partial class JointSolver
         ReadPose(joint.NodeB, joint.BodyB, out frame.BX, out frame.BY, out frame.BAngle, out frame.BCos, out frame.BSin);
         frame.SetAnchors(settings);
         rows.Bias = settings.BiasFactor;
+        rows.ArmX = frame.RBX;
+        rows.ArmY = frame.RBY;
         rows.Size = Math.Sqrt((frame.RAX * frame.RAX) + (frame.RAY * frame.RAY))
             + Math.Sqrt((frame.RBX * frame.RBX) + (frame.RBY * frame.RBY));
         _kinds.Of(joint.Kind).Write(frame, settings, joint.Flags, ref rows);

@@ -88,6 +88,10 @@ internal sealed unsafe partial class JointSolver
             {
                 _active[i].Lambda[k] = state.Impulse[k] * step.ImpulseScale;
             }
+
+            _active[i].Given[0] = 0;
+            _active[i].Given[1] = 0;
+            _active[i].Given[2] = 0;
         }
 
         MarkFree();
@@ -141,7 +145,8 @@ internal sealed unsafe partial class JointSolver
                 state.Drift = (state.Drift * (1 - Math.Min(1, _active[i].Settings.BiasFactor))) + StraightDrift(i);
             }
 
-            if (Math.Abs(state.Error) > breakpoint)
+            double force = Math.Sqrt((state.ForceX * state.ForceX) + (state.ForceY * state.ForceY));
+            if (Math.Abs(state.Error) > breakpoint || force > _active[i].Settings.BreakForce)
             {
                 _store.Flags[joint] &= ~JointFlags.Enabled;
                 _store.Changed = true;
@@ -182,6 +187,7 @@ internal sealed unsafe partial class JointSolver
         LoadVelocities();
         SetTargets(TargetKind.Biased);
         TreeSolve.Run(_forest, false);
+        TreeReactions.AddSolve(_forest, _active.Pointer, _rows.Pointer);
         Iterate(true);
         StoreVelocities();
     }
@@ -208,6 +214,7 @@ internal sealed unsafe partial class JointSolver
             }
 
             TreeSolve.Run(_forest, true);
+            TreeReactions.AddSolve(_forest, _active.Pointer, _rows.Pointer);
             ApplyCorrections();
             LoadPoses();
             WriteErrors();
@@ -224,6 +231,7 @@ internal sealed unsafe partial class JointSolver
         LoadVelocities();
         SetTargets(TargetKind.Relaxed);
         TreeSolve.Run(_forest, false);
+        TreeReactions.AddSolve(_forest, _active.Pointer, _rows.Pointer);
         Iterate(false);
         StoreVelocities();
     }
@@ -238,6 +246,11 @@ internal sealed unsafe partial class JointSolver
             {
                 state.Impulse[k] = k < _rows[i].Count ? _active[i].Lambda[k] : 0;
             }
+
+            double* given = _active.Pointer[i].Given;
+            state.ForceX = given[0] / _step.Dt;
+            state.ForceY = given[1] / _step.Dt;
+            state.Torque = (given[2] - ((_rows[i].ArmX * given[1]) - (_rows[i].ArmY * given[0]))) / _step.Dt;
         }
     }
 
@@ -251,6 +264,7 @@ internal sealed unsafe partial class JointSolver
         TreeWalk.Begin(_forest);
         _pass.Sweep(_forest, _active.Pointer, _rows.Pointer, _count, _step, biased);
         TreeWalk.End(_forest);
+        TreeReactions.AddWalk(_forest, _active.Pointer, _rows.Pointer);
     }
 
     private void Factor()

@@ -13,7 +13,7 @@ public class ManualCoverageTests
     /// The rows that are built: the chapters on bodies, geoms, collisions, performance and known issues. Whoever builds other rows
     /// adds them here and nowhere else.
     /// </summary>
-    private static readonly (int First, int Last)[] _built = { (1, 55), (222, 293), (297, 312) };
+    private static readonly (int First, int Last)[] _built = { (1, 167), (222, 293), (297, 312) };
 
     [Fact]
     public void ManualRows_InScope_HaveATestEach()

@@ -121,7 +121,7 @@ internal static unsafe class TreeFactor
     {
         double* sy = stackalloc double[9];
         double* k = stackalloc double[9];
-        double* h = stackalloc double[9];
+        double* h = anchor->H;
         int n = anchor->Rows;
         SmallMatrix.Multiply(anchor->S, n, node->SubtreeMass, sy);
         SmallMatrix.MultiplyTransposed(sy, anchor->S, n, k);

@@ -65,6 +65,16 @@ internal unsafe struct TreeNode
     /// <summary>Velocity change of the position correction.</summary>
     public fixed double Correction[3];
 
+    /// <summary>Impulse that the body got in the pass, for the multipliers of its anchors.</summary>
+    public fixed double Got[3];
+
+    /// <summary>Multipliers of the edge in the pass.</summary>
+    public fixed double Edge[3];
+
+    /// <summary>In a walk: what was applied to the body and passed up to it, and its velocity at the start.</summary>
+    public fixed double Through[3];
+    public fixed double Start[3];
+
     /// <summary>Impulse from the subtree that has not been passed up, and the parent's velocity at the last crossing.</summary>
     public fixed double Pending[3];
     public fixed double Seen[3];
@@ -79,7 +89,12 @@ internal unsafe struct TreeAnchor
     public int Rows;
     public fixed double S[9];
 
-    /// <summary>Y Sᵀ H.</summary>
+    /// <summary>H S Y, and H.</summary>
     public fixed double Gain[9];
+    public fixed double H[9];
+
+    /// <summary>Residual before the anchor was solved, and its multipliers in the pass.</summary>
+    public fixed double Residual[3];
+    public fixed double Lambda[3];
     public fixed double Target[3];
 }

@@ -14,7 +14,7 @@ internal static unsafe class TreeSolve
         {
             TreeAnchor* anchor = forest.Anchors + i;
             double* v = Vector(nodes + anchor->Node, correction);
-            Add(anchor->Gain, anchor->S, anchor->Rows, anchor->Target, v);
+            Meet(anchor, v);
         }
 
         double* r = stackalloc double[3];
@@ -39,6 +39,7 @@ internal static unsafe class TreeSolve
                 double* v = Vector(node, correction);
                 Residual(node, v, Vector(nodes + node->Parent, correction), r);
                 Spread(node->G, r, node->Rows, v);
+                Multiply(node->E, r, node->Rows, node->Edge);
             }
         }
     }
@@ -53,15 +54,29 @@ internal static unsafe class TreeSolve
         }
     }
 
-    private static void Add(double* gain, double* s, int rows, double* target, double* v)
+    private static void Meet(TreeAnchor* anchor, double* v)
     {
-        double* r = stackalloc double[3];
-        for (int i = 0; i < rows; i++)
+        for (int i = 0; i < anchor->Rows; i++)
         {
-            r[i] = target[i] - SmallMatrix.Dot(s + (i * 3), v);
+            anchor->Residual[i] = anchor->Target[i] - SmallMatrix.Dot(anchor->S + (i * 3), v);
         }
 
-        Spread(gain, r, rows, v);
+        Spread(anchor->Gain, anchor->Residual, anchor->Rows, v);
+    }
+
+    /// <summary>r = m·v of n×n.</summary>
+    internal static void Multiply(double* m, double* v, int n, double* r)
+    {
+        for (int i = 0; i < n; i++)
+        {
+            double sum = 0;
+            for (int k = 0; k < n; k++)
+            {
+                sum += m[(i * n) + k] * v[k];
+            }
+
+            r[i] = sum;
+        }
     }
 
     private static void Spread(double* m, double* r, int rows, double* v)

@@ -19,6 +19,9 @@ internal static unsafe class TreeWalk
             for (int k = 0; k < 3; k++)
             {
                 node->Pending[k] = 0;
+                node->Through[k] = 0;
+                node->Got[k] = 0;
+                node->Start[k] = node->Velocity[k];
                 node->Seen[k] = parent[k];
             }
         }
@@ -64,9 +67,9 @@ internal static unsafe class TreeWalk
             node->Velocity[k] += change[k];
         }
 
-        node->Pending[0] += x;
-        node->Pending[1] += y;
-        node->Pending[2] += w;
+        Note(node->Pending, x, y, w);
+        Note(node->Through, x, y, w);
+        Note(node->Got, x, y, w);
         nodes[node->Root].Carries = 1;
     }
 
@@ -91,6 +94,13 @@ internal static unsafe class TreeWalk
         }
     }
 
+    private static void Note(double* sum, double x, double y, double w)
+    {
+        sum[0] += x;
+        sum[1] += y;
+        sum[2] += w;
+    }
+
     private static void Climb(TreeNode* nodes, int index)
     {
         TreeNode* node = nodes + index;
@@ -105,9 +115,8 @@ internal static unsafe class TreeWalk
         d[0] = 0;
         d[1] = 0;
         d[2] = 0;
-        parent->Pending[0] += x;
-        parent->Pending[1] += y;
-        parent->Pending[2] += w;
+        Note(parent->Pending, x, y, w);
+        Note(parent->Through, x, y, w);
         for (int k = 0; k < 3; k++)
         {
             parent->Velocity[k] += change[k];
