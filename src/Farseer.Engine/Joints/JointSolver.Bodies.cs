@@ -36,7 +36,7 @@ internal sealed unsafe partial class JointSolver
 
         for (int i = 0; i < _count; i++)
         {
-            if (_active[i].HasRows && IsElastic(_rows.Pointer + i))
+            if (_active[i].HasRows && Acts(_active.Pointer + i, _rows.Pointer + i))
             {
                 Bind(_active[i].NodeA);
                 Bind(_active[i].NodeB);
@@ -52,13 +52,12 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
-    /// <summary>A row that the relax pass does not bring to its speed would keep the second half kick.</summary>
-    private static bool IsElastic(JointRows* rows)
+    /// <summary>A motor, a spring or a limit that holds gives its whole impulse before the move: half a weight would be overcome.</summary>
+    private static bool Acts(ActiveJoint* joint, JointRows* rows)
     {
         for (int k = rows->Hard; k < rows->Count; k++)
         {
-            bool weak = rows->Type[k] == (byte)RowType.Motor && (rows->Share[k] < 1 || rows->Damping[k] > 0);
-            if (weak || rows->Type[k] == (byte)RowType.Spring)
+            if (rows->Type[k] != (byte)RowType.Limit || joint->Lambda[k] > 0)
             {
                 return true;
             }
