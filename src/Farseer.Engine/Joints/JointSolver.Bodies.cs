@@ -141,29 +141,4 @@ internal sealed unsafe partial class JointSolver
             state->AngularVelocity = (float)node->Velocity[2];
         }
     }
-
-    private void ApplyCorrections()
-    {
-        double h = _step.Substep;
-        BodyState* states = _step.Bodies.State.Pointer;
-        BodyMotion* motions = _step.Bodies.Motion.Pointer;
-        for (int i = 0; i < _forest.Count; i++)
-        {
-            TreeNode* node = _forest.Nodes + i;
-            BodyState* state = states + node->Body;
-            BodyMotion* motion = motions + node->Body;
-            state->DeltaPosition.X += (float)(h * node->Correction[0]);
-            state->DeltaPosition.Y += (float)(h * node->Correction[1]);
-            motion->Turned += (float)(h * node->Correction[2]);
-            StableMath.SinCos((double)motion->Turned, out double sin, out double cos);
-            state->DeltaSin = (float)sin;
-            state->DeltaCos = (float)cos;
-            for (int k = 0; k < 3; k++)
-            {
-                node->Velocity[k] += node->Correction[k];
-            }
-        }
-
-        StoreVelocities();
-    }
 }

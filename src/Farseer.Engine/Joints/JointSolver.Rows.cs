@@ -14,6 +14,9 @@ internal enum TargetKind
     /// <summary>The velocity changes that take away what is left of them.</summary>
     Correction,
 
+    /// <summary>The same, whatever their size, in trees that went astray.</summary>
+    Projection,
+
     /// <summary>Standstill.</summary>
     Relaxed,
 }
@@ -157,17 +160,23 @@ internal sealed unsafe partial class JointSolver
     /// <returns>The largest error in terms of the joint's size; of use for the correction.</returns>
     private double SetTargets(TargetKind kind)
     {
-        double worst = 0;
+        for (int i = 0; i < _forest.Count; i++)
+        {
+            _forest.Nodes[i].Worst = 0;
+            _forest.Nodes[i].Disturbed = kind == TargetKind.Biased ? 0 : _forest.Nodes[i].Disturbed;
+        }
+
         for (int i = 0; i < _forest.Count; i++)
         {
             TreeNode* node = _forest.Nodes + i;
+            TreeNode* root = _forest.Nodes + node->Root;
             int at = 0;
             for (int k = 0; k < node->EdgeCount; k++)
             {
                 JointRows* rows = _rows.Pointer + _forest.EdgeJoints[node->EdgeFirst + k];
                 for (int r = 0; r < rows->Hard; r++)
                 {
-                    node->Target[at++] = Target(rows, r, kind, ref worst);
+                    node->Target[at++] = Target(rows, r, kind, root);
                 }
             }
         }
@@ -181,8 +190,8 @@ internal sealed unsafe partial class JointSolver
             BodyState* still = _step.Bodies.State.Pointer + (movesA ? joint->BodyB : joint->BodyA);
             for (int r = 0; r < rows->Hard; r++)
             {
-                double target = Target(rows, r, kind, ref worst);
-                if (kind != TargetKind.Correction)
+                double target = Target(rows, r, kind, _forest.Nodes + _forest.Nodes[anchor->Node].Root);
+                if (kind != TargetKind.Correction && kind != TargetKind.Projection)
                 {
                     // What cannot be moved may yet be moving: a kinematic body.
                     double* j = (movesA ? rows->B : rows->A) + (r * 3);
@@ -193,6 +202,12 @@ internal sealed unsafe partial class JointSolver
             }
         }
 
+        double worst = 0;
+        for (int i = 0; i < _forest.Count; i++)
+        {
+            worst = Math.Max(worst, _forest.Nodes[i].Worst);
+        }
+
         return worst;
     }
 
@@ -200,12 +215,17 @@ internal sealed unsafe partial class JointSolver
     /// An error up to the share <see cref="Small"/> of the joint's size comes from the motion and is taken out at once. What is
     /// beyond it was put there from outside (a body moved by hand, another length) and goes at the rate of the bias factor.
     /// </summary>
-    private double Target(JointRows* rows, int r, TargetKind kind, ref double worst)
+    private double Target(JointRows* rows, int r, TargetKind kind, TreeNode* root)
     {
-        bool servo = rows->Type[r] == (byte)RowType.Servo;
-        if (servo || kind == TargetKind.Relaxed)
+        bool positions = kind == TargetKind.Correction || kind == TargetKind.Projection;
+        if (rows->Type[r] == (byte)RowType.Servo || kind == TargetKind.Relaxed)
         {
-            return kind == TargetKind.Correction ? 0 : rows->Speed[r];
+            return positions ? 0 : rows->Speed[r];
+        }
+
+        if (positions && (kind == TargetKind.Projection ? root->Astray == 0 : root->Disturbed != 0))
+        {
+            return 0;
         }
 
         double error = rows->Error[r];
@@ -213,17 +233,13 @@ internal sealed unsafe partial class JointSolver
         double size = turns ? 1 : rows->Size;
         double small = Small * size;
         double magnitude = Math.Abs(error);
-        if (magnitude <= small)
+        root->Worst = Math.Max(root->Worst, size > 0 ? magnitude / size : 0);
+        if (positions || magnitude <= small)
         {
-            worst = Math.Max(worst, size > 0 ? magnitude / size : 0);
             return -error / _step.Substep;
         }
 
-        if (kind == TargetKind.Correction)
-        {
-            return 0;
-        }
-
+        root->Disturbed = 1;
         double rest = (magnitude - small) * Math.Min(1, rows->Bias * _step.Substep / _step.Dt);
         return -(error < 0 ? -1 : 1) * (small + rest) / _step.Substep;
     }

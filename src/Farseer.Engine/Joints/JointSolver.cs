@@ -30,10 +30,6 @@ internal unsafe struct JointStep
 /// </summary>
 internal sealed unsafe partial class JointSolver
 {
-    /// <summary>Corrections of positions a substep, and the share of the joint's size at which an error is as good as none.</summary>
-    private const int Corrections = 3;
-    private const double Tolerance = 1e-7;
-
     private readonly JointStore _store;
     private readonly JointForest _forest = new JointForest();
     private readonly Column<ActiveJoint> _active = new Column<ActiveJoint>();
@@ -170,6 +166,7 @@ internal sealed unsafe partial class JointSolver
             motion->ChangeX = 0;
             motion->ChangeY = 0;
             motion->ChangeW = 0;
+            ReadMove(_forest.Nodes + i, _forest.Nodes[i].StartMove);
         }
 
         Kick(-0.5f);
@@ -190,39 +187,6 @@ internal sealed unsafe partial class JointSolver
         TreeReactions.AddSolve(_forest, _active.Pointer, _rows.Pointer);
         Iterate(true);
         StoreVelocities();
-    }
-
-    /// <summary>After the positions moved: what is left of the errors is taken out of positions and velocities alike.</summary>
-    public void CorrectPositions()
-    {
-        LoadPoses();
-        WriteErrors();
-        for (int round = 0; round < Corrections; round++)
-        {
-            double worst = SetTargets(TargetKind.Correction);
-            if (worst <= Tolerance)
-            {
-                break;
-            }
-
-            for (int i = 0; i < _forest.Count; i++)
-            {
-                TreeNode* node = _forest.Nodes + i;
-                node->Correction[0] = 0;
-                node->Correction[1] = 0;
-                node->Correction[2] = 0;
-            }
-
-            TreeSolve.Run(_forest, true);
-            TreeReactions.AddSolve(_forest, _active.Pointer, _rows.Pointer);
-            ApplyCorrections();
-            LoadPoses();
-            WriteErrors();
-        }
-
-        WriteRows(false);
-        Factor();
-        Kick(0.5f);
     }
 
     /// <summary>The relax pass at the new positions: no errors, no bias.</summary>

@@ -34,6 +34,21 @@ internal unsafe struct TreeNode
     /// <summary>Root only: no body of the tree touches anything.</summary>
     public int Free;
 
+    /// <summary>Root only: an error that was put there from outside waits to be taken out; the correction went astray.</summary>
+    public int Disturbed;
+    public int Astray;
+
+    /// <summary>Root only: largest error of the tree now and a round ago, in terms of its joints' sizes.</summary>
+    public double Worst;
+    public double Before;
+
+    /// <summary>Displacement and turn at the substep's start, and where h·v took the body, before corrections.</summary>
+    public fixed double StartMove[3];
+    public fixed double PlainMove[3];
+
+    /// <summary>Angle by which corrections turned the body in the substep.</summary>
+    public double Bent;
+
     /// <summary>Next node on the way down of a walk.</summary>
     public int Towards;
 
