@@ -24,6 +24,7 @@ public static class ClosedForms
     {
         ["collide_point"] = new("circles are true circles, so they touch what their polygon of edges just misses", Query: (file, query) => CircleTouchesBox(file, query)),
         ["geom_compound"] = new("circles are true circles, so a dumbbell rolls on its end without the bumps of a polygon", FallingBody.At),
+        ["geom_offset"] = new("the original's spin lags behind that of a pendulum on the box's corner, by more than its limit", FallingBody.At),
         ["head_on_equal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn),
         ["head_on_unequal"] = new("circles are true circles, so an elastic impact without friction follows the line of centres", HeadOn),
         ["incline_circle_rolls"] = new("a circle is a true circle, so it rolls without the losses of a polygon", Rolling),
