@@ -137,5 +137,115 @@ namespace Farseer.Porting.Tests
             Assert.True(game.Ship.Rotation != 0);
             Assert.True(cosine > 0.99f, $"cosine {cosine}");
         }
+
+        [Fact]
+        public void MousePicking_DragAndLetGo_BoxFollowsTheMouse()
+        {
+            var game = new MousePicking();
+            Assert.Null(game.MouseDown(new Vector2(0, 0)));
+            Assert.Same(game.BoxGeom, game.MouseDown(new Vector2(110, 104)));
+            for (int i = 0; i < 900; i++)
+            {
+                game.MouseMove(new Vector2(110 + System.Math.Min(i, 120), 104));
+                game.Update(Dt);
+            }
+
+            // At rest the spring of 20 holds a weight of 50.
+            Assert.True(game.IsHolding);
+            Assert.InRange(game.Stretch(), 2.4f, 2.6f);
+            game.MouseUp();
+            Assert.False(game.IsHolding);
+            float height = game.Box.Position.Y;
+            for (int i = 0; i < 60; i++)
+            {
+                game.Update(Dt);
+            }
+
+            Assert.True(game.Box.Position.Y > height + 10);
+        }
+
+        [Fact]
+        public void Tank_DrivenAndAimed_RollsOnAndRaisesItsBarrel()
+        {
+            var game = new Tank();
+            for (int i = 0; i < 300; i++)
+            {
+                game.Update(Dt, 1500, -30);
+                Assert.True(game.HingeError < 0.5f, $"hinge {game.HingeError}");
+            }
+
+            Assert.True(game.Hull.Position.X > 50, $"x {game.Hull.Position.X}");
+            Assert.InRange(game.BarrelAngle, -0.56f, -0.48f);
+            Assert.InRange(game.Hull.Position.Y, 45, 57);
+        }
+
+        [Fact]
+        public void Water_LightAndHeavyBox_OneFloatsAndOneSinks()
+        {
+            var game = new Water();
+            for (int i = 0; i < 900; i++)
+            {
+                game.Update(Dt);
+            }
+
+            Assert.Equal(2, game.Entered.Count);
+            // It fell from 40 above and still bobs: little of a float this light is in the water, and little drags at it.
+            Assert.InRange(game.Float.Position.Y, game.Surface - 40, game.Surface + 40);
+            Assert.True(game.Stone.Position.Y > game.Surface + 50);
+        }
+
+        [Fact]
+        public void Pinball_Flip_ThrowsTheBallAtTheBumper()
+        {
+            var game = new Pinball();
+            for (int i = 0; i < 60; i++)
+            {
+                game.Update(Dt, false);
+            }
+
+            Assert.InRange(game.Angle, 0.38f, 0.42f);
+            for (int i = 0; i < 60; i++)
+            {
+                game.Update(Dt, i < 20);
+                Assert.True(game.AxleError < 0.5f, $"axle {game.AxleError}");
+                Assert.InRange(game.Angle, -0.65f, 0.45f);
+            }
+        }
+
+        [Fact]
+        public void RopeBridge_WithCrates_StaysTautAndHolds()
+        {
+            var game = new RopeBridge();
+            for (int i = 0; i < 600; i++)
+            {
+                game.Update(Dt);
+            }
+
+            Assert.True(game.LargestError() < 0.05f, $"error {game.LargestError()}");
+            // The planks are as long as the gap: nothing can sag.
+            Assert.InRange(game.Sag(), -0.5f, 0.5f);
+            Assert.True(game.CratesAreUp());
+        }
+
+        [Fact]
+        public void FrameTime_SlowFramesAndRest_LengthensTheStepAndWakesWhatIsNear()
+        {
+            var game = new FrameTime();
+            for (int i = 0; i < 60; i++)
+            {
+                game.Frame(Dt, Dt);
+            }
+
+            Assert.Equal(0, game.Awake);
+            game.Visit(10);
+            int most = 0;
+            for (int i = 0; i < 30; i++)
+            {
+                game.Frame(Dt, Dt);
+                most = Math.Max(most, game.Awake);
+            }
+
+            Assert.InRange(most, 1, 3);
+        }
     }
 }

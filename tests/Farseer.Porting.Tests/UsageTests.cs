@@ -18,10 +18,7 @@ namespace Farseer.Porting.Tests
     public sealed class UsageTests
     {
         /// <summary>Parts that are not built yet; a row that names one of them waits with it.</summary>
-        private static readonly string[] Later =
-        {
-            @"\w*Joint\w*", "LinkType", "Path", "ComplexFactory",
-        };
+        private static readonly string[] Later = { "LinkType", "Path", "ComplexFactory" };
 
         private static readonly Dictionary<string, string> Operators = new Dictionary<string, string>
         {
@@ -40,8 +37,8 @@ namespace Farseer.Porting.Tests
         [Fact]
         public void EveryRow_OfTheUsageTable_Compiles()
         {
-            string[] rows = Rows().Where(row => !Later.Any(name => Regex.IsMatch(row, $@"(?<!\w){name}(?!\w)"))).ToArray();
-            Assert.True(rows.Length > 240, $"Only {rows.Length} rows were read.");
+            string[] rows = Rows().Where(row => !Later.Any(name => Regex.IsMatch(row, $@"\b{name}\b"))).ToArray();
+            Assert.True(rows.Length > 350, $"Only {rows.Length} rows were read.");
             var source = new StringBuilder("class Uses {\n");
             var candidates = new List<int>();
             for (int i = 0; i < rows.Length; i++)
