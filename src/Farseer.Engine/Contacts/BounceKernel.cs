@@ -74,7 +74,9 @@ internal static unsafe class BounceKernel
                 target1 = Wide.Select(hit1, target1, Wide.Zero);
                 BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
                 BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
-                ContactKernel.NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
+                BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
+                BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
+                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
                 ContactKernel.SolveBlock(row, lane, lambda0, lambda1, v0 - target0, v1 - target1, out Wide x0, out Wide x1);
                 WideMask any = hit0 | hit1;
                 x0 = Wide.Select(any, x0, lambda0);
@@ -82,7 +84,7 @@ internal static unsafe class BounceKernel
                 ContactKernel.ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
 
                 // The impact presses harder than the stop alone: friction may use all of it, so a grazing ball takes its full spin.
-                ContactKernel.SolveFriction(row, lane, ref a, ref b, x0, x1, any);
+                ContactKernel.SolveFriction(row, lane, ref a, ref b, movedA, movedB, x0, x1, any);
                 BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
                 x0.Store(row->Point0.Normal + lane);

@@ -23,8 +23,8 @@ internal readonly struct ContactCoefficients
     /// </summary>
     public const float SettleShare = 0.25f;
 
-    /// <summary>Share of the depth of rest by which surfaces must be apart to count as open: far above the rounding of a gap.</summary>
-    private const float OpenShare = 0.01f;
+    /// <summary>Share of the depth of rest by which the two points of a contact may differ and still count as level.</summary>
+    private const float LevelShare = 1e-3f;
 
     /// <summary>Rest 1 - η of the static load that the feed-forward leaves: 10 times less sag. 0 lets pyramids creep.</summary>
     private const float FeedRest = 0.1f;
@@ -63,8 +63,8 @@ internal readonly struct ContactCoefficients
     /// <summary>Depth at which contacts rest.</summary>
     public float Rest { get; }
 
-    /// <summary>Gap above which surfaces are open. With no depth of rest there is no such length, and none counts as open.</summary>
-    public float Open => Rest > 0 ? OpenShare * Rest : float.MaxValue;
+    /// <summary>Difference of gaps up to which two points are level: above the rounding of a gap, below what matters.</summary>
+    public float Level => LevelShare * Rest;
 
     public float InverseSubstep { get; }
 

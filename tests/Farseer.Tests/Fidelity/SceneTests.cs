@@ -24,7 +24,7 @@ public sealed class SceneTests
     /// </summary>
     private static readonly HashSet<string> KnownFaults = new(StringComparer.Ordinal)
     {
-        "geom_offset", "joint_break", "joint_softness",
+        "joint_break", "joint_softness",
     };
 
     public static TheoryData<string> BuiltScenes =>
