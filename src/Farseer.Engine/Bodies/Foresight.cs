@@ -8,7 +8,7 @@ using System.Runtime.Intrinsics;
 namespace Farseer.Engine.Bodies;
 
 /// <summary>
-/// How far a body turns until the middle of the step, foreseen from its spin at the start. Contacts keep the arms that they have
+/// How far a body turns until the middle of the step, foreseen from its spin at the start. Contacts push at the arms that they have
 /// there: with those of the start a body that tips over lags behind by half a step, an error that no number of substeps removes.
 /// Within the step, turns are counted from the foreseen middle.
 /// </summary>

@@ -19,7 +19,7 @@ public sealed class SceneTests
     };
 
     /// <summary>
-    /// Scenes that miss their reference today (known faults, issue 3 is open until the list is empty). The runner reports each
+    /// Scenes that miss their reference today (known faults, both of joints). The runner reports each
     /// as FAIL; a scene that is mended must leave the list, or its test fails.
     /// </summary>
     private static readonly HashSet<string> KnownFaults = new(StringComparer.Ordinal)
