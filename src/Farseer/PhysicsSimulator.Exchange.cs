@@ -35,22 +35,14 @@ public partial class PhysicsSimulator
             _bodiesIn.RemoveRange(0, count);
         }
 
-        if (_jointsIn.Count > 0)
-        {
-            TakeJointsIn();
-        }
-
+        _joints.TakeIn();
         TakeInControls();
         if (_geomsOut.Count + _geomsDisposed.Count + _bodiesOut.Count + _bodiesDisposed.Count > 0)
         {
             RemoveWaiting();
         }
 
-        if (_jointsOut.Count > 0)
-        {
-            TakeJointsOut();
-        }
-
+        _joints.TakeOut();
         if (JointList.Count > 0 || _jointsDisposed.Count > 0)
         {
             SweepJoints();

@@ -11,8 +11,7 @@ namespace FarseerGames.FarseerPhysics;
 /// </content>
 public partial class PhysicsSimulator
 {
-    private readonly List<Joint> _jointsIn = new List<Joint>();
-    private readonly List<Joint> _jointsOut = new List<Joint>();
+    private readonly ItemQueue<Joint> _joints;
     private readonly List<Joint> _jointsDisposed = new List<Joint>();
     private readonly List<Joint> _jointsChanged = new List<Joint>();
     private readonly JointRelay _jointRelay;
@@ -32,31 +31,14 @@ public partial class PhysicsSimulator
     public void Add(Joint joint)
     {
         ThrowIfDisposed();
-        Require.NotNull(joint, nameof(joint));
-        if (joint.IsDisposed)
+        if (joint is { IsDisposed: false, Simulator: null })
         {
-            throw new ObjectDisposedException(joint.GetType().Name);
+            CheckBodies(joint);
         }
 
-        if (joint.Simulator is not null && !ReferenceEquals(joint.Simulator, this))
+        if (_joints.Add(joint, nameof(joint)))
         {
-            throw new ArgumentException("The joint belongs to another simulator.", nameof(joint));
-        }
-
-        switch (joint.Membership)
-        {
-            case Membership.RemoveQueued:
-                joint.Membership = Membership.Added;
-                return;
-            case Membership.None:
-                CheckBodies(joint);
-                joint.Membership = Membership.AddQueued;
-                joint.Simulator = this;
-                joint.Link.Hold(this, joint);
-                _jointsIn.Add(joint);
-                return;
-            default:
-                throw new ArgumentException("The joint was added to this simulator before.", nameof(joint));
+            joint!.Link.Hold(this, joint);
         }
     }
 
@@ -68,21 +50,7 @@ public partial class PhysicsSimulator
     public void Remove(Joint joint)
     {
         ThrowIfDisposed();
-        Require.NotNull(joint, nameof(joint));
-        if (joint.Simulator is not null && !ReferenceEquals(joint.Simulator, this))
-        {
-            throw new ArgumentException("The joint belongs to another simulator.", nameof(joint));
-        }
-
-        if (joint.Membership == Membership.AddQueued)
-        {
-            Forget(joint);
-        }
-        else if (joint.Membership == Membership.Added)
-        {
-            joint.Membership = Membership.RemoveQueued;
-            _jointsOut.Add(joint);
-        }
+        _joints.Remove(joint, nameof(joint));
     }
 
     internal void NoteDisposed(Joint joint) => _jointsDisposed.Add(joint);
@@ -101,48 +69,27 @@ public partial class PhysicsSimulator
         ReleaseIfUnused(body);
     }
 
-    private void TakeJointsIn()
+    private void TakeIn(Joint joint)
     {
-        int count = _jointsIn.Count;
-        for (int i = 0; i < count; i++)
+        Attach(joint);
+        if (joint.IsUserWritten)
         {
-            Joint joint = _jointsIn[i];
-            if (joint.Membership != Membership.AddQueued || !ReferenceEquals(joint.Simulator, this))
-            {
-                continue;
-            }
-
-            if (joint.IsDisposed)
-            {
-                Forget(joint);
-                continue;
-            }
-
-            joint.Membership = Membership.Added;
-            Attach(joint);
-            if (joint.IsUserWritten)
-            {
-                _jointRelay.Written.Add(joint);
-            }
-
-            JointList.TakeIn(joint);
+            _jointRelay.Written.Add(joint);
         }
 
-        _jointsIn.RemoveRange(0, count);
+        JointList.TakeIn(joint);
     }
 
-    private void TakeJointsOut()
+    private void TakeOut(Joint joint)
     {
-        int count = _jointsOut.Count;
-        for (int i = 0; i < count; i++)
-        {
-            if (_jointsOut[i].Membership == Membership.RemoveQueued)
-            {
-                TakeOut(_jointsOut[i]);
-            }
-        }
+        _jointRelay.Written.Remove(joint);
+        JointList.TakeOut(joint);
+    }
 
-        _jointsOut.RemoveRange(0, count);
+    private void LetGo(Joint joint)
+    {
+        Detach(joint);
+        joint.Link.LetGo();
     }
 
     private void SweepJoints()
@@ -162,14 +109,9 @@ public partial class PhysicsSimulator
         int count = _jointsDisposed.Count;
         for (int i = 0; i < count; i++)
         {
-            Joint joint = _jointsDisposed[i];
-            if (joint.Membership == Membership.AddQueued)
+            if (ReferenceEquals(_jointsDisposed[i].Simulator, this))
             {
-                Forget(joint);
-            }
-            else if (joint.Membership != Membership.None)
-            {
-                TakeOut(joint);
+                _joints.Drop(_jointsDisposed[i]);
             }
         }
 
@@ -234,40 +176,9 @@ public partial class PhysicsSimulator
         }
     }
 
-    private void TakeOut(Joint joint)
-    {
-        Detach(joint);
-        Forget(joint);
-        _jointRelay.Written.Remove(joint);
-        JointList.TakeOut(joint);
-    }
-
-    private static void Forget(Joint joint)
-    {
-        joint.Membership = Membership.None;
-        joint.Link.LetGo();
-        joint.Simulator = null;
-    }
-
     private void ClearJoints()
     {
-        for (int i = 0; i < _jointsIn.Count; i++)
-        {
-            if (_jointsIn[i].Membership == Membership.AddQueued && ReferenceEquals(_jointsIn[i].Simulator, this))
-            {
-                Forget(_jointsIn[i]);
-            }
-        }
-
-        for (int i = 0; i < JointList.Count; i++)
-        {
-            Detach(JointList[i]);
-            Forget(JointList[i]);
-        }
-
-        JointList.Clear();
-        _jointsIn.Clear();
-        _jointsOut.Clear();
+        _joints.Clear();
         _jointsDisposed.Clear();
         _jointsChanged.Clear();
         _jointRelay.Written.Clear();

@@ -48,6 +48,7 @@ public partial class PhysicsSimulator : IDisposable
         JointList = new JointList { Owner = this };
         ControllerList = new ControllerList { Owner = this };
         SpringList = new SpringList { Owner = this };
+        _joints = new ItemQueue<Joint>(this, JointList, TakeIn, TakeOut, LetGo);
         _controllers = new ItemQueue<Controller>(this, ControllerList, ControllerList.TakeIn, ControllerList.TakeOut);
         _springs = new ItemQueue<Spring>(this, SpringList, SpringList.TakeIn, SpringList.TakeOut);
         InactivityController = new InactivityController(this);

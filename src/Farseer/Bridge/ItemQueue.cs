@@ -14,6 +14,7 @@ internal sealed class ItemQueue<T>
     private readonly List<T> _list;
     private readonly Action<T> _takeIn;
     private readonly Action<T> _takeOut;
+    private readonly Action<T>? _letGo;
     private readonly List<T> _in = new List<T>();
     private readonly List<T> _out = new List<T>();
 
@@ -21,15 +22,18 @@ internal sealed class ItemQueue<T>
     /// <param name="list">Its list of the items, the users' view.</param>
     /// <param name="takeIn">Adds to the list and tells of it.</param>
     /// <param name="takeOut">Removes from the list and tells of it.</param>
-    public ItemQueue(PhysicsSimulator owner, List<T> list, Action<T> takeIn, Action<T> takeOut)
+    /// <param name="letGo">Frees what the item holds, while it still belongs to the simulator; or null.</param>
+    public ItemQueue(PhysicsSimulator owner, List<T> list, Action<T> takeIn, Action<T> takeOut, Action<T>? letGo = null)
     {
         _owner = owner;
         _list = list;
         _takeIn = takeIn;
         _takeOut = takeOut;
+        _letGo = letGo;
     }
 
-    public void Add(T? item, string name)
+    /// <summary>True if the item waits from now on; false if only its removal was taken back.</summary>
+    public bool Add(T? item, string name)
     {
         Require.NotNull(item, name);
         if (item!.IsDisposed)
@@ -46,12 +50,12 @@ internal sealed class ItemQueue<T>
         {
             case Membership.RemoveQueued:
                 item.Membership = Membership.Added;
-                return;
+                return false;
             case Membership.None:
                 item.Membership = Membership.AddQueued;
                 item.Simulator = _owner;
                 _in.Add(item);
-                return;
+                return true;
             default:
                 throw new ArgumentException("The " + item.GetType().Name + " was added to this simulator before.", name);
         }
@@ -108,8 +112,7 @@ internal sealed class ItemQueue<T>
         {
             if (_out[i].Membership == Membership.RemoveQueued)
             {
-                Forget(_out[i]);
-                _takeOut(_out[i]);
+                Drop(_out[i]);
             }
         }
 
@@ -136,8 +139,7 @@ internal sealed class ItemQueue<T>
 
             if (item.IsDisposed && i < _list.Count && ReferenceEquals(_list[i], item))
             {
-                Forget(item);
-                _takeOut(item);
+                Drop(item);
                 i--;
             }
         }
@@ -150,17 +152,33 @@ internal sealed class ItemQueue<T>
         Forget(_list);
     }
 
-    private static void Forget(T item)
+    /// <summary>Lets an item go that is in the list or waits; tells of it if it was in the list.</summary>
+    public void Drop(T item)
     {
+        bool isIn = item.Membership != Membership.AddQueued;
+        Forget(item);
+        if (isIn)
+        {
+            _takeOut(item);
+        }
+    }
+
+    private void Forget(T item)
+    {
+        _letGo?.Invoke(item);
         item.Membership = Membership.None;
         item.Simulator = null;
     }
 
-    private static void Forget(List<T> items)
+    // An item that was removed before it was taken in still stands among those that wait; by now it may be another simulator's.
+    private void Forget(List<T> items)
     {
         foreach (T item in items)
         {
-            Forget(item);
+            if (ReferenceEquals(item.Simulator, _owner))
+            {
+                Forget(item);
+            }
         }
 
         items.Clear();

@@ -198,4 +198,19 @@ public class LifetimeTests
         Assert.Throws<ObjectDisposedException>(() => BodyFactory.Instance.CreateBody(bench.Simulator, 1, 1));
         Assert.Throws<ObjectDisposedException>(() => bench.Simulator.Clear());
     }
+
+    [Fact]
+    public void Spring_RemovedWhileItWaited_StaysWithTheSimulatorThatTookItAfterTheFirstIsCleared()
+    {
+        using PhysicsSimulator first = new();
+        using PhysicsSimulator second = new();
+        Body body = BodyFactory.Instance.CreateCircleBody(second, 1, 1);
+        var spring = new FarseerGames.FarseerPhysics.Dynamics.Springs.FixedLinearSpring(body, Vector2.Zero, new Vector2(3, 0), 10, 0.1f);
+        first.Add(spring);
+        first.Remove(spring);
+        second.Add(spring);
+        first.Clear();
+        second.Update(0.01f);
+        Assert.Same(spring, Assert.Single(second.SpringList));
+    }
 }

@@ -11,7 +11,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// update calls <see cref="PreStep"/> once and then <see cref="Update"/> several times, joint after joint in the order in
 /// which they were added, and they change the velocities of the bodies.
 /// </summary>
-public abstract class Joint : IDisposable
+public abstract class Joint : IDisposable, IItem
 {
     internal readonly JointAttachment Link = new JointAttachment();
 
@@ -147,7 +147,13 @@ public abstract class Joint : IDisposable
 
     internal PhysicsSimulator? Simulator { get; set; }
 
-    internal Membership Membership { get; set; }
+    PhysicsSimulator? IItem.Simulator
+    {
+        get => Simulator;
+        set => Simulator = value;
+    }
+
+    Membership IItem.Membership { get; set; }
 
     /// <summary>The class comes from outside: its <see cref="PreStep"/> and <see cref="Update"/> are called.</summary>
     internal bool IsUserWritten { get; }
