@@ -89,7 +89,7 @@ public class FixedRevoluteJoint : WorldJoint
         }
     }
 
-    /// <summary>Smallest value of the angle of the body since the joint was made, radians,; finite. Default 0.</summary>
+    /// <summary>Smallest value of the angle of the body since the joint was made, radians; finite. Default 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float LowerLimit
     {
@@ -101,7 +101,7 @@ public class FixedRevoluteJoint : WorldJoint
         }
     }
 
-    /// <summary>Largest value of the angle of the body since the joint was made, radians,; finite. Default 0.</summary>
+    /// <summary>Largest value of the angle of the body since the joint was made, radians; finite. Default 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float UpperLimit
     {
