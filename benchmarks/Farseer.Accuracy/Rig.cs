@@ -71,10 +71,10 @@ internal sealed partial class Rig : IDisposable
         return actor;
     }
 
-    public Actor AddCircle(double x, double y, double radius, double? mass = null)
+    public Actor AddCircle(double x, double y, double radius, double? mass = null, double angle = 0)
     {
         double m = mass ?? (Math.PI * radius * radius);
-        Actor actor = Add(new Vec(x, y), 0, m, 0.5 * m * radius * radius, [], isStatic: false, out Body body);
+        Actor actor = Add(new Vec(x, y), angle, m, 0.5 * m * radius * radius, [], isStatic: false, out Body body);
         Attach(GeomFactory.Instance.CreateCircleGeom(_simulator, body, (float)radius, 32));
         return actor;
     }

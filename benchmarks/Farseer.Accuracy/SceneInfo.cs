@@ -33,6 +33,7 @@ internal static class Catalogue
     [
         .. Accuracy.Scenes.FreeMotion.Scenes,
         .. Accuracy.Scenes.Impacts.Scenes,
+        .. Accuracy.Scenes.Cradle.Scenes,
         .. Accuracy.Scenes.Friction.Scenes,
         .. Accuracy.Scenes.Springs.Scenes,
         .. Accuracy.Scenes.Stacks.Scenes,
@@ -44,6 +45,7 @@ internal static class Catalogue
         .. Accuracy.Scenes.Pendulums.Scenes,
         .. Accuracy.Scenes.Chains.Scenes,
         .. Accuracy.Scenes.Mechanisms.Scenes,
+        .. Accuracy.Scenes.Endurance.Scenes,
     ];
 
     public static SceneInfo? Find(string name)

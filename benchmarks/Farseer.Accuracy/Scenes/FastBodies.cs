@@ -9,6 +9,7 @@ internal static class FastBodies
     public static IReadOnlyList<SceneInfo> Scenes { get; } =
     [
         new("S20_tunnel", "speed, m/s", new(1, 1e6), ["10", "100", "1000", "10000"], ["tunnelled_frac", "free_travel_frac"], Tunnel),
+        new("S20b_tunnel_bullet", "speed, m/s", new(1, 1e6), ["10", "100", "1000", "10000"], ["tunnelled_frac", "momentum_rel_error_max"], Bullet),
         new("S21_spinner", "rad/s", new(0, 1000), ["20", "60"], ["tunnelled_frac", "ke_gain_max_frac", "max_penetration_mm"], Spinner),
     ];
 
@@ -55,6 +56,36 @@ internal static class FastBodies
         {
             through++;
         }
+    }
+
+    /// <summary>A ball against a wall that moves: the pair keeps its momentum, and the ball stays on its side of the wall.</summary>
+    private static void Bullet(Trial trial)
+    {
+        const int Starts = 20;
+        int through = 0;
+        double worst = 0;
+        for (int j = 0; j < Starts; j++)
+        {
+            trial.World(
+                rig =>
+                {
+                    double travel = trial.Parameter * rig.Dt;
+                    rig.Friction = 0;
+                    Actor wall = rig.AddBox(0, 0, 0.02, 2, density: 1000);
+                    Actor shot = rig.AddCircle(-5 - (travel * j / Starts), 0, 0.1);
+                    shot.Velocity = new Vec(trial.Parameter, 0);
+                    double momentum = shot.Mass * shot.Velocity.X;
+                    rig.RunSteps((int)Math.Ceiling((8 + travel) / travel) + 2);
+                    double now = (shot.Mass * shot.Velocity.X) + (wall.Mass * wall.Velocity.X);
+                    worst = Math.Max(worst, Math.Abs((now / momentum) - 1));
+                    through += shot.Position.X > wall.Position.X ? 1 : 0;
+                },
+                gravity: 0,
+                bodySize: 0.02);
+        }
+
+        trial.Record("tunnelled_frac", through / (double)Starts);
+        trial.Record("momentum_rel_error_max", worst);
     }
 
     private static void Spinner(Trial trial)
