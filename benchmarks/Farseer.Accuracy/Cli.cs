@@ -2,6 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using Farseer.Accuracy.Extremes;
+using Farseer.Accuracy.Reporting;
+using Farseer.Accuracy.Sweeping;
 
 namespace Farseer.Accuracy;
 
@@ -21,6 +24,11 @@ internal static class Cli
           --runs N              runs for the clock: the first warms up, the median of the others counts (default 1)
           --csv FILE            writes the rows to a file too
           list                  the scenes, their parameters and metrics
+          sweep [--out FILE] [--runs N]
+                                the dials of ten scenes: error against cost, hypervolume, time to 1 %, floors
+          aims                  the figures that were aimed at, beside those reached and the best of other engines
+          extremes [WORD..]     how far masses, sizes, steps, speeds can be driven until a scene stops holding
+          report [--docs FOLDER] writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs
           goals [SCENE..]       the figures at the default dial beside their limits; exit code 1 if one fails
         """;
 
@@ -41,6 +49,17 @@ internal static class Cli
                     return 0;
                 case "goals":
                     return Goals.Print(args[1..], output) ? 0 : Failed;
+                case "aims":
+                    AimTable.Print(output);
+                    return 0;
+                case "extremes":
+                    return ExtremesCommand.Run(args[1..], output) ? 0 : Failed;
+                case "report":
+                    ReportCommand.Run(args[1..], output);
+                    return 0;
+                case "sweep":
+                    SweepCommand.Run(args[1..], output);
+                    return 0;
                 default:
                     RunScenes(Options.Parse(args), output);
                     return 0;

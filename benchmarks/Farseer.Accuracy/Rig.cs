@@ -104,10 +104,21 @@ internal sealed partial class Rig : IDisposable
         spring.RestLength = (float)restLength;
     }
 
-    public void Step()
+    /// <summary>A spring without damping between the centres of two bodies.</summary>
+    public void AddPairSpring(Actor a, Actor b, double restLength, double stiffness)
+    {
+        LinearSpring spring = SpringFactory.Instance.CreateLinearSpring(
+            _simulator, a.Body, Vector2.Zero, b.Body, Vector2.Zero, (float)stiffness, 0);
+        spring.RestLength = (float)restLength;
+    }
+
+    public void Step() => Step(_dt);
+
+    /// <summary>A step of another length; <see cref="Time"/> does not know of it.</summary>
+    public void Step(float dt)
     {
         long start = Stopwatch.GetTimestamp();
-        _simulator.Update(_dt);
+        _simulator.Update(dt);
         Ticks += Stopwatch.GetTimestamp() - start;
         Steps++;
         foreach (Actor actor in _actors)

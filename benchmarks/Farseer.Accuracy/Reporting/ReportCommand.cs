@@ -1,0 +1,164 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Text;
+using Farseer.Accuracy.Sweeping;
+
+namespace Farseer.Accuracy.Reporting;
+
+/// <summary>Renews the generated parts of docs/Accuracy.md and its plots; the prose between them is kept.</summary>
+internal static class ReportCommand
+{
+    private const string Document = "Accuracy.md";
+    private const string PlotFolder = "plots";
+
+    public static void Run(string[] args, TextWriter output)
+    {
+        string folder = args.Length switch
+        {
+            0 => "docs",
+            2 when args[0] == "--docs" => args[1],
+            _ => throw new UsageException("report: only --docs FOLDER is known."),
+        };
+        string path = Path.Combine(folder, Document);
+        if (!File.Exists(path))
+        {
+            throw new UsageException($"report: there is no {path}; run it from the repository's root or name the folder with --docs.");
+        }
+
+        string text = File.ReadAllText(path);
+        var points = new List<SweepPoint>(SweepData.Stored());
+        points.AddRange(SweepData.Peers());
+        text = Replaced(text, "aims", AimLines());
+        text = Replaced(text, "sweep", SweepLines(points));
+        text = Replaced(text, "plots", Plots(folder, points));
+        text = Replaced(text, "floors", FloorLines(points));
+        text = Replaced(text, "extremes", Extremes.ExtremesCommand.Lines());
+        File.WriteAllText(path, text);
+        output.WriteLine($"written: {path} and {SweepScene.All.Count} plots");
+    }
+
+    /// <summary>The lines between the marks of a part are replaced.</summary>
+    private static string Replaced(string text, string part, List<string> lines)
+    {
+        string from = $"<!-- {part}: generated -->\n";
+        string to = $"<!-- {part}: end -->";
+        int start = text.IndexOf(from, StringComparison.Ordinal);
+        int end = text.IndexOf(to, StringComparison.Ordinal);
+        if (start < 0 || end < start)
+        {
+            throw new UsageException($"report: {Document} has no part '{part}' between its two marks.");
+        }
+
+        var middle = new StringBuilder("\n");
+        foreach (string line in lines)
+        {
+            middle.Append(line).Append('\n');
+        }
+
+        middle.Append('\n');
+        return text[..(start + from.Length)] + middle + text[end..];
+    }
+
+    private static List<string> AimLines()
+    {
+        List<AimResult> results = AimTable.Measure();
+        List<string> lines = AimTable.Lines(results);
+        int met = results.FindAll(r => r.IsMet).Count;
+        lines.Add(string.Empty);
+        lines.Add(Invariant($"{met} of {results.Count} aims are met."));
+        return lines;
+    }
+
+    private static List<string> SweepLines(IReadOnlyList<SweepPoint> points)
+    {
+        var lines = new List<string>
+        {
+            "| engine | hypervolume | worst scene | time to 1 %, geometric mean | scenes within 1 % |", "|---|---|---|---|---|",
+        };
+        List<string> engines = SweepTables.Engines(points);
+        foreach (string engine in engines)
+        {
+            (double mean, double worst, string name) = SweepTables.Hypervolume(points, engine);
+            (double time, int reached) = SweepTables.TimeToTolerance(points, engine);
+            lines.Add(Invariant($"| {engine} | {mean:F3} | `{name}` ({worst:F3}) | {time:F0} ns | {reached} of {SweepScene.All.Count} |"));
+        }
+
+        lines.Add(string.Empty);
+        lines.Add("Least time, in ns a body and 1/60 s, with an error of at most 1 % of the failure scale:");
+        lines.Add(string.Empty);
+        lines.Add($"| scene | {string.Join(" | ", engines)} |");
+        lines.Add("|---|" + string.Concat(System.Linq.Enumerable.Repeat("---|", engines.Count)));
+        foreach (SweepScene scene in SweepScene.All)
+        {
+            var line = new StringBuilder($"| {scene.Title} |");
+            foreach (string engine in engines)
+            {
+                SweepPoint? best = Pareto.Cheapest(SweepTables.Of(points, engine, scene.Scene, SweepKind.Dial), SweepScene.Tolerance);
+                line.Append(best is null ? " never |" : Invariant($" {best.Cost:F0} |"));
+            }
+
+            lines.Add(line.ToString());
+        }
+
+        return lines;
+    }
+
+    private static List<string> Plots(string folder, IReadOnlyList<SweepPoint> points)
+    {
+        string plots = Path.Combine(folder, PlotFolder);
+        Directory.CreateDirectory(plots);
+        var lines = new List<string>();
+        foreach (SweepScene scene in SweepScene.All)
+        {
+            var own = new List<SweepPoint>();
+            foreach (SweepPoint point in points)
+            {
+                if (point.Scene == scene.Scene && point.Kind == SweepKind.Dial)
+                {
+                    own.Add(point);
+                }
+            }
+
+            string name = scene.Scene[..scene.Scene.IndexOf('_', StringComparison.Ordinal)] + ".svg";
+            File.WriteAllText(Path.Combine(plots, name), SvgPlot.Draw(scene, own));
+            lines.Add($"![{scene.Title}: error against cost, all engines]({PlotFolder}/{name})");
+        }
+
+        return lines;
+    }
+
+    private static List<string> FloorLines(IReadOnlyList<SweepPoint> points)
+    {
+        var lines = new List<string> { "| engine | floors | scenes |", "|---|---|---|" };
+        foreach (string engine in SweepTables.Engines(points))
+        {
+            List<string> floors = SweepTables.Floors(points, engine);
+            var scenes = new List<string>();
+            foreach (string floor in floors)
+            {
+                string scene = floor[..floor.IndexOf('_', StringComparison.Ordinal)];
+                if (!scenes.Contains(scene))
+                {
+                    scenes.Add(scene);
+                }
+            }
+
+            lines.Add(Invariant($"| {engine} | {floors.Count} | {string.Join(", ", scenes)} |"));
+        }
+
+        List<string> ours = SweepTables.Floors(points, SweepPoint.Own);
+        lines.Add(string.Empty);
+        lines.Add(ours.Count == 0 ? "None is this library's." : "Those of this library:");
+        lines.Add(string.Empty);
+        foreach (string floor in ours)
+        {
+            lines.Add($"- {floor}");
+        }
+
+        return lines;
+    }
+
+    private static string Invariant(FormattableString text) => FormattableString.Invariant(text);
+}

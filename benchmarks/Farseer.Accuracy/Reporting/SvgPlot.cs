@@ -1,0 +1,132 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Text;
+using Farseer.Accuracy.Sweeping;
+
+namespace Farseer.Accuracy.Reporting;
+
+/// <summary>
+/// Error against cost of one scene as an SVG picture. Both axes are logarithmic; a line joins the settings that no other of the same
+/// engine beats. Text and frame take the colours of a light or a dark page; the engines' colours are of middle brightness.
+/// </summary>
+internal static class SvgPlot
+{
+    private const double Width = 640;
+    private const double Height = 380;
+    private const double Left = 70;
+    private const double Right = 20;
+    private const double Top = 56;
+    private const double Bottom = 48;
+
+    private static readonly (string Engine, string Color)[] _colors =
+    [
+        (SweepPoint.Own, "#e8590c"), ("Box2D.NET", "#4c7fd6"), ("Box2D.NET(stiff)", "#8a70d8"), ("Aether", "#2f9e62"), ("Farseer2.0.1", "#a0862a"),
+    ];
+
+    public static string Draw(SweepScene scene, IReadOnlyList<SweepPoint> points)
+    {
+        (double lowX, double highX, double lowY) = Bounds(points);
+        var svg = new StringBuilder();
+        svg.Append(Invariant($"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {Width} {Height}\" width=\"{Width}\" height=\"{Height}\" role=\"img\">\n"));
+        svg.Append(Invariant($"<title>{scene.Title}: error against cost</title>\n"));
+        svg.Append("<style>text{font:12px system-ui,sans-serif;fill:#333}.h{font-size:14px;font-weight:600}.g{stroke:#888;stroke-opacity:.35}");
+        svg.Append("@media(prefers-color-scheme:dark){text{fill:#ddd}}</style>\n");
+        svg.Append(Invariant($"<text class=\"h\" x=\"{Left}\" y=\"20\">{scene.Title}</text>\n"));
+        Axes(svg, lowX, highX, lowY);
+        double legend = Left;
+        foreach ((string engine, string color) in _colors)
+        {
+            var own = new List<SweepPoint>();
+            foreach (SweepPoint point in points)
+            {
+                if (point.Engine == engine && point.Kind == SweepKind.Dial && point.Scene == scene.Scene)
+                {
+                    own.Add(point);
+                }
+            }
+
+            if (own.Count == 0)
+            {
+                continue;
+            }
+
+            svg.Append(Invariant($"<circle cx=\"{legend + 5}\" cy=\"38\" r=\"4\" fill=\"{color}\"/><text x=\"{legend + 13}\" y=\"42\">{engine}</text>\n"));
+            legend += 30 + (7.0 * engine.Length);
+            Series(svg, own, color, lowX, highX, lowY);
+        }
+
+        svg.Append("</svg>\n");
+        return svg.ToString();
+    }
+
+    private static void Series(StringBuilder svg, List<SweepPoint> points, string color, double lowX, double highX, double lowY)
+    {
+        var line = new StringBuilder();
+        foreach (SweepPoint point in Pareto.Front(points))
+        {
+            line.Append(Invariant($"{X(point, lowX, highX):F1},{Y(point, lowY):F1} "));
+        }
+
+        svg.Append(Invariant($"<polyline fill=\"none\" stroke=\"{color}\" stroke-width=\"2\" points=\"{line.ToString().TrimEnd()}\"/>\n"));
+        foreach (SweepPoint point in points)
+        {
+            double x = X(point, lowX, highX);
+            double y = Y(point, lowY);
+            svg.Append(point.Failed
+                ? Invariant($"<path stroke=\"{color}\" stroke-width=\"1.5\" d=\"M{x - 4:F1} {y - 4:F1}l8 8m0 -8l-8 8\"/>\n")
+                : Invariant($"<circle cx=\"{x:F1}\" cy=\"{y:F1}\" r=\"3\" fill=\"{color}\"/>\n"));
+        }
+    }
+
+    private static void Axes(StringBuilder svg, double lowX, double highX, double lowY)
+    {
+        for (double power = lowX; power <= highX; power++)
+        {
+            double x = Place(power, lowX, highX, Left, Width - Right);
+            svg.Append(Invariant($"<line class=\"g\" x1=\"{x:F1}\" y1=\"{Top}\" x2=\"{x:F1}\" y2=\"{Height - Bottom}\"/>"));
+            svg.Append(Invariant($"<text x=\"{x:F1}\" y=\"{Height - Bottom + 18}\" text-anchor=\"middle\">{Power(power)}</text>\n"));
+        }
+
+        double every = lowY < -8 ? 2 : 1;
+        for (double power = 0; power >= lowY; power -= every)
+        {
+            double y = Place(power, 0, lowY, Top, Height - Bottom);
+            svg.Append(Invariant($"<line class=\"g\" x1=\"{Left}\" y1=\"{y:F1}\" x2=\"{Width - Right}\" y2=\"{y:F1}\"/>"));
+            svg.Append(Invariant($"<text x=\"{Left - 8}\" y=\"{y + 4:F1}\" text-anchor=\"end\">{Power(power)}</text>\n"));
+        }
+
+        svg.Append(Invariant($"<text x=\"{(Left + Width - Right) / 2}\" y=\"{Height - 10}\" text-anchor=\"middle\">ns a body and 1/60 s of simulated time</text>\n"));
+        svg.Append(Invariant($"<text transform=\"translate(16 {(Top + Height - Bottom) / 2}) rotate(-90)\" text-anchor=\"middle\">error, share of failure</text>\n"));
+    }
+
+    private static (double LowX, double HighX, double LowY) Bounds(IReadOnlyList<SweepPoint> points)
+    {
+        double lowX = double.MaxValue;
+        double highX = double.MinValue;
+        double lowY = 0;
+        foreach (SweepPoint point in points)
+        {
+            double cost = Math.Log10(point.Cost);
+            lowX = Math.Min(lowX, cost);
+            highX = Math.Max(highX, cost);
+            lowY = Math.Min(lowY, Math.Log10(Math.Max(point.Error, 1e-14)));
+        }
+
+        return (Math.Floor(lowX), Math.Ceiling(highX), Math.Floor(lowY));
+    }
+
+    private static double X(SweepPoint point, double low, double high) => Place(Math.Log10(point.Cost), low, high, Left, Width - Right);
+
+    private static double Y(SweepPoint point, double low) =>
+        Place(Math.Log10(Math.Max(point.Error, 1e-14)), 0, low, Top, Height - Bottom);
+
+    private static double Place(double value, double from, double to, double start, double end) =>
+        start + ((value - from) / (to - from) * (end - start));
+
+    private static string Power(double power) => power is >= 0 and <= 4
+        ? Math.Pow(10, power).ToString("N0", CultureInfo.InvariantCulture)
+        : Invariant($"1e{power:F0}");
+
+    private static string Invariant(FormattableString text) => FormattableString.Invariant(text);
+}
