@@ -42,8 +42,8 @@ public abstract class Scene
     /// <summary>What came out after <see cref="Steps"/> updates of <see cref="Dt"/> seconds.</summary>
     public abstract IReadOnlyList<SceneOutcome> Check();
 
-    /// <summary>One update of the scene: what it does itself, then the simulator.</summary>
-    public void Step(PhysicsSimulator simulator, int step, float dt)
+    /// <summary>One update of the scene: what it does itself, then the simulator. A scene that updates in another way overrides it.</summary>
+    public virtual void Step(PhysicsSimulator simulator, int step, float dt)
     {
         Act(simulator, step, dt);
         simulator.Update(dt);

@@ -13,6 +13,7 @@ public static class SceneLibrary
     public static IReadOnlyList<Scene> All =>
     [
         new FallingStack(),
+        new SimpleBody(),
         new Pyramid(),
         new Dominoes(),
         new BouncingLadder(),
@@ -29,9 +30,16 @@ public static class SceneLibrary
         new CirclePile(),
         new Projectiles(),
         new LinearAndAngularSprings(),
+        new FixedJoints(),
+        new DynamicAngleJoints(),
+        new GearTrain(),
+        new BreakableWall(),
+        new Ragdoll(),
+        new OwnJoint(),
         new Water(),
         new BitmapBody(),
         new Inactivity(),
+        new PhysicsThread(),
         new FarFromOrigin(),
         new PixelsAndMetres(),
     ];
