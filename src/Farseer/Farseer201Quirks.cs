@@ -70,6 +70,9 @@ public enum Farseer201Quirks
     /// </summary>
     SpringBreaksLate = 2048,
 
+    /// <summary>A joint still holds its bodies in the update in which it breaks; by default it lets them go at once.</summary>
+    JointBreaksLate = 4096,
+
     /// <summary>All quirks.</summary>
-    All = 4095,
+    All = 8191,
 }

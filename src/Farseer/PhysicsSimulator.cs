@@ -209,6 +209,7 @@ public partial class PhysicsSimulator : IDisposable
             World.Settings.FreezePairFriction = (value & Farseer201Quirks.PairFrictionFrozen) != 0;
             World.Settings.OneSidedFilter = (value & Farseer201Quirks.OneSidedCategoryFilter) != 0;
             World.Settings.SeparateUntouchedPairs = (value & Farseer201Quirks.SeparationWithoutContact) != 0;
+            World.Settings.JointsBreakLate = (value & Farseer201Quirks.JointBreaksLate) != 0;
         }
     }
 

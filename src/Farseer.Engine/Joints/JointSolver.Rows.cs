@@ -91,10 +91,15 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>
-    /// How far the hard rows would be off if the bodies went on as they move now for a whole step. An exact joint has no error
-    /// to break by; an iterated one, which takes the share β of its error away in a step, has this much over β, and so games
-    /// choose their breaking points by it.
+    /// How far the hard rows would be off if the bodies went on as they move now, at the end of a step, for a whole one. An exact
+    /// joint has no error to break by; an iterated one, which takes the share β of its error away in a step, has this much over β,
+    /// and so games choose their breaking points by it.
     /// </summary>
+    /// <remarks>
+    /// A compliant row has some of it already. With D = n·σ for n substeps and the response K a substep gives, besides h·a, only
+    /// the share D/(K + D) of the turning c = v²h/L before it moves: the relax pass gives the rest after. So it is c·h/2 off as all
+    /// that goes straight, less c·h·D/(K + D): in n substeps (K - D)/(K + D)/n of what a whole step is.
+    /// </remarks>
     private double StraightDrift(int index)
     {
         ref ActiveJoint joint = ref _active[index];
@@ -127,6 +132,8 @@ internal sealed unsafe partial class JointSolver
                 double speed = (ja[0] * a->LinearVelocity.X) + (ja[1] * a->LinearVelocity.Y) + (ja[2] * a->AngularVelocity)
                     + (jb[0] * b->LinearVelocity.X) + (jb[1] * b->LinearVelocity.Y) + (jb[2] * b->AngularVelocity);
                 double drift = then.Error[k] - now->Error[k] - (speed * _step.Dt);
+                double response = now->Type[k] == (byte)RowType.Hard ? 0 : joint.Response[k];
+                drift *= response > 0 ? 1 - ((response - now->Damping[k]) / (response + now->Damping[k]) * _step.Substep / _step.Dt) : 1;
                 sum += drift * drift;
             }
         }

@@ -20,6 +20,9 @@ internal unsafe struct JointStep
 
     /// <summary>Ratio of this step's substep to the last one's.</summary>
     public double ImpulseScale;
+
+    /// <summary>A joint that breaks still acts in the step.</summary>
+    public bool BreaksLate;
 }
 
 /// <summary>
@@ -72,7 +75,7 @@ internal sealed unsafe partial class JointSolver
             return;
         }
 
-        if (Break() && !Look())
+        if (Break() && !step.BreaksLate && !Look())
         {
             return;
         }
@@ -138,7 +141,6 @@ internal sealed unsafe partial class JointSolver
             if (!double.IsInfinity(breakpoint))
             {
                 state.Error += state.Error < 0 ? -state.Drift : state.Drift;
-                state.Drift = (state.Drift * (1 - Math.Min(1, _active[i].Settings.BiasFactor))) + StraightDrift(i);
             }
 
             double force = Math.Sqrt((state.ForceX * state.ForceX) + (state.ForceY * state.ForceY));
@@ -212,6 +214,11 @@ internal sealed unsafe partial class JointSolver
             }
 
             double* given = _active.Pointer[i].Given;
+            if (!double.IsInfinity(_active[i].Settings.Breakpoint))
+            {
+                state.Drift = (state.Drift * (1 - Math.Min(1, _active[i].Settings.BiasFactor))) + StraightDrift(i);
+            }
+
             state.ForceX = given[0] / _step.Dt;
             state.ForceY = given[1] / _step.Dt;
             state.Torque = (given[2] - ((_rows[i].ArmX * given[1]) - (_rows[i].ArmY * given[0]))) / _step.Dt;

@@ -35,4 +35,7 @@ internal sealed class WorldSettings
 
     /// <summary>Raise separation for pairs that only overlapped with their boxes (a quirk of the original). Default false.</summary>
     public bool SeparateUntouchedPairs { get; set; }
+
+    /// <summary>A joint still acts in the step in which it breaks (a quirk of the original). Default false.</summary>
+    public bool JointsBreakLate { get; set; }
 }

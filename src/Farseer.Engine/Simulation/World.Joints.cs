@@ -120,6 +120,7 @@ internal sealed partial class World
         step.Touches = _graph.Degrees;
         step.Dt = dt;
         step.Substep = substep;
+        step.BreaksLate = Settings.JointsBreakLate;
         step.ImpulseScale = _lastSubstep > 0 ? (double)substep / _lastSubstep : 1;
         _jointSolver.Begin(step);
         for (int i = 0; i < _jointSolver.BrokenCount; i++)

@@ -8,6 +8,8 @@ namespace Farseer.Engine.Simulation;
 /// <summary>The table of contents of a step: one line a phase.</summary>
 internal sealed partial class World
 {
+    private int _substeps;
+
     private void RunStages(float dt)
     {
         Profile.Begin();
@@ -20,7 +22,9 @@ internal sealed partial class World
         FindPairs();
         Profile.End(StepStage.BroadPhase);
 
-        float substep = dt / Settings.Substeps;
+        // Once for the whole step: a handler may turn the dial, and the substeps must add up to the step.
+        _substeps = Settings.Substeps;
+        float substep = dt / _substeps;
         ContactUpdateInput contacts = ContactInput(dt, substep);
         _contactStage.Update(contacts, _graph);
         _events.Raise(this, _contacts, _graph, _contactStage.AnyHeard);
@@ -117,7 +121,7 @@ internal sealed partial class World
         input.Graph = _graph;
         input.List = _lists.Solver;
         input.PaddedCount = _lists.PaddedSolverCount;
-        input.Substeps = Settings.Substeps;
+        input.Substeps = _substeps;
         input.Substep = substep;
         input.Coefficients = coefficients;
         input.Recovery = Settings.Recovery;

@@ -16,6 +16,7 @@ public static class Quirks
         ["friction_changed_in_contact"] = ["PairFrictionFrozen"],
         ["geom_rotation_offset"] = ["OffsetTurnedByRotationOffset"],
         ["impulses"] = ["ImpulseDividedByMassTwice"],
+        ["joint_break"] = ["JointBreaksLate"],
         ["moi_factories"] = ["EllipseInertiaFromRectangle", "PolygonInertiaUnsigned"],
         ["oncollision_false"] = ["SeparationWithoutContact"],
         ["onseparation"] = ["SeparationWithoutContact"],

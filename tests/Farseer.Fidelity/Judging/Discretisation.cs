@@ -9,8 +9,15 @@ namespace Farseer.Fidelity.Judging;
 /// change of velocity in that step, hence after any number of steps by at most dt/2 times the total
 /// variation of the velocity (exactly that for a free fall from rest: g dt t / 2). At an impact the
 /// moment itself is only known to one step, which displaces a body by up to dt times the jump.
-/// The same holds one derivative up, where the acceleration changes smoothly (drag, springs).
+/// The same holds one derivative up, where the acceleration changes smoothly (drag, springs, joints). What it changes within an
+/// interval shows in the difference of the means of that interval and the one before. Where there is none before (the start) or
+/// the one before knows nothing of it (a force is switched on), it shows in the difference to the next interval only: that
+/// share, which the next row has anyway, is then due a row earlier.
 /// </summary>
+/// <remarks>
+/// An example is `joint_break`: pulled with 900 for two updates of 0.01 s the bob is 0.27 along in the original and 0.18 in truth,
+/// so its pin of 50 is turned by 0.0018 more, and of the speed of 18 there is 0.032 more along y.
+/// </remarks>
 public sealed class Discretisation
 {
     /// <summary>Largest change of acceleration, against its size, that counts as smooth and not as a force switched on or off.</summary>
@@ -20,6 +27,8 @@ public sealed class Discretisation
     private readonly double[] _rotation;
     private readonly double[] _velocity;
     private readonly double[] _angular;
+    private readonly double[] _earlyVelocity;
+    private readonly double[] _earlyAngular;
 
     public Discretisation(SceneFile file, Row[] rows, Impacts impacts)
     {
@@ -27,6 +36,8 @@ public sealed class Discretisation
         _rotation = new double[rows.Length];
         _velocity = new double[rows.Length];
         _angular = new double[rows.Length];
+        _earlyVelocity = new double[rows.Length];
+        _earlyAngular = new double[rows.Length];
         double gravity = Impacts.Gravity(file);
         for (int k = 1; k < rows.Length; k++)
         {
@@ -39,26 +50,41 @@ public sealed class Discretisation
             // The speed at an impact is that at a moment known to one step, on either side of it.
             _velocity[k] = _velocity[k - 1] + (impact ? 2 * file.Dt * gravity : 0);
             _angular[k] = _angular[k - 1];
-            if (k < 2 || impact || impacts.Between(k - 2))
-            {
-                continue;
-            }
-
             double half = file.Dt / 2 / elapsed;
-            double before = Speed(rows[k - 1], rows[k - 2]);
-            double after = Speed(rows[k], rows[k - 1]);
-            double change = Math.Sqrt(Square(rows[k].VelocityX - (2 * rows[k - 1].VelocityX) + rows[k - 2].VelocityX) + Square(rows[k].VelocityY - (2 * rows[k - 1].VelocityY) + rows[k - 2].VelocityY));
-            _velocity[k] += change <= SmoothShare * Math.Max(before, after) ? half * change : 0;
-            double spinBefore = rows[k - 1].AngularVelocity - rows[k - 2].AngularVelocity;
-            double spinAfter = rows[k].AngularVelocity - rows[k - 1].AngularVelocity;
-            double spinChange = Math.Abs(spinAfter - spinBefore);
-            _angular[k] += spinChange <= SmoothShare * Math.Max(Math.Abs(spinBefore), Math.Abs(spinAfter)) ? half * spinChange : 0;
+            _velocity[k] += half * (Smooth(rows, impacts, k, SpeedChange) ?? 0);
+            _angular[k] += half * (Smooth(rows, impacts, k, SpinChange) ?? 0);
+            _earlyVelocity[k] = impact ? 0 : half * Early(rows, impacts, k, SpeedChange);
+            _earlyAngular[k] = impact ? 0 : half * Early(rows, impacts, k, SpinChange);
         }
     }
 
-    public Difference At(int row) => new(_position[row], _rotation[row], _velocity[row], _angular[row]);
+    public Difference At(int row) => new(_position[row], _rotation[row], _velocity[row] + _earlyVelocity[row], _angular[row] + _earlyAngular[row]);
 
     public static double Speed(Row a, Row b) => Math.Sqrt(Square(a.VelocityX - b.VelocityX) + Square(a.VelocityY - b.VelocityY));
+
+    /// <summary>The smooth change that ends with row <paramref name="k"/>; null: there is none before, or it is a jump.</summary>
+    private static double? Smooth(Row[] rows, Impacts impacts, int k, Func<Row, Row, Row, (double Change, double Size)> measure)
+    {
+        if (k < 2 || k >= rows.Length || impacts.Between(k - 1) || impacts.Between(k - 2))
+        {
+            return null;
+        }
+
+        (double change, double size) = measure(rows[k - 2], rows[k - 1], rows[k]);
+        return change <= SmoothShare * size ? change : null;
+    }
+
+    /// <summary>The change from this interval to the next, where that is the first to show it.</summary>
+    private static double Early(Row[] rows, Impacts impacts, int k, Func<Row, Row, Row, (double Change, double Size)> measure)
+        => Smooth(rows, impacts, k, measure) is null ? Smooth(rows, impacts, k + 1, measure) ?? 0 : 0;
+
+    private static (double Change, double Size) SpeedChange(Row a, Row b, Row c) => (
+        Math.Sqrt(Square(c.VelocityX - (2 * b.VelocityX) + a.VelocityX) + Square(c.VelocityY - (2 * b.VelocityY) + a.VelocityY)),
+        Math.Max(Speed(b, a), Speed(c, b)));
+
+    private static (double Change, double Size) SpinChange(Row a, Row b, Row c) => (
+        Math.Abs(c.AngularVelocity - (2 * b.AngularVelocity) + a.AngularVelocity),
+        Math.Max(Math.Abs(b.AngularVelocity - a.AngularVelocity), Math.Abs(c.AngularVelocity - b.AngularVelocity)));
 
     private static double Square(double value) => value * value;
 }

@@ -5,6 +5,7 @@ using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Joints;
 using FarseerGames.FarseerPhysics.Dynamics.Springs;
 using FarseerGames.FarseerPhysics.Factories;
 using Xunit;
@@ -47,6 +48,9 @@ public class QuirkTests
 
         // The error grows by 0.1 an update, from 0 in the first: it is above 0.95 in the 11th, and the flag looks at the one before.
         [Farseer201Quirks.SpringBreaksLate] = new(UpdateInWhichASpringBreaks, 11, 12, 0),
+
+        // F = 1000 on m = 1 for 0.01 s, along a pin that breaks: Δv = 10, or held once more.
+        [Farseer201Quirks.JointBreaksLate] = new(SpeedInTheUpdateInWhichAPinBreaks, 10, 0, 1e-4),
     };
 
     public static TheoryData<Farseer201Quirks> Flags => new(Enum.GetValues<Farseer201Quirks>()
@@ -113,6 +117,24 @@ public class QuirkTests
         }
 
         return updates;
+    }
+
+    private static double SpeedInTheUpdateInWhichAPinBreaks(PhysicsSimulator simulator)
+    {
+        Body hook = BodyFactory.Instance.CreateRectangleBody(simulator, 10, 10, 1);
+        hook.IsStatic = true;
+        Body bob = BodyFactory.Instance.CreateRectangleBody(simulator, 10, 10, 1);
+        bob.Position = new Vector2(0, 50);
+        bob.IgnoreGravity = true;
+        WithoutDrag(bob);
+        PinJoint pin = JointFactory.Instance.CreatePinJoint(simulator, hook, Vector2.Zero, bob, Vector2.Zero);
+        simulator.Update(Step);
+        pin.Breakpoint = 0.5f;
+        bob.Position = new Vector2(0, 51);
+        bob.ApplyForce(new Vector2(0, 1000));
+        simulator.Update(Step);
+        Assert.False(pin.Enabled);
+        return bob.LinearVelocity.Y;
     }
 
     private static double LInertia(PhysicsSimulator simulator) =>

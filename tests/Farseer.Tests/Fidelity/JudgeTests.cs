@@ -41,6 +41,37 @@ public sealed class JudgeTests
         Assert.Contains(RowJudge.Judge(scene, 5, moved, null), c => c.What == "position" && !c.Passed);
     }
 
+    /// <summary>The share of a row after the start, or after a force is switched on, is that of the row after it and no more.</summary>
+    [Theory]
+    [InlineData("joint_break", "breaks", 31)]
+    [InlineData("joint_softness", "s6", 1)]
+    public void Limit_OfTheFirstRowUnderAForce_IsThatOfTheNextRow(string name, string body, int row)
+    {
+        SceneFile scene = ReferenceData.Scene(name);
+        Row[] rows = scene.Recordings[5].Rows[body];
+        Discretisation limits = new(scene, rows, new Impacts(scene, rows, FloatTolerance.Of(scene, [rows])));
+
+        Assert.Equal(limits.At(row + 1).LinearVelocity, limits.At(row).LinearVelocity, 1e-9);
+        Assert.True(limits.At(row + 2).LinearVelocity > limits.At(row).LinearVelocity);
+    }
+
+    [Fact]
+    public void Judge_PinThatHoldsOneUpdateLess_Fails()
+    {
+        SceneFile scene = ReferenceData.Scene("joint_break");
+
+        // The pull of one update after the break: 1500 and the weight of 100, for 0.01 s.
+        int broken = Array.IndexOf(scene.SampleSteps, 76);
+        Recording early = scene.Recordings[5] with
+        {
+            Rows = scene.Recordings[5].Rows.ToDictionary(
+                p => p.Key,
+                p => p.Value.Select((r, i) => i >= broken && p.Key == "breaks" ? r with { VelocityY = r.VelocityY + 16 } : r).ToArray()),
+        };
+
+        Assert.Contains(RowJudge.Judge(scene, 5, early, null), c => c.What == "linearVelocity" && !c.Passed);
+    }
+
     [Fact]
     public void Judge_NotANumber_Fails()
     {

@@ -43,6 +43,29 @@ public class HandlerMischiefTests
         }
     }
 
+    /// <summary>An update lasts as long as it was told to, whatever handlers do to the number of its iterations.</summary>
+    [Fact]
+    public void IterationsChangedInAHandler_ActFromTheNextUpdate()
+    {
+        PhysicsSimulator simulator = Scene(out Geom geom);
+        geom.Body.LinearDragCoefficient = 0;
+        Run(simulator, 100);
+        geom.Body.LinearVelocity.X = 100;
+        geom.OnCollision += (_, _, _) =>
+        {
+            simulator.Iterations = simulator.Iterations == 5 ? 50 : 5;
+            return true;
+        };
+        float start = geom.Body.Position.X;
+        for (int i = 1; i <= 10; i++)
+        {
+            simulator.Update(0.01f);
+
+            // 1 an update, with the box on top at rest: neither has friction. Its weight cannot turn it by more than the gap allows.
+            Assert.Equal(start + i, geom.Body.Position.X, 0.01f);
+        }
+    }
+
     [Fact]
     public void ExceptionOfAHandler_ComesOutAfterTheStep_AndTheNextStepWorks()
     {
