@@ -23,11 +23,23 @@ internal sealed unsafe class PackedTree
     private readonly int[] _layerEnd = new int[MaxLayers + 1];
     private int _layers;
 
+    /// <summary>Most groups and boxes that wait on the way down: each layer leaves at most its eight.</summary>
+    public const int MostWaiting = (MaxLayers + 1) * Width;
+
     /// <summary>Boxes built in, removed ones included.</summary>
     public int SlotCount { get; private set; }
 
     /// <summary>Boxes left.</summary>
     public int Count { get; private set; }
+
+    /// <summary>The boxes of all layers.</summary>
+    public WideBoxes Boxes => _lanes.Wide;
+
+    /// <summary>The layer that is one group.</summary>
+    public int TopLayer => _layers - 1;
+
+    /// <summary>Where the boxes of a layer begin; layer 0 are the boxes that were built in.</summary>
+    public int LayerStart(int layer) => _layerStart[layer];
 
     /// <summary>The proxy in a slot, 0 … <see cref="SlotCount"/> − 1.</summary>
     public int Proxy(int slot) => _proxies[slot];

@@ -4,6 +4,15 @@ using Farseer.Engine.Shapes;
 
 namespace Farseer.Engine.NarrowPhase;
 
+/// <summary>A point of an outline and the outward normal of the edge that it is on.</summary>
+internal struct OutlinePoint
+{
+    public double X;
+    public double Y;
+    public double NormalX;
+    public double NormalY;
+}
+
 /// <summary>Distances of points from pieces, in double precision and body coordinates.</summary>
 internal static unsafe class Distance
 {
@@ -61,6 +70,43 @@ internal static unsafe class Distance
         }
 
         return Math.Sqrt(best);
+    }
+
+    /// <summary>
+    /// The point of the piece's own outline, seams and rounding left out, that is nearest, if it is nearer than
+    /// <paramref name="square"/> says.
+    /// </summary>
+    public static void Nearest(ShapeStore store, int piece, double x, double y, ref double square, ref OutlinePoint nearest)
+    {
+        ref Piece p = ref store.Pieces[piece];
+        Vector2* v = store.Vertices.Pointer + p.VertexStart;
+        for (int i = 0; i < p.VertexCount; i++)
+        {
+            Vector2 normal = store.Normals[p.VertexStart + i];
+            if (store.OutlineAfter[p.VertexStart + i] != normal)
+            {
+                continue;
+            }
+
+            Vector2 a = v[i];
+            Vector2 b = v[i + 1 == p.VertexCount ? 0 : i + 1];
+            double dx = (double)b.X - a.X;
+            double dy = (double)b.Y - a.Y;
+            double length = (dx * dx) + (dy * dy);
+            double t = length > 0 ? (((x - a.X) * dx) + ((y - a.Y) * dy)) / length : 0;
+            t = t < 0 ? 0 : t > 1 ? 1 : t;
+            double nearX = a.X + (t * dx);
+            double nearY = a.Y + (t * dy);
+            double found = ((x - nearX) * (x - nearX)) + ((y - nearY) * (y - nearY));
+            if (found < square)
+            {
+                square = found;
+                nearest.X = nearX;
+                nearest.Y = nearY;
+                nearest.NormalX = normal.X;
+                nearest.NormalY = p.VertexCount > 1 ? normal.Y : 1;
+            }
+        }
     }
 
     private static double SquareToSegment(Vector2 a, Vector2 b, double x, double y)

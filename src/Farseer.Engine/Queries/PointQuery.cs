@@ -50,6 +50,43 @@ internal static class PointQuery
         return (inside ? -nearest : nearest) - radius;
     }
 
+    /// <summary>The point of the collider's outline that is nearest to a world point, and the signed distance from it.</summary>
+    public static NearHit Nearest(ShapeStore shapes, int collider, in BodyPose pose, double x, double y)
+    {
+        ToLocal(pose, x, y, out double localX, out double localY);
+        ref ColliderInfo info = ref shapes.Colliders[collider];
+        int piece = info.FirstPiece;
+        double square = double.PositiveInfinity;
+        bool inside = false;
+        OutlinePoint nearest = default;
+        for (int i = 0; i < info.PieceCount; i++, piece = shapes.NextPiece[piece])
+        {
+            inside |= Distance.IsInCore(shapes, piece, localX, localY);
+            Distance.Nearest(shapes, piece, localX, localY, ref square, ref nearest);
+        }
+
+        double distance = Math.Sqrt(square);
+        double radius = shapes.Pieces[info.FirstPiece].Radius;
+        double outX = nearest.NormalX;
+        double outY = nearest.NormalY;
+        if (distance > 0)
+        {
+            double scale = (inside ? -1 : 1) / distance;
+            outX = (localX - nearest.X) * scale;
+            outY = (localY - nearest.Y) * scale;
+        }
+
+        double pointX = nearest.X + (outX * radius);
+        double pointY = nearest.Y + (outY * radius);
+        return new NearHit
+        {
+            Collider = collider,
+            Distance = (inside ? -distance : distance) - radius,
+            X = pose.X + (pose.Cos * pointX) - (pose.Sin * pointY),
+            Y = pose.Y + (pose.Sin * pointX) + (pose.Cos * pointY),
+        };
+    }
+
     private static void ToLocal(in BodyPose pose, double x, double y, out double localX, out double localY)
     {
         double dx = x - pose.X;

@@ -90,6 +90,10 @@ internal sealed partial class World
         for (; piece >= 0; piece = Shapes.NextPiece[piece])
         {
             Proxies.Info[piece] = default;
+            if (Queries.IsUsed)
+            {
+                Queries.Changed(piece);
+            }
         }
 
         return handle;
@@ -117,7 +121,7 @@ internal sealed partial class World
         Require(body);
         Bodies.Pose[body.Index].X = x;
         Bodies.Pose[body.Index].Y = y;
-        Bodies.Flags[body.Index] |= BodyFlags.Moved;
+        NotePlaced(body.Index);
     }
 
     public void SetAngle(Handle body, double angle)
@@ -126,7 +130,7 @@ internal sealed partial class World
         ref BodyPose pose = ref Bodies.Pose[body.Index];
         pose.Angle = angle;
         FinishBodies.UpdateRotor(ref pose);
-        Bodies.Flags[body.Index] |= BodyFlags.Moved;
+        NotePlaced(body.Index);
     }
 
     /// <summary>Mass and inertia, both above 0; the inverses follow from them and the body's kind.</summary>

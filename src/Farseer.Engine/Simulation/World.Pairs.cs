@@ -190,6 +190,7 @@ internal sealed partial class World
         {
             int collider = _deadColliders[i].Index;
             Unlink(collider);
+            ForgetInQueries(collider);
             Shapes.DetachPieces(collider);
             Shapes.ColliderIds.Return(_deadColliders[i]);
         }

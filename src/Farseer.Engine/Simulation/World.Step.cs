@@ -131,7 +131,9 @@ internal sealed partial class World
         input.ColdStart = _contactStage.ColdStart;
         input.Joints = anyJoints ? _jointSolver : null;
         input.UserJoints = anyUserJoints ? UserJoints : null;
+        Queries.PosesChange = anyUserJoints;
         _solver.Solve(input);
+        Queries.PosesChange = false;
         if (anyJoints)
         {
             _jointSolver.Finish();

@@ -5,6 +5,7 @@ using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Queries;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Solver;
@@ -33,6 +34,7 @@ internal sealed partial class World
     public World()
     {
         _jointSolver = new JointSolver(Joints);
+        Queries = new WorldQueries(Shapes, Bodies);
 
         // Body 0 is the dummy that empty lanes point at; it never moves and has no mass.
         Bodies.Ids.Take();
@@ -114,6 +116,7 @@ internal sealed partial class World
         finally
         {
             IsStepping = false;
+            Queries.Version++;
         }
     }
 }
