@@ -73,6 +73,13 @@ public enum Farseer201Quirks
     /// <summary>A joint still holds its bodies in the update in which it breaks; by default it lets them go at once.</summary>
     JointBreaksLate = 4096,
 
+    /// <summary>
+    /// Pins, sliders and springs of a <see cref="Dynamics.Path"/> join the left end of a link with the right end of the next one, and all
+    /// but the first are as long as a link is wide: a path that runs to the right shrinks until its links lie on each other. By
+    /// default they join the ends that face each other, at the distance these have.
+    /// </summary>
+    PathLinkedAtFarEnds = 8192,
+
     /// <summary>All quirks.</summary>
-    All = 8191,
+    All = 16383,
 }

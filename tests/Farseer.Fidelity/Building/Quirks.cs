@@ -12,6 +12,7 @@ public static class Quirks
 {
     private static readonly Dictionary<string, string[]> FlagsByScene = new(StringComparer.Ordinal)
     {
+        ["chain_pin"] = ["PathLinkedAtFarEnds"],
         ["collision_category"] = ["OneSidedCategoryFilter"],
         ["friction_changed_in_contact"] = ["PairFrictionFrozen"],
         ["geom_rotation_offset"] = ["OffsetTurnedByRotationOffset"],

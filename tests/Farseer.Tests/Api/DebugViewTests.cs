@@ -118,7 +118,7 @@ public class DebugViewTests
         Assert.Equal(2 * (flying.Body.Position.X + 100), x, 1);
         Assert.Equal(2 * (flying.Body.Position.Y + 100), y, 1);
         Assert.Contains(root.Elements(), e => e.Name.LocalName == "polygon");
-        string path = Path.GetTempFileName();
+        string path = System.IO.Path.GetTempFileName();
         picture.Save(path);
         Assert.Equal(picture.ToString(), File.ReadAllText(path));
         File.Delete(path);

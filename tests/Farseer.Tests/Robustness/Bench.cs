@@ -62,6 +62,10 @@ internal sealed class Bench
         return curve;
     }
 
+    /// <summary>A row of links with geoms and hinges, in no simulator.</summary>
+    private static Path Chain() =>
+        ComplexFactory.Instance.CreateChain(new Vector2(100, 0), new Vector2(140, 0), 10, 4, 1, 1, LinkType.RevoluteJoint);
+
     private static SvgDebugDraw Picture() => new SvgDebugDraw(Vector2.Zero, Vector2.One, 10, 10);
 
     private static WaveController Wave()
@@ -118,6 +122,7 @@ internal sealed class Bench
             nameof(JointFactory) => JointFactory.Instance,
             nameof(SpringFactory) => SpringFactory.Instance,
             nameof(ControllerFactory) => ControllerFactory.Instance,
+            nameof(ComplexFactory) => ComplexFactory.Instance,
             nameof(Spring) => new FixedLinearSpring(new Body(), Vector2.Zero, Vector2.One, 1, 1),
             nameof(Controller) => new ExplosionController(),
             nameof(BodyController) or nameof(GravityController) => new GravityController(Vector2.Zero, 1, 1),
@@ -174,6 +179,7 @@ internal sealed class Bench
             nameof(Object) => "something",
             nameof(IFluidContainer) => new AABBFluidContainer(new AABB(Vector2.Zero, Vector2.One)),
             nameof(Spring) => new FixedLinearSpring(),
+            nameof(Path) => Chain(),
             nameof(CurveKey) => new CurveKey(1, 2),
             nameof(IDebugDraw) => Picture(),
             nameof(Controller) => new ExplosionController(),

@@ -18,6 +18,13 @@ internal static class OpenDoors
     private static readonly Dictionary<string, string> _reasons = new Dictionary<string, string>
     {
         ["Calculator.*"] = Arithmetic,
+        ["ComplexFactory.CreateChain(collisionGroup)"] = Bits,
+        ["ComplexFactory.CreateRope(collisionGroup)"] = Bits,
+        ["ComplexFactory.CreateTrack(collisionGroup)"] = Bits,
+        ["Path.CreateGeoms(collisionGroup)"] = Bits,
+        ["Path.FindMidpoint*"] = Arithmetic,
+        ["Path.PointInControlPoint*"] = Question,
+        ["Path.Remove(controlPoint)"] = Question,
         ["MathHelper.*"] = Arithmetic,
         ["ConvertUnits.To*"] = Arithmetic,
         ["MatrixPorting.*"] = Arithmetic,

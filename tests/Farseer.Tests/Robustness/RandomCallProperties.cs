@@ -60,7 +60,7 @@ public class RandomCallProperties
         p => p.Simulator.AllowedPenetration = p.Number(),
         p => p.Simulator.BiasFactor = p.Number(),
         p => p.Simulator.FrictionType = (FrictionType)(p.Pick(4) - 1),
-        p => p.Simulator.Quirks = (Farseer201Quirks)p.Pick(4096),
+        p => p.Simulator.Quirks = (Farseer201Quirks)p.Pick(16384),
         p => p.Simulator.Update(p.Number()),
         p => p.Simulator.Add(p.Body),
         p => p.Simulator.Add(p.Geom),
