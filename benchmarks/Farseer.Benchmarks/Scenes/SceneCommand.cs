@@ -78,13 +78,13 @@ internal static class SceneCommand
     {
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"{name}: {timing.DynamicBodies} bodies, {timing.Contacts} contacts, 0 joints"));
+            $"{name}: {timing.DynamicBodies} bodies, {timing.Contacts} contacts, {timing.Joints} joints"));
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
             $"  ms a step: {timing.LeastMilliseconds:F3} (best run), {timing.MedianMilliseconds:F3} (median run); {timing.TimedSteps} steps {timing.MedianTotal:F0} ms; {timing.NanosecondsPerBodyStep:F1} ns a body-step"));
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"  {timing.BytesPerStep:F1} bytes a step, hash {timing.StateHash:x16}, largest penetration {timing.LargestPenetration:G4}"));
+            $"  {timing.BytesPerStep:F1} bytes a step, hash {timing.StateHash:x16}, largest penetration {timing.LargestPenetration:G4}, largest joint error {timing.LargestSeparation:G4}"));
         var parts = new List<string>();
         foreach ((string phase, double milliseconds) in timing.Phases)
         {

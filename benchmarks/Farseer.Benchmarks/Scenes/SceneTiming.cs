@@ -5,6 +5,7 @@ using System.Globalization;
 using Farseer.Scenes.Performance;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 namespace Farseer.Benchmarks.Scenes;
 
@@ -43,6 +44,11 @@ internal sealed class SceneTiming
 
     public double BytesPerStep { get; private set; }
 
+    public int Joints { get; private set; }
+
+    /// <summary>Largest <c>JointError</c> after the last step.</summary>
+    public float LargestSeparation { get; private set; }
+
     public ulong StateHash { get; private set; }
 
     public float LargestPenetration { get; private set; }
@@ -63,12 +69,13 @@ internal sealed class SceneTiming
 
     public string ToCsv() => string.Create(
         CultureInfo.InvariantCulture,
-        $"{_scene.Name},{_size},{DynamicBodies},{Contacts},0,1,{Asset.Framework},{Asset.Lanes},{_steps},{LeastMilliseconds:F4},{MedianMilliseconds:F4},{MedianTotal:F1},{NanosecondsPerBodyStep:F1},{BytesPerStep:F1},{StateHash:x16},{LargestPenetration:G4},0");
+        $"{_scene.Name},{_size},{DynamicBodies},{Contacts},{Joints},1,{Asset.Framework},{Asset.Lanes},{_steps},{LeastMilliseconds:F4},{MedianMilliseconds:F4},{MedianTotal:F1},{NanosecondsPerBodyStep:F1},{BytesPerStep:F1},{StateHash:x16},{LargestPenetration:G4},{LargestSeparation:G4}");
 
     private PhysicsSimulator Start()
     {
         var simulator = new PhysicsSimulator();
         _scene.Build(simulator, _size);
+        _scene.Drive(0);
         simulator.Update(_scene.Dt);
         return simulator;
     }
@@ -80,6 +87,7 @@ internal sealed class SceneTiming
         long start = Stopwatch.GetTimestamp();
         for (int i = 0; i < TimedSteps; i++)
         {
+            _scene.Drive(i + 1);
             simulator.Update(_scene.Dt);
         }
 
@@ -88,7 +96,14 @@ internal sealed class SceneTiming
         DynamicBodies = 0;
         foreach (Body body in simulator.BodyList)
         {
-            DynamicBodies += body.IsStatic ? 0 : 1;
+            DynamicBodies += body.IsStatic || body.IsKinematic ? 0 : 1;
+        }
+
+        Joints = simulator.JointList.Count;
+        LargestSeparation = 0f;
+        foreach (Joint joint in simulator.JointList)
+        {
+            LargestSeparation = Math.Max(LargestSeparation, Math.Abs(joint.JointError));
         }
 
         Contacts = simulator.ContactCount;
@@ -108,6 +123,7 @@ internal sealed class SceneTiming
         double positions = 0;
         for (int i = 0; i < TimedSteps; i++)
         {
+            _scene.Drive(i + 1);
             simulator.Update(_scene.Dt);
             cleanUp += simulator.CleanUpTime;
             broadPhase += simulator.BroadPhaseCollisionTime;

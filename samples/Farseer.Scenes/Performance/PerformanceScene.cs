@@ -37,5 +37,10 @@ public abstract class PerformanceScene
         Fill(new Bricks(simulator), size);
     }
 
+    /// <summary>Moves what the scene drives by hand, before update <paramref name="step"/> (0 is the first). Nothing in most scenes.</summary>
+    public virtual void Drive(int step)
+    {
+    }
+
     private protected abstract void Fill(Bricks bricks, int size);
 }

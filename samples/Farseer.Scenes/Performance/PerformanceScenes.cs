@@ -6,7 +6,11 @@ namespace Farseer.Scenes.Performance;
 /// <summary>The timing scenes, in the order of the published comparison.</summary>
 public static class PerformanceScenes
 {
-    public static IReadOnlyList<PerformanceScene> All { get; } = [new LargePyramid(), new ManyPyramids(), new CirclePile()];
+    public static IReadOnlyList<PerformanceScene> All { get; } = 
+    [
+        new LargePyramid(), new ManyPyramids(), new JointGrid(), new Tumbler(), new Washer(), new Junkyard(), new Compounds(), new Spinner(),
+        new CirclePile(), new RestingBoxes(),
+    ];
 
     /// <summary>The scene of that name (case does not matter), or null.</summary>
     public static PerformanceScene? Find(string name)

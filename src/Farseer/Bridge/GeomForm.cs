@@ -19,6 +19,9 @@ internal enum FormKind
     /// <summary>All points within <see cref="GeomForm.Radius"/> of a segment.</summary>
     Capsule,
 
+    /// <summary>All points within <see cref="GeomForm.Radius"/> of a convex polygon.</summary>
+    Rounded,
+
     /// <summary>A line without thickness that collides on both sides.</summary>
     Segment,
 
@@ -42,7 +45,7 @@ internal sealed class GeomForm
 
     public FormKind Kind { get; }
 
-    /// <summary>Outline, segment or chain; the ends of a capsule's segment; empty otherwise.</summary>
+    /// <summary>Outline, segment or chain; the ends of a capsule's segment; the corners that are rounded; empty otherwise.</summary>
     public Vector2[] Points { get; }
 
     public float Radius { get; }
@@ -67,6 +70,7 @@ internal sealed class GeomForm
         FormKind.Circle => ShapeBuilder.Circle(Radius),
         FormKind.Box => ShapeBuilder.Box(Size.X, Size.Y),
         FormKind.Capsule => ShapeBuilder.Capsule(Points[0], Points[1], Radius),
+        FormKind.Rounded => ShapeBuilder.Polygon(Points, Radius),
         FormKind.Segment => ShapeBuilder.Segment(Points[0], Points[1]),
         FormKind.Chain => ShapeBuilder.Chain(Points, IsLoop),
         _ => ShapeBuilder.Polygon(Points),

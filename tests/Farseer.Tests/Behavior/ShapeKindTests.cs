@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
@@ -62,6 +63,31 @@ public class ShapeKindTests
         Assert.Equal(rotation == 0 ? 2 : 1, Assert.Single(simulator.ArbiterList).ContactList.Count);
         Assert.True(geom.Collide(geom.GetWorldPosition(new Vector2(24.9f, 0))));
         Assert.False(geom.Collide(geom.GetWorldPosition(new Vector2(24.9f, 4))));
+    }
+
+    [Theory]
+    [InlineData(0f, 15)]
+    [InlineData(MathF.PI / 2, 25)]
+    [InlineData(-MathF.PI / 2, 25)]
+    public void RoundedRectangle_LyingOrStanding_RestsOnARadiusMoreThanItsHeight(float rotation, float height)
+    {
+        PhysicsSimulator simulator = Sandbox.Falling();
+        Sandbox.Floor(simulator);
+        Body body = BodyFactory.Instance.CreateRectangleBody(simulator, 50, 30, 1);
+        Geom geom = GeomFactory.Instance.CreateRoundedRectangleGeom(simulator, body, 40, 20, 5);
+        body.Position = new Vector2(0, -height - 1);
+        body.Rotation = rotation;
+        Sandbox.Run(simulator, 40);
+
+        // The allowed penetration of the simulator is within it.
+        Assert.Equal(-height, body.Position.Y, 0.1f);
+        Assert.Equal(2, Assert.Single(simulator.ArbiterList).ContactList.Count);
+
+        // 5 from the inner corner at (20, 10), on the diagonal: 3.54 each way.
+        Assert.True(geom.Collide(geom.GetWorldPosition(new Vector2(23.3f, 13.3f))));
+        Assert.False(geom.Collide(geom.GetWorldPosition(new Vector2(23.8f, 13.8f))));
+        Assert.Equal(25, geom.LocalVertices.Max(v => v.X), 1e-4f);
+        Assert.Equal(-15, geom.LocalVertices.Min(v => v.Y), 1e-4f);
     }
 
     [Fact]

@@ -115,6 +115,7 @@ public class OutlineDoorTests
             (s, b) => GeomFactory.Instance.CreateCircleGeom(s, b, size, 12),
             (s, b) => GeomFactory.Instance.CreateEllipseGeom(s, b, size, size / 2, 12),
             (s, b) => GeomFactory.Instance.CreateCapsuleGeom(s, b, new Vector2(-size, 0), new Vector2(size, 0), size / 3),
+            (s, b) => GeomFactory.Instance.CreateRoundedRectangleGeom(s, b, size, size / 2, size / 3),
             (s, b) => GeomFactory.Instance.CreateSegmentGeom(s, b, new Vector2(-size, 0), new Vector2(size, 0)),
             (s, b) => GeomFactory.Instance.CreatePolygonGeom(s, b, Make(new[] { -size, -size, -size, size, 0, 0, size, size, size, -size }), 0),
             (s, b) => GeomFactory.Instance.CreateRectangleGeom(s, b, 1, 1, new Vector2(size, 0), 0.3f),
