@@ -15,7 +15,7 @@ namespace Farseer.Engine.Contacts;
 internal static unsafe class BounceKernel
 {
     /// <summary>Impacts slower than this many substeps of outside acceleration are rest, not impact.</summary>
-    private const float RestSubsteps = 4f;
+    public const float RestSubsteps = 4f;
 
     [MethodImpl(KernelMethod.Optimized)]
     public static void Prepare(ContactBundle* bundles, int count, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)

@@ -1,4 +1,5 @@
 using System.Runtime.InteropServices;
+using Farseer.Engine.Joints.Trees;
 
 namespace Farseer.Engine.Joints;
 
@@ -20,29 +21,29 @@ internal enum JointRole : byte
 internal unsafe struct ActiveJoint
 {
     public int Joint;
-    public int BodyA;
-    public int BodyB;
-
-    /// <summary>-1: cannot move.</summary>
-    public int NodeA;
-    public int NodeB;
+    public RowEnds Ends;
     public JointRole Role;
 
     public JointKind Kind;
     public JointFlags Flags;
     public JointSettings Settings;
 
-    /// <summary>Both nodes are in one tree: moving one moves the other.</summary>
-    public bool Coupled;
-
     /// <summary>The iteration has rows of this joint to solve.</summary>
     public bool HasRows;
 
-    /// <summary>Hard rows when the trees were built.</summary>
+    /// <summary>Hard rows when the trees were built; -1: not known yet.</summary>
     public int BuiltHard;
+    public int BuiltCount;
 
-    /// <summary>Response of body A's velocity to an impulse on B, where coupled.</summary>
-    public fixed double Cross[9];
+    /// <summary>It has limits that a tree's block can hold: rigid ones.</summary>
+    public bool Limited;
+
+    /// <summary>The block that it belongs to takes its limits when they hold; else they are iterated.</summary>
+    public bool BlockLimits;
+    public int Class;
+
+    /// <summary>Where a limit that holds in the block is to be by the substep's end.</summary>
+    public fixed double Goal[JointRows.Most];
 
     /// <summary>Inverse of the block's response.</summary>
     public fixed double Block[9];

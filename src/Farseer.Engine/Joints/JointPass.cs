@@ -6,13 +6,13 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Joints;
 
 /// <summary>
-/// The iterated rows: limits, motors, springs, and the blocks of joints that close a loop. Each is solved in turn against the full
-/// inverse mass of its bodies' trees.
+/// The iterated rows of joints: motors, springs, limits that no block holds, and the blocks of joints that close a loop. Each is
+/// solved in turn against the full inverse mass of its bodies' trees.
 /// </summary>
 internal sealed unsafe class JointPass
 {
     /// <summary>Share of an overrun of a limit that is taken away in a substep.</summary>
-    private const double LimitRecovery = 0.2;
+    public const double LimitRecovery = 0.2;
 
     /// <summary>An impulse on a limit that changes the speed by less than this share is a tie, decided by rounding.</summary>
     private const double Touching = 1e-2;
@@ -24,142 +24,117 @@ internal sealed unsafe class JointPass
     private const double NetBias = AngularStep / NetDamping;
 
     private BodyState* _states;
+    private JointForestView _view;
 
-    /// <summary>Responses, springs and blocks at the present poses.</summary>
-    public void Prepare(JointForest forest, ActiveJoint* active, JointRows* rows, int count, in JointStep step)
+    /// <summary>The poses and trees of a substep: to be called before the other members.</summary>
+    public void Enter(in JointForestView view, BodyState* states)
     {
-        _states = step.Bodies.State.Pointer;
-        for (int i = 0; i < count; i++)
+        _view = view;
+        _states = states;
+    }
+
+    /// <summary>Responses, springs and blocks of a joint at the present poses.</summary>
+    public void Prepare(ActiveJoint* joint, JointRows* r, double h)
+    {
+        TreeNode* nodes = _view.Nodes;
+        if (joint->Ends.Coupled)
         {
-            ActiveJoint* joint = active + i;
-            if (!joint->HasRows)
-            {
-                continue;
-            }
+            TreeCross.Write(nodes, joint->Ends.NodeA, joint->Ends.NodeB, joint->Ends.Cross);
+        }
 
-            JointRows* r = rows + i;
-            if (joint->Coupled)
-            {
-                TreeCross.Write(forest.Nodes, joint->NodeA, joint->NodeB, joint->Cross);
-            }
+        for (int k = 0; k < r->Count; k++)
+        {
+            joint->Response[k] = Coupling(joint, r, k, k);
+            SetSpring(joint, r, k, h);
+        }
 
-            for (int k = 0; k < r->Count; k++)
-            {
-                joint->Response[k] = Coupling(forest.Nodes, joint, r, k, k);
-                SetSpring(joint, r, k, step.Substep);
-            }
-
-            if (joint->Role == JointRole.Iterated && r->Hard > 0)
-            {
-                PrepareBlock(forest.Nodes, joint, r);
-            }
+        if (joint->Role == JointRole.Iterated && r->Hard > 0)
+        {
+            PrepareBlock(joint, r);
         }
     }
 
     /// <summary>The impulses of the substep before, on the bodies' own masses: the trees are solved afterwards.</summary>
-    public void WarmStart(JointForest forest, ActiveJoint* active, JointRows* rows, int count)
+    public void WarmStart(ActiveJoint* joint, JointRows* r)
     {
-        for (int i = 0; i < count; i++)
+        double* a = stackalloc double[3];
+        double* b = stackalloc double[3];
+        for (int k = joint->Role == JointRole.Iterated ? 0 : r->Hard; k < r->Count; k++)
         {
-            ActiveJoint* joint = active + i;
-            if (!joint->HasRows)
+            if (joint->BlockLimits && r->Type[k] == (byte)RowType.Limit)
             {
                 continue;
             }
 
-            JointRows* r = rows + i;
-            for (int k = joint->Role == JointRole.Iterated ? 0 : r->Hard; k < r->Count; k++)
+            if (r->Type[k] >= (byte)RowType.Spring)
             {
-                if (r->Type[k] >= (byte)RowType.Spring)
-                {
-                    joint->Lambda[k] = 0;
-                    continue;
-                }
-
-                Give(joint, r, k, joint->Lambda[k]);
-                Push(forest.Nodes, joint->NodeA, r->A + (k * 3), joint->Lambda[k]);
-                Push(forest.Nodes, joint->NodeB, r->B + (k * 3), joint->Lambda[k]);
-            }
-        }
-    }
-
-    public void Sweep(JointForest forest, ActiveJoint* active, JointRows* rows, int count, in JointStep step, bool biased)
-    {
-        TreeNode* nodes = forest.Nodes;
-        for (int i = 0; i < count; i++)
-        {
-            ActiveJoint* joint = active + i;
-            if (!joint->HasRows)
-            {
+                joint->Lambda[k] = 0;
                 continue;
             }
 
-            JointRows* r = rows + i;
-            if (joint->NodeA >= 0)
-            {
-                TreeWalk.Visit(nodes, joint->NodeA);
-            }
-
-            // With both bodies in one tree the first one's velocity stays right while the walk goes to the second.
-            if (joint->NodeB >= 0)
-            {
-                TreeWalk.Visit(nodes, joint->NodeB);
-            }
-
-            for (int k = r->Hard; k < r->Count; k++)
-            {
-                SolveRow(nodes, joint, r, k, step.Substep, biased);
-            }
-
-            if (joint->Role == JointRole.Iterated && r->Hard > 0)
-            {
-                SolveBlock(nodes, joint, r, step, biased);
-            }
+            Give(joint, r, k, joint->Lambda[k]);
+            Scale(r->A + (k * 3), joint->Lambda[k], a);
+            Scale(r->B + (k * 3), joint->Lambda[k], b);
+            RowEnds.Push(_view.Nodes, &joint->Ends, a, b);
         }
     }
 
-    private static void Push(TreeNode* nodes, int node, double* j, double impulse)
+    public void Solve(ActiveJoint* joint, JointRows* r, in JointStep step, bool biased)
     {
-        if (node >= 0)
+        RowEnds.Visit(_view, &joint->Ends);
+        for (int k = r->Hard; k < r->Count; k++)
         {
-            TreeNode* n = nodes + node;
-            n->Velocity[0] += n->InverseMass * j[0] * impulse;
-            n->Velocity[1] += n->InverseMass * j[1] * impulse;
-            n->Velocity[2] += n->InverseInertia * j[2] * impulse;
+            if (!(joint->BlockLimits && r->Type[k] == (byte)RowType.Limit))
+            {
+                SolveRow(joint, r, k, step.Substep, biased);
+            }
         }
+
+        if (joint->Role == JointRole.Iterated && r->Hard > 0)
+        {
+            SolveBlock(joint, r, step, biased);
+        }
+    }
+
+    /// <summary>In the position correction: a joint that closes a loop takes out its own error.</summary>
+    public void Correct(ActiveJoint* joint, JointRows* r, double h)
+    {
+        if (joint->Role != JointRole.Iterated || r->Hard == 0 || !joint->Ends.Coupled)
+        {
+            return;
+        }
+
+        RowEnds.Visit(_view, &joint->Ends);
+        double* residual = stackalloc double[3];
+        for (int k = 0; k < r->Hard; k++)
+        {
+            bool servo = r->Type[k] == (byte)RowType.Servo;
+            residual[k] = RowSpeed(joint, r, k) + (servo ? 0 : r->Error[k] / h);
+        }
+
+        for (int k = 0; k < r->Hard; k++)
+        {
+            double impulse = 0;
+            for (int q = 0; q < r->Hard; q++)
+            {
+                impulse -= joint->Block[(k * r->Hard) + q] * residual[q];
+            }
+
+            joint->Lambda[k] += impulse;
+            Apply(joint, r, k, impulse);
+        }
+    }
+
+    private static void Scale(double* j, double factor, double* r)
+    {
+        r[0] = j[0] * factor;
+        r[1] = j[1] * factor;
+        r[2] = j[2] * factor;
     }
 
     /// <summary>J A Jᵀ between two rows of a joint.</summary>
-    private static double Coupling(TreeNode* nodes, ActiveJoint* joint, JointRows* r, int p, int q)
-    {
-        double* product = stackalloc double[3];
-        double sum = 0;
-        if (joint->NodeA >= 0)
-        {
-            double* j = r->A + (q * 3);
-            SmallMatrix.Apply(nodes[joint->NodeA].FullMass, j[0], j[1], j[2], product);
-            sum += SmallMatrix.Dot(r->A + (p * 3), product);
-        }
-
-        if (joint->NodeB >= 0)
-        {
-            double* j = r->B + (q * 3);
-            SmallMatrix.Apply(nodes[joint->NodeB].FullMass, j[0], j[1], j[2], product);
-            sum += SmallMatrix.Dot(r->B + (p * 3), product);
-        }
-
-        if (joint->Coupled)
-        {
-            double* j = r->B + (q * 3);
-            SmallMatrix.Apply(joint->Cross, j[0], j[1], j[2], product);
-            sum += SmallMatrix.Dot(r->A + (p * 3), product);
-            j = r->B + (p * 3);
-            SmallMatrix.Apply(joint->Cross, j[0], j[1], j[2], product);
-            sum += SmallMatrix.Dot(r->A + (q * 3), product);
-        }
-
-        return sum;
-    }
+    private double Coupling(ActiveJoint* joint, JointRows* r, int p, int q) =>
+        RowEnds.Response(_view.Nodes, &joint->Ends, r->A + (p * 3), r->B + (p * 3), r->A + (q * 3), r->B + (q * 3));
 
     /// <summary>
     /// The exact discrete spring v' = (v - κφ)/D with D = exp(2ζωh) and κ = (1 + D - 2√D·cos(ω√(1-ζ²)·h))/h has the frequency and
@@ -189,7 +164,7 @@ internal sealed unsafe class JointPass
         joint->SpringKappa[k] = (1 + d - (2 * root * cosine)) / h;
     }
 
-    private static void PrepareBlock(TreeNode* nodes, ActiveJoint* joint, JointRows* r)
+    private void PrepareBlock(ActiveJoint* joint, JointRows* r)
     {
         double* k = stackalloc double[9];
         int n = r->Hard;
@@ -197,7 +172,7 @@ internal sealed unsafe class JointPass
         {
             for (int q = 0; q < n; q++)
             {
-                k[(p * n) + q] = Coupling(nodes, joint, r, p, q);
+                k[(p * n) + q] = Coupling(joint, r, p, q);
             }
         }
 
@@ -209,27 +184,12 @@ internal sealed unsafe class JointPass
         SmallMatrix.Invert(k, n, joint->Block);
     }
 
-    private double Speed(TreeNode* nodes, ActiveJoint* joint, JointRows* r, int k)
-    {
-        return Speed(nodes, joint->NodeA, joint->BodyA, r->A + (k * 3)) + Speed(nodes, joint->NodeB, joint->BodyB, r->B + (k * 3));
-    }
+    private double RowSpeed(ActiveJoint* joint, JointRows* r, int k) =>
+        RowEnds.Speed(_view.Nodes, _states, joint->Ends.NodeA, joint->Ends.BodyA, r->A + (k * 3))
+        + RowEnds.Speed(_view.Nodes, _states, joint->Ends.NodeB, joint->Ends.BodyB, r->B + (k * 3));
 
-    private double Speed(TreeNode* nodes, int node, int body, double* j)
-    {
-        if (node >= 0)
-        {
-            return SmallMatrix.Dot(j, nodes[node].Velocity);
-        }
-
-        BodyState* s = _states + body;
-        return (j[0] * s->LinearVelocity.X) + (j[1] * s->LinearVelocity.Y) + (j[2] * s->AngularVelocity);
-    }
-
-    /// <summary>
-    /// Applies an impulse along a row. B is current; the other body of the same tree then is reached by a walk, and B is visited
-    /// again for the next row.
-    /// </summary>
-    private static void Apply(TreeNode* nodes, ActiveJoint* joint, JointRows* r, int k, double impulse)
+    /// <summary>Applies an impulse along a row; both bodies stay up to date.</summary>
+    private void Apply(ActiveJoint* joint, JointRows* r, int k, double impulse)
     {
         if (impulse == 0)
         {
@@ -237,22 +197,11 @@ internal sealed unsafe class JointPass
         }
 
         Give(joint, r, k, impulse);
-        if (joint->NodeB >= 0)
-        {
-            double* j = r->B + (k * 3);
-            TreeWalk.Apply(nodes, joint->NodeB, j[0] * impulse, j[1] * impulse, j[2] * impulse);
-        }
-
-        if (joint->NodeA >= 0)
-        {
-            TreeWalk.Visit(nodes, joint->NodeA);
-            double* j = r->A + (k * 3);
-            TreeWalk.Apply(nodes, joint->NodeA, j[0] * impulse, j[1] * impulse, j[2] * impulse);
-            if (joint->NodeB >= 0)
-            {
-                TreeWalk.Visit(nodes, joint->NodeB);
-            }
-        }
+        double* a = stackalloc double[3];
+        double* b = stackalloc double[3];
+        Scale(r->A + (k * 3), impulse, a);
+        Scale(r->B + (k * 3), impulse, b);
+        RowEnds.Apply(_view, &joint->Ends, a, b);
     }
 
     private static void Give(ActiveJoint* joint, JointRows* r, int k, double impulse)
@@ -262,7 +211,7 @@ internal sealed unsafe class JointPass
         joint->Given[2] += r->B[(k * 3) + 2] * impulse;
     }
 
-    private void SolveRow(TreeNode* nodes, ActiveJoint* joint, JointRows* r, int k, double h, bool biased)
+    private void SolveRow(ActiveJoint* joint, JointRows* r, int k, double h, bool biased)
     {
         double response = joint->Response[k];
         if (!(response > 0))
@@ -270,7 +219,7 @@ internal sealed unsafe class JointPass
             return;
         }
 
-        double v = Speed(nodes, joint, r, k);
+        double v = RowSpeed(joint, r, k);
         double old = joint->Lambda[k];
         double now;
         switch ((RowType)r->Type[k])
@@ -307,7 +256,7 @@ internal sealed unsafe class JointPass
         }
 
         joint->Lambda[k] = now;
-        Apply(nodes, joint, r, k, now - old);
+        Apply(joint, r, k, now - old);
     }
 
     private static double Limit(ActiveJoint* joint, JointRows* r, int k, double v, double h, bool biased)
@@ -323,16 +272,17 @@ internal sealed unsafe class JointPass
         return -(v + (LimitRecovery * over / h) + (r->Damping[k] * joint->Lambda[k])) / (response + r->Damping[k]);
     }
 
-    private void SolveBlock(TreeNode* nodes, ActiveJoint* joint, JointRows* r, in JointStep step, bool biased)
+    private void SolveBlock(ActiveJoint* joint, JointRows* r, in JointStep step, bool biased)
     {
         double* residual = stackalloc double[3];
         int n = r->Hard;
-        bool soft = !joint->Coupled && biased;
+        bool coupled = joint->Ends.Coupled;
+        bool soft = !coupled && biased;
         for (int k = 0; k < n; k++)
         {
             bool servo = r->Type[k] == (byte)RowType.Servo;
-            double bias = servo ? -r->Speed[k] : biased ? r->Error[k] * (joint->Coupled ? 1 : NetBias) / step.Substep : 0;
-            residual[k] = Speed(nodes, joint, r, k) + bias;
+            double bias = servo ? -r->Speed[k] : biased ? r->Error[k] * (coupled ? 1 : NetBias) / step.Substep : 0;
+            residual[k] = RowSpeed(joint, r, k) + bias;
         }
 
         for (int k = 0; k < n; k++)
@@ -349,7 +299,7 @@ internal sealed unsafe class JointPass
             }
 
             joint->Lambda[k] += impulse;
-            Apply(nodes, joint, r, k, impulse);
+            Apply(joint, r, k, impulse);
         }
     }
 }

@@ -11,35 +11,39 @@ internal sealed unsafe partial class JointSolver
     {
         for (int i = 0; i < _forest.Count; i++)
         {
-            TreeNode* node = _forest.Nodes + i;
-            ref BodyMass mass = ref _step.Bodies.Mass[node->Body];
-            node->InverseMass = mass.InverseMass;
-            node->InverseInertia = mass.InverseInertia;
+            LoadMass(_forest.Nodes + i);
         }
+    }
+
+    private void LoadMass(TreeNode* node)
+    {
+        ref BodyMass mass = ref _step.Bodies.Mass[node->Body];
+        node->InverseMass = mass.InverseMass;
+        node->InverseInertia = mass.InverseInertia;
     }
 
     /// <summary>Trees that touch nothing are free.</summary>
     private void MarkFree()
     {
-        for (int i = 0; i < _forest.Count; i++)
+        for (int i = 0; i < _forest.TreeCount; i++)
         {
-            _forest.Nodes[i].Free = 1;
+            _forest.Trees[i].Free = true;
         }
 
         for (int i = 0; i < _forest.Count; i++)
         {
             if (_step.Touches[_forest.Nodes[i].Body] > 0)
             {
-                _forest.Nodes[_forest.Nodes[i].Root].Free = 0;
+                Bind(i);
             }
         }
 
         for (int i = 0; i < _count; i++)
         {
-            if (_active[i].HasRows && Acts(_active.Pointer + i, _rows.Pointer + i))
+            if (Acts(_active.Pointer + i, _rows.Pointer + i))
             {
-                Bind(_active[i].NodeA);
-                Bind(_active[i].NodeB);
+                Bind(_active[i].Ends.NodeA);
+                Bind(_active[i].Ends.NodeB);
             }
         }
     }
@@ -48,7 +52,7 @@ internal sealed unsafe partial class JointSolver
     {
         if (node >= 0)
         {
-            _forest.Nodes[_forest.Nodes[node].Root].Free = 0;
+            _forest.Trees[_forest.Nodes[node].Tree].Free = false;
         }
     }
 
@@ -77,7 +81,7 @@ internal sealed unsafe partial class JointSolver
         for (int i = 0; i < _forest.Count; i++)
         {
             TreeNode* node = _forest.Nodes + i;
-            if (_forest.Nodes[node->Root].Free != 0)
+            if (_forest.Trees[node->Tree].Free)
             {
                 BodyState* state = states + node->Body;
                 BodyDrive* drive = drives + node->Body;
@@ -88,30 +92,103 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
+    /// <summary>
+    /// Trees whose bodies nothing else moves. A guest is one as long as it presses on a tree: then the two must move by the same law,
+    /// or their surfaces part by half of g·h² in each substep. If deep overlaps are pushed apart, guests move with them.
+    /// </summary>
+    private void MarkExact()
+    {
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            _forest.Trees[i].Exact = _forest.Trees[i].Eliminates;
+        }
+
+        for (int i = 0; i < _contactCount; i++)
+        {
+            ref TreeContact contact = ref _contacts[i];
+            if (!contact.Deep && (contact.Point0.Normal > 0 || contact.Point1.Normal > 0))
+            {
+                MarkExact(contact.Ends.NodeA);
+                MarkExact(contact.Ends.NodeB);
+            }
+        }
+    }
+
+    private void MarkExact(int node)
+    {
+        if (node >= 0)
+        {
+            _forest.Trees[_forest.Nodes[node].Tree].Exact = true;
+        }
+    }
+
+    /// <summary>The displacements, as they stand in the store.</summary>
+    private void LoadMoves()
+    {
+        for (int i = 0; i < _forest.Count; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            LoadMove(node);
+            node->TurnSin = _step.Bodies.State[node->Body].DeltaSin;
+            node->TurnCos = _step.Bodies.State[node->Body].DeltaCos;
+        }
+    }
+
+    private void LoadMove(TreeNode* node)
+    {
+        BodyState* state = _step.Bodies.State.Pointer + node->Body;
+        node->Move[0] = state->DeltaPosition.X;
+        node->Move[1] = state->DeltaPosition.Y;
+        node->Move[2] = _step.Bodies.Motion[node->Body].Turned;
+    }
+
+    private void SetMove(TreeNode* node, double x, double y, double turned)
+    {
+        BodyState* state = _step.Bodies.State.Pointer + node->Body;
+        node->Move[0] = x;
+        node->Move[1] = y;
+        node->Move[2] = turned;
+        StableMath.SinCos(turned, out node->TurnSin, out node->TurnCos);
+        state->DeltaPosition.X = (float)x;
+        state->DeltaPosition.Y = (float)y;
+        _step.Bodies.Motion[node->Body].Turned = (float)turned;
+        state->DeltaSin = (float)node->TurnSin;
+        state->DeltaCos = (float)node->TurnCos;
+    }
+
+    /// <summary>What the floats of the displacements leave out of the step goes into the poses directly.</summary>
+    private void KeepMoves()
+    {
+        for (int i = 0; i < _forest.Count; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            BodyState* state = _step.Bodies.State.Pointer + node->Body;
+            ref BodyPose pose = ref _step.Bodies.Pose[node->Body];
+            pose.X += node->Move[0] - state->DeltaPosition.X;
+            pose.Y += node->Move[1] - state->DeltaPosition.Y;
+            pose.Angle += node->Move[2] - _step.Bodies.Motion[node->Body].Turned;
+        }
+    }
+
     private void LoadPoses()
     {
         for (int i = 0; i < _forest.Count; i++)
         {
-            LoadPose(_forest.Nodes + i);
+            TreeNode* node = _forest.Nodes + i;
+            ref BodyPose pose = ref _step.Bodies.Pose[node->Body];
+            node->X = pose.X + node->Move[0];
+            node->Y = pose.Y + node->Move[1];
+            double angle = pose.Angle + (node->Move[2] + _step.Bodies.Drive[node->Body].Lead);
+            if (angle != node->Angle || node->Cos == 0)
+            {
+                node->Angle = angle;
+                StableMath.SinCos(angle, out node->Sin, out node->Cos);
+            }
         }
     }
 
     /// <summary>Angle turned since the start of the step.</summary>
     private double Turn(int body) => (double)_step.Bodies.Motion[body].Turned + _step.Bodies.Drive[body].Lead;
-
-    private void LoadPose(TreeNode* node)
-    {
-        ref BodyPose pose = ref _step.Bodies.Pose[node->Body];
-        ref BodyState state = ref _step.Bodies.State[node->Body];
-        node->X = pose.X + state.DeltaPosition.X;
-        node->Y = pose.Y + state.DeltaPosition.Y;
-        double angle = pose.Angle + Turn(node->Body);
-        if (angle != node->Angle || node->Cos == 0)
-        {
-            node->Angle = angle;
-            StableMath.SinCos(angle, out node->Sin, out node->Cos);
-        }
-    }
 
     private void LoadVelocities()
     {

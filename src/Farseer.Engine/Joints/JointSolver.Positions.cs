@@ -1,5 +1,4 @@
 using System;
-using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 
@@ -8,15 +7,20 @@ namespace Farseer.Engine.Joints;
 /// <content>
 /// The correction of positions. It goes along the directions of the substep's start, which makes the motion symplectic; where that
 /// does not converge (the whip of a rope), the tree is projected along the directions at its present pose instead, which always
-/// holds together but costs energy.
+/// holds together but costs energy. Loops and surfaces that press on each other take part: without them the correction undoes
+/// what they had found, and a load sinks four times as deep.
 /// </content>
 internal sealed unsafe partial class JointSolver
 {
     private const int Corrections = 3;
     private const int Projections = 12;
 
+    /// <summary>Sweeps over loops and contacts in a correction, and over deep contacts when they are pushed apart.</summary>
+    private const int CorrectionSweeps = 2;
+    private const int PushOutSweeps = 4;
+
     /// <summary>Errors in terms of the joint's size: none, good enough to stay with, and too large after all corrections.</summary>
-    private const double Tolerance = 1e-7;
+    private const double Tolerance = 1e-9;
     private const double Loose = 2e-6;
     private const double Failed = 1e-4;
 
@@ -24,63 +28,171 @@ internal sealed unsafe partial class JointSolver
     private const double Shrink = 0.7;
     private const double LargestBend = 0.3;
 
-    /// <summary>After the positions moved: what is left of the errors is taken out of positions and velocities alike.</summary>
-    public void CorrectPositions()
-    {
-        for (int i = 0; i < _forest.Count; i++)
-        {
-            TreeNode* node = _forest.Nodes + i;
-            ReadMove(node, node->PlainMove);
-            node->Bent = 0;
-            node->Before = double.PositiveInfinity;
-            node->Astray = 0;
-        }
+    private double _pushRate;
 
+    /// <summary>After the positions moved: what is left of the errors is taken out of positions and velocities alike.</summary>
+    /// <param name="pushRate">Share of a deep overlap that goes in this substep.</param>
+    public void CorrectPositions(double pushRate)
+    {
+        LoadVelocities();
+        Move();
         LoadPoses();
         WriteErrors();
-        double worst = SetTargets(TargetKind.Correction);
-        for (int round = 0; round < Corrections && worst > Tolerance; round++)
+        for (int i = 0; i < _forest.TreeCount; i++)
         {
-            ClearCorrections();
-            TreeSolve.Run(_forest, true);
-            TreeReactions.AddSolve(_forest, _active.Pointer, _rows.Pointer);
-            ApplyCorrections(false);
+            JointTree* tree = _forest.Trees + i;
+            SetTargets(tree, TargetKind.Correction);
+            tree->Before = double.PositiveInfinity;
+            tree->Astray = false;
+        }
+
+        for (int round = 0; round < Corrections && ChooseTrees(); round++)
+        {
+            Correct();
             LoadPoses();
             WriteErrors();
-            worst = SetTargets(TargetKind.Correction);
             FindAstray(round == Corrections - 1);
         }
 
         Project();
+        PushOut(pushRate);
+        LoadPoses();
         WriteRows(false);
         Factor();
         Kick(0.5f);
     }
 
-    private void FindAstray(bool last)
+    /// <summary>Exact trees move by h·v in double; the others have been moved.</summary>
+    private void Move()
     {
+        double h = _step.Substep;
         for (int i = 0; i < _forest.Count; i++)
         {
             TreeNode* node = _forest.Nodes + i;
-            TreeNode* root = _forest.Nodes + node->Root;
-            root->Astray |= node->Bent > LargestBend ? 1 : 0;
-            if (node->Parent < 0)
+            if (_forest.Trees[node->Tree].Exact)
             {
-                bool stuck = node->Worst > Loose && node->Worst > Shrink * node->Before;
-                node->Astray |= stuck || (last && node->Worst > Failed) || !FloatBits.IsFinite(node->Worst) ? 1 : 0;
-                node->Before = node->Worst;
+                double* v = node->Velocity;
+                SetMove(node, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), node->Move[2] + (h * v[2]));
             }
+            else
+            {
+                LoadMove(node);
+                node->TurnSin = _step.Bodies.State[node->Body].DeltaSin;
+                node->TurnCos = _step.Bodies.State[node->Body].DeltaCos;
+            }
+
+            for (int k = 0; k < 3; k++)
+            {
+                node->PlainMove[k] = node->Move[k];
+            }
+
+            node->Bent = 0;
         }
     }
 
-    private void ClearCorrections()
+    /// <summary>A tree takes part if its error is too large, or if it has rows and another of those does.</summary>
+    private bool ChooseTrees()
     {
+        bool any = false;
+        bool anyRows = false;
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            JointTree* tree = _forest.Trees + i;
+            tree->Corrects = tree->Eliminates && tree->Worst > Tolerance && !tree->Astray;
+            any |= tree->Corrects;
+            anyRows |= tree->Corrects && tree->HasRows;
+        }
+
+        for (int i = 0; anyRows && i < _forest.TreeCount; i++)
+        {
+            _forest.Trees[i].Corrects |= _forest.Trees[i].HasRows;
+        }
+
+        return any;
+    }
+
+    /// <summary>One round: the velocity changes that take the errors away, found as the velocities are.</summary>
+    private void Correct()
+    {
+        bool anyRows = false;
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            JointTree* tree = _forest.Trees + i;
+            if (tree->Corrects || tree->HasRows)
+            {
+                Save(tree);
+                Clear(tree);
+            }
+
+            if (tree->Corrects && tree->Eliminates)
+            {
+                SetTargets(tree, TargetKind.Correction);
+                TreeSolve.Run(_forest, tree);
+                TreeReactions.OfSolve(_forest, tree);
+                TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
+                anyRows |= tree->HasRows;
+            }
+        }
+
+        for (int sweep = 0; anyRows && sweep < CorrectionSweeps; sweep++)
+        {
+            Sweep(Pass.Correction);
+        }
+
+        double h = _step.Substep;
         for (int i = 0; i < _forest.Count; i++)
         {
             TreeNode* node = _forest.Nodes + i;
-            node->Correction[0] = 0;
-            node->Correction[1] = 0;
-            node->Correction[2] = 0;
+            JointTree* tree = _forest.Trees + node->Tree;
+            if (tree->Corrects || tree->HasRows)
+            {
+                double* change = node->Velocity;
+                if (tree->Corrects)
+                {
+                    node->Bent += Math.Abs(h * change[2]);
+                    SetMove(node, node->Move[0] + (h * change[0]), node->Move[1] + (h * change[1]), node->Move[2] + (h * change[2]));
+                }
+
+                change[0] += node->Saved[0];
+                change[1] += node->Saved[1];
+                change[2] += node->Saved[2];
+            }
+        }
+
+        StoreVelocities();
+    }
+
+    private void Clear(JointTree* tree)
+    {
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            node->Velocity[0] = 0;
+            node->Velocity[1] = 0;
+            node->Velocity[2] = 0;
+        }
+    }
+
+    private void FindAstray(bool last)
+    {
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            JointTree* tree = _forest.Trees + i;
+            if (!tree->Corrects || !tree->Eliminates)
+            {
+                continue;
+            }
+
+            double bent = 0;
+            for (int k = tree->First; k < tree->End; k++)
+            {
+                bent = Math.Max(bent, _forest.Nodes[k].Bent);
+            }
+
+            SetTargets(tree, TargetKind.Correction);
+            bool stuck = tree->Worst > Loose && tree->Worst > Shrink * tree->Before;
+            tree->Astray |= bent > LargestBend || stuck || (last && tree->Worst > Failed) || !FloatBits.IsFinite(tree->Worst);
+            tree->Before = tree->Worst;
         }
     }
 
@@ -88,97 +200,121 @@ internal sealed unsafe partial class JointSolver
     private void Project()
     {
         bool any = false;
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            any |= _forest.Trees[i].Astray;
+        }
+
+        if (!any)
+        {
+            return;
+        }
+
         for (int i = 0; i < _forest.Count; i++)
         {
             TreeNode* node = _forest.Nodes + i;
-            if (_forest.Nodes[node->Root].Astray != 0)
+            if (_forest.Trees[node->Tree].Astray)
             {
-                any = true;
-                WriteMove(node, node->PlainMove[0], node->PlainMove[1], node->PlainMove[2]);
+                SetMove(node, node->PlainMove[0], node->PlainMove[1], node->PlainMove[2]);
             }
         }
 
-        for (int round = 0; any && round < Projections; round++)
+        for (int round = 0; round < Projections && ProjectOnce(); round++)
         {
-            LoadPoses();
-            WriteRows(false);
-            TreeFactor.Run(_forest, _active.Pointer, _rows.Pointer);
-            if (SetTargets(TargetKind.Projection) <= Tolerance)
-            {
-                break;
-            }
-
-            ClearCorrections();
-            TreeSolve.Run(_forest, true);
-            ApplyCorrections(true);
         }
 
-        double* moved = stackalloc double[3];
-        for (int i = 0; any && i < _forest.Count; i++)
+        for (int i = 0; i < _forest.Count; i++)
         {
             TreeNode* node = _forest.Nodes + i;
-            if (_forest.Nodes[node->Root].Astray != 0)
+            if (_forest.Trees[node->Tree].Astray)
             {
-                ReadMove(node, moved);
                 for (int k = 0; k < 3; k++)
                 {
-                    node->Velocity[k] = (moved[k] - node->StartMove[k]) / _step.Substep;
+                    node->Velocity[k] = (node->Move[k] - node->StartMove[k]) / _step.Substep;
                 }
             }
         }
 
-        if (any)
-        {
-            StoreVelocities();
-            LoadPoses();
-        }
+        StoreVelocities();
     }
 
-    private void ApplyCorrections(bool projecting)
+    /// <returns>True if an error was left to take out.</returns>
+    private bool ProjectOnce()
     {
+        bool any = false;
         double h = _step.Substep;
-        double* moved = stackalloc double[3];
-        for (int i = 0; i < _forest.Count; i++)
+        LoadPoses();
+        WriteRows(false);
+        for (int i = 0; i < _forest.TreeCount; i++)
         {
-            TreeNode* node = _forest.Nodes + i;
-            if (projecting && _forest.Nodes[node->Root].Astray == 0)
+            JointTree* tree = _forest.Trees + i;
+            if (!tree->Astray)
             {
                 continue;
             }
 
-            double turn = h * node->Correction[2];
-            node->Bent += Math.Abs(turn);
-            turn = projecting ? Math.Max(-1, Math.Min(1, turn)) : turn;
-            ReadMove(node, moved);
-            WriteMove(node, moved[0] + (h * node->Correction[0]), moved[1] + (h * node->Correction[1]), moved[2] + turn);
-            for (int k = 0; !projecting && k < 3; k++)
+            SetTargets(tree, TargetKind.Projection);
+            if (tree->Worst <= Tolerance)
             {
-                node->Velocity[k] += node->Correction[k];
+                continue;
+            }
+
+            any = true;
+            TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+            Clear(tree);
+            TreeSolve.Run(_forest, tree);
+            for (int k = tree->First; k < tree->End; k++)
+            {
+                TreeNode* node = _forest.Nodes + k;
+                double turn = Math.Max(-1, Math.Min(1, h * node->Velocity[2]));
+                SetMove(node, node->Move[0] + (h * node->Velocity[0]), node->Move[1] + (h * node->Velocity[1]), node->Move[2] + turn);
             }
         }
 
-        if (!projecting)
+        return any;
+    }
+
+    /// <summary>Moves deep overlaps with trees apart; the velocities that do it are forgotten.</summary>
+    private void PushOut(double rate)
+    {
+        bool any = false;
+        for (int i = 0; i < _contactCount; i++)
         {
-            StoreVelocities();
+            any |= _contacts[i].Deep;
         }
-    }
 
-    private void ReadMove(TreeNode* node, double* move)
-    {
-        BodyState* state = _step.Bodies.State.Pointer + node->Body;
-        move[0] = state->DeltaPosition.X;
-        move[1] = state->DeltaPosition.Y;
-        move[2] = _step.Bodies.Motion[node->Body].Turned;
-    }
+        if (!any)
+        {
+            return;
+        }
 
-    private void WriteMove(TreeNode* node, double x, double y, double turned)
-    {
-        BodyState* state = _step.Bodies.State.Pointer + node->Body;
-        state->DeltaPosition.X = (float)x;
-        state->DeltaPosition.Y = (float)y;
-        _step.Bodies.Motion[node->Body].Turned = (float)turned;
-        StableMath.SinCos((double)(float)turned, out double sin, out double cos);
-        state->DeltaSin = (float)sin;
-        state->DeltaCos = (float)cos;
+        double h = _step.Substep;
+        _pushRate = rate / h;
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            if (_forest.Trees[i].HasRows)
+            {
+                Save(_forest.Trees + i);
+                Clear(_forest.Trees + i);
+            }
+        }
+
+        for (int sweep = 0; sweep < PushOutSweeps; sweep++)
+        {
+            Sweep(Pass.PushOut);
+        }
+
+        for (int i = 0; i < _forest.Count; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            if (_forest.Trees[node->Tree].HasRows)
+            {
+                double* v = node->Velocity;
+                SetMove(node, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), node->Move[2] + (h * v[2]));
+                v[0] = node->Saved[0];
+                v[1] = node->Saved[1];
+                v[2] = node->Saved[2];
+            }
+        }
     }
 }

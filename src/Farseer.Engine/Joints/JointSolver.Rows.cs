@@ -57,7 +57,7 @@ internal sealed unsafe partial class JointSolver
             fresh.Count = 0;
             fresh.Hard = 0;
             WriteInto(i, ref fresh);
-            for (int k = 0; k < rows->Hard; k++)
+            for (int k = 0; k < rows->Count; k++)
             {
                 rows->Error[k] = fresh.Error[k];
             }
@@ -79,8 +79,8 @@ internal sealed unsafe partial class JointSolver
         JointFrame frame = default;
         frame.Dt = _step.Dt;
         frame.H = _step.Substep;
-        ReadPose(joint.NodeA, joint.BodyA, out frame.AX, out frame.AY, out frame.AAngle, out frame.ACos, out frame.ASin);
-        ReadPose(joint.NodeB, joint.BodyB, out frame.BX, out frame.BY, out frame.BAngle, out frame.BCos, out frame.BSin);
+        ReadPose(joint.Ends.NodeA, joint.Ends.BodyA, out frame.AX, out frame.AY, out frame.AAngle, out frame.ACos, out frame.ASin);
+        ReadPose(joint.Ends.NodeB, joint.Ends.BodyB, out frame.BX, out frame.BY, out frame.BAngle, out frame.BCos, out frame.BSin);
         frame.SetAnchors(settings);
         rows.Bias = settings.BiasFactor;
         rows.ArmX = frame.RBX;
@@ -108,10 +108,10 @@ internal sealed unsafe partial class JointSolver
         JointFrame frame = default;
         frame.Dt = _step.Dt;
         frame.H = _step.Substep;
-        BodyState* a = _step.Bodies.State.Pointer + joint.BodyA;
-        BodyState* b = _step.Bodies.State.Pointer + joint.BodyB;
-        ReadPose(joint.NodeA, joint.BodyA, out frame.AX, out frame.AY, out frame.AAngle, out frame.ACos, out frame.ASin);
-        ReadPose(joint.NodeB, joint.BodyB, out frame.BX, out frame.BY, out frame.BAngle, out frame.BCos, out frame.BSin);
+        BodyState* a = _step.Bodies.State.Pointer + joint.Ends.BodyA;
+        BodyState* b = _step.Bodies.State.Pointer + joint.Ends.BodyB;
+        ReadPose(joint.Ends.NodeA, joint.Ends.BodyA, out frame.AX, out frame.AY, out frame.AAngle, out frame.ACos, out frame.ASin);
+        ReadPose(joint.Ends.NodeB, joint.Ends.BodyB, out frame.BX, out frame.BY, out frame.BAngle, out frame.BCos, out frame.BSin);
         frame.AX += a->LinearVelocity.X * _step.Dt;
         frame.AY += a->LinearVelocity.Y * _step.Dt;
         frame.AAngle += a->AngularVelocity * _step.Dt;
@@ -163,74 +163,62 @@ internal sealed unsafe partial class JointSolver
         StableMath.SinCos(angle, out sin, out cos);
     }
 
-    /// <summary>Writes what the hard rows are to reach.</summary>
-    /// <returns>The largest error in terms of the joint's size; of use for the correction.</returns>
-    private double SetTargets(TargetKind kind)
+    /// <summary>Writes what the rows of a tree's blocks are to reach, and finds the tree's largest error.</summary>
+    private void SetTargets(JointTree* tree, TargetKind kind)
     {
-        for (int i = 0; i < _forest.Count; i++)
-        {
-            _forest.Nodes[i].Worst = 0;
-            _forest.Nodes[i].Disturbed = kind == TargetKind.Biased ? 0 : _forest.Nodes[i].Disturbed;
-        }
-
-        for (int i = 0; i < _forest.Count; i++)
+        tree->Worst = 0;
+        tree->Disturbed &= kind != TargetKind.Biased;
+        for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = _forest.Nodes + i;
-            TreeNode* root = _forest.Nodes + node->Root;
-            int at = 0;
-            for (int k = 0; k < node->EdgeCount; k++)
+            for (int r = 0; r < node->Rows; r++)
             {
-                JointRows* rows = _rows.Pointer + _forest.EdgeJoints[node->EdgeFirst + k];
-                for (int r = 0; r < rows->Hard; r++)
-                {
-                    node->Target[at++] = Target(rows, r, kind, root);
-                }
+                int joint = node->RowJoint[r];
+                node->Target[r] = Target(_active.Pointer + joint, _rows.Pointer + joint, node->RowIndex[r], kind, tree);
             }
         }
 
-        for (int i = 0; i < _forest.AnchorCount; i++)
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
         {
             TreeAnchor* anchor = _forest.Anchors + i;
             JointRows* rows = _rows.Pointer + anchor->Active;
             ActiveJoint* joint = _active.Pointer + anchor->Active;
-            bool movesA = joint->NodeA == anchor->Node;
-            BodyState* still = _step.Bodies.State.Pointer + (movesA ? joint->BodyB : joint->BodyA);
-            for (int r = 0; r < rows->Hard; r++)
+            bool movesA = joint->Ends.NodeA == anchor->Node;
+            BodyState* still = _step.Bodies.State.Pointer + (movesA ? joint->Ends.BodyB : joint->Ends.BodyA);
+            for (int r = 0; r < anchor->Rows; r++)
             {
-                double target = Target(rows, r, kind, _forest.Nodes + _forest.Nodes[anchor->Node].Root);
+                int row = anchor->RowIndex[r];
+                double target = Target(joint, rows, row, kind, tree);
                 if (kind != TargetKind.Correction && kind != TargetKind.Projection)
                 {
                     // What cannot be moved may yet be moving: a kinematic body.
-                    double* j = (movesA ? rows->B : rows->A) + (r * 3);
+                    double* j = (movesA ? rows->B : rows->A) + (row * 3);
                     target -= (j[0] * still->LinearVelocity.X) + (j[1] * still->LinearVelocity.Y) + (j[2] * still->AngularVelocity);
                 }
 
                 anchor->Target[r] = target;
             }
         }
-
-        double worst = 0;
-        for (int i = 0; i < _forest.Count; i++)
-        {
-            worst = Math.Max(worst, _forest.Nodes[i].Worst);
-        }
-
-        return worst;
     }
 
     /// <summary>
     /// An error up to the share <see cref="Small"/> of the joint's size comes from the motion and is taken out at once. What is
     /// beyond it was put there from outside (a body moved by hand, another length) and goes at the rate of the bias factor.
     /// </summary>
-    private double Target(JointRows* rows, int r, TargetKind kind, TreeNode* root)
+    private double Target(ActiveJoint* joint, JointRows* rows, int r, TargetKind kind, JointTree* tree)
     {
+        if (r >= rows->Hard)
+        {
+            return LimitTarget(joint, rows, r, kind);
+        }
+
         bool positions = kind == TargetKind.Correction || kind == TargetKind.Projection;
         if (rows->Type[r] == (byte)RowType.Servo || kind == TargetKind.Relaxed)
         {
             return positions ? 0 : rows->Speed[r];
         }
 
-        if (positions && (kind == TargetKind.Projection ? root->Astray == 0 : root->Disturbed != 0))
+        if (kind == TargetKind.Correction && tree->Disturbed)
         {
             return 0;
         }
@@ -240,13 +228,13 @@ internal sealed unsafe partial class JointSolver
         double size = turns ? 1 : rows->Size;
         double small = Small * size;
         double magnitude = Math.Abs(error);
-        root->Worst = Math.Max(root->Worst, size > 0 ? magnitude / size : 0);
+        tree->Worst = Math.Max(tree->Worst, size > 0 ? magnitude / size : 0);
         if (positions || magnitude <= small)
         {
             return -error / _step.Substep;
         }
 
-        root->Disturbed = 1;
+        tree->Disturbed = true;
         double rest = (magnitude - small) * Math.Min(1, rows->Bias * _step.Substep / _step.Dt);
         return -(error < 0 ? -1 : 1) * (small + rest) / _step.Substep;
     }

@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Storage;
 
@@ -26,10 +27,10 @@ internal unsafe struct JointStep
 }
 
 /// <summary>
-/// The joints' part of a substep. Hard rows of a tree are eliminated exactly; all other rows (limits, motors, springs, joints that
-/// close a loop) are iterated against the tree's own inverse mass, so that a heavy body at the end of a light chain is felt as
-/// heavy. Then positions are corrected along the same directions, which makes the motion symplectic: it keeps its energy.
-/// Velocities are double here; the store's floats are read and written once a pass.
+/// The joints' part of a substep. Hard rows of a tree and the limits that hold are eliminated exactly; all other rows (contacts,
+/// motors, springs, joints that close a loop) are iterated against the tree's own inverse mass, so that a heavy body at the end of
+/// a light chain is felt as heavy. Then positions are corrected along the same directions, which makes the motion symplectic: it
+/// keeps its energy. Velocities are double here; the store's floats are read and written once a pass.
 /// </summary>
 internal sealed unsafe partial class JointSolver
 {
@@ -37,17 +38,11 @@ internal sealed unsafe partial class JointSolver
     private readonly JointForest _forest = new JointForest();
     private readonly Column<ActiveJoint> _active = new Column<ActiveJoint>();
     private readonly Column<JointRows> _rows = new Column<JointRows>();
-    private readonly Column<byte> _builtMoves = new Column<byte>();
-    private readonly Column<ulong> _keys = new Column<ulong>();
-    private readonly Column<int> _order = new Column<int>();
-    private readonly Column<int> _broken = new Column<int>();
-    private readonly RadixSort _sort = new RadixSort();
     private readonly JointPass _pass = new JointPass();
+    private readonly TreeContactPass _contactPass = new TreeContactPass();
     private readonly JointKinds _kinds = new JointKinds();
     private JointStep _step;
     private int _count;
-    private int _collected;
-    private bool _anyRows;
 
     public JointSolver(JointStore store) => _store = store;
 
@@ -57,35 +52,18 @@ internal sealed unsafe partial class JointSolver
     /// <summary>True if the solver must move a body because of its joints.</summary>
     public bool Holds(int body) => _forest.NodeOf(body) >= 0;
 
-    /// <summary>Joints that broke in the last <see cref="Begin"/>, in their order.</summary>
-    public int BrokenCount { get; private set; }
-
-    public int Broken(int index) => _broken[index];
-
-    /// <summary>
-    /// Finds the joints that act, and the trees they make, if anything about them changed; then their errors and rows. A joint
-    /// whose error passed its breaking point is switched off.
-    /// </summary>
-    public void Begin(in JointStep step)
+    /// <summary>Starts the substeps: contacts with trees have been taken.</summary>
+    public void Start(in ContactCoefficients coefficients)
     {
-        _step = step;
-        BrokenCount = 0;
-        if (!Look())
-        {
-            return;
-        }
-
-        if (Break() && !step.BreaksLate && !Look())
-        {
-            return;
-        }
-
+        Collate();
+        _pass.Enter(_forest.View, _step.Bodies.State.Pointer);
+        _contactPass.Enter(_forest.View, _step.Bodies, coefficients);
         for (int i = 0; i < _count; i++)
         {
             ref JointState state = ref _store.States[_active[i].Joint];
             for (int k = 0; k < JointRows.Most; k++)
             {
-                _active[i].Lambda[k] = state.Impulse[k] * step.ImpulseScale;
+                _active[i].Lambda[k] = state.Impulse[k] * _step.ImpulseScale;
             }
 
             _active[i].Given[0] = 0;
@@ -94,65 +72,8 @@ internal sealed unsafe partial class JointSolver
         }
 
         MarkFree();
+        LoadMoves();
         Factor();
-    }
-
-    private bool Look()
-    {
-        if (_store.Changed || BodiesChanged())
-        {
-            Collect();
-        }
-
-        if (_count == 0)
-        {
-            return false;
-        }
-
-        for (int i = 0; i < _count; i++)
-        {
-            // A copy: a callback may change the joint while the step goes on.
-            _active[i].Settings = _store.Settings[_active[i].Joint];
-            _active[i].Flags = _store.Flags[_active[i].Joint];
-        }
-
-        LoadMasses();
-        LoadPoses();
-        WriteRows(true);
-        if (BlocksChanged())
-        {
-            Build();
-            LoadMasses();
-            LoadPoses();
-        }
-
-        return true;
-    }
-
-    private bool Break()
-    {
-        _broken.EnsureCapacity(_count);
-        for (int i = 0; i < _count; i++)
-        {
-            int joint = _active[i].Joint;
-            ref JointState state = ref _store.States[joint];
-            state.Error = _rows[i].JointError;
-            double breakpoint = _active[i].Settings.Breakpoint;
-            if (!double.IsInfinity(breakpoint))
-            {
-                state.Error += state.Error < 0 ? -state.Drift : state.Drift;
-            }
-
-            double force = Math.Sqrt((state.ForceX * state.ForceX) + (state.ForceY * state.ForceY));
-            if (Math.Abs(state.Error) > breakpoint || force > _active[i].Settings.BreakForce)
-            {
-                _store.Flags[joint] &= ~JointFlags.Enabled;
-                _store.Changed = true;
-                _broken[BrokenCount++] = joint;
-            }
-        }
-
-        return BrokenCount > 0;
     }
 
     /// <summary>
@@ -162,43 +83,88 @@ internal sealed unsafe partial class JointSolver
     public void Enter()
     {
         BodyMotion* motions = _step.Bodies.Motion.Pointer;
+        MarkExact();
         for (int i = 0; i < _forest.Count; i++)
         {
-            BodyMotion* motion = motions + _forest.Nodes[i].Body;
-            motion->ChangeX = 0;
-            motion->ChangeY = 0;
-            motion->ChangeW = 0;
-            ReadMove(_forest.Nodes + i, _forest.Nodes[i].StartMove);
+            TreeNode* node = _forest.Nodes + i;
+            if (_forest.Trees[node->Tree].Exact)
+            {
+                BodyMotion* motion = motions + node->Body;
+                motion->ChangeX = 0;
+                motion->ChangeY = 0;
+                motion->ChangeW = 0;
+            }
+
+            for (int k = 0; k < 3; k++)
+            {
+                node->StartMove[k] = node->Move[k];
+            }
         }
 
         Kick(-0.5f);
         LoadVelocities();
-        if (_anyRows)
+        for (int i = 0; i < _agendaCount; i++)
         {
-            _pass.WarmStart(_forest, _active.Pointer, _rows.Pointer, _count);
-            StoreVelocities();
+            int item = _agenda[i];
+            if (item < 0)
+            {
+                _contactPass.WarmStart(_contacts.Pointer + ~item);
+            }
+            else
+            {
+                _pass.WarmStart(_active.Pointer + item, _rows.Pointer + item);
+            }
         }
+
+        ForgetLimits();
+        StoreVelocities();
     }
 
     /// <summary>The biased pass: rows of errors and bias.</summary>
-    public void Solve()
+    public void Solve(bool again)
     {
         LoadVelocities();
-        SetTargets(TargetKind.Biased);
-        TreeSolve.Run(_forest, false);
-        TreeReactions.AddSolve(_forest, _active.Pointer, _rows.Pointer);
-        Iterate(true);
+        SolveTrees(TargetKind.Biased, again);
+        Sweep(Pass.Biased);
         StoreVelocities();
     }
 
     /// <summary>The relax pass at the new positions: no errors, no bias.</summary>
-    public void Relax()
+    public void Relax(bool again, bool rub)
     {
         LoadVelocities();
-        SetTargets(TargetKind.Relaxed);
-        TreeSolve.Run(_forest, false);
-        TreeReactions.AddSolve(_forest, _active.Pointer, _rows.Pointer);
-        Iterate(false);
+        SolveTrees(TargetKind.Relaxed, again);
+        Sweep(rub ? Pass.Relaxed : Pass.RelaxedSmooth);
+        StoreVelocities();
+    }
+
+    /// <summary>Before a substep: the speeds at which its impacts part.</summary>
+    public void PrepareBounce()
+    {
+        LoadVelocities();
+        for (int i = 0; i < _contactCount; i++)
+        {
+            _contactPass.PrepareBounce(_contacts.Pointer + i);
+        }
+    }
+
+    /// <summary>A sweep over the impacts.</summary>
+    public void Bounce(bool last)
+    {
+        if (_contactCount > 0)
+        {
+            LoadVelocities();
+            Sweep(last ? Pass.BounceLast : Pass.Bounce);
+            StoreVelocities();
+        }
+    }
+
+    /// <summary>After impacts that do not see the trees: what they took out of joint is put right.</summary>
+    public void Settle()
+    {
+        LoadVelocities();
+        SolveTrees(TargetKind.Relaxed, false);
+        Sweep(Pass.Settle);
         StoreVelocities();
     }
 
@@ -223,118 +189,138 @@ internal sealed unsafe partial class JointSolver
             state.ForceY = given[1] / _step.Dt;
             state.Torque = (given[2] - ((_rows[i].ArmX * given[1]) - (_rows[i].ArmY * given[0]))) / _step.Dt;
         }
+
+        KeepMoves();
+        GiveContactsBack();
+        _forest.ClearGuests();
     }
 
-    private void Iterate(bool biased)
+    private enum Pass
     {
-        if (!_anyRows)
+        Biased,
+        Relaxed,
+        RelaxedSmooth,
+        Bounce,
+        BounceLast,
+        Settle,
+        Correction,
+        PushOut,
+    }
+
+    /// <summary>One sweep over all iterated rows, in the order of the trees.</summary>
+    private void Sweep(Pass pass)
+    {
+        if (_agendaCount == 0)
         {
             return;
         }
 
-        TreeWalk.Begin(_forest);
-        _pass.Sweep(_forest, _active.Pointer, _rows.Pointer, _count, _step, biased);
-        TreeWalk.End(_forest);
-        TreeReactions.AddWalk(_forest, _active.Pointer, _rows.Pointer);
+        JointForestView view = _forest.View;
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            if (_forest.Trees[i].HasRows)
+            {
+                TreeWalk.Begin(view, _forest.Trees + i);
+            }
+        }
+
+        for (int i = 0; i < _agendaCount; i++)
+        {
+            int item = _agenda[i];
+            if (item < 0)
+            {
+                Solve(_contacts.Pointer + ~item, pass);
+            }
+            else
+            {
+                Solve(_active.Pointer + item, _rows.Pointer + item, pass);
+            }
+        }
+
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            JointTree* tree = _forest.Trees + i;
+            if (tree->HasRows && tree->Carries)
+            {
+                TreeWalk.End(view, tree);
+                if (pass != Pass.PushOut)
+                {
+                    TreeReactions.OfWalk(_forest, tree);
+                    TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
+                }
+            }
+        }
+    }
+
+    private void Solve(TreeContact* contact, Pass pass)
+    {
+        switch (pass)
+        {
+            case Pass.Biased:
+                _contactPass.SolveBiased(contact);
+                break;
+            case Pass.Relaxed:
+            case Pass.RelaxedSmooth:
+                _contactPass.Relax(contact, pass == Pass.Relaxed);
+                break;
+            case Pass.Bounce:
+            case Pass.BounceLast:
+                _contactPass.Bounce(contact, pass == Pass.BounceLast);
+                break;
+            case Pass.Correction:
+                _contactPass.Hold(contact);
+                break;
+            case Pass.PushOut:
+                _contactPass.PushOut(contact, _pushRate);
+                break;
+        }
+    }
+
+    private void Solve(ActiveJoint* joint, JointRows* rows, Pass pass)
+    {
+        switch (pass)
+        {
+            case Pass.Biased:
+            case Pass.Relaxed:
+            case Pass.RelaxedSmooth:
+            case Pass.Settle:
+                _pass.Solve(joint, rows, _step, pass == Pass.Biased);
+                break;
+            case Pass.Correction:
+                _pass.Correct(joint, rows, _step.Substep);
+                break;
+        }
     }
 
     private void Factor()
     {
-        TreeFactor.Run(_forest, _active.Pointer, _rows.Pointer);
-        if (_anyRows)
+        for (int i = 0; i < _forest.TreeCount; i++)
         {
-            TreeFactor.CompleteMasses(_forest);
-            _pass.Prepare(_forest, _active.Pointer, _rows.Pointer, _count, _step);
+            JointTree* tree = _forest.Trees + i;
+            TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+            if (tree->HasRows)
+            {
+                TreeFactor.CompleteMasses(_forest, tree);
+            }
+
+            tree->Refactored = false;
+        }
+
+        for (int i = 0; i < _agendaCount; i++)
+        {
+            Prepare(_agenda[i]);
         }
     }
 
-    private bool BodiesChanged()
+    private void Prepare(int item)
     {
-        for (int i = 0; i < _collected; i++)
+        if (item < 0)
         {
-            ref JointLink link = ref _store.Links[_order[i]];
-            int now = _step.Moves[link.BodyA] | (_step.Moves[link.BodyB] << 1);
-            if (now != _builtMoves[i])
-            {
-                return true;
-            }
+            _contactPass.Prepare(_contacts.Pointer + ~item);
         }
-
-        return false;
-    }
-
-    private bool BlocksChanged()
-    {
-        for (int i = 0; i < _count; i++)
+        else
         {
-            if (_rows[i].Hard != _active[i].BuiltHard)
-            {
-                return true;
-            }
-        }
-
-        return false;
-    }
-
-    /// <summary>The enabled joints in their order, and of them those with a body that moves.</summary>
-    private void Collect()
-    {
-        _store.Changed = false;
-        int end = _store.Ids.End;
-        _keys.EnsureCapacity(end);
-        _order.EnsureCapacity(end);
-        _builtMoves.EnsureCapacity(end);
-        _active.EnsureCapacity(end);
-        _rows.EnsureCapacity(end);
-        _collected = 0;
-        for (int joint = 0; joint < end; joint++)
-        {
-            const JointFlags Acts = JointFlags.Alive | JointFlags.Enabled;
-            if ((_store.Flags[joint] & Acts) == Acts)
-            {
-                _keys[_collected] = (uint)_store.Links[joint].Order;
-                _order[_collected++] = joint;
-            }
-        }
-
-        _sort.Sort(_keys.Pointer, _order.Pointer, _collected);
-        _count = 0;
-        for (int i = 0; i < _collected; i++)
-        {
-            ref JointLink link = ref _store.Links[_order[i]];
-            int moves = _step.Moves[link.BodyA] | (_step.Moves[link.BodyB] << 1);
-            _builtMoves[i] = (byte)moves;
-            if (moves != 0)
-            {
-                _active[_count] = default;
-                _active[_count].Joint = _order[i];
-                _active[_count].Kind = link.Kind;
-                _active[_count].BodyA = link.BodyA;
-                _active[_count].BodyB = link.BodyB;
-                _active[_count].NodeA = -1;
-                _active[_count].NodeB = -1;
-                _active[_count++].BuiltHard = -1;
-            }
-        }
-
-        // The rows are not known yet: the first build makes nodes for the poses, the second the trees.
-        _forest.Build(_active.Pointer, _count, _step.Bodies.Mass.Pointer, _step.Moves, _step.Bodies.Ids.End);
-    }
-
-    private void Build()
-    {
-        for (int i = 0; i < _count; i++)
-        {
-            _active[i].BuiltHard = _rows[i].Hard;
-        }
-
-        _forest.Build(_active.Pointer, _count, _step.Bodies.Mass.Pointer, _step.Moves, _step.Bodies.Ids.End);
-        _anyRows = false;
-        for (int i = 0; i < _count; i++)
-        {
-            ref ActiveJoint joint = ref _active[i];
-            joint.HasRows = joint.Role == JointRole.Iterated || _rows[i].Count > _rows[i].Hard;
-            _anyRows |= joint.HasRows;
+            _pass.Prepare(_active.Pointer + item, _rows.Pointer + item, _step.Substep);
         }
     }
 }

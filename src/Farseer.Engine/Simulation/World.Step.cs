@@ -134,9 +134,5 @@ internal sealed partial class World
         Queries.PosesChange = anyUserJoints;
         _solver.Solve(input);
         Queries.PosesChange = false;
-        if (anyJoints)
-        {
-            _jointSolver.Finish();
-        }
     }
 }

@@ -68,12 +68,20 @@ internal sealed unsafe class SubstepSolver
         BodyMotion* motions = input.Bodies.Motion.Pointer;
         BodyDrive* drives = input.Bodies.Drive.Pointer;
         ContactCoefficients coefficients = input.Coefficients;
+        double recovery = input.AnyDeep ? RecoveryRate(input.Recovery, input.Substeps) : 0;
+        if (input.Joints != null)
+        {
+            TakeTreeContacts(input.Graph, input.Joints);
+            input.Joints.Start(coefficients);
+        }
+
         int sweeps = !input.ColdStart ? 1 : input.Graph.RowCount <= FewRows ? FewRowsSweeps : ColdStartSweeps;
         for (int substep = 0; substep < input.Substeps; substep++)
         {
             if (input.AnyBounce)
             {
                 PrepareBounce(input, states, coefficients);
+                input.Joints?.PrepareBounce();
             }
 
             Integrator.IntegrateVelocities(input.List, input.PaddedCount, states, motions, drives);
@@ -83,7 +91,7 @@ internal sealed unsafe class SubstepSolver
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
                 SolveBiased(input.Graph, states, coefficients, input.AnyDeep);
-                input.Joints?.Solve();
+                input.Joints?.Solve(sweep > 0);
             }
 
             if (input.UserJoints != null)
@@ -93,27 +101,39 @@ internal sealed unsafe class SubstepSolver
 
             if (input.AnyDeep)
             {
-                PushOutAndMove(input, states, motions, coefficients);
+                PushOutAndMove(input, states, motions, (float)recovery, coefficients);
             }
             else
             {
                 Integrator.IntegratePositions(input.List, input.PaddedCount, states, motions, input.Substep);
             }
 
-            input.Joints?.CorrectPositions();
+            input.Joints?.CorrectPositions(recovery);
 
             // Friction waits for the second half: it would answer turns that the normals make only until they have settled.
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
-                Relax(input.Graph, states, coefficients, sweep * 2 >= sweeps - 1);
-                input.Joints?.Relax();
+                bool rub = sweep * 2 >= sweeps - 1;
+                Relax(input.Graph, states, coefficients, rub);
+                input.Joints?.Relax(sweep > 0, rub);
             }
 
             if (input.AnyBounce)
             {
-                Bounce(input.Graph, states);
-                input.Joints?.Relax();
+                Bounce(input.Graph, states, input.Joints);
+                input.Joints?.Settle();
             }
+        }
+
+        input.Joints?.Finish();
+    }
+
+    private static void TakeTreeContacts(ConstraintGraph graph, JointSolver joints)
+    {
+        for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+        {
+            GraphColor color = graph.InOrder(i);
+            joints.Take(color.Bundles, color.BundleCount);
         }
     }
 
@@ -153,7 +173,7 @@ internal sealed unsafe class SubstepSolver
         }
     }
 
-    private static void Bounce(ConstraintGraph graph, BodyState* states)
+    private static void Bounce(ConstraintGraph graph, BodyState* states, JointSolver? joints)
     {
         for (int sweep = 0; sweep < BounceSweeps; sweep++)
         {
@@ -162,11 +182,13 @@ internal sealed unsafe class SubstepSolver
                 GraphColor color = graph.InOrder(i);
                 BounceKernel.Apply(color.Bundles, color.BundleCount, states, sweep == BounceSweeps - 1);
             }
+
+            joints?.Bounce(sweep == BounceSweeps - 1);
         }
     }
 
     /// <summary>Moves everything with the velocities that push deep islands apart, and then forgets these velocities.</summary>
-    private void PushOutAndMove(in SolverInput input, BodyState* states, BodyMotion* motions, in ContactCoefficients c)
+    private void PushOutAndMove(in SolverInput input, BodyState* states, BodyMotion* motions, float recovery, in ContactCoefficients c)
     {
         BodyState* saved = _saved.Pointer;
         for (int i = 0; i < input.PaddedCount; i++)
@@ -174,7 +196,7 @@ internal sealed unsafe class SubstepSolver
             saved[i] = states[input.List[i]];
         }
 
-        float rate = RecoveryRate(input.Recovery, input.Substeps) * c.InverseSubstep;
+        float rate = recovery * c.InverseSubstep;
         for (int i = 0; i < ConstraintGraph.ColorCount; i++)
         {
             GraphColor color = input.Graph.InOrder(i);

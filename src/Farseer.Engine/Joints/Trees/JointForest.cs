@@ -13,16 +13,20 @@ internal sealed unsafe class JointForest
     /// <summary>A component is a net if it has more loops than this and more than one for each <see cref="NetShare"/> bodies.</summary>
     private const int FewLoops = 4;
     private const int NetShare = 8;
-    private const int RowsOfEdge = 3;
 
     private readonly Column<TreeNode> _nodes = new Column<TreeNode>();
+    private readonly Column<TreeNode> _ordered = new Column<TreeNode>();
+    private readonly Column<JointTree> _trees = new Column<JointTree>();
     private readonly Column<TreeAnchor> _anchors = new Column<TreeAnchor>();
     private readonly Column<int> _edgeJoints = new Column<int>();
     private readonly Column<int> _nodeOf = new Column<int>();
     private readonly Column<int> _start = new Column<int>();
     private readonly Column<int> _entries = new Column<int>();
     private readonly Column<int> _queue = new Column<int>();
+    private readonly Column<int> _places = new Column<int>();
     private int _mapped;
+    private int _ownNodes;
+    private int _ownTrees;
     private int _edgeJointCount;
 
     public TreeNode* Nodes => _nodes.Pointer;
@@ -32,8 +36,14 @@ internal sealed unsafe class JointForest
     /// <summary>Active joints of the edges; see <see cref="TreeNode.EdgeFirst"/>.</summary>
     public int* EdgeJoints => _edgeJoints.Pointer;
 
-    /// <summary>Nodes of trees and of single bodies with joints, parents before children.</summary>
+    public JointTree* Trees => _trees.Pointer;
+
+    public JointForestView View => new JointForestView(_nodes.Pointer, _trees.Pointer);
+
+    /// <summary>Nodes of trees and of single bodies with joints, each tree in pre-order; then the guests.</summary>
     public int Count { get; private set; }
+
+    public int TreeCount { get; private set; }
 
     public int AnchorCount { get; private set; }
 
@@ -69,11 +79,52 @@ internal sealed unsafe class JointForest
 
         for (int i = 0; i < count; i++)
         {
-            active[i].NodeA = moves[active[i].BodyA] != 0 ? _nodeOf[active[i].BodyA] : -1;
-            active[i].NodeB = moves[active[i].BodyB] != 0 ? _nodeOf[active[i].BodyB] : -1;
-            active[i].Coupled = active[i].NodeA >= 0 && active[i].NodeB >= 0
-                && Nodes[active[i].NodeA].Root == Nodes[active[i].NodeB].Root;
+            SetNodes(ref active[i].Ends, moves);
         }
+
+        _ownNodes = Count;
+        _ownTrees = TreeCount;
+    }
+
+    /// <summary>Finds the nodes of two bodies.</summary>
+    public void SetNodes(ref RowEnds ends, byte* moves)
+    {
+        ends.NodeA = moves[ends.BodyA] != 0 ? NodeOf(ends.BodyA) : -1;
+        ends.NodeB = moves[ends.BodyB] != 0 ? NodeOf(ends.BodyB) : -1;
+        ends.Coupled = ends.NodeA >= 0 && ends.NodeB >= 0 && Nodes[ends.NodeA].Tree == Nodes[ends.NodeB].Tree;
+    }
+
+    /// <summary>Sends the guests of the last step away.</summary>
+    public void ClearGuests()
+    {
+        for (int i = _ownNodes; i < Count; i++)
+        {
+            _nodeOf[Nodes[i].Body] = -1;
+        }
+
+        Count = _ownNodes;
+        TreeCount = _ownTrees;
+    }
+
+    /// <summary>Makes room for so many guests, of bodies that may be younger than the trees.</summary>
+    public void ReserveGuests(int count, int bodyEnd)
+    {
+        _nodes.EnsureCapacity(_ownNodes + count);
+        _trees.EnsureCapacity(_ownTrees + count);
+        _nodeOf.EnsureCapacity(bodyEnd);
+        for (; _mapped < bodyEnd; _mapped++)
+        {
+            _nodeOf[_mapped] = -1;
+        }
+    }
+
+    /// <summary>Lets a body without joints take part as a tree of its own.</summary>
+    public void AddGuest(int body)
+    {
+        BeginTree();
+        AddNode(body, -1);
+        EndTree();
+        Trees[TreeCount - 1].Guest = true;
     }
 
     private void Reset(int count, int bodyEnd)
@@ -82,9 +133,12 @@ internal sealed unsafe class JointForest
         _start.EnsureCapacity(bodyEnd + 2);
         _entries.EnsureCapacity((count * 2) + 1);
         _queue.EnsureCapacity(bodyEnd + 1);
+        _places.EnsureCapacity(bodyEnd + 1);
         _edgeJoints.EnsureCapacity(count + 1);
         _anchors.EnsureCapacity(count + 1);
         _nodes.EnsureCapacity((count * 2) + 1);
+        _ordered.EnsureCapacity((count * 2) + 1);
+        _trees.EnsureCapacity((count * 2) + 1);
         _mapped = bodyEnd;
         for (int i = 0; i < bodyEnd; i++)
         {
@@ -92,6 +146,7 @@ internal sealed unsafe class JointForest
         }
 
         Count = 0;
+        TreeCount = 0;
         AnchorCount = 0;
         _edgeJointCount = 0;
     }
@@ -108,8 +163,8 @@ internal sealed unsafe class JointForest
         for (int i = 0; i < count; i++)
         {
             active[i].Role = JointRole.Iterated;
-            start[active[i].BodyA + 2] += moves[active[i].BodyA];
-            start[active[i].BodyB + 2] += moves[active[i].BodyB];
+            start[active[i].Ends.BodyA + 2] += moves[active[i].Ends.BodyA];
+            start[active[i].Ends.BodyB + 2] += moves[active[i].Ends.BodyB];
         }
 
         for (int i = 2; i < bodyEnd + 2; i++)
@@ -120,19 +175,19 @@ internal sealed unsafe class JointForest
         // Filling moves each start to its end, which is the start of the next: hence the offset by one.
         for (int i = 0; i < count; i++)
         {
-            if (moves[active[i].BodyA] != 0)
+            if (moves[active[i].Ends.BodyA] != 0)
             {
-                _entries[start[active[i].BodyA + 1]++] = i;
+                _entries[start[active[i].Ends.BodyA + 1]++] = i;
             }
 
-            if (moves[active[i].BodyB] != 0)
+            if (moves[active[i].Ends.BodyB] != 0)
             {
-                _entries[start[active[i].BodyB + 1]++] = i;
+                _entries[start[active[i].Ends.BodyB + 1]++] = i;
             }
         }
     }
 
-    private static int Other(in ActiveJoint joint, int body) => joint.BodyA == body ? joint.BodyB : joint.BodyA;
+    private static int Other(in ActiveJoint joint, int body) => joint.Ends.BodyA == body ? joint.Ends.BodyB : joint.Ends.BodyA;
 
     /// <summary>Puts the component of a body into the queue and counts its edges.</summary>
     private int Discover(int first, ActiveJoint* active, byte* moves, out int edges)
@@ -204,8 +259,26 @@ internal sealed unsafe class JointForest
     {
         for (int i = 0; i < found; i++)
         {
+            BeginTree();
             AddNode(_queue[i], -1);
+            EndTree();
         }
+    }
+
+    private void BeginTree()
+    {
+        JointTree* tree = Trees + TreeCount;
+        *tree = default;
+        tree->First = Count;
+        tree->AnchorFirst = AnchorCount;
+    }
+
+    private void EndTree()
+    {
+        JointTree* tree = Trees + TreeCount++;
+        tree->End = Count;
+        tree->AnchorEnd = AnchorCount;
+        tree->Eliminates = tree->End - tree->First > 1 || tree->AnchorEnd > tree->AnchorFirst;
     }
 
     private int AddNode(int body, int parent)
@@ -215,9 +288,8 @@ internal sealed unsafe class JointForest
         *node = default;
         node->Body = body;
         node->Parent = parent;
-        node->Root = parent < 0 ? index : Nodes[parent].Root;
+        node->Tree = TreeCount;
         node->Depth = parent < 0 ? 0 : Nodes[parent].Depth + 1;
-        node->UnaryFirst = AnchorCount;
         node->EdgeFirst = _edgeJointCount;
         _nodeOf[body] = index;
         return index;
@@ -226,20 +298,73 @@ internal sealed unsafe class JointForest
     /// <summary>Breadth first from the root; the first joint to reach a body, and those parallel to it, make the edge.</summary>
     private void Grow(int root, ActiveJoint* active, byte* moves)
     {
+        BeginTree();
         int head = AddNode(root, -1);
         for (; head < Count; head++)
         {
             int body = Nodes[head].Body;
-            AddAnchors(head, active, moves);
             for (int k = _start[body]; k < _start[body + 1]; k++)
             {
                 ref ActiveJoint joint = ref active[_entries[k]];
                 int other = Other(joint, body);
-                if (moves[other] != 0 && joint.BuiltHard > 0 && joint.BuiltHard <= RowsOfEdge && _nodeOf[other] < 0)
+                if (moves[other] != 0 && joint.BuiltHard > 0 && joint.BuiltHard <= TreeFactor.MostRows && _nodeOf[other] < 0)
                 {
                     AddEdge(AddNode(other, head), body, active);
                 }
             }
+        }
+
+        Order(Trees[TreeCount].First);
+        for (int i = Trees[TreeCount].First; i < Count; i++)
+        {
+            AddAnchors(i, active, moves);
+        }
+
+        EndTree();
+    }
+
+    /// <summary>
+    /// Puts the nodes of the tree being made into pre-order: a subtree is then a range, so a tour of the rows in this order
+    /// crosses each edge twice at most.
+    /// </summary>
+    private void Order(int first)
+    {
+        int* size = _queue.Pointer;
+        int* place = _places.Pointer;
+        for (int i = first; i < Count; i++)
+        {
+            size[i - first] = 1;
+        }
+
+        for (int i = Count - 1; i > first; i--)
+        {
+            size[Nodes[i].Parent - first] += size[i - first];
+        }
+
+        // The place of a node's next child; children come breadth first, so those of a node keep their order.
+        int* next = size;
+        for (int i = first; i < Count; i++)
+        {
+            int parent = Nodes[i].Parent;
+            int span = size[i - first];
+            int at = first;
+            if (parent >= 0)
+            {
+                at = next[parent - first];
+                next[parent - first] += span;
+            }
+
+            place[i - first] = at;
+            next[i - first] = at + 1;
+            _ordered[i] = Nodes[i];
+        }
+
+        for (int i = first; i < Count; i++)
+        {
+            TreeNode* node = Nodes + place[i - first];
+            *node = _ordered[i];
+            node->Parent = node->Parent < 0 ? -1 : place[node->Parent - first];
+            _nodeOf[node->Body] = place[i - first];
         }
     }
 
@@ -249,34 +374,53 @@ internal sealed unsafe class JointForest
         int body = node->Body;
         for (int k = _start[body]; k < _start[body + 1]; k++)
         {
-            ref ActiveJoint joint = ref active[_entries[k]];
-            if (Other(joint, body) == parentBody && joint.BuiltHard > 0 && node->Rows + joint.BuiltHard <= RowsOfEdge)
+            int index = _entries[k];
+            ref ActiveJoint joint = ref active[index];
+            if (Other(joint, body) != parentBody || node->HardRows + joint.BuiltHard > TreeFactor.MostRows || !InBlock(joint))
             {
-                joint.Role = JointRole.Edge;
-                node->Rows += joint.BuiltHard;
-                node->EdgeCount++;
-                _edgeJoints[_edgeJointCount++] = _entries[k];
+                continue;
             }
+
+            joint.Role = JointRole.Edge;
+            for (int r = 0; r < joint.BuiltHard; r++)
+            {
+                node->RowJoint[node->HardRows] = index;
+                node->RowIndex[node->HardRows++] = r;
+            }
+
+            node->HasLimits |= joint.Limited;
+            node->EdgeCount++;
+            _edgeJoints[_edgeJointCount++] = index;
         }
+
+        node->Rows = node->HardRows;
+        node->HasLimits &= node->HardRows < TreeFactor.MostRows;
+        Trees[TreeCount].HasLimits |= node->HasLimits;
     }
+
+    /// <summary>It has rows for a block: rows that always hold, or limits.</summary>
+    private static bool InBlock(in ActiveJoint joint) => joint.BuiltHard > 0 || (joint.BuiltHard == 0 && joint.Limited);
 
     private void AddAnchors(int index, ActiveJoint* active, byte* moves)
     {
-        TreeNode* node = Nodes + index;
-        node->UnaryFirst = AnchorCount;
-        int body = node->Body;
+        int body = Nodes[index].Body;
         for (int k = _start[body]; k < _start[body + 1]; k++)
         {
             ref ActiveJoint joint = ref active[_entries[k]];
-            if (moves[Other(joint, body)] == 0 && joint.BuiltHard > 0 && joint.BuiltHard <= RowsOfEdge)
+            if (moves[Other(joint, body)] == 0 && joint.BuiltHard <= TreeFactor.MostRows && InBlock(joint))
             {
                 joint.Role = JointRole.Anchor;
-                node->UnaryCount++;
                 TreeAnchor* anchor = _anchors.Pointer + AnchorCount++;
                 *anchor = default;
                 anchor->Active = _entries[k];
                 anchor->Node = index;
                 anchor->Rows = joint.BuiltHard;
+                for (int r = 0; r < joint.BuiltHard; r++)
+                {
+                    anchor->RowIndex[r] = r;
+                }
+
+                Trees[TreeCount].HasLimits |= joint.Limited && joint.BuiltHard < TreeFactor.MostRows;
             }
         }
     }

@@ -9,42 +9,46 @@ namespace Farseer.Engine.Joints.Trees;
 /// </summary>
 internal static unsafe class TreeFactor
 {
+    /// <summary>A body in the plane has no more than three ways to move.</summary>
+    public const int MostRows = 3;
+
     private const double Regular = 1e-9;
 
-    /// <summary>Factors all trees at the poses of <paramref name="rows"/>.</summary>
-    public static void Run(JointForest forest, ActiveJoint* active, JointRows* rows)
+    /// <summary>Factors a tree at the poses of <paramref name="rows"/>.</summary>
+    public static void Run(JointForest forest, JointTree* tree, ActiveJoint* active, JointRows* rows)
     {
         TreeNode* nodes = forest.Nodes;
-        for (int i = 0; i < forest.Count; i++)
+        for (int i = tree->First; i < tree->End; i++)
         {
             Reset(nodes[i].SubtreeMass, nodes[i].InverseMass, nodes[i].InverseInertia);
-            FillEdge(nodes + i, nodes, forest.EdgeJoints, active, rows);
+            FillEdge(nodes + i, active, rows);
         }
 
-        for (int i = 0; i < forest.AnchorCount; i++)
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
         {
             TreeAnchor* anchor = forest.Anchors + i;
             ActiveJoint* joint = active + anchor->Active;
-            TreeNode* node = nodes + anchor->Node;
-            CopyRows(joint->NodeA == anchor->Node ? rows[anchor->Active].A : rows[anchor->Active].B, anchor->S, anchor->Rows);
-            EliminateAnchor(anchor, node);
+            double* from = joint->Ends.NodeA == anchor->Node ? rows[anchor->Active].A : rows[anchor->Active].B;
+            for (int r = 0; r < anchor->Rows; r++)
+            {
+                CopyRow(from + (anchor->RowIndex[r] * 3), anchor->S + (r * 3));
+            }
+
+            EliminateAnchor(anchor, nodes + anchor->Node);
         }
 
-        for (int i = forest.Count - 1; i >= 0; i--)
+        for (int i = tree->End - 1; i > tree->First; i--)
         {
-            if (nodes[i].Parent >= 0)
-            {
-                EliminateEdge(nodes + i, nodes + nodes[i].Parent);
-            }
+            EliminateEdge(nodes + i, nodes + nodes[i].Parent);
         }
     }
 
     /// <summary>Inverse mass within the whole tree, root first: A = Y - G S Y + T Aₚ Tᵀ.</summary>
-    public static void CompleteMasses(JointForest forest)
+    public static void CompleteMasses(JointForest forest, JointTree* tree)
     {
         TreeNode* nodes = forest.Nodes;
         double* product = stackalloc double[9];
-        for (int i = 0; i < forest.Count; i++)
+        for (int i = tree->First; i < tree->End; i++)
         {
             TreeNode* node = nodes + i;
             for (int k = 0; k < 9; k++)
@@ -84,26 +88,23 @@ internal static unsafe class TreeFactor
         y[8] = inertia;
     }
 
-    private static void FillEdge(TreeNode* node, TreeNode* nodes, int* edgeJoints, ActiveJoint* active, JointRows* rows)
+    private static void FillEdge(TreeNode* node, ActiveJoint* active, JointRows* rows)
     {
-        int at = 0;
-        for (int k = 0; k < node->EdgeCount; k++)
+        for (int r = 0; r < node->Rows; r++)
         {
-            int index = edgeJoints[node->EdgeFirst + k];
-            bool childIsA = active[index].BodyA == node->Body;
-            JointRows* r = rows + index;
-            CopyRows(childIsA ? r->A : r->B, node->ChildS + at, r->Hard);
-            CopyRows(childIsA ? r->B : r->A, node->ParentS + at, r->Hard);
-            at += r->Hard * 3;
+            int joint = node->RowJoint[r];
+            int at = node->RowIndex[r] * 3;
+            bool childIsA = active[joint].Ends.BodyA == node->Body;
+            CopyRow((childIsA ? rows[joint].A : rows[joint].B) + at, node->ChildS + (r * 3));
+            CopyRow((childIsA ? rows[joint].B : rows[joint].A) + at, node->ParentS + (r * 3));
         }
     }
 
-    private static void CopyRows(double* from, double* to, int rows)
+    private static void CopyRow(double* from, double* to)
     {
-        for (int i = 0; i < rows * 3; i++)
-        {
-            to[i] = from[i];
-        }
+        to[0] = from[0];
+        to[1] = from[1];
+        to[2] = from[2];
     }
 
     private static void AddRegular(double* k, int n, double* s, TreeNode* node)

@@ -13,52 +13,46 @@ internal unsafe struct TreeNode
 
     /// <summary>Index of the parent's node; -1 for a root.</summary>
     public int Parent;
-    public int Root;
+    public int Tree;
     public int Depth;
 
     /// <summary>Joints of the edge to the parent: a range of the list of edge joints.</summary>
     public int EdgeFirst;
     public int EdgeCount;
 
-    /// <summary>Joints with what cannot move: a range of the unary joints.</summary>
-    public int UnaryFirst;
-    public int UnaryCount;
-
-    /// <summary>Rows of the edge.</summary>
+    /// <summary>Rows of the edge: those that always hold, then the limits that hold now. Of each its joint and its place there.</summary>
     public int Rows;
+    public int HardRows;
+    public fixed int RowJoint[3];
+    public fixed int RowIndex[3];
 
-    /// <summary>Root only: the node at which the lazy walk stands, and whether the tree carries rows.</summary>
-    public int Current;
-    public int Carries;
-
-    /// <summary>Root only: no body of the tree touches anything.</summary>
-    public int Free;
-
-    /// <summary>Root only: an error that was put there from outside waits to be taken out; the correction went astray.</summary>
-    public int Disturbed;
-    public int Astray;
-
-    /// <summary>Root only: largest error of the tree now and a round ago, in terms of its joints' sizes.</summary>
-    public double Worst;
-    public double Before;
-
-    /// <summary>Displacement and turn at the substep's start, and where h·v took the body, before corrections.</summary>
-    public fixed double StartMove[3];
-    public fixed double PlainMove[3];
-
-    /// <summary>Angle by which corrections turned the body in the substep.</summary>
-    public double Bent;
+    /// <summary>A joint of the edge has limits that belong to the block when they hold.</summary>
+    public bool HasLimits;
 
     /// <summary>Next node on the way down of a walk.</summary>
     public int Towards;
+
+    /// <summary>Angle by which corrections turned the body in the substep.</summary>
+    public double Bent;
 
     public double X;
     public double Y;
     public double Angle;
     public double Cos;
     public double Sin;
+
+    /// <summary>Sine and cosine of the turn since the middle of the step, by which the contacts' arms turn.</summary>
+    public double TurnSin;
+    public double TurnCos;
     public double InverseMass;
     public double InverseInertia;
+
+    /// <summary>Displacement since the start of the step and turn since its middle; the store's floats are their rounding.</summary>
+    public fixed double Move[3];
+
+    /// <summary>The same at the substep's start, and where h·v took the body, before corrections.</summary>
+    public fixed double StartMove[3];
+    public fixed double PlainMove[3];
 
     public fixed double ChildS[9];
     public fixed double ParentS[9];
@@ -77,8 +71,8 @@ internal unsafe struct TreeNode
     public fixed double Target[3];
     public fixed double Velocity[3];
 
-    /// <summary>Velocity change of the position correction.</summary>
-    public fixed double Correction[3];
+    /// <summary>The velocity put aside while a set of limits is tried, or while the position correction is found.</summary>
+    public fixed double Saved[3];
 
     /// <summary>Impulse that the body got in the pass, for the multipliers of its anchors.</summary>
     public fixed double Got[3];
@@ -101,7 +95,10 @@ internal unsafe struct TreeAnchor
 {
     public int Active;
     public int Node;
+
+    /// <summary>Rows: those that always hold, then the limits that hold now; their places in the joint.</summary>
     public int Rows;
+    public fixed int RowIndex[3];
     public fixed double S[9];
 
     /// <summary>H S Y, and H.</summary>

@@ -7,27 +7,29 @@ namespace Farseer.Engine.Joints.Trees;
 /// </summary>
 internal static unsafe class TreeReactions
 {
-    /// <summary>Adds the multipliers of the last <see cref="TreeSolve"/> to the joints.</summary>
-    public static void AddSolve(JointForest forest, ActiveJoint* active, JointRows* rows)
+    /// <summary>Finds the multipliers of the last <see cref="TreeSolve"/>.</summary>
+    public static void OfSolve(JointForest forest, JointTree* tree)
     {
-        Clear(forest);
-        Finish(forest, active, rows, true);
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            TreeNode* node = forest.Nodes + i;
+            node->Got[0] = 0;
+            node->Got[1] = 0;
+            node->Got[2] = 0;
+        }
+
+        Finish(forest, tree, true);
     }
 
-    /// <summary>Adds the multipliers of the last walk to the joints.</summary>
-    public static void AddWalk(JointForest forest, ActiveJoint* active, JointRows* rows)
+    /// <summary>Finds the multipliers of the last walk.</summary>
+    public static void OfWalk(JointForest forest, JointTree* tree)
     {
         TreeNode* nodes = forest.Nodes;
         double* fall = stackalloc double[3];
         double* answer = stackalloc double[3];
-        for (int i = 0; i < forest.Count; i++)
+        for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = nodes + i;
-            if (node->Parent < 0)
-            {
-                continue;
-            }
-
             TreeNode* parent = nodes + node->Parent;
             for (int r = 0; r < node->Rows; r++)
             {
@@ -43,35 +45,60 @@ internal static unsafe class TreeReactions
             }
         }
 
-        Finish(forest, active, rows, false);
+        Finish(forest, tree, false);
     }
 
-    private static void Clear(JointForest forest)
+    /// <summary>Adds the multipliers found last to the joints; those of limits that hold also to their rows.</summary>
+    public static void Give(JointForest forest, JointTree* tree, ActiveJoint* active, JointRows* rows)
     {
-        for (int i = 0; i < forest.Count; i++)
+        for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = forest.Nodes + i;
-            node->Got[0] = 0;
-            node->Got[1] = 0;
-            node->Got[2] = 0;
-        }
-    }
-
-    private static void Finish(JointForest forest, ActiveJoint* active, JointRows* rows, bool solved)
-    {
-        TreeNode* nodes = forest.Nodes;
-        for (int i = 0; i < forest.Count; i++)
-        {
-            TreeNode* node = nodes + i;
-            if (node->Parent >= 0)
+            for (int r = 0; r < node->Rows; r++)
             {
-                Push(node->ChildS, node->Edge, node->Rows, node->Got);
-                Push(node->ParentS, node->Edge, node->Rows, nodes[node->Parent].Got);
-                GiveEdge(node, forest.EdgeJoints, active, rows);
+                int joint = node->RowJoint[r];
+                Give(active + joint, rows + joint, node->RowIndex[r], node->Edge[r]);
             }
         }
 
-        for (int i = forest.AnchorCount - 1; i >= 0; i--)
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
+        {
+            TreeAnchor* anchor = forest.Anchors + i;
+            for (int r = 0; r < anchor->Rows; r++)
+            {
+                Give(active + anchor->Active, rows + anchor->Active, anchor->RowIndex[r], anchor->Lambda[r]);
+            }
+        }
+    }
+
+    private static void Give(ActiveJoint* joint, JointRows* rows, int row, double lambda)
+    {
+        double* j = rows->B + (row * 3);
+        joint->Given[0] += j[0] * lambda;
+        joint->Given[1] += j[1] * lambda;
+        joint->Given[2] += j[2] * lambda;
+        if (row >= rows->Hard)
+        {
+            joint->Lambda[row] += lambda;
+        }
+    }
+
+    private static void Finish(JointForest forest, JointTree* tree, bool solved)
+    {
+        TreeNode* nodes = forest.Nodes;
+        if (tree->AnchorEnd == tree->AnchorFirst)
+        {
+            return;
+        }
+
+        for (int i = tree->First + 1; i < tree->End; i++)
+        {
+            TreeNode* node = nodes + i;
+            Push(node->ChildS, node->Edge, node->Rows, node->Got);
+            Push(node->ParentS, node->Edge, node->Rows, nodes[node->Parent].Got);
+        }
+
+        for (int i = tree->AnchorEnd - 1; i >= tree->AnchorFirst; i--)
         {
             TreeAnchor* anchor = forest.Anchors + i;
             TreeNode* node = nodes + anchor->Node;
@@ -86,18 +113,6 @@ internal static unsafe class TreeReactions
             }
 
             Push(anchor->S, anchor->Lambda, anchor->Rows, node->Got);
-            Push(rows[anchor->Active].B, anchor->Lambda, anchor->Rows, active[anchor->Active].Given);
-        }
-    }
-
-    private static void GiveEdge(TreeNode* node, int* edgeJoints, ActiveJoint* active, JointRows* rows)
-    {
-        int at = 0;
-        for (int k = 0; k < node->EdgeCount; k++)
-        {
-            int index = edgeJoints[node->EdgeFirst + k];
-            Push(rows[index].B, node->Edge + at, rows[index].Hard, active[index].Given);
-            at += rows[index].Hard;
         }
     }
 

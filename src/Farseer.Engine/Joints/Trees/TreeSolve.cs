@@ -1,56 +1,44 @@
 namespace Farseer.Engine.Joints.Trees;
 
 /// <summary>
-/// The velocities nearest to the present ones, weighted by mass, that satisfy all hard rows of the trees, S v + Sₚ vₚ = t: up
-/// from the leaves with the residuals, then down from the roots.
+/// The velocities nearest to the present ones, weighted by mass, that satisfy all rows of a tree's blocks, S v + Sₚ vₚ = t: up
+/// from the leaves with the residuals, then down from the root.
 /// </summary>
 internal static unsafe class TreeSolve
 {
-    /// <summary>Solves for the velocities, or for the velocity changes of the position correction.</summary>
-    public static void Run(JointForest forest, bool correction)
+    public static void Run(JointForest forest, JointTree* tree)
     {
         TreeNode* nodes = forest.Nodes;
-        for (int i = 0; i < forest.AnchorCount; i++)
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
         {
             TreeAnchor* anchor = forest.Anchors + i;
-            double* v = Vector(nodes + anchor->Node, correction);
-            Meet(anchor, v);
+            Meet(anchor, nodes[anchor->Node].Velocity);
         }
 
         double* r = stackalloc double[3];
-        for (int i = forest.Count - 1; i >= 0; i--)
+        for (int i = tree->End - 1; i > tree->First; i--)
         {
             TreeNode* node = nodes + i;
-            if (node->Parent < 0)
-            {
-                continue;
-            }
-
-            double* parent = Vector(nodes + node->Parent, correction);
-            Residual(node, Vector(node, correction), parent, r);
+            double* parent = nodes[node->Parent].Velocity;
+            Residual(node, parent, r);
             Spread(node->W, r, node->Rows, parent);
         }
 
-        for (int i = 0; i < forest.Count; i++)
+        for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = nodes + i;
-            if (node->Parent >= 0)
-            {
-                double* v = Vector(node, correction);
-                Residual(node, v, Vector(nodes + node->Parent, correction), r);
-                Spread(node->G, r, node->Rows, v);
-                Multiply(node->E, r, node->Rows, node->Edge);
-            }
+            Residual(node, nodes[node->Parent].Velocity, r);
+            Spread(node->G, r, node->Rows, node->Velocity);
+            Multiply(node->E, r, node->Rows, node->Edge);
         }
     }
 
-    private static double* Vector(TreeNode* node, bool correction) => correction ? node->Correction : node->Velocity;
-
-    private static void Residual(TreeNode* node, double* child, double* parent, double* r)
+    private static void Residual(TreeNode* node, double* parent, double* r)
     {
         for (int i = 0; i < node->Rows; i++)
         {
-            r[i] = node->Target[i] - SmallMatrix.Dot(node->ChildS + (i * 3), child) - SmallMatrix.Dot(node->ParentS + (i * 3), parent);
+            r[i] = node->Target[i] - SmallMatrix.Dot(node->ChildS + (i * 3), node->Velocity)
+                - SmallMatrix.Dot(node->ParentS + (i * 3), parent);
         }
     }
 

@@ -7,14 +7,14 @@ namespace Farseer.Engine.Joints.Trees;
 /// </summary>
 internal static unsafe class TreeWalk
 {
-    public static void Begin(JointForest forest)
+    public static void Begin(in JointForestView view, JointTree* tree)
     {
-        TreeNode* nodes = forest.Nodes;
-        for (int i = 0; i < forest.Count; i++)
+        TreeNode* nodes = view.Nodes;
+        tree->Current = tree->First;
+        tree->Carries = false;
+        for (int i = tree->First; i < tree->End; i++)
         {
             TreeNode* node = nodes + i;
-            node->Current = node->Root;
-            node->Carries = 0;
             double* parent = node->Parent < 0 ? node->Velocity : nodes[node->Parent].Velocity;
             for (int k = 0; k < 3; k++)
             {
@@ -28,15 +28,17 @@ internal static unsafe class TreeWalk
     }
 
     /// <summary>Makes a body current.</summary>
-    public static void Visit(TreeNode* nodes, int target)
+    public static void Visit(in JointForestView view, int target)
     {
-        TreeNode* root = nodes + nodes[target].Root;
-        int at = root->Current;
+        TreeNode* nodes = view.Nodes;
+        JointTree* tree = view.Trees + nodes[target].Tree;
+        int at = tree->Current;
         if (at == target)
         {
             return;
         }
 
+        tree->Current = target;
         int meet = target;
         int up = at;
         while (up != meet)
@@ -48,48 +50,41 @@ internal static unsafe class TreeWalk
             }
             else
             {
+                nodes[nodes[meet].Parent].Towards = meet;
                 meet = nodes[meet].Parent;
             }
         }
 
-        Descend(nodes, target, meet);
-        root->Current = target;
+        while (meet != target)
+        {
+            meet = nodes[meet].Towards;
+            Cross(nodes, meet);
+        }
     }
 
     /// <summary>Applies an impulse to the current body of its tree.</summary>
-    public static void Apply(TreeNode* nodes, int index, double x, double y, double w)
+    public static void Apply(in JointForestView view, int index, double x, double y, double w)
     {
-        TreeNode* node = nodes + index;
-        double* change = stackalloc double[3];
-        SmallMatrix.Apply(node->FullMass, x, y, w, change);
-        for (int k = 0; k < 3; k++)
-        {
-            node->Velocity[k] += change[k];
-        }
-
+        TreeNode* node = view.Nodes + index;
+        double* a = node->FullMass;
+        node->Velocity[0] += (a[0] * x) + (a[1] * y) + (a[2] * w);
+        node->Velocity[1] += (a[3] * x) + (a[4] * y) + (a[5] * w);
+        node->Velocity[2] += (a[6] * x) + (a[7] * y) + (a[8] * w);
         Note(node->Pending, x, y, w);
         Note(node->Through, x, y, w);
         Note(node->Got, x, y, w);
-        nodes[node->Root].Carries = 1;
+        view.Trees[node->Tree].Carries = true;
     }
 
     /// <summary>Brings every velocity up to date.</summary>
-    public static void End(JointForest forest)
+    public static void End(in JointForestView view, JointTree* tree)
     {
-        TreeNode* nodes = forest.Nodes;
-        for (int i = 0; i < forest.Count; i++)
+        if (tree->Carries)
         {
-            TreeNode* node = nodes + i;
-            if (node->Parent < 0)
+            Visit(view, tree->First);
+            for (int i = tree->First + 1; i < tree->End; i++)
             {
-                if (node->Carries != 0)
-                {
-                    Visit(nodes, i);
-                }
-            }
-            else if (nodes[node->Root].Carries != 0)
-            {
-                Cross(nodes, i);
+                Cross(view.Nodes, i);
             }
         }
     }
@@ -110,50 +105,36 @@ internal static unsafe class TreeWalk
         double x = (t[0] * d[0]) + (t[3] * d[1]) + (t[6] * d[2]);
         double y = (t[1] * d[0]) + (t[4] * d[1]) + (t[7] * d[2]);
         double w = (t[2] * d[0]) + (t[5] * d[1]) + (t[8] * d[2]);
-        double* change = stackalloc double[3];
-        SmallMatrix.Apply(parent->FullMass, x, y, w, change);
         d[0] = 0;
         d[1] = 0;
         d[2] = 0;
         Note(parent->Pending, x, y, w);
         Note(parent->Through, x, y, w);
-        for (int k = 0; k < 3; k++)
-        {
-            parent->Velocity[k] += change[k];
-            node->Seen[k] = parent->Velocity[k];
-        }
-    }
-
-    private static void Descend(TreeNode* nodes, int target, int from)
-    {
-        for (int i = target; i != from; i = nodes[i].Parent)
-        {
-            nodes[nodes[i].Parent].Towards = i;
-        }
-
-        for (int i = from; i != target;)
-        {
-            i = nodes[i].Towards;
-            Cross(nodes, i);
-        }
+        double* a = parent->FullMass;
+        double* v = parent->Velocity;
+        v[0] += (a[0] * x) + (a[1] * y) + (a[2] * w);
+        v[1] += (a[3] * x) + (a[4] * y) + (a[5] * w);
+        v[2] += (a[6] * x) + (a[7] * y) + (a[8] * w);
+        node->Seen[0] = v[0];
+        node->Seen[1] = v[1];
+        node->Seen[2] = v[2];
     }
 
     /// <summary>Takes the parent's change since the last crossing down to the child.</summary>
     private static void Cross(TreeNode* nodes, int index)
     {
         TreeNode* node = nodes + index;
-        TreeNode* parent = nodes + node->Parent;
-        double* change = stackalloc double[3];
-        SmallMatrix.Apply(
-            node->T,
-            parent->Velocity[0] - node->Seen[0],
-            parent->Velocity[1] - node->Seen[1],
-            parent->Velocity[2] - node->Seen[2],
-            change);
-        for (int k = 0; k < 3; k++)
-        {
-            node->Velocity[k] += change[k];
-            node->Seen[k] = parent->Velocity[k];
-        }
+        double* v = nodes[node->Parent].Velocity;
+        double* seen = node->Seen;
+        double x = v[0] - seen[0];
+        double y = v[1] - seen[1];
+        double w = v[2] - seen[2];
+        double* t = node->T;
+        node->Velocity[0] += (t[0] * x) + (t[1] * y) + (t[2] * w);
+        node->Velocity[1] += (t[3] * x) + (t[4] * y) + (t[5] * w);
+        node->Velocity[2] += (t[6] * x) + (t[7] * y) + (t[8] * w);
+        seen[0] = v[0];
+        seen[1] = v[1];
+        seen[2] = v[2];
     }
 }

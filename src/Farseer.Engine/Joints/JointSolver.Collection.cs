@@ -1,0 +1,215 @@
+using System;
+using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Joints;
+
+/// <content>Which joints act, and the trees they make.</content>
+internal sealed unsafe partial class JointSolver
+{
+    private readonly Column<byte> _builtMoves = new Column<byte>();
+    private readonly Column<ulong> _keys = new Column<ulong>();
+    private readonly Column<int> _order = new Column<int>();
+    private readonly Column<int> _broken = new Column<int>();
+    private readonly RadixSort _sort = new RadixSort();
+    private int _collected;
+
+    /// <summary>Joints that broke in the last <see cref="Begin"/>, in their order.</summary>
+    public int BrokenCount { get; private set; }
+
+    public int Broken(int index) => _broken[index];
+
+    /// <summary>
+    /// Finds the joints that act, and the trees they make, if anything about them changed; then their errors and rows. A joint
+    /// whose error passed its breaking point is switched off.
+    /// </summary>
+    public void Begin(in JointStep step)
+    {
+        _step = step;
+        BrokenCount = 0;
+        _contactCount = 0;
+        _forest.ClearGuests();
+        if (Look() && Break() && !step.BreaksLate)
+        {
+            Look();
+        }
+    }
+
+    private bool Look()
+    {
+        if (_store.Changed || BodiesChanged())
+        {
+            Collect();
+        }
+
+        if (_count == 0)
+        {
+            return false;
+        }
+
+        for (int i = 0; i < _count; i++)
+        {
+            // A copy: a callback may change the joint while the step goes on.
+            _active[i].Settings = _store.Settings[_active[i].Joint];
+            _active[i].Flags = _store.Flags[_active[i].Joint];
+        }
+
+        LoadMasses();
+        LoadMoves();
+        LoadPoses();
+        WriteRows(true);
+        if (BlocksChanged())
+        {
+            Build();
+            LoadMasses();
+            LoadMoves();
+            LoadPoses();
+        }
+
+        return true;
+    }
+
+    private bool Break()
+    {
+        _broken.EnsureCapacity(_count);
+        for (int i = 0; i < _count; i++)
+        {
+            int joint = _active[i].Joint;
+            ref JointState state = ref _store.States[joint];
+            state.Error = _rows[i].JointError;
+            double breakpoint = _active[i].Settings.Breakpoint;
+            if (!double.IsInfinity(breakpoint))
+            {
+                state.Error += state.Error < 0 ? -state.Drift : state.Drift;
+            }
+
+            double force = Math.Sqrt((state.ForceX * state.ForceX) + (state.ForceY * state.ForceY));
+            if (Math.Abs(state.Error) > breakpoint || force > _active[i].Settings.BreakForce)
+            {
+                _store.Flags[joint] &= ~JointFlags.Enabled;
+                _store.Changed = true;
+                _broken[BrokenCount++] = joint;
+            }
+        }
+
+        return BrokenCount > 0;
+    }
+
+    private bool BodiesChanged()
+    {
+        for (int i = 0; i < _collected; i++)
+        {
+            ref JointLink link = ref _store.Links[_order[i]];
+            int now = _step.Moves[link.BodyA] | (_step.Moves[link.BodyB] << 1);
+            if (now != _builtMoves[i])
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private bool BlocksChanged()
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            if (_rows[i].Hard != _active[i].BuiltHard || _rows[i].Count != _active[i].BuiltCount || IsLimited(i) != _active[i].Limited)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>It has a limit that a block can hold: one without compliance.</summary>
+    private bool IsLimited(int index)
+    {
+        JointRows* rows = _rows.Pointer + index;
+        for (int k = rows->Hard; k < rows->Count; k++)
+        {
+            if (rows->Type[k] == (byte)RowType.Limit && rows->Damping[k] == 0)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>The enabled joints in their order, and of them those with a body that moves.</summary>
+    private void Collect()
+    {
+        _store.Changed = false;
+        int end = _store.Ids.End;
+        _keys.EnsureCapacity(end);
+        _order.EnsureCapacity(end);
+        _builtMoves.EnsureCapacity(end);
+        _active.EnsureCapacity(end);
+        _rows.EnsureCapacity(end);
+        _collected = 0;
+        for (int joint = 0; joint < end; joint++)
+        {
+            const JointFlags Acts = JointFlags.Alive | JointFlags.Enabled;
+            if ((_store.Flags[joint] & Acts) == Acts)
+            {
+                _keys[_collected] = (uint)_store.Links[joint].Order;
+                _order[_collected++] = joint;
+            }
+        }
+
+        _sort.Sort(_keys.Pointer, _order.Pointer, _collected);
+        _count = 0;
+        for (int i = 0; i < _collected; i++)
+        {
+            ref JointLink link = ref _store.Links[_order[i]];
+            int moves = _step.Moves[link.BodyA] | (_step.Moves[link.BodyB] << 1);
+            _builtMoves[i] = (byte)moves;
+            if (moves != 0)
+            {
+                _active[_count] = default;
+                _active[_count].Joint = _order[i];
+                _active[_count].Kind = link.Kind;
+                _active[_count].Ends.BodyA = link.BodyA;
+                _active[_count].Ends.BodyB = link.BodyB;
+                _active[_count].Ends.NodeA = -1;
+                _active[_count].Ends.NodeB = -1;
+                _active[_count++].BuiltHard = -1;
+            }
+        }
+
+        // The rows are not known yet: the first build makes nodes for the poses, the second the trees.
+        _forest.Build(_active.Pointer, _count, _step.Bodies.Mass.Pointer, _step.Moves, _step.Bodies.Ids.End);
+    }
+
+    private void Build()
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            _active[i].BuiltHard = _rows[i].Hard;
+            _active[i].BuiltCount = _rows[i].Count;
+            _active[i].Limited = IsLimited(i);
+        }
+
+        _forest.Build(_active.Pointer, _count, _step.Bodies.Mass.Pointer, _step.Moves, _step.Bodies.Ids.End);
+        for (int i = 0; i < _count; i++)
+        {
+            _active[i].BlockLimits = _active[i].Limited && _active[i].Role != JointRole.Iterated && HasRoom(i);
+        }
+    }
+
+    /// <summary>The block of an eliminated joint has room for a limit.</summary>
+    private bool HasRoom(int index)
+    {
+        ref ActiveJoint joint = ref _active[index];
+        if (joint.Role == JointRole.Anchor)
+        {
+            return joint.BuiltHard < TreeFactor.MostRows;
+        }
+
+        TreeNode* a = _forest.Nodes + joint.Ends.NodeA;
+        TreeNode* b = _forest.Nodes + joint.Ends.NodeB;
+        return (a->Parent == joint.Ends.NodeB ? a : b)->HasLimits;
+    }
+}

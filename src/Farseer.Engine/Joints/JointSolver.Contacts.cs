@@ -1,0 +1,204 @@
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Joints;
+
+/// <content>Contacts with trees: taken out of their lanes for the step, solved in the order of the trees, and given back.</content>
+internal sealed unsafe partial class JointSolver
+{
+    private readonly Column<TreeContact> _contacts = new Column<TreeContact>();
+    private readonly Column<ulong> _agendaKeys = new Column<ulong>();
+    private readonly Column<int> _agenda = new Column<int>();
+    private int _contactCount;
+    private int _agendaCount;
+
+    /// <summary>Contacts are solved against trees.</summary>
+    public bool AnyContacts => _contactCount > 0;
+
+    /// <summary>
+    /// Takes the contacts with trees out of a colour's lanes, which are inert from then on. Both of a contact's bodies take part in
+    /// the joints' passes: one that has no joints as a guest.
+    /// </summary>
+    public void Take(ContactBundle* bundles, int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            ContactBundle* bundle = bundles + i;
+            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            {
+                bool touches = IsInTree(bundle->BodyA[lane]) || IsInTree(bundle->BodyB[lane]);
+                if (touches && bundle->Contact[lane] >= 0 && Exists(&bundle->Point0, lane))
+                {
+                    _contacts.EnsureCapacity(_contactCount + 1);
+                    Take(bundle, lane, _contacts.Pointer + _contactCount++);
+                }
+            }
+        }
+    }
+
+    private bool IsInTree(int body)
+    {
+        int node = _forest.NodeOf(body);
+        return node >= 0 && _forest.Trees[_forest.Nodes[node].Tree].Eliminates;
+    }
+
+    private static bool Exists(ContactPointLanes* point, int lane) => point->Base[lane] < ContactBundle.NoPoint * 0.5f;
+
+    private static void Take(ContactBundle* bundle, int lane, TreeContact* contact)
+    {
+        *contact = default;
+        contact->Bundle = bundle;
+        contact->Lane = lane;
+        contact->Ends.BodyA = bundle->BodyA[lane];
+        contact->Ends.BodyB = bundle->BodyB[lane];
+        contact->Points = Exists(&bundle->Point1, lane) ? 2 : 1;
+        contact->NormalX = bundle->NormalX[lane];
+        contact->NormalY = bundle->NormalY[lane];
+        contact->Friction = bundle->Friction[lane];
+        contact->Restitution = bundle->Restitution[lane];
+        contact->RadiusA = bundle->RadiusA[lane];
+        contact->RadiusB = bundle->RadiusB[lane];
+        contact->FeedRate = bundle->FeedRate[lane];
+        contact->FeedShare = bundle->FeedShare[lane];
+        contact->Deep = bundle->Deep[lane] > 0;
+        Take(&bundle->Point0, lane, ref contact->Point0);
+        if (contact->Points > 1)
+        {
+            Take(&bundle->Point1, lane, ref contact->Point1);
+        }
+    }
+
+    private static void Take(ContactPointLanes* from, int lane, ref TreeContactPoint to)
+    {
+        to.NormalArmA = from->NormalArmA[lane];
+        to.TangentArmA = from->TangentArmA[lane];
+        to.NormalArmB = from->NormalArmB[lane];
+        to.TangentArmB = from->TangentArmB[lane];
+        to.Base = from->Base[lane];
+        to.Normal = from->Normal[lane];
+        to.Tangent = from->Tangent[lane];
+        to.PreviousNormal = from->PreviousNormal[lane];
+        to.PreviousTangent = from->PreviousTangent[lane];
+        to.Feed = from->Feed[lane];
+
+        // So far away that no pass ever gives it an impulse.
+        from->Base[lane] = ContactBundle.NoPoint;
+        from->Normal[lane] = 0;
+        from->Tangent[lane] = 0;
+        from->PreviousNormal[lane] = 0;
+        from->PreviousTangent[lane] = 0;
+        from->Feed[lane] = 0;
+    }
+
+    private void GiveContactsBack()
+    {
+        for (int i = 0; i < _contactCount; i++)
+        {
+            TreeContact* contact = _contacts.Pointer + i;
+            if (contact->Struck)
+            {
+                contact->Bundle->Struck[contact->Lane] = 1;
+            }
+
+            GiveBack(contact->Point0, &contact->Bundle->Point0, contact->Lane);
+            if (contact->Points > 1)
+            {
+                GiveBack(contact->Point1, &contact->Bundle->Point1, contact->Lane);
+            }
+        }
+    }
+
+    private static void GiveBack(in TreeContactPoint from, ContactPointLanes* to, int lane)
+    {
+        to->Base[lane] = (float)from.Base;
+        to->Normal[lane] = (float)from.Normal;
+        to->Tangent[lane] = (float)from.Tangent;
+        to->PreviousNormal[lane] = (float)from.PreviousNormal;
+        to->PreviousTangent[lane] = (float)from.PreviousTangent;
+        to->Feed[lane] = (float)from.Feed;
+    }
+
+    /// <summary>Makes guests of bodies that touch trees, and puts all iterated rows in the order of the trees, then of the contacts.</summary>
+    private void Collate()
+    {
+        _forest.ReserveGuests(_contactCount * 2, _step.Bodies.Ids.End);
+        for (int i = 0; i < _contactCount; i++)
+        {
+            ref RowEnds ends = ref _contacts[i].Ends;
+            Invite(ends.BodyA);
+            Invite(ends.BodyB);
+            _forest.SetNodes(ref ends, _step.Moves);
+        }
+
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            _forest.Trees[i].HasRows = false;
+        }
+
+        _agendaCount = 0;
+        _agendaKeys.EnsureCapacity(_count + _contactCount);
+        _agenda.EnsureCapacity(_count + _contactCount);
+        for (int i = 0; i < _count; i++)
+        {
+            if (Iterates(_active.Pointer + i, _rows.Pointer + i))
+            {
+                Enlist(_active[i].Ends, i, (uint)i);
+            }
+        }
+
+        for (int i = 0; i < _contactCount; i++)
+        {
+            uint contact = (uint)_contacts[i].Bundle->Contact[_contacts[i].Lane];
+            Enlist(_contacts[i].Ends, ~i, contact | 0x80000000u);
+        }
+
+        _sort.Sort(_agendaKeys.Pointer, _agenda.Pointer, _agendaCount);
+    }
+
+    private void Invite(int body)
+    {
+        if (_step.Moves[body] != 0 && _forest.NodeOf(body) < 0)
+        {
+            _forest.AddGuest(body);
+            LoadMass(_forest.Nodes + (_forest.Count - 1));
+        }
+    }
+
+    private static bool Iterates(ActiveJoint* joint, JointRows* rows)
+    {
+        if (joint->Role == JointRole.Iterated)
+        {
+            return true;
+        }
+
+        for (int k = rows->Hard; k < rows->Count; k++)
+        {
+            if (!(joint->BlockLimits && rows->Type[k] == (byte)RowType.Limit))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private void Enlist(in RowEnds ends, int item, uint key)
+    {
+        int first = int.MaxValue;
+        if (ends.NodeA >= 0)
+        {
+            first = ends.NodeA;
+            _forest.Trees[_forest.Nodes[ends.NodeA].Tree].HasRows = true;
+        }
+
+        if (ends.NodeB >= 0)
+        {
+            first = ends.NodeB < first ? ends.NodeB : first;
+            _forest.Trees[_forest.Nodes[ends.NodeB].Tree].HasRows = true;
+        }
+
+        _agendaKeys[_agendaCount] = ((ulong)(uint)first << 32) | key;
+        _agenda[_agendaCount++] = item;
+    }
+}

@@ -1,0 +1,327 @@
+using System;
+using Farseer.Engine.Joints.Trees;
+
+namespace Farseer.Engine.Joints;
+
+/// <content>
+/// The solution of the trees, and which of their limits hold: an active set, found by the signs of the multipliers. A limit that
+/// holds is one more row of its block; no iteration is as stiff.
+/// </content>
+internal sealed unsafe partial class JointSolver
+{
+    private const int LimitRounds = 6;
+    private const int ReleaseRounds = 4;
+
+    /// <summary>Share of the speeds in a row below which a difference is rounding.</summary>
+    private const double SpeedRounding = 1e-9;
+
+    /// <summary>The fastest return from an overrun, rad/s.</summary>
+    private const double FastestReturn = 10;
+
+    /// <param name="kind">What the rows are to reach.</param>
+    /// <param name="again">The trees have been solved in this pass: only their limits may have changed since.</param>
+    private void SolveTrees(TargetKind kind, bool again)
+    {
+        bool refactored = false;
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            JointTree* tree = _forest.Trees + i;
+            if (!tree->Eliminates || (again && !tree->HasLimits))
+            {
+                continue;
+            }
+
+            SolveTree(tree, kind);
+            refactored |= tree->Refactored;
+        }
+
+        if (refactored)
+        {
+            PrepareAgain();
+        }
+    }
+
+    private void SolveTree(JointTree* tree, TargetKind kind)
+    {
+        if (!tree->HasLimits)
+        {
+            SetTargets(tree, kind);
+            TreeSolve.Run(_forest, tree);
+            TreeReactions.OfSolve(_forest, tree);
+            TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
+            return;
+        }
+
+        Save(tree);
+        for (int round = 0; ; round++)
+        {
+            SetTargets(tree, kind);
+            TreeSolve.Run(_forest, tree);
+            TreeReactions.OfSolve(_forest, tree);
+            if (round == LimitRounds - 1 || !ReviseLimits(tree, kind, round < ReleaseRounds))
+            {
+                break;
+            }
+
+            Restore(tree);
+            TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+            tree->Refactored = true;
+        }
+
+        TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
+    }
+
+    /// <summary>The masses of trees whose limits changed, and the responses of their rows.</summary>
+    private void PrepareAgain()
+    {
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            JointTree* tree = _forest.Trees + i;
+            if (tree->Refactored && tree->HasRows)
+            {
+                TreeFactor.CompleteMasses(_forest, tree);
+            }
+        }
+
+        for (int i = 0; i < _agendaCount; i++)
+        {
+            int item = _agenda[i];
+            ref RowEnds ends = ref item < 0 ? ref _contacts[~item].Ends : ref _active[item].Ends;
+            if (IsRefactored(ends.NodeA) || IsRefactored(ends.NodeB))
+            {
+                Prepare(item);
+            }
+        }
+
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            _forest.Trees[i].Refactored = false;
+        }
+    }
+
+    private bool IsRefactored(int node) => node >= 0 && _forest.Trees[_forest.Nodes[node].Tree].Refactored;
+
+    /// <summary>Multipliers of limits are sums over a substep: they start at 0.</summary>
+    private void ForgetLimits()
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            if (_active[i].BlockLimits)
+            {
+                for (int k = _rows[i].Hard; k < _rows[i].Count; k++)
+                {
+                    _active[i].Lambda[k] = _rows[i].Type[k] == (byte)RowType.Limit ? 0 : _active[i].Lambda[k];
+                }
+            }
+        }
+    }
+
+    private void Save(JointTree* tree)
+    {
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            node->Saved[0] = node->Velocity[0];
+            node->Saved[1] = node->Velocity[1];
+            node->Saved[2] = node->Velocity[2];
+        }
+    }
+
+    private void Restore(JointTree* tree)
+    {
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            node->Velocity[0] = node->Saved[0];
+            node->Velocity[1] = node->Saved[1];
+            node->Velocity[2] = node->Saved[2];
+        }
+    }
+
+    /// <summary>Lets go of limits that pull, and holds those that are being passed.</summary>
+    /// <returns>True if the set changed.</returns>
+    private bool ReviseLimits(JointTree* tree, TargetKind kind, bool release)
+    {
+        bool changed = false;
+        for (int i = tree->First + 1; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            if (node->HasLimits)
+            {
+                changed |= release && ReleaseEdge(node);
+                changed |= LockEdge(node, kind);
+            }
+        }
+
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
+        {
+            TreeAnchor* anchor = _forest.Anchors + i;
+            if (_active[anchor->Active].BlockLimits)
+            {
+                changed |= release && ReleaseAnchor(anchor);
+                changed |= LockAnchor(anchor, kind);
+            }
+        }
+
+        return changed;
+    }
+
+    private bool ReleaseEdge(TreeNode* node)
+    {
+        int kept = node->HardRows;
+        for (int r = node->HardRows; r < node->Rows; r++)
+        {
+            int joint = node->RowJoint[r];
+            int row = node->RowIndex[r];
+            if (_active[joint].Lambda[row] + node->Edge[r] >= 0)
+            {
+                node->RowJoint[kept] = joint;
+                node->RowIndex[kept++] = row;
+            }
+        }
+
+        bool changed = kept != node->Rows;
+        node->Rows = kept;
+        return changed;
+    }
+
+    private bool LockEdge(TreeNode* node, TargetKind kind)
+    {
+        bool changed = false;
+        for (int k = 0; k < node->EdgeCount; k++)
+        {
+            int index = _forest.EdgeJoints[node->EdgeFirst + k];
+            JointRows* rows = _rows.Pointer + index;
+            for (int row = rows->Hard; row < rows->Count && node->Rows < TreeFactor.MostRows; row++)
+            {
+                if (_active[index].BlockLimits && !Holds(node, index, row) && IsPassed(_active.Pointer + index, rows, row, kind))
+                {
+                    node->RowJoint[node->Rows] = index;
+                    node->RowIndex[node->Rows++] = row;
+                    changed = true;
+                }
+            }
+        }
+
+        return changed;
+    }
+
+    private static bool Holds(TreeNode* node, int joint, int row)
+    {
+        for (int r = node->HardRows; r < node->Rows; r++)
+        {
+            if (node->RowJoint[r] == joint && node->RowIndex[r] == row)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private bool ReleaseAnchor(TreeAnchor* anchor)
+    {
+        int hard = _rows[anchor->Active].Hard;
+        int kept = hard;
+        for (int r = hard; r < anchor->Rows; r++)
+        {
+            int row = anchor->RowIndex[r];
+            if (_active[anchor->Active].Lambda[row] + anchor->Lambda[r] >= 0)
+            {
+                anchor->RowIndex[kept++] = row;
+            }
+        }
+
+        bool changed = kept != anchor->Rows;
+        anchor->Rows = kept;
+        return changed;
+    }
+
+    private bool LockAnchor(TreeAnchor* anchor, TargetKind kind)
+    {
+        bool changed = false;
+        JointRows* rows = _rows.Pointer + anchor->Active;
+        for (int row = rows->Hard; row < rows->Count && anchor->Rows < TreeFactor.MostRows; row++)
+        {
+            bool held = false;
+            for (int r = rows->Hard; r < anchor->Rows; r++)
+            {
+                held |= anchor->RowIndex[r] == row;
+            }
+
+            if (!held && IsPassed(_active.Pointer + anchor->Active, rows, row, kind))
+            {
+                anchor->RowIndex[anchor->Rows++] = row;
+                changed = true;
+            }
+        }
+
+        return changed;
+    }
+
+    /// <summary>A limit that does not hold is passed within the substep, or is open beyond it and not closing fast enough.</summary>
+    private bool IsPassed(ActiveJoint* joint, JointRows* rows, int row, TargetKind kind)
+    {
+        if (rows->Type[row] != (byte)RowType.Limit)
+        {
+            return false;
+        }
+
+        double* a = stackalloc double[3];
+        double* b = stackalloc double[3];
+        Velocity(joint->Ends.NodeA, joint->Ends.BodyA, a);
+        Velocity(joint->Ends.NodeB, joint->Ends.BodyB, b);
+        double* ja = rows->A + (row * 3);
+        double* jb = rows->B + (row * 3);
+        double speed = SmallMatrix.Dot(ja, a) + SmallMatrix.Dot(jb, b);
+        double terms = Math.Abs(ja[0] * a[0]) + Math.Abs(ja[1] * a[1]) + Math.Abs(ja[2] * a[2])
+            + Math.Abs(jb[0] * b[0]) + Math.Abs(jb[1] * b[1]) + Math.Abs(jb[2] * b[2]);
+        return speed < LimitTarget(joint, rows, row, kind) - (SpeedRounding * terms);
+    }
+
+    private void Velocity(int node, int body, double* v)
+    {
+        if (node >= 0)
+        {
+            double* from = _forest.Nodes[node].Velocity;
+            v[0] = from[0];
+            v[1] = from[1];
+            v[2] = from[2];
+            return;
+        }
+
+        ref Bodies.BodyState state = ref _step.Bodies.State[body];
+        v[0] = state.LinearVelocity.X;
+        v[1] = state.LinearVelocity.Y;
+        v[2] = state.AngularVelocity;
+    }
+
+    /// <summary>The speed at which a limit that holds moves: it is reached just now, or an overrun goes back by a share.</summary>
+    private double LimitTarget(ActiveJoint* joint, JointRows* rows, int row, TargetKind kind)
+    {
+        double gap = rows->Error[row];
+        double h = _step.Substep;
+        if (kind == TargetKind.Correction || kind == TargetKind.Projection)
+        {
+            return (joint->Goal[row] - gap) / h;
+        }
+
+        if (gap > 0)
+        {
+            joint->Goal[row] = 0;
+            return -gap / h;
+        }
+
+        if (kind == TargetKind.Relaxed)
+        {
+            return 0;
+        }
+
+        double over = Math.Min(0, gap + rows->Share[row]);
+        double back = -JointPass.LimitRecovery * over / h;
+        bool turns = rows->A[row * 3] == 0 && rows->A[(row * 3) + 1] == 0;
+        back = turns ? Math.Min(back, FastestReturn) : back;
+        joint->Goal[row] = gap + (back * h);
+        return back;
+    }
+}

@@ -1,0 +1,57 @@
+using System.Runtime.InteropServices;
+
+namespace Farseer.Engine.Joints.Trees;
+
+/// <summary>One tree: a range of nodes in pre-order, its anchors, and what holds for all of it.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal struct JointTree
+{
+    public int First;
+
+    /// <summary>One past the last node.</summary>
+    public int End;
+    public int AnchorFirst;
+    public int AnchorEnd;
+
+    /// <summary>A body without joints that touches a tree: it takes part so that rows between the two have one form.</summary>
+    public bool Guest;
+
+    /// <summary>
+    /// Eliminated joints hold its bodies, so a body's own mass says little about how it gives way: contacts must see that of the
+    /// tree. Single bodies without anchors are left to the coloured contacts.
+    /// </summary>
+    public bool Eliminates;
+
+    /// <summary>Limits belong to its blocks.</summary>
+    public bool HasLimits;
+
+    /// <summary>Rows are iterated against its inverse mass: its bodies' full masses are needed.</summary>
+    public bool HasRows;
+
+    /// <summary>Nothing touches it and no row pushes at it.</summary>
+    public bool Free;
+
+    /// <summary>An error that was put there from outside waits to be taken out; the correction went astray; its limits changed.</summary>
+    public bool Disturbed;
+    public bool Astray;
+    public bool Refactored;
+
+    /// <summary>Its displacements are kept in double: only the joints' passes move its bodies.</summary>
+    public bool Exact;
+
+    /// <summary>Takes part in the present round of the position correction.</summary>
+    public bool Corrects;
+
+    /// <summary>A walk brought an impulse.</summary>
+    public bool Carries;
+
+    /// <summary>The node at which the lazy walk stands.</summary>
+    public int Current;
+
+    /// <summary>Substeps are counted by class: a tree takes part in the passes of its class only.</summary>
+    public int Class;
+
+    /// <summary>Largest error of the tree now and a round ago, in terms of its joints' sizes.</summary>
+    public double Worst;
+    public double Before;
+}

@@ -1,0 +1,140 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using Farseer.Engine.Bodies;
+
+namespace Farseer.Engine.Joints.Trees;
+
+/// <summary>
+/// The two bodies of an iterated row, a joint's or a contact's, and how impulses along it reach them: through the trees, or not
+/// at all where a body cannot move.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct RowEnds
+{
+    public int BodyA;
+    public int BodyB;
+
+    /// <summary>-1: cannot move.</summary>
+    public int NodeA;
+    public int NodeB;
+
+    /// <summary>Both nodes are in one tree: moving one moves the other.</summary>
+    public bool Coupled;
+
+    /// <summary>Response of body A's velocity to an impulse on B, where coupled.</summary>
+    public fixed double Cross[9];
+
+    /// <summary>Brings the velocities of both bodies up to date; B's body is then the current one.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Visit(in JointForestView view, RowEnds* ends)
+    {
+        if (ends->NodeA >= 0)
+        {
+            TreeWalk.Visit(view, ends->NodeA);
+        }
+
+        // With both bodies in one tree the first one's velocity stays right while the walk goes to the second.
+        if (ends->NodeB >= 0)
+        {
+            TreeWalk.Visit(view, ends->NodeB);
+        }
+    }
+
+    /// <summary>Applies impulses (force x, y and torque) to both bodies. B is current before and after.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Apply(in JointForestView view, RowEnds* ends, double* a, double* b)
+    {
+        if (ends->NodeB >= 0)
+        {
+            TreeWalk.Apply(view, ends->NodeB, b[0], b[1], b[2]);
+        }
+
+        if (ends->NodeA >= 0)
+        {
+            if (ends->Coupled)
+            {
+                TreeWalk.Visit(view, ends->NodeA);
+            }
+
+            TreeWalk.Apply(view, ends->NodeA, a[0], a[1], a[2]);
+            if (ends->Coupled)
+            {
+                TreeWalk.Visit(view, ends->NodeB);
+            }
+        }
+    }
+
+    /// <summary>Applies impulses on the bodies' own masses: the trees are solved afterwards.</summary>
+    public static void Push(TreeNode* nodes, RowEnds* ends, double* a, double* b)
+    {
+        Push(nodes, ends->NodeA, a);
+        Push(nodes, ends->NodeB, b);
+    }
+
+    /// <summary>J A Jᵀ between two rows, each with its Jacobians at both bodies.</summary>
+    public static double Response(TreeNode* nodes, RowEnds* ends, double* pA, double* pB, double* qA, double* qB)
+    {
+        double sum = 0;
+        if (ends->NodeA >= 0)
+        {
+            sum += Form(nodes[ends->NodeA].FullMass, pA, qA);
+        }
+
+        if (ends->NodeB >= 0)
+        {
+            sum += Form(nodes[ends->NodeB].FullMass, pB, qB);
+        }
+
+        if (ends->Coupled)
+        {
+            sum += Form(ends->Cross, pA, qB) + Form(ends->Cross, qA, pB);
+        }
+
+        return sum;
+    }
+
+    /// <summary>J·v at a body.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Speed(TreeNode* nodes, BodyState* states, int node, int body, double* j)
+    {
+        if (node >= 0)
+        {
+            return SmallMatrix.Dot(j, nodes[node].Velocity);
+        }
+
+        BodyState* s = states + body;
+        return (j[0] * s->LinearVelocity.X) + (j[1] * s->LinearVelocity.Y) + (j[2] * s->AngularVelocity);
+    }
+
+    private static void Push(TreeNode* nodes, int node, double* impulse)
+    {
+        if (node >= 0)
+        {
+            TreeNode* n = nodes + node;
+            n->Velocity[0] += n->InverseMass * impulse[0];
+            n->Velocity[1] += n->InverseMass * impulse[1];
+            n->Velocity[2] += n->InverseInertia * impulse[2];
+        }
+    }
+
+    private static double Form(double* m, double* p, double* q)
+    {
+        double x = (m[0] * q[0]) + (m[1] * q[1]) + (m[2] * q[2]);
+        double y = (m[3] * q[0]) + (m[4] * q[1]) + (m[5] * q[2]);
+        double w = (m[6] * q[0]) + (m[7] * q[1]) + (m[8] * q[2]);
+        return (p[0] * x) + (p[1] * y) + (p[2] * w);
+    }
+}
+
+/// <summary>The nodes and trees, as the walks take them along.</summary>
+internal readonly unsafe struct JointForestView
+{
+    public readonly TreeNode* Nodes;
+    public readonly JointTree* Trees;
+
+    public JointForestView(TreeNode* nodes, JointTree* trees)
+    {
+        Nodes = nodes;
+        Trees = trees;
+    }
+}
