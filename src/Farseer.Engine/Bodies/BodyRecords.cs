@@ -91,6 +91,42 @@ internal enum BodyFlags : uint
 
     /// <summary>The state left its range; disabled until the user enables the body again.</summary>
     Quarantined = 128,
+
+    /// <summary>Looked after against everything, not only against what cannot move, when it is fast.</summary>
+    Bullet = 256,
+
+    /// <summary>Not looked after when it is fast: it is where it is at the end of each step, and may pass through things.</summary>
+    Discrete = 512,
+
+    /// <summary>Foreseen at the start of the step to move by more than its own size in it.</summary>
+    Fast = 1024,
+}
+
+/// <summary>What a step's motion of a body is measured by. 8 bytes; a body without colliders is never fast.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal struct BodySize
+{
+    /// <summary>A body that moves by more than this in a step is fast; it comes from half the shorter side of its smallest piece.</summary>
+    public float Extent;
+
+    /// <summary>Greatest distance of a point of it from its centre.</summary>
+    public float Reach;
+}
+
+/// <summary>A body that moved by more than its size in a step, and where and how fast it was when the step began.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal struct FastMotion
+{
+    public double X;
+    public double Y;
+    public double Angle;
+    public float VelocityX;
+    public float VelocityY;
+    public float AngularVelocity;
+    public int Body;
+
+    /// <summary>1: it flew without contacts, springs and joints, by the law of free flight. 0: the solver moved it.</summary>
+    public int Free;
 }
 
 /// <summary>What a body is made from.</summary>

@@ -19,6 +19,7 @@ internal sealed class BodyStore
         Motion = _set.Add<BodyMotion>();
         Drive = _set.Add<BodyDrive>();
         Residual = _set.Add<BodyResidual>();
+        Size = _set.Add<BodySize>();
     }
 
     public IdPool Ids { get; } = new IdPool();
@@ -44,4 +45,6 @@ internal sealed class BodyStore
     public Column<BodyDrive> Drive { get; }
 
     public Column<BodyResidual> Residual { get; }
+
+    public Column<BodySize> Size { get; }
 }

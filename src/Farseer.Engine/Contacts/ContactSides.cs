@@ -104,6 +104,7 @@ internal sealed unsafe class ContactSides
         flags |= (collider & (ColliderFlags.WantsContact | ColliderFlags.WantsSeparation)) != 0 ? SideFlags.Heard : SideFlags.None;
         flags |= moving && (body & BodyFlags.IgnoreGravity) == 0 ? SideFlags.Pulled : SideFlags.None;
         flags |= (body & BodyFlags.Static) == 0 ? SideFlags.Turns : SideFlags.None;
+        flags |= (body & BodyFlags.Fast) != 0 ? SideFlags.Fast : SideFlags.None;
         if ((piece->Flags & PieceFlags.OneSided) != 0)
         {
             return flags;

@@ -49,6 +49,9 @@ internal struct ContactFates
     /// <summary>Touches now and did not before.</summary>
     public int TouchingNow;
     public int Heard;
+
+    /// <summary>Those of the idle pairs of which the impact, if there is one, must be looked for along the way.</summary>
+    public int Deferred;
 }
 
 /// <summary>
@@ -89,6 +92,16 @@ internal static unsafe class ContactUpdate
         ContactRowWriter.Write(input, row);
     }
 
+    /// <summary>Writes the constraint of one pair that is to meet at an impact of this step; it is lane 0 of the bundle.</summary>
+    public static void FillImpact(in ContactUpdateInput input, ContactBundle* row, in ForeseenImpact impact)
+    {
+        PairStage.Load(input, row);
+        PairLanes.Write(input.Pairs, 0, impact.Manifold);
+        PairStage.Touch(input, row);
+        impact.WriteArms(input.Pairs, 0);
+        ContactRowWriter.Write(input, row);
+    }
+
     public static float MixFriction(ShapeStore shapes, FrictionMix mix, in ContactRecord record)
     {
         float a = shapes.Colliders[record.ColliderA].Friction;
@@ -106,6 +119,12 @@ internal static unsafe class ContactUpdate
         fates.Dropped = (bits.NewBox & bits.Exists) == 0 ? 0 : FindDropped(input, row, bits.NewBox & bits.Exists);
         PairStage.Collide(input, row, bits);
         TouchBits touch = PairStage.Touch(input, row);
+        fates.Deferred = 0;
+        if ((bits.Fast & bits.Exists) != 0)
+        {
+            fates.Deferred = FastPairs.Defer(input, row, bits.Fast & bits.Exists & ~fates.Dropped, ref touch);
+        }
+
         int hit = touch.Hit;
         int touching = touch.Touching;
         int due = bits.Heard == 0 ? 0 : FindDue(input, row, bits, touching, hit);
@@ -116,7 +135,7 @@ internal static unsafe class ContactUpdate
         fates.Touching = touching;
         fates.TouchingNow = touching & ~touch.Touched;
         fates.Heard = bits.Heard & bits.Exists;
-        kept = bits.Heard | (kept & hit);
+        kept = bits.Heard | (kept & hit) | fates.Deferred;
 
         // Flags hardly ever change, and each record is a cache line of its own: they are visited only if something is new.
         int news = bits.Exists & ~fates.Dropped & (~touch.Same | kept);

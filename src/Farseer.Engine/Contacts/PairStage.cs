@@ -20,6 +20,9 @@ internal struct PairBits
     public int Boxes;
     public int Circles;
     public int NewBox;
+
+    /// <summary>A body of the pair is fast.</summary>
+    public int Fast;
 }
 
 /// <summary>What the manifolds of a bundle's pairs say, a bit for each lane.</summary>
@@ -47,7 +50,7 @@ internal static unsafe class PairStage
     /// Points this share of the smaller extent apart are kept although they cannot touch in this step: a box that rocks by a
     /// hair keeps both points and their impulses.
     /// </summary>
-    private const float SkinShare = 0.02f;
+    public const float SkinShare = 0.02f;
 
     /// <summary>Gathers both sides of each pair, their bodies' offset, and the distance from which on points are kept.</summary>
     [MethodImpl(KernelMethod.Optimized)]
@@ -86,6 +89,7 @@ internal static unsafe class PairStage
             bits.Boxes |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Box)) << lane;
             bits.Circles |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Circle)) << lane;
             bits.NewBox |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.NewBox)) << lane;
+            bits.Fast |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.Fast)) << lane;
         }
 
         return bits;

@@ -35,6 +35,9 @@ internal enum SideFlags : int
 
     /// <summary>The body turns with its spin; a static one with a spin only drags along what it touches.</summary>
     Turns = 256,
+
+    /// <summary>The body is foreseen to move by more than its own size in this step.</summary>
+    Fast = 512,
 }
 
 /// <summary>One side of each pair of a bundle: shape, motion and material, as the record it was gathered from has them.</summary>

@@ -30,6 +30,9 @@ internal sealed class WorldSettings
     /// <summary>Share of a deep overlap that is removed in one step, without becoming speed. 0 to 1; default 0.8.</summary>
     public float Recovery { get; set; } = 0.8f;
 
+    /// <summary>Bodies that move by more than their size in a step are looked after (continuous collision). Default true.</summary>
+    public bool Continuous { get; set; } = true;
+
     /// <summary>A pair collides if only one side wants the other (a quirk of the original). Default false: both must.</summary>
     public bool OneSidedFilter { get; set; }
 

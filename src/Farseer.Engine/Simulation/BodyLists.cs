@@ -40,6 +40,9 @@ internal sealed unsafe class BodyLists
     /// <summary>Bodies of this step whose state left its range.</summary>
     public int OutcastCount { get; private set; }
 
+    /// <summary>Bodies that moved by more than their size in this step.</summary>
+    public FastList Fast { get; } = new FastList();
+
     public QuarantineRecord Outcast(int index) => _outcasts[index];
 
     public void ForgetOutcasts() => OutcastCount = 0;
@@ -139,6 +142,7 @@ internal sealed unsafe class BodyLists
     /// <summary>Bodies with rows, springs or joints go to the solver; the others fly free and cost nothing there.</summary>
     public void Split(BodyStore bodies, ConstraintGraph graph, SpringStore springs, JointSolver? joints, bool all)
     {
+        Fast.Begin(ActiveCount);
         _solver.EnsureCapacity(ActiveCount + WideLanes.BundleLanes);
         _free.EnsureCapacity(ActiveCount);
         SolverCount = 0;
@@ -170,11 +174,16 @@ internal sealed unsafe class BodyLists
             int body = _free[i];
             bool pulled = (bodies.Flags[body] & (BodyFlags.IgnoreGravity | BodyFlags.Kinematic)) == 0;
             BodyPose before = bodies.Pose[body];
+            BodyState old = bodies.State[body];
             FreeFlight.Advance(bodies, body, pulled ? gravity : Vector2.Zero, dt, substep);
             if (!StateRange.Holds(bodies.State[body], bodies.Pose[body]))
             {
                 bodies.Pose[body] = before;
                 CastOut(bodies, body, QuarantineCause.Forces);
+            }
+            else if (Fast.IsFast(bodies, body, before))
+            {
+                Fast.Add(bodies, body, before, old, isFree: true);
             }
         }
     }
@@ -190,7 +199,7 @@ internal sealed unsafe class BodyLists
     public void Finish(BodyStore bodies)
     {
         _outOfRange.EnsureCapacity(SolverCount);
-        int count = FinishBodies.Run(bodies, _solver.Pointer, SolverCount, _outOfRange.Pointer);
+        int count = FinishBodies.Run(bodies, _solver.Pointer, SolverCount, _outOfRange.Pointer, Fast);
         CastOutAll(bodies, count, QuarantineCause.Solver);
         for (int i = 0; i < FreeCount; i++)
         {

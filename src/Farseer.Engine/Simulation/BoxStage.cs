@@ -22,6 +22,9 @@ internal sealed unsafe class BoxStage
     /// <summary>Contacts are kept up to this share of the extent apart; boxes must overlap before that.</summary>
     private const float SkinShare = 0.02f;
 
+    /// <summary>A body that is foreseen to move by more than this share of its extent in a step is fast.</summary>
+    private const float FastShare = 1f;
+
     /// <summary>2¹⁰⁰: at the edge of the floats' range a box must not become infinite, which the sorting of boxes cannot bear.</summary>
     private const float Farthest = 1.2676506e30f;
 
@@ -37,16 +40,36 @@ internal sealed unsafe class BoxStage
         for (int body = 1; body < end; body++)
         {
             BodyFlags flags = bodies.Flags[body];
+            bool moves = (flags & (BodyFlags.Alive | BodyFlags.Enabled | BodyFlags.Static)) == (BodyFlags.Alive | BodyFlags.Enabled);
             if ((flags & BodyFlags.Moved) != 0)
             {
-                bodies.Flags[body] = flags & ~BodyFlags.Moved;
+                bodies.Flags[body] = flags & ~(BodyFlags.Moved | BodyFlags.Fast);
                 Fit(world, body, dt, pull);
+                if (moves)
+                {
+                    NoteSpeed(bodies, body, Motion(bodies.State[body], bodies.Size[body].Reach, dt, pull));
+                }
             }
-            else if ((flags & (BodyFlags.Alive | BodyFlags.Enabled | BodyFlags.Static)) == (BodyFlags.Alive | BodyFlags.Enabled)
-                && HasLeft(bodies, body, dt, pull))
+            else if (moves)
             {
-                Fit(world, body, dt, pull);
+                float motion = Motion(bodies.State[body], _fits[body].Reach, dt, pull);
+                if (HasLeft(bodies, body, motion))
+                {
+                    Fit(world, body, dt, pull);
+                }
+
+                NoteSpeed(bodies, body, motion);
             }
+        }
+    }
+
+    private static void NoteSpeed(BodyStore bodies, int body, float motion)
+    {
+        BodyFlags flags = bodies.Flags[body];
+        BodyFlags now = motion > bodies.Size[body].Extent ? flags | BodyFlags.Fast : flags & ~BodyFlags.Fast;
+        if (now != flags)
+        {
+            bodies.Flags[body] = now;
         }
     }
 
@@ -60,12 +83,12 @@ internal sealed unsafe class BoxStage
         }
     }
 
-    private bool HasLeft(BodyStore bodies, int body, float dt, float pull)
+    private bool HasLeft(BodyStore bodies, int body, float motion)
     {
         ref FitRecord fit = ref _fits[body];
         ref BodyPose pose = ref bodies.Pose[body];
         float travel = (float)(Math.Abs(pose.X - fit.X) + Math.Abs(pose.Y - fit.Y) + (Math.Abs(pose.Angle - fit.Angle) * fit.Reach));
-        return !(travel + Motion(bodies.State[body], fit.Reach, dt, pull) <= fit.Margin);
+        return !(travel + motion <= fit.Margin);
     }
 
     private static float Motion(in BodyState state, float reach, float dt, float pull) =>
@@ -78,6 +101,7 @@ internal sealed unsafe class BoxStage
         bool isStatic = (world.Bodies.Flags[body] & BodyFlags.Static) != 0;
         float margin = float.MaxValue;
         float reach = 0;
+        float extent = float.MaxValue;
         for (int collider = world.FirstCollider(body); collider >= 0; collider = world.NextCollider(collider))
         {
             for (int piece = world.Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = world.Shapes.NextPiece[piece])
@@ -92,9 +116,11 @@ internal sealed unsafe class BoxStage
                 world.SetProxy(piece, tight, alive, isStatic);
                 margin = Math.Min(margin, spare - (SkinShare * size));
                 reach = Math.Max(reach, pieceReach);
+                extent = Math.Min(extent, size);
             }
         }
 
+        world.Bodies.Size[body] = new BodySize { Extent = FastShare * extent, Reach = reach };
         _fits[body] = new FitRecord { X = pose.X, Y = pose.Y, Angle = pose.Angle, Reach = reach, Margin = margin };
     }
 

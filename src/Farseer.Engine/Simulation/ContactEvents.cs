@@ -82,6 +82,59 @@ internal sealed unsafe class ContactEvents
         }
     }
 
+    /// <summary>
+    /// An impact that was found on the way of a fast body. Its listeners are told once a step, and of the parting in the next step
+    /// as of any other.
+    /// </summary>
+    /// <returns>False if a handler cancelled the response.</returns>
+    public bool RaiseImpact(World world, ContactStore contacts, int contact, in Manifold manifold)
+    {
+        ref ContactRecord record = ref contacts.Records[contact];
+        record.Flags |= ContactFlags.Touching;
+        var pair = new PairOfColliders { A = record.ColliderA, B = record.ColliderB };
+        IStepHooks? hooks = world.Hooks;
+        if (hooks == null || !(Wants(world, pair, ColliderFlags.WantsContact) || Wants(world, pair, ColliderFlags.WantsSeparation)))
+        {
+            return true;
+        }
+
+        record.Flags |= ContactFlags.Due;
+        ulong key = Key(world, record);
+        int place = 0;
+        while (place < _oldCount && _oldKeys[place] < key)
+        {
+            place++;
+        }
+
+        if (place < _oldCount && _oldKeys[place] == key)
+        {
+            return (record.Flags & ContactFlags.Vetoed) == 0;
+        }
+
+        Reserve(_oldCount + 1);
+        for (int i = _oldCount; i > place; i--)
+        {
+            _oldKeys[i] = _oldKeys[i - 1];
+            _oldPairs[i] = _oldPairs[i - 1];
+        }
+
+        _oldKeys[place] = key;
+        _oldPairs[place] = pair;
+        _oldCount++;
+        if (!Wants(world, pair, ColliderFlags.WantsContact))
+        {
+            return true;
+        }
+
+        _points.EnsureCapacity(2);
+        int points = WritePoints(world, record, manifold, _points.Pointer);
+        bool accepted = hooks.OnContact(pair.A, pair.B, new ReadOnlySpan<ContactPoint>(_points.Pointer, points));
+        contacts.Records[contact].Flags = accepted
+            ? contacts.Records[contact].Flags & ~ContactFlags.Vetoed
+            : contacts.Records[contact].Flags | ContactFlags.Vetoed;
+        return accepted;
+    }
+
     private static void Part(World world, ref PairOfColliders pair, int collider, bool raise)
     {
         if (!pair.Gone && (pair.A == collider || pair.B == collider))

@@ -1,5 +1,6 @@
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Joints;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Storage;
 
@@ -15,6 +16,7 @@ internal sealed unsafe class ContactStage
     private bool _startedCold;
     private readonly RadixSort _sort = new RadixSort();
     private readonly ContactSides _sides = new ContactSides();
+    private readonly FastPairStage _fast = new FastPairStage();
 
     /// <summary>Pairs on their way through the narrow phase, and a bundle for those that have none.</summary>
     private readonly Column<PairLanes> _pairs = new Column<PairLanes>();
@@ -37,7 +39,11 @@ internal sealed unsafe class ContactStage
     /// <summary>A pair has a listener.</summary>
     public bool AnyHeard { get; private set; }
 
-    public void Update(ContactUpdateInput input, ConstraintGraph graph)
+    /// <param name="input">Columns and numbers of this step.</param>
+    /// <param name="graph">The rows.</param>
+    /// <param name="joints">What holds bodies besides rows.</param>
+    /// <param name="allHeld">Every body is in the solver's hands.</param>
+    public void Update(ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
     {
         ContactStore contacts = input.Contacts;
         _sides.Prepare(input.Shapes, input.Bodies, input.Proxies, input.Moves);
@@ -54,10 +60,15 @@ internal sealed unsafe class ContactStage
         _dropped.EnsureCapacity(contacts.Records.Capacity);
         _gained.EnsureCapacity(contacts.Records.Capacity);
         _gainKeys.EnsureCapacity(contacts.Records.Capacity);
+        _fast.Begin(contacts.Records.Capacity);
         UpdateGraph(input, graph);
         UpdateIdle(input);
         Take(contacts, graph);
         Give(input, graph);
+        _fast.Decide(input, graph, joints, allHeld);
+        AnyBounce = AnyBounce || _fast.AnyBounce;
+        _touching += _fast.Given;
+        _touchingNow += _fast.Given;
         bool now = _touchingNow > 0 && _touchingNow * 2 >= _touching;
         ColdStart = now || _startedCold;
         _startedCold = now;
@@ -92,6 +103,7 @@ internal sealed unsafe class ContactStage
                 ContactFates fates = ContactUpdate.UpdateRows(input, bundle);
                 Count(fates);
                 AnyBounce = AnyBounce || Bounces(bundle);
+                DeferAll(input.Contacts, bundle, fates.Deferred);
                 int leaving = fates.Idle | fates.Dropped;
                 for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
                 {
@@ -135,6 +147,7 @@ internal sealed unsafe class ContactStage
 
             ContactFates fates = ContactUpdate.UpdateIdle(input, bundle);
             Count(fates);
+            DeferAll(contacts, bundle, fates.Deferred);
             int leaving = fates.Solid | fates.Dropped;
             for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
             {
@@ -148,6 +161,17 @@ internal sealed unsafe class ContactStage
                     _gainKeys[_gainedCount] = Shuffle(PairKey(contacts.Records[index]));
                     _gained[_gainedCount++] = index;
                 }
+            }
+        }
+    }
+
+    private void DeferAll(ContactStore contacts, ContactBundle* bundle, int lanes)
+    {
+        for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
+        {
+            if ((lanes & 1) != 0)
+            {
+                _fast.Defer(contacts, bundle->Contact[lane]);
             }
         }
     }
@@ -220,7 +244,7 @@ internal sealed unsafe class ContactStage
     }
 
     // A fixed mixing of the bits (the finaliser of MurmurHash3); distinct keys stay distinct.
-    private static ulong Shuffle(ulong key)
+    internal static ulong Shuffle(ulong key)
     {
         key ^= key >> 33;
         key *= 0xFF51AFD7ED558CCDUL;

@@ -26,7 +26,7 @@ internal sealed partial class World
         _substeps = Settings.Substeps;
         float substep = dt / _substeps;
         ContactUpdateInput contacts = ContactInput(dt, substep);
-        _contactStage.Update(contacts, _graph);
+        _contactStage.Update(contacts, _graph, Joints, UserJoints != null && UserJoints.Any);
         _events.Raise(this, _contacts, _graph, _contactStage.AnyHeard);
         Profile.End(StepStage.NarrowPhase);
 
@@ -47,6 +47,13 @@ internal sealed partial class World
         FinishBodiesOfStep();
         _lastSubstep = substep;
         Profile.End(StepStage.Finish);
+
+        if (Settings.Continuous && _lists.Fast.Count > 0)
+        {
+            SweepFastBodies(dt, substep);
+        }
+
+        Profile.End(StepStage.Continuous);
     }
 
     private void ApplyForces(float dt)

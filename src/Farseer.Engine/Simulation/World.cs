@@ -115,6 +115,7 @@ internal sealed partial class World
         }
         finally
         {
+            _lists.Fast.Begin(0);
             IsStepping = false;
             Queries.Version++;
         }

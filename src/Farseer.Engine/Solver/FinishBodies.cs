@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Numerics;
@@ -9,9 +10,15 @@ internal static unsafe class FinishBodies
 {
     /// <summary>A body out of range keeps its pose and is put into <paramref name="outcasts"/>.</summary>
     /// <returns>How many there are.</returns>
-    public static int Run(BodyStore bodies, int* list, int count, int* outcasts)
+    /// <param name="bodies">The store.</param>
+    /// <param name="list">The solver's bodies.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="outcasts">Room for as many.</param>
+    /// <param name="fast">Where to note the bodies that moved by more than their size.</param>
+    public static int Run(BodyStore bodies, int* list, int count, int* outcasts, FastList fast)
     {
         int found = 0;
+        BodySize* sizes = bodies.Size.Pointer;
         for (int i = 0; i < count; i++)
         {
             int body = list[i];
@@ -23,6 +30,12 @@ internal static unsafe class FinishBodies
             double turned = (double)motion.Turned + bodies.Drive[body].Lead;
             if (StateRange.Holds(state) & StateRange.Holds(x, y, pose.Angle + turned))
             {
+                float way = Math.Abs(state.DeltaPosition.X) + Math.Abs(state.DeltaPosition.Y) + (Math.Abs((float)turned) * sizes[body].Reach);
+                if (way > sizes[body].Extent)
+                {
+                    fast.Add(bodies, body, pose, state, isFree: false);
+                }
+
                 pose.X = x;
                 pose.Y = y;
                 if (turned != 0)

@@ -10,5 +10,6 @@ internal enum StepStage
     Forces,
     Solve,
     Finish,
+    Continuous,
     Count,
 }

@@ -1,0 +1,55 @@
+using System;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Bodies;
+
+/// <summary>The bodies that moved by more than their size in a step, with their states at its start.</summary>
+internal sealed class FastList
+{
+    private readonly Column<FastMotion> _motions = new Column<FastMotion>();
+
+    public int Count { get; private set; }
+
+    public ref FastMotion this[int position] => ref _motions[position];
+
+    /// <param name="most">Bodies that there can be.</param>
+    public void Begin(int most)
+    {
+        Count = 0;
+        _motions.EnsureCapacity(most);
+    }
+
+    /// <summary>For a body that has flown: foreseen to be fast, or fast by what came since.</summary>
+    public bool IsFast(BodyStore bodies, int body, in BodyPose before)
+    {
+        if ((bodies.Flags[body] & BodyFlags.Fast) != 0)
+        {
+            return true;
+        }
+
+        BodySize size = bodies.Size[body];
+        BodyPose pose = bodies.Pose[body];
+        return Math.Abs(pose.X - before.X) + Math.Abs(pose.Y - before.Y) + (Math.Abs(pose.Angle - before.Angle) * size.Reach) > size.Extent;
+    }
+
+    /// <summary>Notes a body; one that is not to be looked after is left out.</summary>
+    public void Add(BodyStore bodies, int body, in BodyPose start, in BodyState state, bool isFree)
+    {
+        if ((bodies.Flags[body] & (BodyFlags.Discrete | BodyFlags.Kinematic)) != 0)
+        {
+            return;
+        }
+
+        _motions[Count++] = new FastMotion
+        {
+            X = start.X,
+            Y = start.Y,
+            Angle = start.Angle,
+            VelocityX = state.LinearVelocity.X,
+            VelocityY = state.LinearVelocity.Y,
+            AngularVelocity = state.AngularVelocity,
+            Body = body,
+            Free = isFree ? 1 : 0,
+        };
+    }
+}

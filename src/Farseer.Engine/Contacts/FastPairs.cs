@@ -1,0 +1,102 @@
+using Farseer.Engine.Bodies;
+using Farseer.Engine.NarrowPhase;
+
+namespace Farseer.Engine.Contacts;
+
+/// <summary>
+/// Pairs of which a body moves by more than its own size in the step. Where they are at its start says little of where they will
+/// meet: a row made from that lets a corner deflect a body that would miss it. Only pairs that touch already keep such a row; for
+/// the others the impact is looked for along the way.
+/// </summary>
+internal static unsafe class FastPairs
+{
+    /// <summary>
+    /// A shape that is not round and turns by more than this in a step, radians, meets its neighbour now with one corner, now
+    /// with another: it has no lasting contact.
+    /// </summary>
+    private const float LargestTurn = 0.5f;
+
+    /// <summary>Share of the extent that a circle's centre may be off its body's: beyond, it is not round as it turns.</summary>
+    private const float RoundShare = 0.05f;
+
+    /// <summary>
+    /// Share of the smaller extent by which a fast pair may overlap on its way without an impact: a body that slides from one
+    /// tile to the next, sunk in by a hair, must not run into the next one's side.
+    /// </summary>
+    private const float GlanceShare = 0.01f;
+
+    /// <summary>Of the depth of rest, which a body that slides has, the same.</summary>
+    private const float GlanceRests = 1.25f;
+
+    /// <summary>Share of the extent to which a time of impact is found.</summary>
+    private const float ToleranceShare = 1e-3f;
+
+    /// <summary>Takes the points of the fast lanes that have no lasting contact, and says which of them to look after.</summary>
+    public static int Defer(in ContactUpdateInput input, ContactBundle* row, int lanes, ref TouchBits touch)
+    {
+        int deferred = 0;
+        PairLanes* pairs = input.Pairs;
+        for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
+        {
+            if ((lanes & 1) == 0)
+            {
+                continue;
+            }
+
+            bool discrete = !input.Settings.Continuous
+                || (IsDiscrete(input.Bodies, row->BodyA[lane]) && IsDiscrete(input.Bodies, row->BodyB[lane]));
+            if (IsNear(pairs, lane) && (discrete || !(Tumbles(&pairs->A, lane, input.Dt) || Tumbles(&pairs->B, lane, input.Dt))))
+            {
+                continue;
+            }
+
+            int bit = 1 << lane;
+            touch.Touching &= ~bit;
+            touch.Hit &= ~bit;
+            touch.Same &= ~bit;
+            deferred |= discrete ? 0 : bit;
+        }
+
+        return deferred;
+    }
+
+    /// <summary>The extent by which a pair is measured on its way.</summary>
+    public static float Extent(in Shapes.Piece a, in Shapes.Piece b, bool movesA, bool movesB)
+    {
+        if (movesA && movesB)
+        {
+            return a.Extent < b.Extent ? a.Extent : b.Extent;
+        }
+
+        return movesA ? a.Extent : b.Extent;
+    }
+
+    public static double Tolerance(float extent) => (double)ToleranceShare * extent;
+
+    public static double Glance(float extent, float rest) => ((double)GlanceShare * extent) + ((double)GlanceRests * rest);
+
+    /// <summary>The solver does not move it fast, or it is not to be looked after.</summary>
+    private static bool IsDiscrete(BodyStore bodies, int body) =>
+        (bodies.Flags[body] & (BodyFlags.Fast | BodyFlags.Discrete)) != BodyFlags.Fast;
+
+    private static bool IsNear(PairLanes* pairs, int lane)
+    {
+        float size = pairs->A.Extent[lane] < pairs->B.Extent[lane] ? pairs->A.Extent[lane] : pairs->B.Extent[lane];
+        float skin = PairStage.SkinShare * size;
+        return (pairs->Count[lane] > 0 && pairs->Point0.Separation[lane] <= skin)
+            || (pairs->Count[lane] > 1 && pairs->Point1.Separation[lane] <= skin);
+    }
+
+    private static bool Tumbles(SideLanes* side, int lane, float dt)
+    {
+        float turn = side->AngularVelocity[lane] * dt;
+        if ((side->Flags[lane] & (int)SideFlags.Turns) == 0 || (turn <= LargestTurn && turn >= -LargestTurn))
+        {
+            return false;
+        }
+
+        // The first half side of what is no box is its rounding radius.
+        float radius = (side->Flags[lane] & (int)SideFlags.Box) != 0 ? 0 : side->HalfX[lane];
+        return side->Reach[lane] - radius > RoundShare * side->Extent[lane];
+    }
+}

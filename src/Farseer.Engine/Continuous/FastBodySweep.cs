@@ -1,0 +1,420 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
+using Farseer.Engine.Solver;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Continuous;
+
+/// <summary>
+/// Follows a fast body along the way that it took in this step. A free one bounces where and when it meets what cannot move, and
+/// flies on with the rest of its time; one that the solver moved is stopped there, keeps its velocity, and the next step finds it in
+/// contact. Either may lose the rest of its step, but never passes.
+/// </summary>
+internal sealed class FastBodySweep
+{
+    /// <summary>Impacts of one body in a step; after them it waits for the next.</summary>
+    private const int MostImpacts = 16;
+
+    /// <summary>Searches of one body in a step that end in something to look at.</summary>
+    private const int MostSearches = 96;
+
+    /// <summary>
+    /// Share of its extent by which a body that the solver handled may sink into something: what it does there is the solver's
+    /// business, as long as it does not get through.
+    /// </summary>
+    private const double CoreShare = 0.25;
+
+    /// <summary>Impacts slower than this many substeps of outside acceleration are rest, as in the solver.</summary>
+    private const double RestSubsteps = 4;
+
+    private readonly Column<SweepCandidate> _candidates = new Column<SweepCandidate>();
+    private int _count;
+
+    public void Begin() => _count = 0;
+
+    public void Add(int contact, bool moves)
+    {
+        _candidates.EnsureCapacity(_count + 1);
+        _candidates[_count++] = new SweepCandidate { Contact = contact, Moves = moves ? (byte)1 : (byte)0 };
+    }
+
+    /// <summary>Sweeps one body against the candidates added.</summary>
+    public void Run(in SweepInput input, in FastMotion motion)
+    {
+        if (_count == 0)
+        {
+            return;
+        }
+
+        if (motion.Free != 0)
+        {
+            Fly(input, motion);
+        }
+        else
+        {
+            Guard(input, motion);
+        }
+    }
+
+    private void Fly(in SweepInput input, in FastMotion motion)
+    {
+        int body = motion.Body;
+        double left = input.Dt;
+        BodyState end = input.Bodies.State[body];
+        double gainX = ((double)end.LinearVelocity.X - motion.VelocityX) / left;
+        double gainY = ((double)end.LinearVelocity.Y - motion.VelocityY) / left;
+        double gainW = ((double)end.AngularVelocity - motion.AngularVelocity) / left;
+        BodyPath path = Flight(motion, input.Bodies.Pose[body], gainX, gainY, gainW, left);
+        bool bounced = false;
+        int impacts = 0;
+        for (int search = 0; ; search++)
+        {
+            int found = FindFirst(input, body, path, left, out double time);
+            bool stop = found >= 0 && (search == MostSearches || impacts == MostImpacts || _candidates[found].Moves != 0);
+            if (found < 0 && !bounced)
+            {
+                return;
+            }
+
+            if (found < 0 || stop)
+            {
+                Place(input, body, path, found < 0 ? 1 : time, left);
+                return;
+            }
+
+            ref SweepCandidate candidate = ref _candidates[found];
+            if (!Meet(input, body, path, time, left, ref candidate, new Vector2((float)gainX, (float)gainY), out bool gone))
+            {
+                if (gone)
+                {
+                    return;
+                }
+
+                continue;
+            }
+
+            impacts++;
+            bounced = true;
+            left *= 1 - time;
+            if (!(left > 0))
+            {
+                return;
+            }
+
+            path = Onward(input.Bodies, body, gainX, gainY, gainW, left);
+        }
+    }
+
+    /// <summary>
+    /// The way of free flight. Its mean velocity is what brought the body from its start to its end, drag included; over the
+    /// stretch it changes as evenly as it did in all.
+    /// </summary>
+    private static BodyPath Flight(in FastMotion motion, in BodyPose end, double gainX, double gainY, double gainW, double time)
+    {
+        BodyPath path = default;
+        path.X = motion.X;
+        path.Y = motion.Y;
+        path.Angle = motion.Angle;
+        path.AccelerationX = gainX * time * time;
+        path.AccelerationY = gainY * time * time;
+        path.SpinGain = gainW * time * time;
+        path.VelocityX = end.X - motion.X - (0.5 * path.AccelerationX);
+        path.VelocityY = end.Y - motion.Y - (0.5 * path.AccelerationY);
+        path.Spin = end.Angle - motion.Angle - (0.5 * path.SpinGain);
+        return path;
+    }
+
+    private static BodyPath Onward(BodyStore bodies, int body, double gainX, double gainY, double gainW, double time)
+    {
+        BodyPath path = BodyPath.Resting(bodies.Pose[body]);
+        BodyState state = bodies.State[body];
+        path.VelocityX = state.LinearVelocity.X * time;
+        path.VelocityY = state.LinearVelocity.Y * time;
+        path.Spin = state.AngularVelocity * time;
+        path.AccelerationX = gainX * time * time;
+        path.AccelerationY = gainY * time * time;
+        path.SpinGain = gainW * time * time;
+        return path;
+    }
+
+    /// <summary>The impact of a free body with a candidate. False if there is none after all, or the body is <paramref name="gone"/>.</summary>
+    private static bool Meet(
+        in SweepInput input, int body, in BodyPath path, double time, double left, ref SweepCandidate candidate, Vector2 gain, out bool gone)
+    {
+        gone = false;
+        ContactRecord record = input.Contacts.Records[candidate.Contact];
+        bool isA = record.BodyA == body;
+        int other = isA ? record.BodyB : record.BodyA;
+        float extent = Extent(input.Shapes, record, isA);
+        double tolerance = FastPairs.Tolerance(extent);
+        BodyPath otherPath = PathOf(input, other, left);
+        PairInput pair = ImpactPose.Pair(
+            input.Shapes, record.PieceA, record.PieceB, isA ? path : otherPath, isA ? otherPath : path, time, (float)(4 * tolerance));
+        Collision.Collide(pair, out Manifold manifold);
+        double depth = manifold.Count > 0 ? manifold.Point0.Separation : -CoreShare * extent;
+        depth = manifold.Count > 1 ? Math.Min(depth, manifold.Point1.Separation) : depth;
+        if (manifold.Count == 0 && candidate.Mode == SweepMode.Met)
+        {
+            candidate.Mode = SweepMode.Passed;
+            return false;
+        }
+
+        candidate.Mode = SweepMode.Met;
+        candidate.Target = Math.Min(depth, tolerance) - (2 * tolerance);
+        if (manifold.Count == 0)
+        {
+            return false;
+        }
+
+        Mover mover = MoverAt(input.Bodies, body, path, time, left);
+        Obstacle obstacle = Describe(input, record, isA, otherPath.XAt(time) - path.XAt(time), otherPath.YAt(time) - path.YAt(time));
+        obstacle.Slowest = RestSubsteps * input.Substep
+            * Math.Abs(((double)gain.X * manifold.Normal.X) + ((double)gain.Y * manifold.Normal.Y));
+        Manifold own = isA ? Flip(manifold) : Shift(manifold, pair.Offset);
+        Mover after = mover;
+        if (!Impact.Resolve(ref after, obstacle, own))
+        {
+            return false;
+        }
+
+        Place(input, body, path, time, left);
+        BodyPose before = input.Bodies.Pose[body];
+        BodyState state = input.Bodies.State[body];
+        BodyFlags flags = input.Bodies.Flags[body];
+        bool accepted = input.Listener.OnImpact(candidate.Contact, manifold);
+        if (Changed(input.Bodies, body, before, state, flags))
+        {
+            // A handler took the body into its own hands.
+            gone = true;
+            return false;
+        }
+
+        if (!accepted)
+        {
+            candidate.Mode = SweepMode.Passed;
+            return false;
+        }
+
+        ref BodyState now = ref input.Bodies.State[body];
+        now.LinearVelocity = new Vector2((float)after.VelocityX, (float)after.VelocityY);
+        now.AngularVelocity = (float)after.Spin;
+        if (depth < 0 && depth > -4 * tolerance)
+        {
+            ref BodyPose pose = ref input.Bodies.Pose[body];
+            pose.X -= depth * own.Normal.X;
+            pose.Y -= depth * own.Normal.Y;
+            candidate.Target = -tolerance;
+        }
+
+        return true;
+    }
+
+    private static bool Changed(BodyStore bodies, int body, in BodyPose pose, in BodyState state, BodyFlags flags)
+    {
+        BodyPose now = bodies.Pose[body];
+        BodyState moving = bodies.State[body];
+        return now.X != pose.X || now.Y != pose.Y || now.Angle != pose.Angle || bodies.Flags[body] != flags
+            || moving.LinearVelocity != state.LinearVelocity || moving.AngularVelocity != state.AngularVelocity;
+    }
+
+    private static Obstacle Describe(in SweepInput input, in ContactRecord record, bool isA, double x, double y)
+    {
+        BodyState state = input.Bodies.State[isA ? record.BodyB : record.BodyA];
+        Obstacle obstacle = default;
+        obstacle.X = x;
+        obstacle.Y = y;
+        obstacle.VelocityX = state.LinearVelocity.X;
+        obstacle.VelocityY = state.LinearVelocity.Y;
+        obstacle.Spin = state.AngularVelocity;
+        obstacle.Restitution = 0.5 * ((double)input.Shapes.Colliders[record.ColliderA].Restitution
+            + input.Shapes.Colliders[record.ColliderB].Restitution);
+        obstacle.Friction = input.Settings.FreezePairFriction
+            ? record.FirstFriction
+            : ContactUpdate.MixFriction(input.Shapes, input.Settings.FrictionMix, record);
+        return obstacle;
+    }
+
+    private static Mover MoverAt(BodyStore bodies, int body, in BodyPath path, double time, double left)
+    {
+        Mover mover = default;
+        mover.VelocityX = path.VelocityXAt(time) / left;
+        mover.VelocityY = path.VelocityYAt(time) / left;
+        mover.Spin = path.SpinAt(time) / left;
+        mover.InverseMass = bodies.Mass[body].InverseMass;
+        mover.InverseInertia = bodies.Mass[body].InverseInertia;
+        mover.Reach = bodies.Size[body].Reach;
+        return mover;
+    }
+
+    /// <summary>Points from the mover as A: only the normal turns round.</summary>
+    private static Manifold Flip(Manifold manifold)
+    {
+        manifold.Normal = -manifold.Normal;
+        return manifold;
+    }
+
+    /// <summary>Points from the mover as B.</summary>
+    private static Manifold Shift(Manifold manifold, Vector2 offset)
+    {
+        manifold.Point0.Anchor -= offset;
+        manifold.Point1.Anchor -= offset;
+        return manifold;
+    }
+
+    /// <summary>Puts a body where its way is at <paramref name="time"/>, with the velocity that it has there.</summary>
+    private static void Place(in SweepInput input, int body, in BodyPath path, double time, double left)
+    {
+        ref BodyPose pose = ref input.Bodies.Pose[body];
+        ref BodyState state = ref input.Bodies.State[body];
+        pose.X = path.XAt(time);
+        pose.Y = path.YAt(time);
+        pose.Angle = path.AngleAt(time);
+        FinishBodies.UpdateRotor(ref pose);
+        if (left > 0)
+        {
+            state.LinearVelocity = new Vector2((float)(path.VelocityXAt(time) / left), (float)(path.VelocityYAt(time) / left));
+            state.AngularVelocity = (float)(path.SpinAt(time) / left);
+        }
+
+        ref BodyMotion motion = ref input.Bodies.Motion[body];
+        double substep = left > 0 ? input.Substep / (left * left) : 0;
+        motion.StartX = (float)(state.LinearVelocity.X - (path.AccelerationX * substep));
+        motion.StartY = (float)(state.LinearVelocity.Y - (path.AccelerationY * substep));
+        motion.StartW = (float)(state.AngularVelocity - (path.SpinGain * substep));
+    }
+
+    private void Guard(in SweepInput input, in FastMotion motion)
+    {
+        int body = motion.Body;
+        BodyPath path = default;
+        BodyPose end = input.Bodies.Pose[body];
+        path.X = motion.X;
+        path.Y = motion.Y;
+        path.Angle = motion.Angle;
+        path.VelocityX = end.X - motion.X;
+        path.VelocityY = end.Y - motion.Y;
+        path.Spin = end.Angle - motion.Angle;
+        for (int i = 0; i < _count; i++)
+        {
+            NoteTouching(input, body, path, ref _candidates[i]);
+        }
+
+        if (FindFirst(input, body, path, input.Dt, out double time) >= 0)
+        {
+            ref BodyPose pose = ref input.Bodies.Pose[body];
+            pose.X = path.XAt(time);
+            pose.Y = path.YAt(time);
+            pose.Angle = path.AngleAt(time);
+            FinishBodies.UpdateRotor(ref pose);
+        }
+    }
+
+    /// <summary>What the solver had in hand, or what touched from the start, may sink in on: only the core must not pass.</summary>
+    private static void NoteTouching(in SweepInput input, int body, in BodyPath path, ref SweepCandidate candidate)
+    {
+        ref ContactRecord record = ref input.Contacts.Records[candidate.Contact];
+        bool isA = record.BodyA == body;
+        float extent = Extent(input.Shapes, record, isA);
+        BodyPath other = PathOf(input, isA ? record.BodyB : record.BodyA, input.Dt);
+        ImpactQuery query;
+        query.Tolerance = FastPairs.Tolerance(extent);
+        query.Target = double.MaxValue;
+        query.From = 0;
+        query.Until = 0;
+        TimeOfImpact.Find(
+            input.Shapes, record.PieceA, isA ? path : other, record.PieceB, isA ? other : path, query, out _, out double separation);
+        if (record.Color >= 0 || separation <= PairStage.SkinShare * extent)
+        {
+            candidate.Mode = SweepMode.Met;
+            candidate.Target = Math.Min(separation, 0) - (CoreShare * extent);
+        }
+    }
+
+    /// <summary>The candidate that is met first, and when; -1: none. At the same time, the pair with the lower pieces.</summary>
+    private int FindFirst(in SweepInput input, int body, in BodyPath path, double left, out double time)
+    {
+        int found = -1;
+        time = 1;
+        for (int i = 0; i < _count; i++)
+        {
+            ref SweepCandidate candidate = ref _candidates[i];
+            if (candidate.Mode == SweepMode.Passed)
+            {
+                continue;
+            }
+
+            if (FindTime(input, body, path, left, time, ref candidate, out double at)
+                && (found < 0 || at < time || (at == time && IsBefore(input, candidate, _candidates[found]))))
+            {
+                found = i;
+                time = at;
+            }
+        }
+
+        return found;
+    }
+
+    private static bool IsBefore(in SweepInput input, in SweepCandidate a, in SweepCandidate b)
+    {
+        ContactRecord first = input.Contacts.Records[a.Contact];
+        ContactRecord second = input.Contacts.Records[b.Contact];
+        return first.PieceA != second.PieceA ? first.PieceA < second.PieceA : first.PieceB < second.PieceB;
+    }
+
+    private static bool FindTime(
+        in SweepInput input, int body, in BodyPath path, double left, double until, ref SweepCandidate candidate, out double time)
+    {
+        ref ContactRecord record = ref input.Contacts.Records[candidate.Contact];
+        bool isA = record.BodyA == body;
+        float extent = Extent(input.Shapes, record, isA);
+        BodyPath other = PathOf(input, isA ? record.BodyB : record.BodyA, left);
+        BodyPath a = isA ? path : other;
+        BodyPath b = isA ? other : path;
+        ImpactQuery query;
+        query.Tolerance = FastPairs.Tolerance(extent);
+        query.From = 0;
+        query.Until = Math.Min(1, until + query.Tolerance);
+        if (candidate.Mode == SweepMode.Met)
+        {
+            query.Target = candidate.Target;
+            return TimeOfImpact.Find(input.Shapes, record.PieceA, a, record.PieceB, b, query, out time, out _);
+        }
+
+        query.Target = -FastPairs.Glance(extent, input.Settings.AllowedPenetration);
+        query.Until = 1;
+        if (!TimeOfImpact.Find(input.Shapes, record.PieceA, a, record.PieceB, b, query, out time, out _))
+        {
+            return false;
+        }
+
+        query.Target = 0;
+        query.Until = 1;
+        return TimeOfImpact.Find(input.Shapes, record.PieceA, a, record.PieceB, b, query, out time, out _);
+    }
+
+    private static float Extent(ShapeStore shapes, in ContactRecord record, bool isA) =>
+        shapes.Pieces[isA ? record.PieceA : record.PieceB].Extent;
+
+    /// <summary>Where the other body is in the time left: it is at the end of its step already.</summary>
+    private static BodyPath PathOf(in SweepInput input, int body, double left)
+    {
+        BodyPath path = BodyPath.Resting(input.Bodies.Pose[body]);
+        if ((input.Bodies.Flags[body] & BodyFlags.Static) == 0)
+        {
+            BodyState state = input.Bodies.State[body];
+            path.VelocityX = state.LinearVelocity.X * left;
+            path.VelocityY = state.LinearVelocity.Y * left;
+            path.Spin = state.AngularVelocity * left;
+            path.X -= path.VelocityX;
+            path.Y -= path.VelocityY;
+            path.Angle -= path.Spin;
+        }
+
+        return path;
+    }
+}

@@ -1,0 +1,160 @@
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Joints;
+using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>
+/// Decides on the pairs that <see cref="FastPairs"/> deferred. What can be left to the sweep after the flight is left to it: a fast
+/// body that nothing holds, against what cannot move. The others get a row made at the impact that the present velocities lead to.
+/// </summary>
+internal sealed unsafe class FastPairStage
+{
+    private readonly RadixSort _sort = new RadixSort();
+    private readonly Column<ulong> _keys = new Column<ulong>();
+    private readonly Column<int> _contacts = new Column<int>();
+    private readonly Column<ContactBundle> _bundle = new Column<ContactBundle>();
+    private int _count;
+
+    /// <summary>Rows given in this step.</summary>
+    public int Given { get; private set; }
+
+    /// <summary>One of them can bounce.</summary>
+    public bool AnyBounce { get; private set; }
+
+    public void Begin(int most)
+    {
+        _count = 0;
+        Given = 0;
+        AnyBounce = false;
+        _keys.EnsureCapacity(most);
+        _contacts.EnsureCapacity(most);
+        _sort.Reserve(most);
+    }
+
+    public void Defer(ContactStore contacts, int contact)
+    {
+        _keys[_count] = ContactStage.Shuffle(ContactStage.PairKey(contacts.Records[contact]));
+        _contacts[_count++] = contact;
+    }
+
+    public void Decide(in ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
+    {
+        _sort.Sort(_keys.Pointer, _contacts.Pointer, _count);
+        for (int i = 0; i < _count; i++)
+        {
+            ref ContactRecord record = ref input.Contacts.Records[_contacts[i]];
+            if (input.Moves[record.BodyA] != 0 && input.Moves[record.BodyB] != 0)
+            {
+                Foresee(input, graph, _contacts[i]);
+            }
+        }
+
+        // Bodies that got rows above are held now.
+        for (int i = 0; i < _count; i++)
+        {
+            ref ContactRecord record = ref input.Contacts.Records[_contacts[i]];
+            if (input.Moves[record.BodyA] != 0 && input.Moves[record.BodyB] != 0)
+            {
+                continue;
+            }
+
+            int mover = input.Moves[record.BodyA] != 0 ? record.BodyA : record.BodyB;
+            bool held = allHeld || graph.Degree(mover) > 0 || joints.Degree(mover) > 0;
+            bool swept = (input.Bodies.Flags[mover] & (BodyFlags.Fast | BodyFlags.Discrete)) == BodyFlags.Fast;
+            if (held || !swept || !IsSolid(input, record))
+            {
+                Foresee(input, graph, _contacts[i]);
+            }
+        }
+    }
+
+    private static bool IsSolid(in ContactUpdateInput input, in ContactRecord record) =>
+        (input.Shapes.Colliders[record.ColliderA].Flags & input.Shapes.Colliders[record.ColliderB].Flags & ColliderFlags.ResponseEnabled) != 0
+        && (input.Moves[record.BodyA] | input.Moves[record.BodyB]) != 0;
+
+    private void Foresee(in ContactUpdateInput input, ConstraintGraph graph, int contact)
+    {
+        ref ContactRecord record = ref input.Contacts.Records[contact];
+        BodyPath a = Path(input, graph, record.BodyA);
+        BodyPath b = Path(input, graph, record.BodyB);
+        ref Piece pieceA = ref input.Shapes.Pieces[record.PieceA];
+        ref Piece pieceB = ref input.Shapes.Pieces[record.PieceB];
+        float extent = FastPairs.Extent(pieceA, pieceB, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
+        ImpactQuery query;
+        query.Tolerance = FastPairs.Tolerance(extent);
+        query.Target = -FastPairs.Glance(extent, input.Settings.AllowedPenetration);
+        query.From = 0;
+        query.Until = 1;
+        if (!TimeOfImpact.Find(input.Shapes, record.PieceA, a, record.PieceB, b, query, out double deep, out _))
+        {
+            return;
+        }
+
+        query.Target = 0;
+        query.Until = deep + query.Tolerance;
+        TimeOfImpact.Find(input.Shapes, record.PieceA, a, record.PieceB, b, query, out double time, out _);
+        PairInput pair = ImpactPose.Pair(input.Shapes, record.PieceA, record.PieceB, a, b, time, (float)(4 * query.Tolerance));
+        Collision.Collide(pair, out Manifold manifold);
+        ForeseenImpact impact = default;
+        if (manifold.Count == 0 || !impact.Set(manifold, a, b, time, pieceA.Radius, pieceB.Radius))
+        {
+            return;
+        }
+
+        bool solid = IsSolid(input, record);
+        bool heard = (record.Flags & ContactFlags.Heard) != 0;
+        record.Flags |= ContactFlags.Touching | (heard ? ContactFlags.Due : ContactFlags.None);
+        input.Contacts.Manifolds[contact] = impact.Manifold;
+        if (solid)
+        {
+            Give(input, graph, contact, impact);
+        }
+    }
+
+    private void Give(in ContactUpdateInput input, ConstraintGraph graph, int contact, in ForeseenImpact impact)
+    {
+        ref ContactRecord record = ref input.Contacts.Records[contact];
+        ContactBundle* bundle = _bundle.Pointer;
+        input.Contacts.RemoveIdle(contact);
+        graph.Add(contact, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
+        ContactRowWriter.ClearForWrite(bundle);
+        ContactRowWriter.Name(bundle, 0, contact, record);
+        ContactUpdate.FillImpact(input, bundle, impact);
+        AnyBounce = AnyBounce || bundle->Restitution[0] > 0;
+        GraphColor color = graph[record.Color];
+        ContactRowWriter.MoveLane(bundle, 0, color.BundleOf(record.Row), color.LaneOf(record.Row));
+        Given++;
+    }
+
+    /// <summary>Where the present velocity leads. What touches something is held up against gravity by it.</summary>
+    private static BodyPath Path(in ContactUpdateInput input, ConstraintGraph graph, int body)
+    {
+        BodyPath path = BodyPath.Resting(input.Bodies.Pose[body]);
+        BodyFlags flags = input.Bodies.Flags[body];
+        if ((flags & BodyFlags.Static) != 0)
+        {
+            return path;
+        }
+
+        ref BodyState state = ref input.Bodies.State[body];
+        double dt = input.Dt;
+        path.VelocityX = state.LinearVelocity.X * dt;
+        path.VelocityY = state.LinearVelocity.Y * dt;
+        path.Spin = state.AngularVelocity * dt;
+        if (input.Moves[body] != 0 && (flags & BodyFlags.IgnoreGravity) == 0 && graph.Degree(body) == 0)
+        {
+            Vector2 gravity = input.Settings.Gravity;
+            path.AccelerationX = gravity.X * dt * dt;
+            path.AccelerationY = gravity.Y * dt * dt;
+        }
+
+        return path;
+    }
+}
