@@ -8,7 +8,7 @@ internal static class CommandLine
 {
     private static readonly string[] _runOptions = ["--steps", "--iterations", "--dt", "--json"];
     private static readonly string[] _watchOptions = ["--iterations", "--dt"];
-    private static readonly string[] _drawOptions = ["--step", "--out", "--iterations", "--dt"];
+    private static readonly string[] _drawOptions = ["--step", "--out", "--show", "--iterations", "--dt"];
 
     public static void None(string verb, ReadOnlySpan<string> words)
     {
@@ -55,6 +55,7 @@ internal static class CommandLine
                 "--steps" => options with { Steps = Whole(word, value, 1) },
                 "--step" => options with { Steps = Whole(word, value, 0) },
                 "--out" => options with { Out = value ?? throw Bad(word, "the name of a file", null) },
+                "--show" => options with { Show = Parts(word, value) },
                 "--iterations" => options with { Iterations = Whole(word, value, 1) },
                 _ => options with { Dt = Seconds(word, value) },
             };
@@ -74,6 +75,25 @@ internal static class CommandLine
         float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out float value) && value > 0f && float.IsFinite(value)
             ? value
             : throw Bad(option, "a number of seconds above 0", text);
+
+    private static ShownParts Parts(string option, string? text)
+    {
+        ShownParts parts = ShownParts.None;
+        foreach (string name in (text ?? string.Empty).Split(','))
+        {
+            parts |= name switch
+            {
+                "vertices" => ShownParts.Vertices,
+                "grids" => ShownParts.Grids,
+                "boxes" => ShownParts.Boxes,
+                "axes" => ShownParts.Axes,
+                "all" => ShownParts.All,
+                _ => throw Bad(option, "vertices, grids, boxes, axes, joined by commas, or all", text),
+            };
+        }
+
+        return parts;
+    }
 
     private static UsageException Bad(string option, string wanted, string? text) =>
         new(text is null ? $"{option} needs {wanted}" : $"{option} needs {wanted}, not '{text}'");

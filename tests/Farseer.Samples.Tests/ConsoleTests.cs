@@ -48,6 +48,7 @@ public sealed class ConsoleTests : IDisposable
     [InlineData("draw", "'draw' needs the name of a scene")]
     [InlineData("draw pyramid --step -1", "--step needs a whole number of at least 0, not '-1'")]
     [InlineData("draw pyramid --out", "--out needs the name of a file")]
+    [InlineData("draw pyramid --show grid", "--show needs vertices, grids, boxes, axes, joined by commas, or all, not 'grid'")]
     [InlineData("draw pyramid --steps 5", "has no option '--steps' (did you mean '--step'?")]
     [InlineData("draw pyramid --step 1 --out /no/such/folder/f.svg", "cannot write '/no/such/folder/f.svg'")]
     public async Task Console_WrongUse_SaysOneLineAndExitsWith2(string arguments, string expected) =>
@@ -103,6 +104,19 @@ public sealed class ConsoleTests : IDisposable
         XElement picture = XDocument.Load(file).Root!;
         Assert.Equal("svg", picture.Name.LocalName);
         Assert.True(picture.Elements().Count(e => e.Name.LocalName == "polygon") > 2);
+    }
+
+    [Fact]
+    public async Task Console_DrawBeforeTheFirstUpdate_ShowsWhatWasBuilt()
+    {
+        string file = Path.Combine(_folder, "start.svg");
+
+        (int code, _, _) = await Run("draw", "falling-stack", "--step", "0", "--show", "boxes,axes", "--out", file);
+
+        Assert.Equal(0, code);
+
+        // Ten boxes and a floor, each with the box around it.
+        Assert.Equal(22, XDocument.Load(file).Root!.Elements().Count(e => e.Name.LocalName == "polygon"));
     }
 
     [Fact]

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using Farseer.Samples.Drawing;
 using Farseer.Scenes;
+using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Views;
 
 namespace Farseer.Samples.Commands;
@@ -10,6 +11,7 @@ namespace Farseer.Samples.Commands;
 internal static class DrawCommand
 {
     private const int LongerSide = 1000;
+    private const float Moment = 1e-9f;
 
     public static int Execute(RunOptions options)
     {
@@ -20,12 +22,22 @@ internal static class DrawCommand
             run.Step();
         }
 
+        if (run.Done == 0)
+        {
+            // Items enter with the first update. One this short shows them where they were put.
+            run.Simulator.Update(Moment);
+            foreach (SceneCompanion companion in scene.Companions)
+            {
+                companion.Simulator.Update(Moment);
+            }
+        }
+
         SvgDebugDraw picture = Picture(run);
         float mark = 0.03f * Math.Max(scene.View.Max.X - scene.View.Min.X, scene.View.Max.Y - scene.View.Min.Y);
-        new PhysicsSimulatorView(run.Simulator, picture) { MarkLength = mark }.Draw();
+        View(run.Simulator, picture, mark, options.Show).Draw();
         foreach (SceneCompanion companion in scene.Companions)
         {
-            new PhysicsSimulatorView(companion.Simulator, new CompanionDraw(picture, companion)) { MarkLength = mark / companion.Scale }.Draw();
+            View(companion.Simulator, new CompanionDraw(picture, companion), mark / companion.Scale, options.Show).Draw();
         }
 
         string path = options.Out ?? scene.Name + ".svg";
@@ -41,6 +53,15 @@ internal static class DrawCommand
         Console.WriteLine($"{scene.Name} after {run.Done} updates: {path}");
         return 0;
     }
+
+    private static PhysicsSimulatorView View(PhysicsSimulator simulator, IDebugDraw picture, float mark, ShownParts show) => new(simulator, picture)
+    {
+        MarkLength = mark,
+        EnableVerticeView = (show & ShownParts.Vertices) != 0,
+        EnableGridView = (show & ShownParts.Grids) != 0,
+        EnableAABBView = (show & ShownParts.Boxes) != 0,
+        EnableCoordinateAxisView = (show & ShownParts.Axes) != 0,
+    };
 
     private static SvgDebugDraw Picture(SceneRun run)
     {

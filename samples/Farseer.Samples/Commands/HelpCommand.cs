@@ -20,6 +20,7 @@ internal static class HelpCommand
           draw <scene|file.json>    one step as a picture (SVG)
               --step N              after N updates (default: the scene's last)
               --out f.svg           the file (default: the scene's name)
+              --show LIST           besides: vertices,grids,boxes,axes or all
               --iterations N, --dt S
           check                     run all scenes and compare with what must come out
           help                      this

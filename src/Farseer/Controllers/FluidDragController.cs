@@ -31,6 +31,8 @@ public class FluidDragController : Controller
     private float _linearDragCoefficient;
     private float _rotationalDragCoefficient;
 
+    internal IFluidContainer? Container => _container;
+
     /// <summary>Makes a controller that does nothing until <see cref="Initialize"/> is called.</summary>
     public FluidDragController()
     {

@@ -29,7 +29,17 @@ public partial class PhysicsSimulatorView
                 DrawRod(rope.WorldAnchor1, rope.WorldAnchor2, color);
                 break;
             case PulleyJoint pulley when BodiesOf(pulley, out _, out _):
-                DrawRod(pulley.WorldAnchor1, pulley.WorldAnchor2, color);
+                DrawRod(pulley.WorldAnchor1, pulley.Ground1, color);
+                DrawRod(pulley.WorldAnchor2, pulley.Ground2, color);
+                _draw.DrawLine(pulley.Ground1, pulley.Ground2, color);
+                break;
+            case PrismaticJoint slide when BodiesOf(slide, out Body one, out Body two):
+                DrawAxis(slide.Axis, two.Position, color);
+                DrawRod(one.Position, two.Position, color);
+                break;
+            case WheelJoint wheel when BodiesOf(wheel, out Body one, out Body two):
+                DrawAxis(wheel.Axis, two.Position, color);
+                DrawRod(one.Position, two.Position, color);
                 break;
             case PairJoint pair when BodiesOf(pair, out Body one, out Body two):
                 DrawRod(one.Position, two.Position, color);
@@ -39,6 +49,10 @@ public partial class PhysicsSimulatorView
                 break;
             case TargetJoint { Body: { } body } target:
                 DrawRod(body.Position, target.Target, color);
+                break;
+            case FixedPrismaticJoint { Body: { } body } rail:
+                DrawAxis(rail.Axis, body.Position, color);
+                _draw.DrawPoint(body.Position, _pointSize, color);
                 break;
             case WorldJoint { Body: { } body }:
                 _draw.DrawCircle(body.Position, _markLength / 2, color, color.WithAlpha(0));
@@ -72,6 +86,10 @@ public partial class PhysicsSimulatorView
         _draw.DrawLine(anchor, two.Position, color);
         _draw.DrawPoint(anchor, _pointSize, color);
     }
+
+    /// <summary>A piece of the line along which a body slides.</summary>
+    private void DrawAxis(Vector2 axis, Vector2 middle, DebugColor color) =>
+        _draw.DrawLine(middle - (_markLength * axis), middle + (_markLength * axis), color);
 
     private void DrawRod(Vector2 start, Vector2 end, DebugColor color)
     {

@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Controllers;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Dynamics.Springs;
 
@@ -35,13 +36,7 @@ public partial class PhysicsSimulatorView
 
         if (EnableAABBView)
         {
-            AABB box = geom.AABB;
-            _corners.Clear();
-            _corners.Add(box.Min);
-            _corners.Add(new Vector2(box.Max.X, box.Min.Y));
-            _corners.Add(box.Max);
-            _corners.Add(new Vector2(box.Min.X, box.Max.Y));
-            _draw.DrawPolygon(_corners, AABBColor, AABBColor.WithAlpha(0));
+            DrawBox(geom.AABB, AABBColor, AABBColor.WithAlpha(0));
         }
 
         if (EnableGridView)
@@ -55,6 +50,36 @@ public partial class PhysicsSimulatorView
             {
                 _draw.DrawPoint(vertex, _pointSize, VerticeColor);
             }
+        }
+    }
+
+    private void DrawBox(AABB box, DebugColor line, DebugColor fill)
+    {
+        _corners.Clear();
+        _corners.Add(box.Min);
+        _corners.Add(new Vector2(box.Max.X, box.Min.Y));
+        _corners.Add(box.Max);
+        _corners.Add(new Vector2(box.Min.X, box.Max.Y));
+        _draw.DrawPolygon(_corners, line, fill);
+    }
+
+    private void DrawFluid(Controller controller)
+    {
+        if (controller is WaveController { CurrentWave: { } heights, XPosition: { } places } wave)
+        {
+            _corners.Clear();
+            for (int i = 0; i < heights.Length; i++)
+            {
+                _corners.Add(new Vector2(places[i], wave.Position.Y + heights[i]));
+            }
+
+            _corners.Add(new Vector2(wave.Position.X + wave.Width, wave.Position.Y + wave.Height));
+            _corners.Add(new Vector2(wave.Position.X, wave.Position.Y + wave.Height));
+            _draw.DrawPolygon(_corners, FluidColor, FluidColor.WithAlpha(FillAlpha));
+        }
+        else if (controller is FluidDragController { Container: AABBFluidContainer { AABB: { } box } })
+        {
+            DrawBox(box, FluidColor, FluidColor.WithAlpha(FillAlpha));
         }
     }
 

@@ -9,7 +9,7 @@ namespace FarseerGames.FarseerPhysics.Views;
 
 /// <summary>
 /// Draws what is in a simulator, for debugging: geoms in the colours of their states, vertices, grids, boxes, contacts with normals
-/// and impulses, joints and springs with their anchors and errors. Each part can be switched off.
+/// and impulses, joints and springs with their anchors and errors, fluids. Each part can be switched off.
 /// </summary>
 public partial class PhysicsSimulatorView
 {
@@ -51,6 +51,9 @@ public partial class PhysicsSimulatorView
 
     /// <summary>Draws joints from body to body over their anchors, redder the larger their error. Default true.</summary>
     public bool EnableJointView { get; set; } = true;
+
+    /// <summary>Draws the fluids of wave controllers, and of fluid controllers whose container is a box. Default true.</summary>
+    public bool EnableFluidView { get; set; } = true;
 
     /// <summary>Length, in the world, of a body's axes and of the normal of the strongest contact; finite and at least 0. Default 10.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
@@ -107,6 +110,9 @@ public partial class PhysicsSimulatorView
     /// <summary>Colour of springs with a large error, as long as their rest length or near their breakpoint, and of joints near theirs.</summary>
     public DebugColor StrainedColor { get; set; } = new DebugColor(220, 60, 40);
 
+    /// <summary>Colour of fluids.</summary>
+    public DebugColor FluidColor { get; set; } = new DebugColor(60, 170, 210);
+
     /// <summary>Colour of the axes of bodies; the y axis is half as opaque.</summary>
     public DebugColor AxisColor { get; set; } = new DebugColor(60, 60, 60);
 
@@ -114,6 +120,14 @@ public partial class PhysicsSimulatorView
     public void Draw()
     {
         CollectTouching();
+        if (EnableFluidView)
+        {
+            for (int i = 0; i < _simulator.ControllerList.Count; i++)
+            {
+                DrawFluid(_simulator.ControllerList[i]);
+            }
+        }
+
         for (int i = 0; i < _simulator.GeomList.Count; i++)
         {
             DrawGeom(_simulator.GeomList[i]);

@@ -170,6 +170,7 @@ public class MathematicsTests
         Assert.Equal(2.5f, MathHelper.Lerp(2, 4, 0.25f));
         Assert.Equal(2f, MathHelper.Max(1, 2));
         Assert.Equal(1f, MathHelper.Min(1, 2));
+        Assert.Equal(180f, MathHelper.ToDegrees(MathHelper.Pi), 1e-4f);
         Assert.True(Calculator.IsBetweenNonInclusive(1, 0, 2));
         Assert.False(Calculator.IsBetweenNonInclusive(2, 0, 2));
         for (var i = 0; i < 100; i++)
@@ -239,6 +240,35 @@ public class MathematicsTests
             actual == (float)exact || actual == (float)(exact + slack) || actual == (float)(exact - slack),
             $"{actual:R} is not the nearest float to {exact:R}");
     }
+
+    [Fact]
+    public void Splines_OfNumbers_PassThroughTheirEnds()
+    {
+        Assert.Equal(4f, MathHelper.Barycentric(2, 4, 9, 1, 0));
+        Assert.Equal(2f, MathHelper.CatmullRom(9, 2, 4, 7, 0));
+        Assert.Equal(4f, MathHelper.CatmullRom(9, 2, 4, 7, 1));
+
+        // Through numbers on a line the spline is the line.
+        Assert.Equal(2.5f, MathHelper.CatmullRom(1, 2, 3, 4, 0.5f), 1e-6f);
+        Assert.Equal(2f, MathHelper.Hermite(2, 5, 4, -5, 0));
+        Assert.Equal(4f, MathHelper.Hermite(2, 5, 4, -5, 1));
+        Assert.Equal(3f, MathHelper.SmoothStep(2, 4, 0.5f));
+        Assert.Equal(2.3125f, MathHelper.SmoothStep(2, 4, 0.25f));
+        Assert.Equal(4f, MathHelper.SmoothStep(2, 4, 7));
+        Assert.Equal(2f, MathHelper.SmoothStep(2, 4, -7));
+    }
+
+    [Theory]
+    [InlineData(0f, 0f)]
+    [InlineData(1f, 1f)]
+    [InlineData(-3f, -3f)]
+    [InlineData(4f, 4f - (2 * Math.PI))]
+    [InlineData(-4f, (2 * Math.PI) - 4)]
+    [InlineData(100f, 100 - (32 * Math.PI))]
+    [InlineData(MathHelper.Pi, Math.PI)]
+    [InlineData(-MathHelper.Pi, Math.PI)]
+    public void WrapAngle_OfAnAngle_IsLessThanATurn(float angle, double expected) =>
+        Assert.Equal(expected, MathHelper.WrapAngle(angle), 1e-6);
 
     private static void Near(Vector2 expected, Vector2 actual)
     {

@@ -121,6 +121,8 @@ public class FixedPrismaticJoint : WorldJoint
         }
     }
 
+    internal Vector2 Axis => new Vector2((float)_axisX, (float)_axisY);
+
     internal override JointKind? Kind => JointKind.Prismatic;
 
     internal override void Fill(ref JointSettings settings, ref JointFlags flags)

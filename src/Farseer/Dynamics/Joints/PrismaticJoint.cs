@@ -125,6 +125,9 @@ public class PrismaticJoint : PairJoint
         }
     }
 
+    /// <summary>The axis as the first body has turned it, in world coordinates.</summary>
+    internal Vector2 Axis => ((float)_axisX * Body1.XVectorInWorldCoordinates) + ((float)_axisY * Body1.YVectorInWorldCoordinates);
+
     internal override JointKind? Kind => JointKind.Prismatic;
 
     internal override void Fill(ref JointSettings settings, ref JointFlags flags)

@@ -100,6 +100,10 @@ public class PulleyJoint : PairJoint
     /// <summary>The anchor of the second body in world coordinates.</summary>
     public Vector2 WorldAnchor2 => World2(_anchor2);
 
+    internal Vector2 Ground1 => _ground1;
+
+    internal Vector2 Ground2 => _ground2;
+
     internal override JointKind? Kind => JointKind.Pulley;
 
     internal override void Fill(ref JointSettings settings, ref JointFlags flags)
