@@ -107,5 +107,20 @@ namespace Farseer.Porting.Tests
             Assert.Equal(6, both.M22);
             Assert.Equal(new Vector3(0, 1, 0), Vector3.Up);
         }
+
+        [Fact]
+        public void MathHelper_OfXna_IsThere()
+        {
+            Assert.Equal(MathHelper.Pi, MathHelper.ToRadians(MathHelper.ToDegrees(MathHelper.Pi)), 6);
+            Assert.Equal(MathHelper.Pi - 1, MathHelper.WrapAngle(-MathHelper.Pi - 1), 5);
+            Assert.Equal(0.5f, MathHelper.SmoothStep(0, 1, 0.5f));
+            Assert.Equal(2, MathHelper.CatmullRom(1, 2, 3, 4, 0));
+            Assert.Equal(1, MathHelper.Hermite(0, 0, 1, 0, 1));
+            Assert.Equal(3, MathHelper.Barycentric(1, 3, 5, 1, 0));
+            Vector4 four = new Vector4(1, 2, 3, 4);
+            Assert.Equal(4, four.W);
+            Matrix moved = Matrix.CreateTranslation(new Vector3(1, 2, 3));
+            Assert.Equal(-1, moved.Left.X);
+        }
     }
 }

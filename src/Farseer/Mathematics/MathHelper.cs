@@ -136,7 +136,7 @@ public static class MathHelper
     /// <returns>The angle above -pi and up to pi.</returns>
     public static float WrapAngle(float angle)
     {
-        float wrapped = (float)Math.IEEERemainder(angle, 2 * Math.PI);
+        float wrapped = (float)Math.IEEERemainder(angle, TwoPi);
         return wrapped <= -Pi ? wrapped + TwoPi : wrapped;
     }
 }
