@@ -71,6 +71,13 @@ internal static unsafe class ContactRowWriter
         ClearPoint(&row->Point1, lane);
     }
 
+    /// <summary>Scales the impulses of a lane to those of another substep.</summary>
+    public static void Scale(ContactBundle* row, int lane, float factor)
+    {
+        ScalePoint(&row->Point0, lane, factor);
+        ScalePoint(&row->Point1, lane, factor);
+    }
+
     /// <summary>Writes down which pair a lane holds.</summary>
     public static void Name(ContactBundle* row, int lane, int contact, in ContactRecord record)
     {
@@ -303,6 +310,15 @@ internal static unsafe class ContactRowWriter
                 row->Friction[lane] = input.Contacts.Records[row->Contact[lane]].FirstFriction;
             }
         }
+    }
+
+    private static void ScalePoint(ContactPointLanes* point, int lane, float factor)
+    {
+        point->Normal[lane] *= factor;
+        point->Tangent[lane] *= factor;
+        point->PreviousNormal[lane] *= factor;
+        point->PreviousTangent[lane] *= factor;
+        point->Feed[lane] *= factor;
     }
 
     private static void ClearPoint(ContactPointLanes* point, int lane)

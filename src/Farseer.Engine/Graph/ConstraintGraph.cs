@@ -33,28 +33,28 @@ internal sealed unsafe class ConstraintGraph
     private readonly Column<int> _degree = new Column<int>();
     private readonly GraphColor[] _colors = new GraphColor[ColorCount];
 
-    // Order of solving: moving pairs, their overflow, ground pairs, their overflow.
-    private readonly int[] _order = new int[ColorCount];
+    private readonly GraphColor[] _inOrder = new GraphColor[ColorCount];
 
     public ConstraintGraph()
     {
-        int next = 0;
-        for (int i = 0; i < DynamicColors; i++)
-        {
-            _order[next++] = i;
-        }
-
-        _order[next++] = DynamicOverflow;
-        for (int i = DynamicColors; i < MaskedColors; i++)
-        {
-            _order[next++] = i;
-        }
-
-        _order[next] = StaticOverflow;
         for (int i = 0; i < ColorCount; i++)
         {
             _colors[i] = new GraphColor(i >= MaskedColors);
         }
+
+        int next = 0;
+        for (int i = 0; i < DynamicColors; i++)
+        {
+            _inOrder[next++] = _colors[i];
+        }
+
+        _inOrder[next++] = _colors[DynamicOverflow];
+        for (int i = DynamicColors; i < MaskedColors; i++)
+        {
+            _inOrder[next++] = _colors[i];
+        }
+
+        _inOrder[next] = _colors[StaticOverflow];
     }
 
     public int RowCount { get; private set; }
@@ -62,8 +62,8 @@ internal sealed unsafe class ConstraintGraph
     /// <summary>Rows were added or removed since the islands were last built.</summary>
     public bool Changed { get; set; }
 
-    /// <summary>The colour solved in place <paramref name="position"/>.</summary>
-    public GraphColor InOrder(int position) => _colors[_order[position]];
+    /// <summary>The colours in the order of solving: moving pairs, their overflow, ground pairs, their overflow.</summary>
+    public GraphColor[] InOrder => _inOrder;
 
     public GraphColor this[int color] => _colors[color];
 

@@ -11,9 +11,20 @@ internal sealed unsafe class GraphColor
     private readonly int _lanesUsed;
 
     /// <param name="sequential">True for the overflow, whose contacts may share bodies: one filled lane a bundle.</param>
-    public GraphColor(bool sequential = false) => _lanesUsed = sequential ? 1 : WideLanes.BundleLanes;
+    /// <param name="source">Of a copy: the colour whose rows it borrows.</param>
+    public GraphColor(bool sequential = false, int source = -1)
+    {
+        _lanesUsed = sequential ? 1 : WideLanes.BundleLanes;
+        Source = source;
+    }
+
+    /// <summary>Place of the colour whose rows this one borrows; -1 if they are its own.</summary>
+    public int Source { get; }
 
     public int RowCount { get; private set; }
+
+    /// <summary>Its contacts may share bodies and are solved one after the other.</summary>
+    public bool IsSequential => _lanesUsed == 1;
 
     public int BundleCount => (RowCount + _lanesUsed - 1) / _lanesUsed;
 
@@ -22,6 +33,9 @@ internal sealed unsafe class GraphColor
     public ContactBundle* BundleOf(int row) => _bundles.Pointer + (row / _lanesUsed);
 
     public int LaneOf(int row) => row % _lanesUsed;
+
+    /// <summary>Drops all rows, which only have been lent to it.</summary>
+    public void Clear() => RowCount = 0;
 
     /// <summary>Appends an empty row; the caller fills it.</summary>
     public int AddRow()

@@ -9,8 +9,9 @@ internal sealed unsafe partial class JointSolver
 {
     private void LoadMasses()
     {
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             LoadMass(_forest.Nodes + i);
         }
     }
@@ -25,21 +26,24 @@ internal sealed unsafe partial class JointSolver
     /// <summary>Trees that touch nothing are free.</summary>
     private void MarkFree()
     {
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             _forest.Trees[i].Free = true;
         }
 
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             if (_step.Touches[_forest.Nodes[i].Body] > 0)
             {
                 Bind(i);
             }
         }
 
-        for (int i = 0; i < _count; i++)
+        for (int at = 0; at < _jointCount; at++)
         {
+            int i = _joints[at];
             if (Acts(_active.Pointer + i, _rows.Pointer + i))
             {
                 Bind(_active[i].Ends.NodeA);
@@ -78,8 +82,9 @@ internal sealed unsafe partial class JointSolver
     {
         BodyState* states = _step.Bodies.State.Pointer;
         BodyDrive* drives = _step.Bodies.Drive.Pointer;
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
             if (_forest.Trees[node->Tree].Free)
             {
@@ -98,8 +103,9 @@ internal sealed unsafe partial class JointSolver
     /// </summary>
     private void MarkExact()
     {
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             _forest.Trees[i].Exact = _forest.Trees[i].Eliminates;
         }
 
@@ -125,8 +131,9 @@ internal sealed unsafe partial class JointSolver
     /// <summary>The displacements, as they stand in the store.</summary>
     private void LoadMoves()
     {
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
             LoadMove(node);
             node->TurnSin = _step.Bodies.State[node->Body].DeltaSin;
@@ -159,8 +166,9 @@ internal sealed unsafe partial class JointSolver
     /// <summary>What the floats of the displacements leave out of the step goes into the poses directly.</summary>
     private void KeepMoves()
     {
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
             BodyState* state = _step.Bodies.State.Pointer + node->Body;
             ref BodyPose pose = ref _step.Bodies.Pose[node->Body];
@@ -172,8 +180,9 @@ internal sealed unsafe partial class JointSolver
 
     private void LoadPoses()
     {
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
             ref BodyPose pose = ref _step.Bodies.Pose[node->Body];
             node->X = pose.X + node->Move[0];
@@ -193,8 +202,9 @@ internal sealed unsafe partial class JointSolver
     private void LoadVelocities()
     {
         BodyState* states = _step.Bodies.State.Pointer;
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
             BodyState* state = states + node->Body;
             node->Velocity[0] = Refresh(node->Velocity[0], state->LinearVelocity.X);
@@ -209,8 +219,9 @@ internal sealed unsafe partial class JointSolver
     private void StoreVelocities()
     {
         BodyState* states = _step.Bodies.State.Pointer;
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
             BodyState* state = states + node->Body;
             state->LinearVelocity.X = (float)node->Velocity[0];

@@ -54,6 +54,7 @@ internal sealed unsafe partial class JointSolver
             _active[i].Flags = _store.Flags[_active[i].Joint];
         }
 
+        Choose(All);
         LoadMasses();
         LoadMoves();
         LoadPoses();
@@ -61,6 +62,7 @@ internal sealed unsafe partial class JointSolver
         if (BlocksChanged())
         {
             Build();
+            Choose(All);
             LoadMasses();
             LoadMoves();
             LoadPoses();

@@ -123,6 +123,8 @@ internal sealed unsafe partial class JointSolver
     private void Collate()
     {
         _forest.ReserveGuests(_contactCount * 2, _step.Bodies.Ids.End);
+        _trees.EnsureCapacity(_treeCount + (_contactCount * 2));
+        _nodes.EnsureCapacity(_nodeCount + (_contactCount * 2));
         for (int i = 0; i < _contactCount; i++)
         {
             ref RowEnds ends = ref _contacts[i].Ends;
@@ -131,16 +133,18 @@ internal sealed unsafe partial class JointSolver
             _forest.SetNodes(ref ends, _step.Moves);
         }
 
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             _forest.Trees[i].HasRows = false;
         }
 
         _agendaCount = 0;
         _agendaKeys.EnsureCapacity(_count + _contactCount);
         _agenda.EnsureCapacity(_count + _contactCount);
-        for (int i = 0; i < _count; i++)
+        for (int at = 0; at < _jointCount; at++)
         {
+            int i = _joints[at];
             if (Iterates(_active.Pointer + i, _rows.Pointer + i))
             {
                 Enlist(_active[i].Ends, i, (uint)i);
@@ -161,6 +165,7 @@ internal sealed unsafe partial class JointSolver
         if (_step.Moves[body] != 0 && _forest.NodeOf(body) < 0)
         {
             _forest.AddGuest(body);
+            ChooseTree(_forest.TreeCount - 1);
             LoadMass(_forest.Nodes + (_forest.Count - 1));
         }
     }

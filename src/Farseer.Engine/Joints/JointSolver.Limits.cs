@@ -23,8 +23,9 @@ internal sealed unsafe partial class JointSolver
     private void SolveTrees(TargetKind kind, bool again)
     {
         bool refactored = false;
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
             if (!tree->Eliminates || (again && !tree->HasLimits))
             {
@@ -74,8 +75,9 @@ internal sealed unsafe partial class JointSolver
     /// <summary>The masses of trees whose limits changed, and the responses of their rows.</summary>
     private void PrepareAgain()
     {
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
             if (tree->Refactored && tree->HasRows)
             {
@@ -93,8 +95,9 @@ internal sealed unsafe partial class JointSolver
             }
         }
 
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             _forest.Trees[i].Refactored = false;
         }
     }
@@ -104,8 +107,9 @@ internal sealed unsafe partial class JointSolver
     /// <summary>Multipliers of limits are sums over a substep: they start at 0.</summary>
     private void ForgetLimits()
     {
-        for (int i = 0; i < _count; i++)
+        for (int at = 0; at < _jointCount; at++)
         {
+            int i = _joints[at];
             if (_active[i].BlockLimits)
             {
                 for (int k = _rows[i].Hard; k < _rows[i].Count; k++)

@@ -38,8 +38,9 @@ internal sealed unsafe partial class JointSolver
         Move();
         LoadPoses();
         WriteErrors();
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
             SetTargets(tree, TargetKind.Correction);
             tree->Before = double.PositiveInfinity;
@@ -66,8 +67,9 @@ internal sealed unsafe partial class JointSolver
     private void Move()
     {
         double h = _step.Substep;
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
             if (_forest.Trees[node->Tree].Exact)
             {
@@ -95,16 +97,18 @@ internal sealed unsafe partial class JointSolver
     {
         bool any = false;
         bool anyRows = false;
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
             tree->Corrects = tree->Eliminates && tree->Worst > Tolerance && !tree->Astray;
             any |= tree->Corrects;
             anyRows |= tree->Corrects && tree->HasRows;
         }
 
-        for (int i = 0; anyRows && i < _forest.TreeCount; i++)
+        for (int at = 0; anyRows && at < _treeCount; at++)
         {
+            int i = _trees[at];
             _forest.Trees[i].Corrects |= _forest.Trees[i].HasRows;
         }
 
@@ -115,8 +119,9 @@ internal sealed unsafe partial class JointSolver
     private void Correct()
     {
         bool anyRows = false;
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
             if (tree->Corrects || tree->HasRows)
             {
@@ -140,8 +145,9 @@ internal sealed unsafe partial class JointSolver
         }
 
         double h = _step.Substep;
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
             JointTree* tree = _forest.Trees + node->Tree;
             if (tree->Corrects || tree->HasRows)
@@ -175,8 +181,9 @@ internal sealed unsafe partial class JointSolver
 
     private void FindAstray(bool last)
     {
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
             if (!tree->Corrects || !tree->Eliminates)
             {
@@ -200,8 +207,9 @@ internal sealed unsafe partial class JointSolver
     private void Project()
     {
         bool any = false;
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             any |= _forest.Trees[i].Astray;
         }
 
@@ -210,8 +218,9 @@ internal sealed unsafe partial class JointSolver
             return;
         }
 
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
             if (_forest.Trees[node->Tree].Astray)
             {
@@ -223,8 +232,9 @@ internal sealed unsafe partial class JointSolver
         {
         }
 
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
             if (_forest.Trees[node->Tree].Astray)
             {
@@ -245,8 +255,9 @@ internal sealed unsafe partial class JointSolver
         double h = _step.Substep;
         LoadPoses();
         WriteRows(false);
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
             if (!tree->Astray)
             {
@@ -290,8 +301,9 @@ internal sealed unsafe partial class JointSolver
 
         double h = _step.Substep;
         _pushRate = rate / h;
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             if (_forest.Trees[i].HasRows)
             {
                 Save(_forest.Trees + i);
@@ -304,8 +316,9 @@ internal sealed unsafe partial class JointSolver
             Sweep(Pass.PushOut);
         }
 
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
             if (_forest.Trees[node->Tree].HasRows)
             {

@@ -30,8 +30,9 @@ internal sealed unsafe partial class JointSolver
     private void WriteRows(bool begin)
     {
         double* speeds = stackalloc double[JointRows.Most];
-        for (int i = 0; i < _count; i++)
+        for (int at = 0; at < _jointCount; at++)
         {
+            int i = _joints[at];
             JointRows* rows = _rows.Pointer + i;
             int before = begin ? 0 : rows->Count;
             for (int k = 0; k < before; k++)
@@ -51,8 +52,9 @@ internal sealed unsafe partial class JointSolver
     {
         // The directions stay those of the substep's start until the correction is done, or it would not be symplectic.
         JointRows fresh = default;
-        for (int i = 0; i < _count; i++)
+        for (int at = 0; at < _jointCount; at++)
         {
+            int i = _joints[at];
             JointRows* rows = _rows.Pointer + i;
             fresh.Count = 0;
             fresh.Hard = 0;

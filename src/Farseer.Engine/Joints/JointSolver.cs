@@ -58,12 +58,13 @@ internal sealed unsafe partial class JointSolver
         Collate();
         _pass.Enter(_forest.View, _step.Bodies.State.Pointer);
         _contactPass.Enter(_forest.View, _step.Bodies, coefficients);
-        for (int i = 0; i < _count; i++)
+        for (int at = 0; at < _jointCount; at++)
         {
+            int i = _joints[at];
             ref JointState state = ref _store.States[_active[i].Joint];
             for (int k = 0; k < JointRows.Most; k++)
             {
-                _active[i].Lambda[k] = state.Impulse[k] * _step.ImpulseScale;
+                _active[i].Lambda[k] = state.Impulse[k] * _step.ImpulseScale / _fineness;
             }
 
             _active[i].Given[0] = 0;
@@ -84,8 +85,9 @@ internal sealed unsafe partial class JointSolver
     {
         BodyMotion* motions = _step.Bodies.Motion.Pointer;
         MarkExact();
-        for (int i = 0; i < _forest.Count; i++)
+        for (int at = 0; at < _nodeCount; at++)
         {
+            int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
             if (_forest.Trees[node->Tree].Exact)
             {
@@ -171,12 +173,13 @@ internal sealed unsafe partial class JointSolver
     /// <summary>Keeps the impulses for the next step.</summary>
     public void Finish()
     {
-        for (int i = 0; i < _count; i++)
+        for (int at = 0; at < _jointCount; at++)
         {
+            int i = _joints[at];
             ref JointState state = ref _store.States[_active[i].Joint];
             for (int k = 0; k < JointRows.Most; k++)
             {
-                state.Impulse[k] = k < _rows[i].Count ? _active[i].Lambda[k] : 0;
+                state.Impulse[k] = k < _rows[i].Count ? _active[i].Lambda[k] * _fineness : 0;
             }
 
             double* given = _active.Pointer[i].Given;
@@ -192,6 +195,7 @@ internal sealed unsafe partial class JointSolver
 
         KeepMoves();
         GiveContactsBack();
+        _contactCount = 0;
         _forest.ClearGuests();
     }
 
@@ -216,8 +220,9 @@ internal sealed unsafe partial class JointSolver
         }
 
         JointForestView view = _forest.View;
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             if (_forest.Trees[i].HasRows)
             {
                 TreeWalk.Begin(view, _forest.Trees + i);
@@ -237,8 +242,9 @@ internal sealed unsafe partial class JointSolver
             }
         }
 
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
             if (tree->HasRows && tree->Carries)
             {
@@ -294,8 +300,9 @@ internal sealed unsafe partial class JointSolver
 
     private void Factor()
     {
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int at = 0; at < _treeCount; at++)
         {
+            int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
             TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
             if (tree->HasRows)

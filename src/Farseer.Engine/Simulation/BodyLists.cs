@@ -188,10 +188,10 @@ internal sealed unsafe class BodyLists
         }
     }
 
-    public void PrepareDrives(BodyStore bodies, Vector2 gravity, float substep)
+    public void PrepareDrives(BodyStore bodies, int* list, int listCount, Vector2 gravity, float substep)
     {
-        _outOfRange.EnsureCapacity(SolverCount);
-        int count = DrivePreparation.Prepare(bodies, _solver.Pointer, SolverCount, gravity, substep, _outOfRange.Pointer);
+        _outOfRange.EnsureCapacity(listCount);
+        int count = DrivePreparation.Prepare(bodies, list, listCount, gravity, substep, _outOfRange.Pointer);
         CastOutAll(bodies, count, QuarantineCause.Forces);
     }
 

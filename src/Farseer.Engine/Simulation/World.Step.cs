@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Joints;
 using Farseer.Engine.Solver;
 using Farseer.Engine.Stepping;
 
@@ -8,6 +9,7 @@ namespace Farseer.Engine.Simulation;
 /// <summary>The table of contents of a step: one line a phase.</summary>
 internal sealed partial class World
 {
+    private readonly IslandClasses _classes = new IslandClasses();
     private int _substeps;
 
     private void RunStages(float dt)
@@ -122,10 +124,12 @@ internal sealed partial class World
             return;
         }
 
-        _lists.PrepareDrives(Bodies, Settings.Gravity, substep);
+        JointSolver? joints = anyJoints ? _jointSolver : null;
+        _lists.PrepareDrives(Bodies, _lists.Solver, _lists.SolverCount, Settings.Gravity, substep);
         SolverInput input;
         input.Bodies = Bodies;
-        input.Graph = _graph;
+        input.Colors = _graph.InOrder;
+        input.RowCount = _graph.RowCount;
         input.List = _lists.Solver;
         input.PaddedCount = _lists.PaddedSolverCount;
         input.Substeps = _substeps;
@@ -136,10 +140,67 @@ internal sealed partial class World
         input.AnyDeep = anyDeep;
         input.AnyBounce = _contactStage.AnyBounce;
         input.ColdStart = _contactStage.ColdStart;
-        input.Joints = anyJoints ? _jointSolver : null;
+        input.Joints = joints;
         input.UserJoints = anyUserJoints ? UserJoints : null;
+        bool classes = joints != null && !anyUserJoints && FindClasses(joints);
+        if (classes)
+        {
+            _classes.Borrow();
+            input.List = _classes.List(0);
+            input.PaddedCount = _classes.PaddedCount(0);
+        }
+
+        joints?.Select(0, substep, 1);
         Queries.PosesChange = anyUserJoints;
-        _solver.Solve(input);
+        if (input.PaddedCount > 0)
+        {
+            _solver.Solve(input);
+        }
+
         Queries.PosesChange = false;
+        if (classes)
+        {
+            SolveClasses(input, joints!, dt);
+        }
+    }
+
+    private unsafe bool FindClasses(JointSolver joints)
+    {
+        if (!_classes.Find(joints, _graph, _lists.Moves, Bodies.Ids.End))
+        {
+            return false;
+        }
+
+        _classes.Split(joints, _graph, Bodies, _springs, _lists.Moves, _lists.Solver, _lists.SolverCount);
+        return true;
+    }
+
+    /// <summary>The islands that need more substeps than the others: solved by themselves, their rows taken out of the graph meanwhile.</summary>
+    private unsafe void SolveClasses(SolverInput input, JointSolver joints, float dt)
+    {
+        for (int index = 1; index < IslandClasses.Count; index++)
+        {
+            if (_classes.PaddedCount(index) == 0)
+            {
+                continue;
+            }
+
+            int fineness = 1 << index;
+            float substep = dt / (_substeps * fineness);
+            _classes.RewindKinematic(index, Bodies, dt);
+            _lists.PrepareDrives(Bodies, _classes.List(index), _classes.BodyCount(index), Settings.Gravity, substep);
+            input.List = _classes.List(index);
+            input.PaddedCount = _classes.PaddedCount(index);
+            input.Colors = _classes.Colors(index);
+            input.RowCount = _classes.RowCount(index);
+            input.Substeps = _substeps * fineness;
+            input.Substep = substep;
+            input.Coefficients = new ContactCoefficients(substep, input.Coefficients.Gravity, input.Coefficients.Rest);
+            input.Springs = null;
+            joints.Select(index, substep, fineness);
+            _solver.Solve(input);
+        }
+
+        _classes.GiveBack();
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
@@ -12,7 +13,10 @@ namespace Farseer.Engine.Solver;
 internal unsafe ref struct SolverInput
 {
     public BodyStore Bodies;
-    public ConstraintGraph Graph;
+
+    /// <summary>Rows by colour, in the order of solving, and how many there are.</summary>
+    public ReadOnlySpan<GraphColor> Colors;
+    public int RowCount;
 
     /// <summary>Bodies with constraints, padded to whole bundles with body 0.</summary>
     public int* List;
@@ -20,7 +24,7 @@ internal unsafe ref struct SolverInput
     public int Substeps;
     public float Substep;
     public ContactCoefficients Coefficients;
-    public SpringStore Springs;
+    public SpringStore? Springs;
 
     /// <summary>Share of a deep overlap that goes in one step.</summary>
     public float Recovery;
@@ -71,11 +75,11 @@ internal sealed unsafe class SubstepSolver
         double recovery = input.AnyDeep ? RecoveryRate(input.Recovery, input.Substeps) : 0;
         if (input.Joints != null)
         {
-            TakeTreeContacts(input.Graph, input.Joints);
+            TakeTreeContacts(input.Colors, input.Joints);
             input.Joints.Start(coefficients);
         }
 
-        int sweeps = !input.ColdStart ? 1 : input.Graph.RowCount <= FewRows ? FewRowsSweeps : ColdStartSweeps;
+        int sweeps = !input.ColdStart ? 1 : input.RowCount <= FewRows ? FewRowsSweeps : ColdStartSweeps;
         for (int substep = 0; substep < input.Substeps; substep++)
         {
             if (input.AnyBounce)
@@ -85,12 +89,12 @@ internal sealed unsafe class SubstepSolver
             }
 
             Integrator.IntegrateVelocities(input.List, input.PaddedCount, states, motions, drives);
-            input.Springs.Apply(input.Bodies, input.Substep);
+            input.Springs?.Apply(input.Bodies, input.Substep);
             input.Joints?.Enter();
-            WarmStart(input.Graph, states, coefficients);
+            WarmStart(input.Colors, states, coefficients);
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
-                SolveBiased(input.Graph, states, coefficients, input.AnyDeep);
+                SolveBiased(input.Colors, states, coefficients, input.AnyDeep);
                 input.Joints?.Solve(sweep > 0);
             }
 
@@ -114,13 +118,13 @@ internal sealed unsafe class SubstepSolver
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
                 bool rub = sweep * 2 >= sweeps - 1;
-                Relax(input.Graph, states, coefficients, rub);
+                Relax(input.Colors, states, coefficients, rub);
                 input.Joints?.Relax(sweep > 0, rub);
             }
 
             if (input.AnyBounce)
             {
-                Bounce(input.Graph, states, input.Joints);
+                Bounce(input.Colors, states, input.Joints);
                 input.Joints?.Settle();
             }
         }
@@ -128,58 +132,58 @@ internal sealed unsafe class SubstepSolver
         input.Joints?.Finish();
     }
 
-    private static void TakeTreeContacts(ConstraintGraph graph, JointSolver joints)
+    private static void TakeTreeContacts(ReadOnlySpan<GraphColor> colors, JointSolver joints)
     {
-        for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+        for (int i = 0; i < colors.Length; i++)
         {
-            GraphColor color = graph.InOrder(i);
+            GraphColor color = colors[i];
             joints.Take(color.Bundles, color.BundleCount);
         }
     }
 
-    private static void WarmStart(ConstraintGraph graph, BodyState* states, in ContactCoefficients c)
+    private static void WarmStart(ReadOnlySpan<GraphColor> colors, BodyState* states, in ContactCoefficients c)
     {
-        for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+        for (int i = 0; i < colors.Length; i++)
         {
-            GraphColor color = graph.InOrder(i);
+            GraphColor color = colors[i];
             ContactKernel.WarmStart(color.Bundles, color.BundleCount, states, c);
         }
     }
 
-    private static void SolveBiased(ConstraintGraph graph, BodyState* states, in ContactCoefficients c, bool anyDeep)
+    private static void SolveBiased(ReadOnlySpan<GraphColor> colors, BodyState* states, in ContactCoefficients c, bool anyDeep)
     {
-        for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+        for (int i = 0; i < colors.Length; i++)
         {
-            GraphColor color = graph.InOrder(i);
+            GraphColor color = colors[i];
             ContactKernel.SolveBiased(color.Bundles, color.BundleCount, states, c, anyDeep);
         }
     }
 
-    private static void Relax(ConstraintGraph graph, BodyState* states, in ContactCoefficients c, bool rub)
+    private static void Relax(ReadOnlySpan<GraphColor> colors, BodyState* states, in ContactCoefficients c, bool rub)
     {
-        for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+        for (int i = 0; i < colors.Length; i++)
         {
-            GraphColor color = graph.InOrder(i);
+            GraphColor color = colors[i];
             ContactKernel.Relax(color.Bundles, color.BundleCount, states, c, rub);
         }
     }
 
     private static void PrepareBounce(in SolverInput input, BodyState* states, in ContactCoefficients c)
     {
-        for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+        for (int i = 0; i < input.Colors.Length; i++)
         {
-            GraphColor color = input.Graph.InOrder(i);
+            GraphColor color = input.Colors[i];
             BounceKernel.Prepare(color.Bundles, color.BundleCount, states, input.Bodies.Drive.Pointer, c);
         }
     }
 
-    private static void Bounce(ConstraintGraph graph, BodyState* states, JointSolver? joints)
+    private static void Bounce(ReadOnlySpan<GraphColor> colors, BodyState* states, JointSolver? joints)
     {
         for (int sweep = 0; sweep < BounceSweeps; sweep++)
         {
-            for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+            for (int i = 0; i < colors.Length; i++)
             {
-                GraphColor color = graph.InOrder(i);
+                GraphColor color = colors[i];
                 BounceKernel.Apply(color.Bundles, color.BundleCount, states, sweep == BounceSweeps - 1);
             }
 
@@ -197,9 +201,9 @@ internal sealed unsafe class SubstepSolver
         }
 
         float rate = recovery * c.InverseSubstep;
-        for (int i = 0; i < ConstraintGraph.ColorCount; i++)
+        for (int i = 0; i < input.Colors.Length; i++)
         {
-            GraphColor color = input.Graph.InOrder(i);
+            GraphColor color = input.Colors[i];
             ContactKernel.PushOut(color.Bundles, color.BundleCount, states, rate, c);
         }
 

@@ -1,0 +1,312 @@
+using System;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Joints;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Springs;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Solver;
+
+/// <summary>
+/// Islands (bodies joined by joints or contacts) by how many substeps they need: class k takes 2ᵏ times those of the step. Which
+/// class an island belongs to follows from its state alone: from the loads that its trees pass on. Islands of class 0 stay where
+/// they are; the rows of the others are borrowed from the graph while they are solved.
+/// </summary>
+internal sealed unsafe class IslandClasses
+{
+    public const int Count = JointSolver.MostDoublings + 1;
+
+    private readonly Column<int> _parent = new Column<int>();
+    private readonly Column<byte> _class = new Column<byte>();
+    private readonly Column<byte> _listed = new Column<byte>();
+    private readonly Column<Loan> _loans = new Column<Loan>();
+    private readonly Column<int>[] _lists = new Column<int>[Count];
+    private readonly int[] _counts = new int[Count];
+    private readonly int[] _padded = new int[Count];
+    private readonly GraphColor[][] _borrowed = new GraphColor[Count][];
+    private readonly GraphColor?[][] _pool = new GraphColor?[Count][];
+    private readonly int[] _used = new int[Count];
+    private readonly int[] _rowCounts = new int[Count];
+    private ConstraintGraph _graph = null!;
+    private int _loanCount;
+
+    public IslandClasses()
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            _lists[i] = new Column<int>();
+            _borrowed[i] = new GraphColor[ConstraintGraph.ColorCount];
+            _pool[i] = new GraphColor?[ConstraintGraph.ColorCount];
+        }
+    }
+
+    /// <summary>The rows of a class, by colour in the order of solving, while they are borrowed.</summary>
+    public ReadOnlySpan<GraphColor> Colors(int index) => new ReadOnlySpan<GraphColor>(_borrowed[index], 0, _used[index]);
+
+    public int RowCount(int index) => _rowCounts[index];
+
+    public int* List(int index) => _lists[index].Pointer;
+
+    public int BodyCount(int index) => _counts[index];
+
+    /// <summary>Count of <see cref="List"/> filled up to whole bundles with body 0.</summary>
+    public int PaddedCount(int index) => _padded[index];
+
+    /// <summary>Asks the joints for the loads of their trees.</summary>
+    /// <returns>True if an island needs more substeps.</returns>
+    public bool Find(JointSolver joints, ConstraintGraph graph, byte* moves, int bodyEnd)
+    {
+        if (graph.RowCount == 0)
+        {
+            return false;
+        }
+
+        joints.ClearLoads();
+        foreach (GraphColor color in graph.InOrder)
+        {
+            joints.AddLoads(color.Bundles, color.BundleCount);
+        }
+
+        if (!joints.FindLoads())
+        {
+            return false;
+        }
+
+        _graph = graph;
+        FindIslands(joints, graph, moves, bodyEnd);
+        return true;
+    }
+
+    /// <summary>Sorts the bodies of the solver's list into the classes, and the trees with them.</summary>
+    public void Split(JointSolver joints, ConstraintGraph graph, BodyStore bodies, SpringStore springs, byte* moves, int* list, int count)
+    {
+        int end = bodies.Ids.End;
+        _class.EnsureCapacity(end);
+        _listed.EnsureCapacity(end);
+        for (int i = 0; i < end; i++)
+        {
+            _class[i] = 0;
+            _listed[i] = 0;
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            int root = Root(list[i]);
+            _class[root] = (byte)Math.Max(_class[root], joints.DoublingsOf(list[i]));
+        }
+
+        // Springs are fixed for the step's own substep: what they pull at keeps to it.
+        for (int i = 0; i < count; i++)
+        {
+            if (springs.Touches(list[i]))
+            {
+                _class[Root(list[i])] = 0;
+            }
+        }
+
+        for (int i = 0; i < Count; i++)
+        {
+            _lists[i].EnsureCapacity(count + WideLanes.BundleLanes);
+            _counts[i] = 0;
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            int index = moves[list[i]] != 0 ? _class[Root(list[i])] : 0;
+            joints.SetClass(list[i], index);
+            Enlist(list[i], index);
+        }
+
+        AddKinematic(joints, graph, bodies, moves);
+        for (int i = 0; i < Count; i++)
+        {
+            _padded[i] = _counts[i];
+            while (_padded[i] % WideLanes.BundleLanes != 0)
+            {
+                _lists[i][_padded[i]++] = 0;
+            }
+        }
+    }
+
+    /// <summary>Kinematic bodies were moved with class 0; for those of this class they start again, and come out at the same place.</summary>
+    public void RewindKinematic(int index, BodyStore bodies, float dt)
+    {
+        for (int i = 0; i < _counts[index]; i++)
+        {
+            int body = _lists[index][i];
+            if ((bodies.Flags[body] & BodyFlags.Kinematic) != 0)
+            {
+                bodies.State[body].DeltaPosition = System.Numerics.Vector2.Zero;
+                Foresight.Begin(bodies, _lists[index].Pointer + i, 1, dt);
+            }
+        }
+    }
+
+    /// <summary>Takes the rows of the upper classes out of the graph; impulses are those of their own substeps meanwhile.</summary>
+    public void Borrow()
+    {
+        _loanCount = 0;
+        for (int index = 1; index < Count; index++)
+        {
+            _used[index] = 0;
+            _rowCounts[index] = 0;
+        }
+
+        for (int k = 0; k < _graph.InOrder.Length; k++)
+        {
+            GraphColor source = _graph.InOrder[k];
+            for (int row = 0; row < source.RowCount; row++)
+            {
+                ContactBundle* bundle = source.BundleOf(row);
+                int lane = source.LaneOf(row);
+                int index = ClassOf(bundle->BodyA[lane], bundle->BodyB[lane]);
+                if (index > 0)
+                {
+                    Lend(k, row, bundle, lane, index);
+                }
+            }
+        }
+    }
+
+    /// <summary>Gives all rows back.</summary>
+    public void GiveBack()
+    {
+        for (int i = 0; i < _loanCount; i++)
+        {
+            ref Loan loan = ref _loans[i];
+            GraphColor home = _graph.InOrder[loan.Color];
+            GraphColor copy = _borrowed[loan.Class][loan.Copy];
+            ContactBundle* bundle = copy.BundleOf(loan.Place);
+            int lane = copy.LaneOf(loan.Place);
+            ContactRowWriter.Scale(bundle, lane, 1 << loan.Class);
+            ContactRowWriter.MoveLane(bundle, lane, home.BundleOf(loan.Row), home.LaneOf(loan.Row));
+        }
+    }
+
+    private void Lend(int color, int row, ContactBundle* bundle, int lane, int index)
+    {
+        GraphColor? target = _used[index] > 0 ? _borrowed[index][_used[index] - 1] : null;
+        if (target == null || target.Source != color)
+        {
+            target = Take(index, color);
+            _borrowed[index][_used[index]++] = target;
+        }
+
+        float share = 1f / (1 << index);
+        int place = target.AddRow();
+        ContactBundle* copy = target.BundleOf(place);
+        int to = target.LaneOf(place);
+        ContactRowWriter.MoveLane(bundle, lane, copy, to);
+        ContactRowWriter.Mute(bundle, lane);
+        ContactRowWriter.Scale(copy, to, share);
+        copy->FeedRate[to] *= share;
+        _rowCounts[index]++;
+        _loans.EnsureCapacity(_loanCount + 1);
+        _loans[_loanCount++] = new Loan { Color = color, Row = row, Class = index, Copy = _used[index] - 1, Place = place };
+    }
+
+    private void FindIslands(JointSolver joints, ConstraintGraph graph, byte* moves, int bodyEnd)
+    {
+        _parent.EnsureCapacity(bodyEnd);
+        for (int i = 0; i < bodyEnd; i++)
+        {
+            _parent[i] = i;
+        }
+
+        for (int i = 0; i < joints.Count; i++)
+        {
+            joints.GetBodies(i, out int a, out int b);
+            Unite(a, b, moves);
+        }
+
+        foreach (GraphColor color in graph.InOrder)
+        {
+            for (int row = 0; row < color.RowCount; row++)
+            {
+                ContactBundle* bundle = color.BundleOf(row);
+                int lane = color.LaneOf(row);
+                Unite(bundle->BodyA[lane], bundle->BodyB[lane], moves);
+            }
+        }
+    }
+
+    private void Unite(int a, int b, byte* moves)
+    {
+        if (moves[a] != 0 && moves[b] != 0)
+        {
+            a = Root(a);
+            b = Root(b);
+            _parent[Math.Max(a, b)] = Math.Min(a, b);
+        }
+    }
+
+    private int Root(int body)
+    {
+        int* parent = _parent.Pointer;
+        while (parent[body] != body)
+        {
+            parent[body] = parent[parent[body]];
+            body = parent[body];
+        }
+
+        return body;
+    }
+
+    // A body that cannot move is its own island of class 0.
+    private int ClassOf(int a, int b) => Math.Max(_class[Root(a)], _class[Root(b)]);
+
+    private void AddKinematic(JointSolver joints, ConstraintGraph graph, BodyStore bodies, byte* moves)
+    {
+        for (int i = 0; i < joints.Count; i++)
+        {
+            joints.GetBodies(i, out int a, out int b);
+            AddKinematic(a, b, bodies, moves);
+        }
+
+        foreach (GraphColor color in graph.InOrder)
+        {
+            for (int row = 0; row < color.RowCount; row++)
+            {
+                ContactBundle* bundle = color.BundleOf(row);
+                int lane = color.LaneOf(row);
+                AddKinematic(bundle->BodyA[lane], bundle->BodyB[lane], bodies, moves);
+            }
+        }
+    }
+
+    private void AddKinematic(int a, int b, BodyStore bodies, byte* moves)
+    {
+        int index = ClassOf(a, b);
+        int still = moves[a] == 0 ? a : moves[b] == 0 ? b : -1;
+        if (index > 0 && still >= 0 && (bodies.Flags[still] & BodyFlags.Kinematic) != 0 && (_listed[still] & (1 << index)) == 0)
+        {
+            _listed[still] |= (byte)(1 << index);
+            Enlist(still, index);
+        }
+    }
+
+    private void Enlist(int body, int index)
+    {
+        _lists[index].EnsureCapacity(_counts[index] + 1 + WideLanes.BundleLanes);
+        _lists[index][_counts[index]++] = body;
+    }
+
+    /// <summary>The class's own copy of a colour, empty.</summary>
+    private GraphColor Take(int index, int color)
+    {
+        GraphColor copy = _pool[index][color] ??= new GraphColor(_graph.InOrder[color].IsSequential, color);
+        copy.Clear();
+        return copy;
+    }
+
+    private struct Loan
+    {
+        public int Color;
+        public int Row;
+        public int Class;
+        public int Copy;
+        public int Place;
+    }
+}
