@@ -147,7 +147,7 @@ public sealed class RenderTests : IDisposable
 
     private PngPicture Rendered(SvgDebugDraw svg, int width, int height)
     {
-        string path = Path.Combine(_folder, "picture.svg");
+        string path = System.IO.Path.Combine(_folder, "picture.svg");
         svg.Save(path);
         return Browser.Render(path, width, height);
     }
