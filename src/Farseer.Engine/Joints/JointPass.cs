@@ -44,7 +44,7 @@ internal sealed unsafe class JointPass
 
         for (int k = 0; k < r->Count; k++)
         {
-            joint->Response[k] = Coupling(joint, r, k, k);
+            joint->Response[k] = RowEnds.Response(nodes, &joint->Ends, r->A + (k * 3), r->B + (k * 3));
             SetSpring(joint, r, k, h);
         }
 

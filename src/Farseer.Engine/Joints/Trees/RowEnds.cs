@@ -1,3 +1,4 @@
+using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
@@ -11,6 +12,12 @@ namespace Farseer.Engine.Joints.Trees;
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct RowEnds
 {
+    /// <summary>
+    /// ρ: below this share of its bodies' own response a row has none. The trees are exact to 1e-9 of it; a light link that holds
+    /// what is a hundred thousand times as heavy still answers by 1e-5.
+    /// </summary>
+    public const double Dead = 1e-6;
+
     public int BodyA;
     public int BodyB;
 
@@ -93,6 +100,21 @@ internal unsafe struct RowEnds
         return sum;
     }
 
+    /// <summary>
+    /// The response of a row to itself, as something to divide by. With R what its bodies alone would answer, it is K + ρ²R²/K: K
+    /// wherever there is a response, and large where a tree leaves none. Surfaces that touch within a rigid group of joints press on
+    /// each other with nothing to gain; divided by a rounding of K they would explode.
+    /// </summary>
+    public static double Response(TreeNode* nodes, RowEnds* ends, double* a, double* b)
+    {
+        double own = Own(nodes, ends, a, b);
+        double k = Math.Max(Response(nodes, ends, a, b, a, b), Dead * Dead * own);
+        return k > 0 ? k + (Dead * own * (Dead * own / k)) : 0;
+    }
+
+    /// <summary>What the bodies would answer to a row without their trees.</summary>
+    public static double Own(TreeNode* nodes, RowEnds* ends, double* a, double* b) => Own(nodes, ends->NodeA, a) + Own(nodes, ends->NodeB, b);
+
     /// <summary>J·v at a body.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Speed(TreeNode* nodes, BodyState* states, int node, int body, double* j)
@@ -105,6 +127,10 @@ internal unsafe struct RowEnds
         BodyState* s = states + body;
         return (j[0] * s->LinearVelocity.X) + (j[1] * s->LinearVelocity.Y) + (j[2] * s->AngularVelocity);
     }
+
+    private static double Own(TreeNode* nodes, int node, double* j) => node < 0
+        ? 0
+        : (((j[0] * j[0]) + (j[1] * j[1])) * nodes[node].InverseMass) + (j[2] * j[2] * nodes[node].InverseInertia);
 
     private static void Push(TreeNode* nodes, int node, double* impulse)
     {
