@@ -314,7 +314,10 @@ internal sealed class FastBodySweep
         }
     }
 
-    /// <summary>What the solver had in hand, or what touched from the start, may sink in on: only the core must not pass.</summary>
+    /// <summary>
+    /// What the solver had in hand, or what touched from the start, may sink in on: only the core must not pass. So may a body that
+    /// has joints, which stopping it alone would tear open.
+    /// </summary>
     private static void NoteTouching(in SweepInput input, int body, in BodyPath path, ref SweepCandidate candidate)
     {
         ref ContactRecord record = ref input.Contacts.Records[candidate.Contact];
@@ -328,7 +331,7 @@ internal sealed class FastBodySweep
         query.Until = 0;
         TimeOfImpact.Find(
             input.Shapes, record.PieceA, isA ? path : other, record.PieceB, isA ? other : path, query, out _, out double separation);
-        if (record.Color >= 0 || separation <= PairStage.SkinShare * extent)
+        if (record.Color >= 0 || input.Joints.Degree(body) > 0 || separation <= PairStage.SkinShare * extent)
         {
             candidate.Mode = SweepMode.Met;
             candidate.Target = Math.Min(separation, 0) - (CoreShare * extent);

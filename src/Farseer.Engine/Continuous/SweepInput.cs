@@ -1,6 +1,7 @@
 using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Joints;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
@@ -23,6 +24,7 @@ internal ref struct SweepInput
     public BodyStore Bodies;
     public ShapeStore Shapes;
     public ContactStore Contacts;
+    public JointStore Joints;
     public WorldSettings Settings;
     public IImpactListener Listener;
     public float Dt;

@@ -135,9 +135,9 @@ internal sealed unsafe partial class JointSolver
         {
             int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
+            double middle = _step.Bodies.Pose[node->Body].Angle + _step.Bodies.Drive[node->Body].Lead;
+            StableMath.SinCos(middle, out node->MiddleSin, out node->MiddleCos);
             LoadMove(node);
-            node->TurnSin = _step.Bodies.State[node->Body].DeltaSin;
-            node->TurnCos = _step.Bodies.State[node->Body].DeltaCos;
         }
     }
 
@@ -147,6 +147,7 @@ internal sealed unsafe partial class JointSolver
         node->Move[0] = state->DeltaPosition.X;
         node->Move[1] = state->DeltaPosition.Y;
         node->Move[2] = _step.Bodies.Motion[node->Body].Turned;
+        StableMath.SinCos(node->Move[2], out node->TurnSin, out node->TurnCos);
     }
 
     private void SetMove(TreeNode* node, double x, double y, double turned)
@@ -187,12 +188,9 @@ internal sealed unsafe partial class JointSolver
             ref BodyPose pose = ref _step.Bodies.Pose[node->Body];
             node->X = pose.X + node->Move[0];
             node->Y = pose.Y + node->Move[1];
-            double angle = pose.Angle + (node->Move[2] + _step.Bodies.Drive[node->Body].Lead);
-            if (angle != node->Angle || node->Cos == 0)
-            {
-                node->Angle = angle;
-                StableMath.SinCos(angle, out node->Sin, out node->Cos);
-            }
+            node->Angle = pose.Angle + (node->Move[2] + _step.Bodies.Drive[node->Body].Lead);
+            node->Cos = (node->MiddleCos * node->TurnCos) - (node->MiddleSin * node->TurnSin);
+            node->Sin = (node->MiddleSin * node->TurnCos) + (node->MiddleCos * node->TurnSin);
         }
     }
 

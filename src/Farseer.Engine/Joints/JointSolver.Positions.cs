@@ -20,7 +20,7 @@ internal sealed unsafe partial class JointSolver
     private const int PushOutSweeps = 4;
 
     /// <summary>Errors in terms of the joint's size: none, good enough to stay with, and too large after all corrections.</summary>
-    private const double Tolerance = 1e-9;
+    private const double Tolerance = 1e-8;
     private const double Loose = 2e-6;
     private const double Failed = 1e-4;
 
@@ -79,8 +79,6 @@ internal sealed unsafe partial class JointSolver
             else
             {
                 LoadMove(node);
-                node->TurnSin = _step.Bodies.State[node->Body].DeltaSin;
-                node->TurnCos = _step.Bodies.State[node->Body].DeltaCos;
             }
 
             for (int k = 0; k < 3; k++)

@@ -24,6 +24,7 @@ internal sealed partial class World : IImpactListener
         input.Bodies = Bodies;
         input.Shapes = Shapes;
         input.Contacts = _contacts;
+        input.Joints = Joints;
         input.Settings = Settings;
         input.Listener = this;
         input.Dt = dt;

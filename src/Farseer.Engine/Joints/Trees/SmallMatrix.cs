@@ -66,6 +66,18 @@ internal static unsafe class SmallMatrix
         }
     }
 
+    /// <summary>Of n×n.</summary>
+    public static double Determinant(double* m, int n)
+    {
+        if (n == 3)
+        {
+            return (m[0] * ((m[4] * m[8]) - (m[5] * m[7]))) + (m[1] * ((m[5] * m[6]) - (m[3] * m[8])))
+                + (m[2] * ((m[3] * m[7]) - (m[4] * m[6])));
+        }
+
+        return n == 2 ? (m[0] * m[3]) - (m[1] * m[2]) : n == 1 ? m[0] : 1;
+    }
+
     /// <summary>The inverse of a symmetric positive matrix of n×n; 0 where it has none.</summary>
     public static void Invert(double* m, int n, double* r)
     {

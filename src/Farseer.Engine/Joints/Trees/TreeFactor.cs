@@ -5,7 +5,8 @@ namespace Farseer.Engine.Joints.Trees;
 /// its own), an anchor with Jacobian S and H = (S Y Sᵀ + ε)⁻¹ leaves Y - Y Sᵀ H S Y. An edge with S at the child, Sₚ at the
 /// parent and K = S Y Sᵀ + ε has E = K⁻¹ and G = Y Sᵀ E, and with H = (K + Sₚ Yₚ Sₚᵀ)⁻¹ leaves the parent
 /// Yₚ - (Sₚ Yₚ)ᵀ H Sₚ Yₚ. Inverse masses, never masses: what cannot move needs no special case.
-/// ε, 1e-9 of the bodies' own response, keeps a tree with two anchors regular: there the far end has nothing left to give.
+/// ε, 1e-9 of the bodies' own response, keeps a tree with two anchors regular: there the far end has nothing left to give. Where a
+/// block is regular by itself it is left exact: a slide under load would creep by ε of the load in each substep.
 /// </summary>
 internal static unsafe class TreeFactor
 {
@@ -13,6 +14,9 @@ internal static unsafe class TreeFactor
     public const int MostRows = 3;
 
     private const double Regular = 1e-9;
+
+    /// <summary>Share of the determinant by the bodies' own masses below which a block counts as singular.</summary>
+    private const double Singular = 1e-6;
 
     /// <summary>Factors a tree at the poses of <paramref name="rows"/>.</summary>
     public static void Run(JointForest forest, JointTree* tree, ActiveJoint* active, JointRows* rows)
@@ -107,14 +111,35 @@ internal static unsafe class TreeFactor
         to[2] = from[2];
     }
 
-    private static void AddRegular(double* k, int n, double* s, TreeNode* node)
+    /// <summary>Makes k invertible where it is not, and leaves it exact where it is.</summary>
+    private static void MakeRegular(double* k, int n, double* own)
+    {
+        double scale = 1;
+        for (int i = 0; i < n; i++)
+        {
+            scale *= own[i];
+        }
+
+        if (SmallMatrix.Determinant(k, n) > Singular * scale)
+        {
+            return;
+        }
+
+        for (int i = 0; i < n; i++)
+        {
+            k[(i * n) + i] += Regular * own[i];
+        }
+    }
+
+    /// <summary>r += the responses of a body to the rows by its own mass.</summary>
+    private static void AddOwn(double* s, int n, TreeNode* node, double* r)
     {
         for (int i = 0; i < n; i++)
         {
             double x = s[i * 3];
             double y = s[(i * 3) + 1];
             double w = s[(i * 3) + 2];
-            k[(i * n) + i] += Regular * ((((x * x) + (y * y)) * node->InverseMass) + (w * w * node->InverseInertia));
+            r[i] += (((x * x) + (y * y)) * node->InverseMass) + (w * w * node->InverseInertia);
         }
     }
 
@@ -126,7 +151,9 @@ internal static unsafe class TreeFactor
         int n = anchor->Rows;
         SmallMatrix.Multiply(anchor->S, n, node->SubtreeMass, sy);
         SmallMatrix.MultiplyTransposed(sy, anchor->S, n, k);
-        AddRegular(k, n, anchor->S, node);
+        double* own = stackalloc double[3] { 0, 0, 0 };
+        AddOwn(anchor->S, n, node, own);
+        MakeRegular(k, n, own);
         SmallMatrix.Invert(k, n, h);
         SmallMatrix.MultiplySquare(h, n, sy, anchor->Gain);
         SmallMatrix.SubtractOuter(node->SubtreeMass, sy, anchor->Gain, n);
@@ -141,7 +168,9 @@ internal static unsafe class TreeFactor
         int n = node->Rows;
         SmallMatrix.Multiply(node->ChildS, n, node->SubtreeMass, sy);
         SmallMatrix.MultiplyTransposed(sy, node->ChildS, n, k);
-        AddRegular(k, n, node->ChildS, node);
+        double* own = stackalloc double[3] { 0, 0, 0 };
+        AddOwn(node->ChildS, n, node, own);
+        MakeRegular(k, n, own);
         SmallMatrix.Invert(k, n, node->E);
         SmallMatrix.MultiplySquare(node->E, n, sy, node->G);
         SmallMatrix.Multiply(node->ParentS, n, parent->SubtreeMass, spy);
@@ -151,7 +180,8 @@ internal static unsafe class TreeFactor
             k[i] += h[i];
         }
 
-        AddRegular(k, n, node->ParentS, parent);
+        AddOwn(node->ParentS, n, parent, own);
+        MakeRegular(k, n, own);
         SmallMatrix.Invert(k, n, h);
         SmallMatrix.MultiplySquare(h, n, spy, node->W);
         SmallMatrix.SubtractOuter(parent->SubtreeMass, spy, node->W, n);

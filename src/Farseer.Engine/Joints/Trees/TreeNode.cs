@@ -41,7 +41,11 @@ internal unsafe struct TreeNode
     public double Cos;
     public double Sin;
 
-    /// <summary>Sine and cosine of the turn since the middle of the step, by which the contacts' arms turn.</summary>
+    /// <summary>Of the angle in the middle of the step as foreseen, from which turns count.</summary>
+    public double MiddleCos;
+    public double MiddleSin;
+
+    /// <summary>Sine and cosine of the turn since then, by which the contacts' arms turn.</summary>
     public double TurnSin;
     public double TurnCos;
     public double InverseMass;

@@ -1,3 +1,5 @@
+using System;
+
 namespace Farseer.Engine.Joints.Trees;
 
 /// <summary>
@@ -6,6 +8,9 @@ namespace Farseer.Engine.Joints.Trees;
 /// </summary>
 internal static unsafe class TreeSolve
 {
+    /// <summary>A few units in the last place.</summary>
+    private const double Rounding = 1e-15;
+
     public static void Run(JointForest forest, JointTree* tree)
     {
         TreeNode* nodes = forest.Nodes;
@@ -49,7 +54,20 @@ internal static unsafe class TreeSolve
             anchor->Residual[i] = anchor->Target[i] - SmallMatrix.Dot(anchor->S + (i * 3), v);
         }
 
-        Spread(anchor->Gain, anchor->Residual, anchor->Rows, v);
+        // What the terms leave of each other by rounding is nothing: a body that an anchor holds stands still.
+        for (int k = 0; k < 3; k++)
+        {
+            double sum = v[k];
+            double terms = Math.Abs(sum);
+            for (int i = 0; i < anchor->Rows; i++)
+            {
+                double term = anchor->Gain[(i * 3) + k] * anchor->Residual[i];
+                sum += term;
+                terms += Math.Abs(term);
+            }
+
+            v[k] = Math.Abs(sum) <= Rounding * terms ? 0 : sum;
+        }
     }
 
     /// <summary>r = m·v of n×n.</summary>
