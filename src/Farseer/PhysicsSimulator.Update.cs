@@ -86,6 +86,7 @@ public partial class PhysicsSimulator
 
                 StepCount++;
                 World.Step(step);
+                FillReport();
                 if (World.QuarantinedCount > 0)
                 {
                     TellQuarantined();

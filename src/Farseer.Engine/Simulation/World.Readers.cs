@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Farseer.Engine.Accuracy;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.NarrowPhase;
@@ -130,22 +131,9 @@ internal sealed partial class World
         return hash;
     }
 
-    private unsafe Manifold CollideNow(in ContactRecord record)
+    private Manifold CollideNow(in ContactRecord record)
     {
-        ref BodyPose a = ref Bodies.Pose[record.BodyA];
-        ref BodyPose b = ref Bodies.Pose[record.BodyB];
-        PairInput pair;
-        pair.Vertices = Shapes.Vertices.Pointer;
-        pair.Normals = Shapes.Normals.Pointer;
-        pair.OutlineBefore = Shapes.OutlineBefore.Pointer;
-        pair.OutlineAfter = Shapes.OutlineAfter.Pointer;
-        pair.PieceA = Shapes.Pieces.Pointer + record.PieceA;
-        pair.PieceB = Shapes.Pieces.Pointer + record.PieceB;
-        pair.RotationA = new Rotation(a.Cos, a.Sin);
-        pair.RotationB = new Rotation(b.Cos, b.Sin);
-        pair.Offset = new Vector2((float)(b.X - a.X), (float)(b.Y - a.Y));
-        pair.Margin = 0.02f * Math.Min(pair.PieceA->Extent, pair.PieceB->Extent);
-        Collision.Collide(pair, out Manifold manifold);
+        ContactProbe.Collide(Bodies, Shapes, record, out Manifold manifold);
         return manifold;
     }
 
@@ -164,13 +152,13 @@ internal sealed partial class World
             ref ContactPoint point = ref _visitPoints[k];
             if (point.FeatureId == bundle->Point0.Id[lane])
             {
-                point.NormalImpulse = bundle->Point0.Normal[lane] * Settings.Substeps;
-                point.TangentImpulse = bundle->Point0.Tangent[lane] * Settings.Substeps;
+                point.NormalImpulse = bundle->Point0.Normal[lane] * _substeps;
+                point.TangentImpulse = bundle->Point0.Tangent[lane] * _substeps;
             }
             else if (point.FeatureId == bundle->Point1.Id[lane])
             {
-                point.NormalImpulse = bundle->Point1.Normal[lane] * Settings.Substeps;
-                point.TangentImpulse = bundle->Point1.Tangent[lane] * Settings.Substeps;
+                point.NormalImpulse = bundle->Point1.Normal[lane] * _substeps;
+                point.TangentImpulse = bundle->Point1.Tangent[lane] * _substeps;
             }
         }
     }

@@ -16,6 +16,7 @@ internal sealed partial class World
     {
         Profile.Begin();
         PurgeNow();
+        BeginAccuracy();
         CollectBodies();
         _lists.Foresee(Bodies, dt);
         Profile.End(StepStage.DeferredChanges);
@@ -24,8 +25,6 @@ internal sealed partial class World
         FindPairs();
         Profile.End(StepStage.BroadPhase);
 
-        // Once for the whole step: a handler may turn the dial, and the substeps must add up to the step.
-        _substeps = Settings.Substeps;
         float substep = dt / _substeps;
         ContactUpdateInput contacts = ContactInput(dt, substep);
         _contactStage.Update(contacts, _graph, Joints, UserJoints != null && UserJoints.Any);
@@ -48,6 +47,7 @@ internal sealed partial class World
 
         FinishBodiesOfStep();
         _lastSubstep = substep;
+        EndAccuracy();
         Profile.End(StepStage.Finish);
 
         if (Settings.Continuous && _lists.Fast.Count > 0)
@@ -114,6 +114,7 @@ internal sealed partial class World
     private unsafe void Solve(float dt, bool anyDeep, in ContactCoefficients coefficients)
     {
         float substep = coefficients.Substep;
+        Audit?.BeginMotion(Settings.Gravity);
         bool anyJoints = BeginJoints(dt, substep);
         bool anyUserJoints = UserJoints != null && UserJoints.Any;
         _springs.Prepare(Bodies, _lists.Moves, _graph.Degrees, anyJoints ? _jointSolver : null, anyUserJoints, substep);
@@ -152,8 +153,10 @@ internal sealed partial class World
 
         joints?.Select(0, substep, 1);
         Queries.PosesChange = anyUserJoints;
+        input.Audit = Audit;
         if (input.PaddedCount > 0)
         {
+            AuditSolve(input);
             _solver.Solve(input);
         }
 
@@ -198,6 +201,7 @@ internal sealed partial class World
             input.Coefficients = new ContactCoefficients(substep, input.Coefficients.Gravity, input.Coefficients.Rest);
             input.Springs = null;
             joints.Select(index, substep, fineness);
+            AuditSolve(input);
             _solver.Solve(input);
         }
 

@@ -37,6 +37,9 @@ internal unsafe ref struct SolverInput
     /// <summary>The joints, if there are any.</summary>
     public JointSolver? Joints;
     public IUserJoints? UserJoints;
+
+    /// <summary>Keeps accounts of the substeps, if somebody wants them.</summary>
+    public ISolverAudit? Audit;
 }
 
 /// <summary>
@@ -88,19 +91,27 @@ internal sealed unsafe class SubstepSolver
                 input.Joints?.PrepareBounce();
             }
 
+            input.Audit?.BeginSubstep();
             Integrator.IntegrateVelocities(input.List, input.PaddedCount, states, motions, drives);
+            input.Audit?.Book(SolverPart.Drive);
             input.Springs?.Apply(input.Bodies, input.Substep);
+            input.Audit?.Book(SolverPart.Springs);
             input.Joints?.Enter();
+            input.Audit?.Book(SolverPart.Joints);
             WarmStart(input.Colors, states, coefficients);
+            input.Audit?.Book(SolverPart.Contacts);
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
                 SolveBiased(input.Colors, states, coefficients, input.AnyDeep);
+                input.Audit?.Book(SolverPart.Contacts);
                 input.Joints?.Solve(sweep > 0);
+                input.Audit?.Book(SolverPart.Joints);
             }
 
             if (input.UserJoints != null)
             {
                 _userJoints.Run(input.UserJoints, input.Bodies, input.List, input.PaddedCount, input.Substeps, coefficients.InverseSubstep);
+                input.Audit?.Book(SolverPart.UserJoints);
             }
 
             if (input.AnyDeep)
@@ -113,20 +124,27 @@ internal sealed unsafe class SubstepSolver
             }
 
             input.Joints?.CorrectPositions(recovery);
+            input.Audit?.Book(SolverPart.Joints);
 
             // Friction waits for the second half: it would answer turns that the normals make only until they have settled.
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
                 bool rub = sweep * 2 >= sweeps - 1;
                 Relax(input.Colors, states, coefficients, rub);
+                input.Audit?.Book(SolverPart.Contacts);
                 input.Joints?.Relax(sweep > 0, rub);
+                input.Audit?.Book(SolverPart.Joints);
             }
 
             if (input.AnyBounce)
             {
                 Bounce(input.Colors, states, input.Joints);
+                input.Audit?.Book(SolverPart.Impacts);
                 input.Joints?.Settle();
+                input.Audit?.Book(SolverPart.Joints);
             }
+
+            input.Audit?.EndSubstep();
         }
 
         input.Joints?.Finish();

@@ -1,0 +1,210 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Joints;
+using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
+
+namespace Farseer.Engine.Accuracy;
+
+/// <summary>
+/// Measures what a step left: depths of contacts, distances of joints, speeds that ought to be none. It looks at the poses that
+/// the step ended with, as anybody outside does, and not at what the solver believes.
+/// </summary>
+internal sealed unsafe class ErrorMeter
+{
+    private readonly JointKinds _kinds = new JointKinds();
+    private readonly BodyStore _bodies;
+    private readonly ShapeStore _shapes;
+    private readonly ContactStore _contacts;
+    private readonly JointStore _joints;
+
+    public ErrorMeter(BodyStore bodies, ShapeStore shapes, ContactStore contacts, JointStore joints)
+    {
+        _bodies = bodies;
+        _shapes = shapes;
+        _contacts = contacts;
+        _joints = joints;
+    }
+
+    public BodyGroups Groups { get; } = new BodyGroups();
+
+    /// <param name="m">Receives all figures but those of the energy and momentum.</param>
+    /// <param name="allowed">Depth at which contacts are meant to rest.</param>
+    public void Measure(ref StepMeasures m, double allowed)
+    {
+        m.WorstBody = -1;
+        m.WorstPartner = -1;
+        m.WorstIsland = 0;
+        Groups.Begin(_bodies.Ids.End);
+        MeasureContacts(ref m, allowed);
+        MeasureJoints(ref m);
+        if (m.WorstBody >= 0)
+        {
+            m.WorstIsland = Groups.Size(Moves(m.WorstBody) ? m.WorstBody : m.WorstPartner);
+        }
+    }
+
+    private bool Moves(int body)
+    {
+        const BodyFlags Here = BodyFlags.Alive | BodyFlags.Enabled;
+        return (_bodies.Flags[body] & Here) == Here && _bodies.Mass[body].InverseMass > 0;
+    }
+
+    private void Connect(int a, int b)
+    {
+        bool movesA = Moves(a);
+        bool movesB = Moves(b);
+        if (movesA && movesB)
+        {
+            Groups.Join(a, b);
+        }
+        else if (movesA || movesB)
+        {
+            Groups.Hold(movesA ? a : b);
+        }
+    }
+
+    private void MeasureContacts(ref StepMeasures m, double allowed)
+    {
+        const ContactFlags Counted = ContactFlags.Solid | ContactFlags.Touching;
+        double squares = 0;
+        for (int i = 0; i < _contacts.End; i++)
+        {
+            ref ContactRecord record = ref _contacts.Records[i];
+            if (record.PieceA < 0 || (record.Flags & Counted) != Counted)
+            {
+                continue;
+            }
+
+            Connect(record.BodyA, record.BodyB);
+            ContactProbe.Collide(_bodies, _shapes, record, out Manifold manifold);
+            m.Contacts++;
+            double depth = 0;
+            for (int k = 0; k < manifold.Count; k++)
+            {
+                ManifoldPoint point = k == 0 ? manifold.Point0 : manifold.Point1;
+                if (point.Separation <= 0)
+                {
+                    depth = Math.Max(depth, -(double)point.Separation);
+                    m.ContactSpeed = Math.Max(m.ContactSpeed, -NormalSpeed(record, manifold.Normal, point.Anchor));
+                }
+            }
+
+            squares += depth * depth;
+            m.LargestPenetration = Math.Max(m.LargestPenetration, depth);
+            double size = Math.Min(_shapes.Pieces[record.PieceA].Extent, _shapes.Pieces[record.PieceB].Extent);
+            Judge(ref m, Math.Max(0, depth - allowed), size, record.BodyA, record.BodyB);
+        }
+
+        m.RmsPenetration = m.Contacts > 0 ? Math.Sqrt(squares / m.Contacts) : 0;
+    }
+
+    private double NormalSpeed(in ContactRecord record, Vector2 n, Vector2 anchor)
+    {
+        ref BodyState a = ref _bodies.State[record.BodyA];
+        ref BodyState b = ref _bodies.State[record.BodyB];
+        double bx = anchor.X - (_bodies.Pose[record.BodyB].X - _bodies.Pose[record.BodyA].X);
+        double by = anchor.Y - (_bodies.Pose[record.BodyB].Y - _bodies.Pose[record.BodyA].Y);
+        double vx = b.LinearVelocity.X - (b.AngularVelocity * by) - (a.LinearVelocity.X - (a.AngularVelocity * anchor.Y));
+        double vy = b.LinearVelocity.Y + (b.AngularVelocity * bx) - (a.LinearVelocity.Y + (a.AngularVelocity * anchor.X));
+        return (n.X * vx) + (n.Y * vy);
+    }
+
+    private void MeasureJoints(ref StepMeasures m)
+    {
+        const JointFlags Acts = JointFlags.Alive | JointFlags.Enabled;
+        double squares = 0;
+        JointRows rows = default;
+        for (int i = 0; i < _joints.Ids.End; i++)
+        {
+            ref JointLink link = ref _joints.Links[i];
+            if ((_joints.Flags[i] & Acts) != Acts || !(Moves(link.BodyA) || Moves(link.BodyB)))
+            {
+                continue;
+            }
+
+            Connect(link.BodyA, link.BodyB);
+            Write(i, ref rows);
+            m.Joints++;
+            double sum = 0;
+            double speeds = 0;
+            for (int k = 0; k < rows.Count; k++)
+            {
+                bool rigid = rows.Type[k] == (byte)RowType.Hard;
+                double error = rigid ? Math.Abs(rows.Error[k])
+                    : rows.Type[k] == (byte)RowType.Limit ? Math.Max(0, -rows.Error[k] - rows.Share[k]) : 0;
+                if (IsTurn(rows, k))
+                {
+                    m.LargestTurn = Math.Max(m.LargestTurn, error);
+                    continue;
+                }
+
+                sum += error * error;
+                double speed = rigid ? Speed(rows, k, link) : 0;
+                speeds += speed * speed;
+            }
+
+            double separation = Math.Sqrt(sum);
+            squares += sum;
+            m.LargestSeparation = Math.Max(m.LargestSeparation, separation);
+            m.JointSpeed = Math.Max(m.JointSpeed, Math.Sqrt(speeds));
+            Judge(ref m, separation, rows.Size, link.BodyA, link.BodyB);
+        }
+
+        m.RmsSeparation = m.Joints > 0 ? Math.Sqrt(squares / m.Joints) : 0;
+    }
+
+    private static void Judge(ref StepMeasures m, double error, double size, int bodyA, int bodyB)
+    {
+        if (error > m.Error)
+        {
+            m.Error = error;
+            m.WorstBody = bodyA;
+            m.WorstPartner = bodyB;
+        }
+
+        if (size > 0)
+        {
+            m.ErrorShare = Math.Max(m.ErrorShare, error / size);
+        }
+    }
+
+    private static bool IsTurn(in JointRows rows, int k) =>
+        rows.A[k * 3] == 0 && rows.A[(k * 3) + 1] == 0 && rows.B[k * 3] == 0 && rows.B[(k * 3) + 1] == 0;
+
+    private double Speed(in JointRows rows, int k, in JointLink link)
+    {
+        ref BodyState a = ref _bodies.State[link.BodyA];
+        ref BodyState b = ref _bodies.State[link.BodyB];
+        return (rows.A[k * 3] * a.LinearVelocity.X) + (rows.A[(k * 3) + 1] * a.LinearVelocity.Y) + (rows.A[(k * 3) + 2] * a.AngularVelocity)
+            + (rows.B[k * 3] * b.LinearVelocity.X) + (rows.B[(k * 3) + 1] * b.LinearVelocity.Y) + (rows.B[(k * 3) + 2] * b.AngularVelocity);
+    }
+
+    /// <summary>The rows of a joint at the poses of now.</summary>
+    private void Write(int joint, ref JointRows rows)
+    {
+        ref JointLink link = ref _joints.Links[joint];
+        ref JointSettings settings = ref _joints.Settings[joint];
+        ref BodyPose a = ref _bodies.Pose[link.BodyA];
+        ref BodyPose b = ref _bodies.Pose[link.BodyB];
+        JointFrame frame = default;
+        frame.AX = a.X;
+        frame.AY = a.Y;
+        frame.AAngle = a.Angle;
+        StableMath.SinCos(a.Angle, out frame.ASin, out frame.ACos);
+        frame.BX = b.X;
+        frame.BY = b.Y;
+        frame.BAngle = b.Angle;
+        StableMath.SinCos(b.Angle, out frame.BSin, out frame.BCos);
+        frame.Dt = 1;
+        frame.H = 1;
+        frame.SetAnchors(settings);
+        rows.Count = 0;
+        rows.Hard = 0;
+        rows.Size = Math.Sqrt((frame.RAX * frame.RAX) + (frame.RAY * frame.RAY)) + Math.Sqrt((frame.RBX * frame.RBX) + (frame.RBY * frame.RBY));
+        _kinds.Of(link.Kind).Write(frame, settings, _joints.Flags[joint], ref rows);
+    }
+}

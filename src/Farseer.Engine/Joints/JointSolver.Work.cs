@@ -1,0 +1,43 @@
+using Farseer.Engine.Bodies;
+
+namespace Farseer.Engine.Joints;
+
+/// <content>What motors and springs did in a substep, for those who keep accounts.</content>
+internal sealed unsafe partial class JointSolver
+{
+    /// <summary>Work of the motors and springs of the joints in the substep that has just ended: impulse times mean speed of each row.</summary>
+    /// <param name="before">Velocities at the substep's start, three numbers a body of the solver.</param>
+    public double MotorWork(double* before)
+    {
+        double work = 0;
+        for (int i = 0; i < _count; i++)
+        {
+            ActiveJoint* joint = _active.Pointer + i;
+            JointRows* rows = _rows.Pointer + i;
+            for (int k = rows->Hard; k < rows->Count; k++)
+            {
+                RowType type = (RowType)rows->Type[k];
+                if (type == RowType.Motor || type == RowType.Spring)
+                {
+                    double speed = MeanSpeed(joint->BodyA, rows->A + (k * 3), before) + MeanSpeed(joint->BodyB, rows->B + (k * 3), before);
+                    work += joint->Lambda[k] * speed;
+                }
+            }
+        }
+
+        return work;
+    }
+
+    /// <summary>A body that cannot be moved keeps its velocity through the substep; no energy of it is counted.</summary>
+    private double MeanSpeed(int body, double* j, double* before)
+    {
+        if (_step.Moves[body] == 0)
+        {
+            return 0;
+        }
+
+        ref BodyState s = ref _step.Bodies.State[body];
+        double* v = before + (body * 3);
+        return 0.5 * ((j[0] * (v[0] + s.LinearVelocity.X)) + (j[1] * (v[1] + s.LinearVelocity.Y)) + (j[2] * (v[2] + s.AngularVelocity)));
+    }
+}

@@ -1,0 +1,84 @@
+using System;
+
+namespace FarseerGames.FarseerPhysics;
+
+/// <summary>
+/// How large the error of an update may be, and how much work may be spent on it; see <see cref="PhysicsSimulator.ErrorBudget"/>. The
+/// default value has no bound on the error. (An addition to the original.)
+/// </summary>
+/// <remarks>
+/// The bound on the work is a number of iterations, not a time: with a clock two runs of one scene would differ. An iteration of a
+/// scene takes about the same time always, so that a time divided by that of one iteration is the number to give.
+/// </remarks>
+public readonly struct ErrorBudget : IEquatable<ErrorBudget>
+{
+    /// <summary>Most iterations unless told otherwise.</summary>
+    public const int DefaultMostIterations = 64;
+
+    private readonly int _mostIterations;
+
+    private ErrorBudget(float length, float share, int mostIterations)
+    {
+        Length = length;
+        Share = share;
+        _mostIterations = mostIterations;
+    }
+
+    /// <summary>No bound on the error.</summary>
+    public static ErrorBudget None => default;
+
+    /// <summary>Largest error, a length of the scene; 0: no such bound.</summary>
+    public float Length { get; }
+
+    /// <summary>Largest error as a share of the smaller of two bodies in contact, or of a joint's arms; 0: no such bound.</summary>
+    public float Share { get; }
+
+    /// <summary>Most iterations of an update, at least 1; <see cref="PhysicsSimulator.Iterations"/> are done in any case. Default 64.</summary>
+    public int MostIterations => _mostIterations == 0 ? DefaultMostIterations : _mostIterations;
+
+    /// <summary>True if there is a bound on the error.</summary>
+    public bool IsBounded => Length > 0 || Share > 0;
+
+    /// <summary>A bound as a length.</summary>
+    /// <param name="length">Largest error, a length of the scene; finite and above 0.</param>
+    /// <param name="mostIterations">Most iterations of an update; at least 1.</param>
+    /// <returns>The budget.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">An argument is out of its range.</exception>
+    public static ErrorBudget OfLength(float length, int mostIterations = DefaultMostIterations) =>
+        new ErrorBudget(Require.Positive(length, nameof(length)), 0, Require.AtLeast(mostIterations, 1, nameof(mostIterations)));
+
+    /// <summary>A bound relative to the bodies: the same for pixels, metres and kilometres.</summary>
+    /// <param name="share">Largest error as a share of the smaller body, for example 0.001; finite and above 0.</param>
+    /// <param name="mostIterations">Most iterations of an update; at least 1.</param>
+    /// <returns>The budget.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">An argument is out of its range.</exception>
+    public static ErrorBudget OfShare(float share, int mostIterations = DefaultMostIterations) =>
+        new ErrorBudget(0, Require.Positive(share, nameof(share)), Require.AtLeast(mostIterations, 1, nameof(mostIterations)));
+
+    /// <summary>True if both are the same.</summary>
+    /// <param name="left">One.</param>
+    /// <param name="right">The other.</param>
+    /// <returns>True if all parts are equal.</returns>
+    public static bool operator ==(ErrorBudget left, ErrorBudget right) => left.Equals(right);
+
+    /// <summary>True if they differ.</summary>
+    /// <param name="left">One.</param>
+    /// <param name="right">The other.</param>
+    /// <returns>True if a part differs.</returns>
+    public static bool operator !=(ErrorBudget left, ErrorBudget right) => !left.Equals(right);
+
+    /// <summary>True if both are the same.</summary>
+    /// <param name="other">The other.</param>
+    /// <returns>True if all parts are equal.</returns>
+    public bool Equals(ErrorBudget other) =>
+        Length == other.Length && Share == other.Share && MostIterations == other.MostIterations;
+
+    /// <summary>True if the other is a budget and the same.</summary>
+    /// <param name="obj">The other.</param>
+    /// <returns>True if all parts are equal.</returns>
+    public override bool Equals(object? obj) => obj is ErrorBudget other && Equals(other);
+
+    /// <summary>A hash of the parts.</summary>
+    /// <returns>The hash.</returns>
+    public override int GetHashCode() => Length.GetHashCode() ^ (Share.GetHashCode() << 3) ^ MostIterations;
+}

@@ -1,0 +1,58 @@
+using Farseer.Engine.Accuracy;
+
+namespace FarseerGames.FarseerPhysics;
+
+/// <content>What an update says of its own error, and the error that is asked for. (Additions to the original.)</content>
+public partial class PhysicsSimulator
+{
+    private ErrorBudget _errorBudget;
+
+    /// <summary>
+    /// True fills <see cref="Report"/> in each update; false, the default, costs nothing. The motion is the same, bit for bit.
+    /// </summary>
+    public bool EnableReport
+    {
+        get => World.ReportEnabled;
+        set => World.ReportEnabled = value;
+    }
+
+    /// <summary>
+    /// How exact the last update was. Filled while <see cref="EnableReport"/> is true; with an <see cref="ErrorBudget"/> alone, all but the
+    /// energies and momenta, which are then 0.
+    /// </summary>
+    public StepReport Report { get; private set; }
+
+    /// <summary>
+    /// The error that updates may have. The simulator then takes the iterations that keep <see cref="StepReport.Error"/> below it, at least
+    /// <see cref="Iterations"/> and at most those of the budget, and says in <see cref="StepReport.IsWithinBudget"/> whether it could. It
+    /// goes by the errors of the updates before, so the first updates of a new load may miss. No clock has a say: the same scene gives
+    /// the same bits. Default <see cref="FarseerPhysics.ErrorBudget.None"/>.
+    /// </summary>
+    public ErrorBudget ErrorBudget
+    {
+        get => _errorBudget;
+        set
+        {
+            _errorBudget = value;
+            World.Budget.Length = value.Length;
+            World.Budget.Share = value.Share;
+            World.Budget.MostSubsteps = value.MostIterations;
+            World.Budget.Reset();
+        }
+    }
+
+    private void FillReport()
+    {
+        if (!World.ReportEnabled && !World.Budget.IsOn)
+        {
+            return;
+        }
+
+        ref readonly StepMeasures measures = ref World.Measures;
+        Report = new StepReport(
+            measures,
+            measures.WorstBody >= 0 ? _table.Body(measures.WorstBody) : null,
+            measures.WorstPartner >= 0 ? _table.Body(measures.WorstPartner) : null,
+            World.Budget.Load(measures));
+    }
+}

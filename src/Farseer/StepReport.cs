@@ -1,0 +1,145 @@
+using Farseer.Engine.Accuracy;
+using FarseerGames.FarseerPhysics.Dynamics;
+
+namespace FarseerGames.FarseerPhysics;
+
+/// <summary>
+/// How exact the last update was, measured at the state that it ended with; see <see cref="PhysicsSimulator.Report"/>. Lengths,
+/// speeds, masses and energies are in the units of the scene. (An addition to the original.)
+/// </summary>
+/// <remarks>
+/// Each work is the energy that its cause gave to the bodies in the update, negative where it took some away. The works and
+/// <see cref="EnergyError"/> together are the change of the kinetic energy, to rounding.
+/// </remarks>
+public readonly struct StepReport
+{
+    private readonly StepMeasures _measures;
+
+    internal StepReport(in StepMeasures measures, Body? worstBody, Body? worstPartner, double budgetLoad)
+    {
+        _measures = measures;
+        WorstBody = worstBody;
+        WorstPartner = worstPartner;
+        BudgetLoad = budgetLoad;
+    }
+
+    /// <summary>Iterations that the update took; 0 if none has been measured yet.</summary>
+    public int Iterations => _measures.Substeps;
+
+    /// <summary>Iterations of the island that took most: heavy loads on chains are solved in finer steps than the rest.</summary>
+    public int MostIterations => _measures.MostSubsteps;
+
+    /// <summary>Pairs of convex pieces that pushed each other apart or were about to.</summary>
+    public int Contacts => _measures.Contacts;
+
+    /// <summary>Deepest overlap of two geoms that push each other apart, a length; <see cref="PhysicsSimulator.AllowedPenetration"/> is part of it.</summary>
+    public double LargestPenetration => _measures.LargestPenetration;
+
+    /// <summary>Root of the mean square of the overlaps over all <see cref="Contacts"/>, a length.</summary>
+    public double RmsPenetration => _measures.RmsPenetration;
+
+    /// <summary>Fastest approach of two surfaces that overlap, length/s: what the next update begins with.</summary>
+    public double ResidualContactSpeed => _measures.ContactSpeed;
+
+    /// <summary>Joints that act on a body that can move.</summary>
+    public int Joints => _measures.Joints;
+
+    /// <summary>Farthest that a rigid joint is apart, or a limit is overrun, a length.</summary>
+    public double LargestSeparation => _measures.LargestSeparation;
+
+    /// <summary>Root of the mean square of the separations over all <see cref="Joints"/>, a length.</summary>
+    public double RmsSeparation => _measures.RmsSeparation;
+
+    /// <summary>Farthest that a joint is turned off, or a limit is overrun, radians.</summary>
+    public double LargestTurn => _measures.LargestTurn;
+
+    /// <summary>Fastest that the parts of a rigid joint move apart, length/s.</summary>
+    public double ResidualJointSpeed => _measures.JointSpeed;
+
+    /// <summary>
+    /// The error that <see cref="PhysicsSimulator.ErrorBudget"/> bounds, a length: the larger of <see cref="LargestSeparation"/> and
+    /// what of the penetrations is beyond <see cref="PhysicsSimulator.AllowedPenetration"/>.
+    /// </summary>
+    public double Error => _measures.Error;
+
+    /// <summary>The same error as a share of the smaller of the two bodies, or of the joint's arms; the largest over all pairs.</summary>
+    public double ErrorShare => _measures.ErrorShare;
+
+    /// <summary>A body of the pair or joint with the largest error; null if there is no error or the body is the world.</summary>
+    public Body? WorstBody { get; }
+
+    /// <summary>The other body of that pair or joint.</summary>
+    public Body? WorstPartner { get; }
+
+    /// <summary>Bodies that can move of the group, connected by contacts and joints, that the largest error is in; 0 without error.</summary>
+    public int WorstIslandBodies => _measures.WorstIsland;
+
+    /// <summary>The error divided by the budget; above 1 it was not kept. 0 without a budget.</summary>
+    public double BudgetLoad { get; }
+
+    /// <summary>True unless there is an <see cref="PhysicsSimulator.ErrorBudget"/> that the update did not keep.</summary>
+    public bool IsWithinBudget => BudgetLoad <= 1;
+
+    /// <summary>Kinetic energy of all bodies after the update.</summary>
+    public double KineticEnergy => _measures.Kinetic;
+
+    /// <summary>Kinetic energy after the update less that before it.</summary>
+    public double KineticEnergyChange => _measures.KineticChange;
+
+    /// <summary>Work of gravity along the way of each body: minus the change of the potential energy.</summary>
+    public double GravityWork => _measures.GravityWork;
+
+    /// <summary>Work of forces and torques that were applied, controllers included.</summary>
+    public double ForceWork => _measures.ForceWork;
+
+    /// <summary>Energy that impulses and velocities set during the update gave, before anything moved.</summary>
+    public double ImpulseWork => _measures.ImpulseWork;
+
+    /// <summary>Work of drag; never positive but for rounding.</summary>
+    public double DragWork => _measures.DragWork;
+
+    /// <summary>Work of springs.</summary>
+    public double SpringWork => _measures.SpringWork;
+
+    /// <summary>Work of the motors and springs of joints.</summary>
+    public double MotorWork => _measures.MotorWork;
+
+    /// <summary>
+    /// Work of rigid joints, which ought to be none, of their limits, which take energy where they stop a motion, and of contacts at bodies
+    /// of jointed trees, which are solved together with the joints.
+    /// </summary>
+    public double JointWork => _measures.JointWork;
+
+    /// <summary>Work of joints of the user's own.</summary>
+    public double UserJointWork => _measures.UserJointWork;
+
+    /// <summary>Work of contacts: friction and the stop of impacts, negative; moving supports may give energy.</summary>
+    public double ContactWork => _measures.ContactWork;
+
+    /// <summary>Energy that impacts with restitution gave back after their stop, which <see cref="ContactWork"/> holds.</summary>
+    public double BounceWork => _measures.BounceWork;
+
+    /// <summary>
+    /// Change of the kinetic energy that no work explains: bodies that were moved without speed (out of deep overlaps, into joints),
+    /// and rounding.
+    /// </summary>
+    public double EnergyError => _measures.EnergyError;
+
+    /// <summary>x of the momentum of all bodies after the update.</summary>
+    public double MomentumX => _measures.MomentumX;
+
+    /// <summary>y of the momentum of all bodies after the update.</summary>
+    public double MomentumY => _measures.MomentumY;
+
+    /// <summary>x of the impulse that contacts and joints with bodies that cannot move gave in the update.</summary>
+    public double SupportImpulseX => _measures.SupportX;
+
+    /// <summary>y of the impulse that contacts and joints with bodies that cannot move gave in the update.</summary>
+    public double SupportImpulseY => _measures.SupportY;
+
+    /// <summary>
+    /// Largest sum of the impulses of contacts and joints inside a group of bodies that touches nothing fixed: 0 but for rounding, since
+    /// every impulse acts both ways.
+    /// </summary>
+    public double MomentumError => _measures.MomentumError;
+}
