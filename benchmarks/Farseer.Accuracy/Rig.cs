@@ -38,6 +38,9 @@ internal sealed partial class Rig : IDisposable
 
     public IReadOnlyList<Actor> Actors => _actors;
 
+    /// <summary>For what only the simulator itself can tell.</summary>
+    public PhysicsSimulator Simulator => _simulator;
+
     public int Steps { get; private set; }
 
     /// <summary>The step really taken: <c>Update</c> receives a float.</summary>

@@ -30,7 +30,7 @@ public readonly struct ErrorBudget : IEquatable<ErrorBudget>
     /// <summary>Largest error, a length of the scene; 0: no such bound.</summary>
     public float Length { get; }
 
-    /// <summary>Largest error as a share of the smaller of two bodies in contact, or of a joint's arms; 0: no such bound.</summary>
+    /// <summary>Largest error as a share of the shorter side of the smaller geom in contact, or of a joint's arms; 0: no such bound.</summary>
     public float Share { get; }
 
     /// <summary>Most iterations of an update, at least 1; <see cref="PhysicsSimulator.Iterations"/> are done in any case. Default 64.</summary>
@@ -48,7 +48,7 @@ public readonly struct ErrorBudget : IEquatable<ErrorBudget>
         new ErrorBudget(Require.Positive(length, nameof(length)), 0, Require.AtLeast(mostIterations, 1, nameof(mostIterations)));
 
     /// <summary>A bound relative to the bodies: the same for pixels, metres and kilometres.</summary>
-    /// <param name="share">Largest error as a share of the smaller body, for example 0.001; finite and above 0.</param>
+    /// <param name="share">Largest error as a share of the shorter side of the smaller geom, or of a joint's arms, for example 0.001; finite and above 0.</param>
     /// <param name="mostIterations">Most iterations of an update; at least 1.</param>
     /// <returns>The budget.</returns>
     /// <exception cref="ArgumentOutOfRangeException">An argument is out of its range.</exception>

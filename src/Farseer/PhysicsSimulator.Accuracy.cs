@@ -43,7 +43,7 @@ public partial class PhysicsSimulator
 
     private void FillReport()
     {
-        if (!World.ReportEnabled && !World.Budget.IsOn)
+        if (!World.HasMeasured)
         {
             return;
         }

@@ -37,7 +37,7 @@ public partial class PhysicsSimulator
             {
                 try
                 {
-                    BodyQuarantined?.Invoke(this, Report(body, record.Cause));
+                    BodyQuarantined?.Invoke(this, Tell(body, record.Cause));
                 }
                 catch (Exception exception)
                 {
@@ -47,7 +47,7 @@ public partial class PhysicsSimulator
         }
     }
 
-    private BodyQuarantinedEventArgs Report(Body body, QuarantineCause cause)
+    private BodyQuarantinedEventArgs Tell(Body body, QuarantineCause cause)
     {
         if (cause != QuarantineCause.SetFromOutside)
         {

@@ -62,7 +62,7 @@ public readonly struct StepReport
     /// </summary>
     public double Error => _measures.Error;
 
-    /// <summary>The same error as a share of the smaller of the two bodies, or of the joint's arms; the largest over all pairs.</summary>
+    /// <summary>The same error as a share of the shorter side of the smaller geom, or of the joint's arms; the largest over all pairs.</summary>
     public double ErrorShare => _measures.ErrorShare;
 
     /// <summary>A body of the pair or joint with the largest error; null if there is no error or the body is the world.</summary>

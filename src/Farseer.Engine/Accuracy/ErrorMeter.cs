@@ -16,6 +16,7 @@ namespace Farseer.Engine.Accuracy;
 internal sealed unsafe class ErrorMeter
 {
     private readonly JointKinds _kinds = new JointKinds();
+    private readonly PolygonDepth _polygons = new PolygonDepth();
     private readonly BodyStore _bodies;
     private readonly ShapeStore _shapes;
     private readonly ContactStore _contacts;
@@ -69,19 +70,16 @@ internal sealed unsafe class ErrorMeter
 
     private void MeasureContacts(ref StepMeasures m, double allowed)
     {
-        const ContactFlags Counted = ContactFlags.Solid | ContactFlags.Touching;
         double squares = 0;
         for (int i = 0; i < _contacts.End; i++)
         {
             ref ContactRecord record = ref _contacts.Records[i];
-            if (record.PieceA < 0 || (record.Flags & Counted) != Counted)
+            if (record.PieceA < 0 || (record.Flags & ContactFlags.Solid) == 0)
             {
                 continue;
             }
 
-            Connect(record.BodyA, record.BodyB);
             ContactProbe.Collide(_bodies, _shapes, record, out Manifold manifold);
-            m.Contacts++;
             double depth = 0;
             for (int k = 0; k < manifold.Count; k++)
             {
@@ -93,9 +91,24 @@ internal sealed unsafe class ErrorMeter
                 }
             }
 
+            ref Piece pieceA = ref _shapes.Pieces[record.PieceA];
+            ref Piece pieceB = ref _shapes.Pieces[record.PieceB];
+            if (PolygonDepth.Applies(pieceA, pieceB))
+            {
+                depth = _polygons.Measure(_shapes, _bodies, pieceA, pieceB);
+            }
+
+            // A pair may overlap that the step did not see coming.
+            if (depth == 0 && (record.Flags & ContactFlags.Touching) == 0)
+            {
+                continue;
+            }
+
+            Connect(record.BodyA, record.BodyB);
+            m.Contacts++;
             squares += depth * depth;
             m.LargestPenetration = Math.Max(m.LargestPenetration, depth);
-            double size = Math.Min(_shapes.Pieces[record.PieceA].Extent, _shapes.Pieces[record.PieceB].Extent);
+            double size = 2.0 * Math.Min(pieceA.Extent, pieceB.Extent);
             Judge(ref m, Math.Max(0, depth - allowed), size, record.BodyA, record.BodyB);
         }
 

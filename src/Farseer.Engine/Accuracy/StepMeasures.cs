@@ -29,7 +29,7 @@ internal struct StepMeasures
     public double LargestTurn;
     public double JointSpeed;
 
-    /// <summary>The larger of penetration beyond what is allowed and separation, and the same as a share of the smaller body.</summary>
+    /// <summary>The larger of penetration beyond what is allowed and separation, and the same as a share of the smaller piece's side.</summary>
     public double Error;
     public double ErrorShare;
     public int WorstBody;

@@ -10,8 +10,9 @@ internal sealed unsafe partial class JointSolver
     public double MotorWork(double* before)
     {
         double work = 0;
-        for (int i = 0; i < _count; i++)
+        for (int at = 0; at < _jointCount; at++)
         {
+            int i = _joints[at];
             ActiveJoint* joint = _active.Pointer + i;
             JointRows* rows = _rows.Pointer + i;
             for (int k = rows->Hard; k < rows->Count; k++)

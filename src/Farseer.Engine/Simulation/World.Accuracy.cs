@@ -21,7 +21,10 @@ internal sealed partial class World
 
     public BudgetControl Budget { get; } = new BudgetControl();
 
-    /// <summary>Of the last step that measured.</summary>
+    /// <summary>The last step measured itself.</summary>
+    public bool HasMeasured { get; private set; }
+
+    /// <summary>Of the last step that measured itself.</summary>
     public ref readonly StepMeasures Measures => ref _measures;
 
     /// <summary>The audit of this step, or null if nobody wants it.</summary>
@@ -43,7 +46,8 @@ internal sealed partial class World
 
     private void EndAccuracy()
     {
-        if (!_reports && !_budgeted)
+        HasMeasured = _reports || _budgeted;
+        if (!HasMeasured)
         {
             return;
         }

@@ -10,7 +10,6 @@ namespace Farseer.Engine.Simulation;
 internal sealed partial class World
 {
     private readonly IslandClasses _classes = new IslandClasses();
-    private int _substeps;
 
     private void RunStages(float dt)
     {

@@ -1,0 +1,125 @@
+using System;
+using Farseer.Accuracy;
+using FarseerGames.FarseerPhysics;
+using Xunit;
+
+namespace Farseer.Tests.Accuracy;
+
+/// <summary>An error that is asked for is kept, or the miss is told.</summary>
+public class ErrorBudgetTests
+{
+    [Theory]
+    [InlineData("stack", 2e-5f)]
+    [InlineData("mass ratio", 1e-4f)]
+    [InlineData("pyramid", 2e-5f)]
+    [InlineData("arch", 1e-4f)]
+    [InlineData("bridge", 1e-3f)]
+    public void Budget_OfALength_IsKeptOrTheMissIsTold(string scene, float length)
+    {
+        using Rig rig = StepReportTests.Build(scene);
+        rig.Simulator.ErrorBudget = ErrorBudget.OfLength(length);
+        int missed = 0;
+        for (int i = 0; i < 300; i++)
+        {
+            rig.Step();
+            StepReport report = rig.Simulator.Report;
+            bool kept = Math.Max(Metrics.Penetration(rig.Actors), rig.LargestHingeError()) <= length;
+
+            // At the bound itself the observer's rounding and the report's may differ.
+            Assert.True(kept == report.IsWithinBudget || Math.Abs(report.BudgetLoad - 1) < 0.1, $"step {i}: {report.Error} m, told {report.IsWithinBudget}");
+            missed += i >= 150 && !report.IsWithinBudget ? 1 : 0;
+        }
+
+        Assert.Equal(0, missed);
+    }
+
+    [Fact]
+    public void Budget_TighterThanTheDial_TakesMoreIterations_AndLooserDoesNot()
+    {
+        using Rig tight = StepReportTests.Build("stack");
+        using Rig loose = StepReportTests.Build("stack");
+        tight.Simulator.ErrorBudget = ErrorBudget.OfLength(1e-5f);
+        loose.Simulator.ErrorBudget = ErrorBudget.OfLength(1);
+        tight.Run(5);
+        loose.Run(5);
+        Assert.InRange(tight.Simulator.Report.Iterations, 8, 64);
+        Assert.Equal(5, loose.Simulator.Report.Iterations);
+        Assert.Equal(5, tight.Simulator.Iterations);
+    }
+
+    [Fact]
+    public void Budget_BeyondTheMostIterations_IsMissedAndSaysSo()
+    {
+        using Rig rig = StepReportTests.Build("stack");
+        rig.Simulator.ErrorBudget = ErrorBudget.OfLength(1e-8f, mostIterations: 7);
+        rig.Run(5);
+        Assert.Equal(7, rig.Simulator.Report.Iterations);
+        Assert.False(rig.Simulator.Report.IsWithinBudget);
+        Assert.True(rig.Simulator.Report.BudgetLoad > 1);
+    }
+
+    [Fact]
+    public void Budget_OfAShare_TakesTheSameIterationsAtEverySize()
+    {
+        int small = Iterations(1);
+        int large = Iterations(1024);
+        Assert.Equal(small, large);
+        Assert.InRange(small, 6, 64);
+    }
+
+    [Fact]
+    public void Budget_TheSameSceneTwice_GivesTheSameBits()
+    {
+        using Rig first = StepReportTests.Build("falling boxes");
+        using Rig second = StepReportTests.Build("falling boxes");
+        first.Simulator.ErrorBudget = ErrorBudget.OfShare(1e-4f);
+        second.Simulator.ErrorBudget = ErrorBudget.OfShare(1e-4f);
+        for (int i = 0; i < 120; i++)
+        {
+            first.Step();
+            second.Step();
+            Assert.Equal(first.Simulator.StateHash(), second.Simulator.StateHash());
+        }
+    }
+
+    [Fact]
+    public void Budget_Calm_GoesBackToTheDial()
+    {
+        using Rig rig = StepReportTests.Build("falling boxes");
+        rig.Simulator.ErrorBudget = ErrorBudget.OfLength(2e-3f);
+        int most = 0;
+        rig.Run(12, () => most = Math.Max(most, rig.Simulator.Report.Iterations));
+        Assert.InRange(rig.Simulator.Report.Iterations, 5, Math.Max(5, most));
+        Assert.True(rig.Simulator.Report.IsWithinBudget);
+    }
+
+    [Fact]
+    public void Budget_WithAMistake_IsRefused()
+    {
+        Assert.Throws<ArgumentOutOfRangeException>(() => ErrorBudget.OfLength(0));
+        Assert.Throws<ArgumentOutOfRangeException>(() => ErrorBudget.OfLength(float.NaN));
+        Assert.Throws<ArgumentOutOfRangeException>(() => ErrorBudget.OfShare(-1));
+        Assert.Throws<ArgumentOutOfRangeException>(() => ErrorBudget.OfShare(0.1f, 0));
+        Assert.Equal(ErrorBudget.None, default);
+        Assert.False(ErrorBudget.None.IsBounded);
+        Assert.True(ErrorBudget.OfShare(0.1f) != ErrorBudget.OfShare(0.1f, 3));
+    }
+
+    private static int Iterations(float scale)
+    {
+        using var simulator = new PhysicsSimulator(new System.Numerics.Vector2(0, -10 * scale)) { AllowedPenetration = 0 };
+        var bodies = FarseerGames.FarseerPhysics.Factories.BodyFactory.Instance;
+        var geoms = FarseerGames.FarseerPhysics.Factories.GeomFactory.Instance;
+        for (int i = 0; i < 10; i++)
+        {
+            var body = bodies.CreateRectangleBody(simulator, i == 0 ? 20 * scale : scale, scale, 1);
+            body.IsStatic = i == 0;
+            body.Position = new System.Numerics.Vector2(0, (i - 0.5f) * scale);
+            geoms.CreateRectangleGeom(simulator, body, i == 0 ? 20 * scale : scale, scale);
+        }
+
+        simulator.ErrorBudget = ErrorBudget.OfShare(1e-5f);
+        Sandbox.Run(simulator, 300);
+        return simulator.Report.Iterations;
+    }
+}
