@@ -10,7 +10,7 @@ namespace FarseerGames.FarseerPhysics;
 /// The bound on the work is a number of iterations, not a time: with a clock two runs of one scene would differ. An iteration of a
 /// scene takes about the same time always, so that a time divided by that of one iteration is the number to give.
 /// </remarks>
-public readonly struct ErrorBudget : IEquatable<ErrorBudget>
+public readonly struct ErrorBudget
 {
     /// <summary>Most iterations unless told otherwise.</summary>
     public const int DefaultMostIterations = 64;
@@ -54,31 +54,4 @@ public readonly struct ErrorBudget : IEquatable<ErrorBudget>
     /// <exception cref="ArgumentOutOfRangeException">An argument is out of its range.</exception>
     public static ErrorBudget OfShare(float share, int mostIterations = DefaultMostIterations) =>
         new ErrorBudget(0, Require.Positive(share, nameof(share)), Require.AtLeast(mostIterations, 1, nameof(mostIterations)));
-
-    /// <summary>True if both are the same.</summary>
-    /// <param name="left">One.</param>
-    /// <param name="right">The other.</param>
-    /// <returns>True if all parts are equal.</returns>
-    public static bool operator ==(ErrorBudget left, ErrorBudget right) => left.Equals(right);
-
-    /// <summary>True if they differ.</summary>
-    /// <param name="left">One.</param>
-    /// <param name="right">The other.</param>
-    /// <returns>True if a part differs.</returns>
-    public static bool operator !=(ErrorBudget left, ErrorBudget right) => !left.Equals(right);
-
-    /// <summary>True if both are the same.</summary>
-    /// <param name="other">The other.</param>
-    /// <returns>True if all parts are equal.</returns>
-    public bool Equals(ErrorBudget other) =>
-        Length == other.Length && Share == other.Share && MostIterations == other.MostIterations;
-
-    /// <summary>True if the other is a budget and the same.</summary>
-    /// <param name="obj">The other.</param>
-    /// <returns>True if all parts are equal.</returns>
-    public override bool Equals(object? obj) => obj is ErrorBudget other && Equals(other);
-
-    /// <summary>A hash of the parts.</summary>
-    /// <returns>The hash.</returns>
-    public override int GetHashCode() => Length.GetHashCode() ^ (Share.GetHashCode() << 3) ^ MostIterations;
 }

@@ -15,13 +15,15 @@ internal sealed unsafe partial class JointSolver
             int i = _joints[at];
             ActiveJoint* joint = _active.Pointer + i;
             JointRows* rows = _rows.Pointer + i;
+            ref JointLink link = ref _store.Links[joint->Joint];
             for (int k = rows->Hard; k < rows->Count; k++)
             {
                 RowType type = (RowType)rows->Type[k];
                 if (type == RowType.Motor || type == RowType.Spring)
                 {
-                    double speed = MeanSpeed(joint->BodyA, rows->A + (k * 3), before) + MeanSpeed(joint->BodyB, rows->B + (k * 3), before);
-                    work += joint->Lambda[k] * speed;
+                    double a = MeanSpeed(link.BodyA, rows->A + (k * 3), before);
+                    double b = MeanSpeed(link.BodyB, rows->B + (k * 3), before);
+                    work += joint->Lambda[k] * (a + b);
                 }
             }
         }
