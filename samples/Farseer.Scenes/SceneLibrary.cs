@@ -36,6 +36,8 @@ public static class SceneLibrary
         new BreakableWall(),
         new Ragdoll(),
         new OwnJoint(),
+        new JointKinds(),
+        new ForceKinds(),
         new Water(),
         new HangingChain(),
         new Rope100(),

@@ -16,7 +16,10 @@ internal static class GoldenHashes
 
     private static readonly string _file = Path.Combine(Clone.Root, "tests", "data", "golden-hashes.txt");
 
-    public static IReadOnlyList<string> Scenes { get; } = ["dominoes", "gears", "circle-pile", "falling-stack", "chain-terrain", "springs"];
+    public static IReadOnlyList<string> Scenes { get; } =
+    [
+        "dominoes", "gears", "circle-pile", "falling-stack", "chain-terrain", "springs", "joint-kinds", "force-kinds",
+    ];
 
     public static IReadOnlyList<string> Read() => [.. File.ReadAllLines(_file).Where(l => l.Length > 0 && l[0] != '#')];
 

@@ -48,7 +48,7 @@ internal static class Kinds
         {
             AreLimitsEnabled = true, LowerLimit = -1, UpperLimit = 1, IsMotorEnabled = true, MotorSpeed = 2, MaxMotorTorque = 500,
         },
-        [nameof(RopeJoint)] = p => new RopeJoint(p.A, Vector2.Zero, p.B, Vector2.Zero, 31),
+        [nameof(RopeJoint)] = p => new RopeJoint(p.A, Vector2.Zero, p.B, Vector2.Zero, 30),
         [nameof(SliderJoint)] = p => new SliderJoint(p.A, Vector2.Zero, p.B, Vector2.Zero, 28, 32),
         [nameof(TargetJoint)] = p => new TargetJoint(p.A, p.A.Position + new Vector2(0, 8)),
         [nameof(WeldJoint)] = p => new WeldJoint(p.A, p.B, (p.A.Position + p.B.Position) / 2) { Frequency = 4 },
@@ -64,12 +64,12 @@ internal static class Kinds
         [nameof(OwnSpring)] = p => new OwnSpring(p.A),
         [nameof(FluidDragController)] = Pool,
         [nameof(WaveController)] = Sea,
-        [nameof(GravityController)] = p => new GravityController(p.B.Position - new Vector2(0, 100), 20_000, 10),
-        [nameof(WindController)] = p => new WindController(new Vector2(30, 0), 0.5f),
+        [nameof(GravityController)] = p => new GravityController(p.B.Position - new Vector2(0, 100), 20_000, 10) { Filter = p.Has },
+        [nameof(WindController)] = p => new WindController(new Vector2(30, 0), 0.5f) { Filter = p.Has },
         [nameof(ExplosionController)] = Charge,
-        [nameof(VelocityLimitController)] = p => new VelocityLimitController(60, 3),
+        [nameof(VelocityLimitController)] = p => new VelocityLimitController(60, 3) { Filter = p.Has },
         [nameof(InactivityController)] = p => new InactivityController(p.Simulator) { Enabled = true, MaxIdleTime = 200, ActivationDistance = 60 },
-        [nameof(OwnController)] = p => new OwnController(p.Simulator),
+        [nameof(OwnController)] = p => new OwnController(p.A, p.B),
     };
 
     public static IEnumerable<string> Joints => _makers.Keys.Where(k => k.EndsWith("Joint", StringComparison.Ordinal));
@@ -177,7 +177,7 @@ internal static class Kinds
 
     private static ExplosionController Charge(Pair pair)
     {
-        var blast = new ExplosionController();
+        var blast = new ExplosionController { Filter = pair.Has };
         blast.Explode(pair.A.Position + new Vector2(0, 20), 100, 50);
         return blast;
     }
@@ -203,6 +203,8 @@ internal static class Kinds
         public Body A => GeomA.Body;
 
         public Body B => GeomB.Body;
+
+        public bool Has(Body body) => ReferenceEquals(body, A) || ReferenceEquals(body, B);
     }
 
     /// <summary>Keeps the second body at the height of the first, by impulses.</summary>
@@ -251,12 +253,17 @@ internal static class Kinds
         }
     }
 
-    /// <summary>Pulls a body to x = 0.</summary>
+    /// <summary>Pulls a body back to where it stood.</summary>
     public sealed class OwnSpring : Spring
     {
         private readonly Body _body;
+        private readonly float _x;
 
-        public OwnSpring(Body body) => _body = body;
+        public OwnSpring(Body body)
+        {
+            _body = body;
+            _x = body.Position.X;
+        }
 
         public Action? InUpdate { get; set; }
 
@@ -270,39 +277,45 @@ internal static class Kinds
 
         public override void Update(float dt)
         {
-            SpringError = _body.Position.X;
+            SpringError = _body.Position.X - _x;
             base.Update(dt);
             InUpdate?.Invoke();
             if (Enabled && !_body.IsDisposed)
             {
-                _body.ApplyForce(new Vector2(-SpringError, 0));
+                _body.ApplyForce(new Vector2(-10 * SpringError, 0));
             }
         }
     }
 
-    /// <summary>Turns every body a little.</summary>
+    /// <summary>Turns two bodies a little.</summary>
     public sealed class OwnController : Controller
     {
-        private readonly PhysicsSimulator _simulator;
+        private readonly Body _a;
+        private readonly Body _b;
 
-        public OwnController(PhysicsSimulator simulator) => _simulator = simulator;
+        public OwnController(Body a, Body b)
+        {
+            _a = a;
+            _b = b;
+        }
 
         public Action? InUpdate { get; set; }
 
         public override void Validate()
         {
+            if (_a.IsDisposed || _b.IsDisposed)
+            {
+                Dispose();
+            }
         }
 
         public override void Update(float dt)
         {
             InUpdate?.Invoke();
-            for (int i = 0; i < _simulator.BodyList.Count; i++)
+            if (!_a.IsDisposed && !_b.IsDisposed)
             {
-                Body body = _simulator.BodyList[i];
-                if (!body.IsDisposed)
-                {
-                    body.ApplyTorque(100);
-                }
+                _a.ApplyTorque(100);
+                _b.ApplyTorque(-100);
             }
         }
     }

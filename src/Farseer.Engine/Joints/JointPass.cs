@@ -17,6 +17,13 @@ internal sealed unsafe class JointPass
     /// <summary>An impulse on a limit that changes the speed by less than this share is a tie, decided by rounding.</summary>
     private const double Touching = 1e-2;
 
+    /// <summary>
+    /// Frequency and damping of a spring are those of the masses it feels, but of no less than this share of its bodies' own. Where
+    /// joints leave its row next to no freedom (a body on a hinge, pulled along its arm) it would else be so stiff that what little
+    /// of it turns the body throws it about. A rod that is welded at its end feels 1/4.
+    /// </summary>
+    private const double LeastFreedom = 0.125;
+
     // Blocks of a net are soft, tied to the substep rate as contacts are: ωh = π/2, ζ = 2.
     private const double AngularStep = 1.5707963267948966;
     private const double NetDamping = 4 + AngularStep;
@@ -45,7 +52,7 @@ internal sealed unsafe class JointPass
         for (int k = 0; k < r->Count; k++)
         {
             joint->Response[k] = RowEnds.Response(nodes, &joint->Ends, r->A + (k * 3), r->B + (k * 3));
-            SetSpring(joint, r, k, h);
+            SetSpring(nodes, joint, r, k, h);
         }
 
         if (joint->Role == JointRole.Iterated && r->Hard > 0)
@@ -140,15 +147,18 @@ internal sealed unsafe class JointPass
     /// The exact discrete spring v' = (v - κφ)/D with D = exp(2ζωh) and κ = (1 + D - 2√D·cos(ω√(1-ζ²)·h))/h has the frequency and
     /// damping of the continuous one at every h; from half a turn a substep on, the implicit form, which is stable always.
     /// </summary>
-    private static void SetSpring(ActiveJoint* joint, JointRows* r, int k, double h)
+    private static void SetSpring(TreeNode* nodes, ActiveJoint* joint, JointRows* r, int k, double h)
     {
         if (r->Type[k] != (byte)RowType.Spring)
         {
             return;
         }
 
-        double omega = r->Stiffness[k];
-        double zeta = r->Damping[k];
+        // A stiffness ω²/L and a damping 2ζω/L, felt with a response below L.
+        double least = LeastFreedom * (Own(nodes, joint->Ends.NodeA, r->A + (k * 3)) + Own(nodes, joint->Ends.NodeB, r->B + (k * 3)));
+        double share = joint->Response[k] < least ? Math.Sqrt(joint->Response[k] / least) : 1;
+        double omega = r->Stiffness[k] * share;
+        double zeta = r->Damping[k] * share;
         double wave = omega * h * Math.Sqrt(Math.Abs(1 - (zeta * zeta)));
         if ((zeta < 1 && wave >= Math.PI) || (2 * zeta * omega * h) > 50)
         {
@@ -163,6 +173,11 @@ internal sealed unsafe class JointPass
         joint->SpringQ[k] = d - 1;
         joint->SpringKappa[k] = (1 + d - (2 * root * cosine)) / h;
     }
+
+    /// <summary>J M⁻¹ Jᵀ with the mass of the body alone.</summary>
+    private static double Own(TreeNode* nodes, int node, double* j) => node < 0
+        ? 0
+        : (nodes[node].InverseMass * ((j[0] * j[0]) + (j[1] * j[1]))) + (nodes[node].InverseInertia * j[2] * j[2]);
 
     private void PrepareBlock(ActiveJoint* joint, JointRows* r)
     {

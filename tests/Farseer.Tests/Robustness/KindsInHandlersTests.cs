@@ -56,13 +56,15 @@ public class KindsInHandlersTests
         ["dispose after removing"] = (s => RemoveAndDispose(s), _ => true),
         ["break"] = (s => Kinds.Break(s.Item), _ => false),
         ["switch off"] = (s => Kinds.Enable(s.Item, false), _ => false),
-        ["exchange a body"] = (s => s.Exchange(), _ => false),
         ["clear"] = (s => s.Simulator.Clear(), _ => true),
     };
 
     public static TheoryData<string> AllKinds => new(Kinds.All);
 
     public static TheoryData<string> BreakableKinds => new(Kinds.Joints.Concat(Kinds.Springs));
+
+    /// <summary>Those that are off again at once when they are switched on: the rope of a pulley stays slack here.</summary>
+    public static TheoryData<string> TautKinds => new(Kinds.Joints.Concat(Kinds.Springs).Where(k => k != nameof(PulleyJoint)));
 
     [Fact]
     public void Kinds_AreAllThereAre()
@@ -132,7 +134,7 @@ public class KindsInHandlersTests
 
     /// <summary>A joint that is switched on again in its Broke goes on, and breaks again in the next update.</summary>
     [Theory]
-    [MemberData(nameof(BreakableKinds))]
+    [MemberData(nameof(TautKinds))]
     public void Kind_SwitchedOnInItsBroke_BreaksAgain(string kind)
     {
         var stage = new Stage(kind);
@@ -178,7 +180,6 @@ public class KindsInHandlersTests
     private sealed class Stage
     {
         private readonly List<(int Step, Action Act)> _events = [];
-        private readonly Body _spare;
 
         public Stage(string kind)
         {
@@ -190,7 +191,7 @@ public class KindsInHandlersTests
             Geom ball = Ball(Simulator, new Vector2(1, -29));
             ball.RestitutionCoefficient = 1;
             ball.Body.LinearVelocity = new Vector2(0, 30);
-            _spare = Box(Simulator, new Vector2(-60, -40)).Body;
+            Body spare = Box(Simulator, new Vector2(-60, -40)).Body;
 
             // The others act on bodies of their own, so that what becomes of the item shows.
             Bystander = Box(Simulator, new Vector2(90, -40)).Body;
@@ -198,11 +199,11 @@ public class KindsInHandlersTests
             Pin = JointFactory.Instance.CreatePinJoint(Simulator, Bystander, Vector2.Zero, other, Vector2.Zero);
             Coil = SpringFactory.Instance.CreateFixedLinearSpring(Simulator, other, Vector2.Zero, new Vector2(120, -60), 1, 0);
             Fluid = new FluidDragController();
-            Fluid.Initialize(new AABBFluidContainer(new AABB(new Vector2(80, -30), new Vector2(140, 0))), 0.001f, 1, 1, new Vector2(0, 100));
+            Fluid.Initialize(new AABBFluidContainer(new AABB(new Vector2(80, -34), new Vector2(140, 0))), 0.001f, 1, 1, new Vector2(0, 100));
             Fluid.AddGeom(other.Geoms![0]);
             OwnJoint = new Kinds.OwnJoint(Bystander, other);
             OwnSpring = new Kinds.OwnSpring(other);
-            OwnController = new Kinds.OwnController(Simulator);
+            OwnController = new Kinds.OwnController(Bystander, other);
             Item = Kinds.Make(kind, Pair);
             Simulator.Add(Fluid);
             Simulator.Add(OwnController);
@@ -215,7 +216,7 @@ public class KindsInHandlersTests
             At(20, () => Simulator.Remove(Coil));
             At(22, () => Simulator.Remove(OwnController));
             At(24, () => Simulator.Remove(OwnJoint));
-            At(26, () => JointFactory.Instance.CreateRevoluteJoint(Simulator, other, _spare, Vector2.Zero));
+            At(26, () => JointFactory.Instance.CreateRevoluteJoint(Simulator, other, spare, Vector2.Zero));
             At(28, () => Simulator.Remove(other));
             At(30, Bystander.Dispose);
             At(32, () => Box(Simulator, new Vector2(-100, -12)));
@@ -245,7 +246,7 @@ public class KindsInHandlersTests
         public bool IsRunning => Simulator.BodyList.Contains(Pair.A) && Kinds.Holds(Simulator, Item);
 
         /// <summary>The simulator disposes it together with a body.</summary>
-        public bool NeedsItsBodies => Item is Joint or Spring;
+        public bool NeedsItsBodies => Item is Joint or Spring or Kinds.OwnController;
 
         public void At(int step, Action act) => _events.Add((step, act));
 
@@ -254,23 +255,9 @@ public class KindsInHandlersTests
         {
             if (!Pair.A.IsDisposed)
             {
-                Pair.A.Position += new Vector2(2, -3);
+                Pair.A.Position += new Vector2(-2, -3);
                 Pair.A.Rotation += 0.4f;
                 Pair.A.ApplyForce(new Vector2(100, -100));
-            }
-        }
-
-        /// <summary>Gives the item another body, where that can be done.</summary>
-        public void Exchange()
-        {
-            switch (Item)
-            {
-                case PairJoint pair: pair.Body1 = _spare; break;
-                case WorldJoint world: world.Body = _spare; break;
-                case LinearSpring linear: linear.Body1 = _spare; break;
-                case FixedLinearSpring linear: linear.Body = _spare; break;
-                case AngleSpring angle: angle.Body1 = _spare; break;
-                case FixedAngleSpring angle: angle.Body = _spare; break;
             }
         }
 
@@ -305,7 +292,7 @@ public class KindsInHandlersTests
                 Assert.True(float.IsFinite(body.Position.Length()) && float.IsFinite(body.TotalRotation), which);
                 Assert.True(float.IsFinite(body.LinearVelocity.Length()) && float.IsFinite(body.AngularVelocity), which);
 
-                // Nothing here moves faster than a fall of the whole time, but for what an own spring and a thrust do: far off is astray.
+                // Far more than falls, motors and the ball give.
                 Assert.True(body.LinearVelocity.Length() < 500, which + ": " + body.LinearVelocity);
             });
             Assert.Equal(Simulator.JointList.Count, Simulator.JointList.Distinct().Count(j => !j.IsDisposed));
