@@ -156,7 +156,7 @@ internal sealed unsafe class JointPass
 
         // A stiffness ω²/L and a damping 2ζω/L, felt with a response below L.
         double least = LeastFreedom * (Own(nodes, joint->Ends.NodeA, r->A + (k * 3)) + Own(nodes, joint->Ends.NodeB, r->B + (k * 3)));
-        double share = joint->Response[k] < least ? Math.Sqrt(joint->Response[k] / least) : 1;
+        double share = joint->Response[k] < least ? Math.Sqrt(Math.Max(0, joint->Response[k]) / least) : 1;
         double omega = r->Stiffness[k] * share;
         double zeta = r->Damping[k] * share;
         double wave = omega * h * Math.Sqrt(Math.Abs(1 - (zeta * zeta)));

@@ -51,6 +51,9 @@ public class QuirkTests
 
         // F = 1000 on m = 1 for 0.01 s, along a pin that breaks: Δv = 10, or held once more.
         [Farseer201Quirks.JointBreaksLate] = new(SpeedInTheUpdateInWhichAPinBreaks, 10, 0, 1e-4),
+
+        // Links of 10 end to end, but for the gap that the strides leave, 0.2 at most; with the flag from far end to far end less one.
+        [Farseer201Quirks.PathLinkedAtFarEnds] = new(LengthOfTheSecondPinOfAChain, 0.1, 10, 0.1),
     };
 
     public static TheoryData<Farseer201Quirks> Flags => new(Enum.GetValues<Farseer201Quirks>()
@@ -136,6 +139,9 @@ public class QuirkTests
         Assert.False(pin.Enabled);
         return bob.LinearVelocity.Y;
     }
+
+    private static double LengthOfTheSecondPinOfAChain(PhysicsSimulator simulator) => ((PinJoint)ComplexFactory.Instance
+        .CreateChain(simulator, Vector2.Zero, new Vector2(100, 0), 10, 2, 1, 1, LinkType.PinJoint).Joints[1]).TargetDistance;
 
     private static double LInertia(PhysicsSimulator simulator) =>
         BodyFactory.Instance.CreatePolygonBody(simulator, Outline(0, 0, 60, 0, 60, 20, 20, 20, 20, 60, 0, 60), 2).MomentOfInertia;
