@@ -57,13 +57,16 @@ internal struct BodyForce
     public float Torque;
 }
 
-/// <summary>Drag coefficients, forces: -Linear·v - Quadratic·|v|·v, and -Rotational·ω·|ω| as a torque.</summary>
+/// <summary>
+/// Drag coefficients, forces: -Linear·v - Quadratic·|v|·v, and as a torque -Angular·ω or, where that is 0, -Rotational·ω·|ω|.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 internal struct BodyDrag
 {
     public float Linear;
     public float Quadratic;
     public float Rotational;
+    public float Angular;
 }
 
 [Flags]

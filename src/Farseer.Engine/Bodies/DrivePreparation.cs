@@ -49,8 +49,18 @@ internal static unsafe class DrivePreparation
             drive.Y = (float)((pull.Y + ((double)force.Force.Y * mass.InverseMass)) * law.First);
             drive.W = (float)((double)force.Torque * mass.InverseInertia * substep);
             drive.LinearKeep = (float)law.Keep;
-            double spin = (double)drag.Rotational * mass.InverseInertia * System.Math.Abs((double)state.AngularVelocity);
-            drive.AngularKeep = (float)(1 / (1 + (spin * substep)));
+            if (drag.Angular > 0)
+            {
+                var spinLaw = new DragLaw((double)drag.Angular * mass.InverseInertia, substep);
+                drive.W = (float)((double)force.Torque * mass.InverseInertia * spinLaw.First);
+                drive.AngularKeep = (float)spinLaw.Keep;
+            }
+            else
+            {
+                double spin = (double)drag.Rotational * mass.InverseInertia * System.Math.Abs((double)state.AngularVelocity);
+                drive.AngularKeep = (float)(1 / (1 + (spin * substep)));
+            }
+
             if (!StateRange.Holds(state) | !StateRange.Holds(drive.X, drive.Y, drive.W))
             {
                 outcasts[found++] = body;

@@ -40,16 +40,30 @@ internal static class FreeFlight
         vy = (vy * law.Keep) + (ay * law.First);
         HalfQuadratic(ref vx, ref vy, quadratic, dt / 2);
 
-        double rotational = (double)drag.Rotational * mass.InverseInertia;
-        double angle = HalfRotational(ref w, rotational, dt / 2);
-        w += alpha * dt;
-        angle += HalfRotational(ref w, rotational, dt / 2);
-        pose.Angle += angle;
+        pose.Angle += drag.Angular > 0
+            ? Spin(ref w, alpha, (double)drag.Angular * mass.InverseInertia, dt)
+            : Turn(ref w, alpha, (double)drag.Rotational * mass.InverseInertia, dt);
         Store(ref state, ref rest, vx, vy, w);
         ref BodyMotion motion = ref bodies.Motion[body];
         motion.StartX = (float)(vx - (ax * substep));
         motion.StartY = (float)(vy - (ay * substep));
         motion.StartW = (float)(w - (alpha * substep));
+    }
+
+    // dω/dt = α - k·ω, exactly.
+    private static double Spin(ref double w, double alpha, double k, double dt)
+    {
+        var law = new DragLaw(k, dt);
+        double angle = (w * law.First) + (alpha * law.Second);
+        w = (w * law.Keep) + (alpha * law.First);
+        return angle;
+    }
+
+    private static double Turn(ref double w, double alpha, double rotational, double dt)
+    {
+        double angle = HalfRotational(ref w, rotational, dt / 2);
+        w += alpha * dt;
+        return angle + HalfRotational(ref w, rotational, dt / 2);
     }
 
     private static void Store(ref BodyState state, ref BodyResidual rest, double vx, double vy, double w)

@@ -23,6 +23,7 @@ internal static unsafe class BounceKernel
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide slowest = Wide.Splat(RestSubsteps);
         Wide rest = Wide.Splat(c.Rest);
+        Wide threshold = Wide.Splat(c.BounceThreshold);
         for (int i = 0; i < count; i++)
         {
             ContactBundle* row = bundles + i;
@@ -44,6 +45,7 @@ internal static unsafe class BounceKernel
                 Wide ny = Wide.Load(row->NormalY + lane);
                 Wide drive = (nx * (driveBX - driveAX)) + (ny * (driveBY - driveAY));
                 Wide slow = slowest * Wide.Max(Wide.Abs((nx * driveAX) + (ny * driveAY)), Wide.Abs((nx * driveBX) + (ny * driveBY)));
+                slow = Wide.Max(slow, threshold);
                 Target(v0, s0 - rest, drive * inverseSubstep, slow, restitution).Store(row->Point0.Bounce + lane);
                 Target(v1, s1 - rest, drive * inverseSubstep, slow, restitution).Store(row->Point1.Bounce + lane);
             }

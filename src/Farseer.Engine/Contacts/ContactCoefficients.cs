@@ -46,10 +46,12 @@ internal readonly struct ContactCoefficients
     /// <param name="substep">h, seconds.</param>
     /// <param name="gravity">Length of the gravity vector.</param>
     /// <param name="rest">Depth at which contacts rest.</param>
-    public ContactCoefficients(float substep, float gravity, float rest)
+    /// <param name="bounceThreshold">Approach slower than this does not bounce.</param>
+    public ContactCoefficients(float substep, float gravity, float rest, float bounceThreshold)
     {
         Gravity = gravity;
         Rest = rest;
+        BounceThreshold = bounceThreshold;
         Substep = substep;
         InverseSubstep = 1f / substep;
         BiasRate = AngularStep / Denominator * InverseSubstep;
@@ -62,6 +64,9 @@ internal readonly struct ContactCoefficients
 
     /// <summary>Depth at which contacts rest.</summary>
     public float Rest { get; }
+
+    /// <summary>Approach slower than this does not bounce.</summary>
+    public float BounceThreshold { get; }
 
     /// <summary>Difference of gaps up to which two points are level: above the rounding of a gap, below what matters.</summary>
     public float Level => LevelShare * Rest;

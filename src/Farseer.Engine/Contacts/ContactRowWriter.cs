@@ -268,11 +268,19 @@ internal static unsafe class ContactRowWriter
         Wide half = Wide.Splat(0.5f);
         Wide frictionA = Wide.Load(pairs->A.Friction + lane);
         Wide frictionB = Wide.Load(pairs->B.Friction + lane);
-        Wide friction = input.Settings.FrictionMix == FrictionMix.Minimum
-            ? Wide.Min(frictionA, frictionB)
-            : (frictionA + frictionB) * half;
+        Wide friction = input.Settings.FrictionMix switch
+        {
+            FrictionMix.Minimum => Wide.Min(frictionA, frictionB),
+            FrictionMix.GeometricMean => Wide.Sqrt(frictionA * frictionB),
+            _ => (frictionA + frictionB) * half,
+        };
         friction.Store(row->Friction + lane);
-        ((Wide.Load(pairs->A.Restitution + lane) + Wide.Load(pairs->B.Restitution + lane)) * half).Store(row->Restitution + lane);
+        Wide restitutionA = Wide.Load(pairs->A.Restitution + lane);
+        Wide restitutionB = Wide.Load(pairs->B.Restitution + lane);
+        Wide restitution = input.Settings.RestitutionMix == RestitutionMix.Maximum
+            ? Wide.Max(restitutionA, restitutionB)
+            : (restitutionA + restitutionB) * half;
+        restitution.Store(row->Restitution + lane);
     }
 
     /// <summary>How fully the load is fed forward, and deepness: a row stays deep until its depth is under half of what made it so.</summary>

@@ -106,7 +106,12 @@ internal static unsafe class ContactUpdate
     {
         float a = shapes.Colliders[record.ColliderA].Friction;
         float b = shapes.Colliders[record.ColliderB].Friction;
-        return mix == FrictionMix.Minimum ? Math.Min(a, b) : (a + b) * 0.5f;
+        return mix switch
+        {
+            FrictionMix.Minimum => Math.Min(a, b),
+            FrictionMix.GeometricMean => (float)Math.Sqrt(a * b),
+            _ => (a + b) * 0.5f,
+        };
     }
 
     /// <param name="input">Columns and numbers of this step.</param>

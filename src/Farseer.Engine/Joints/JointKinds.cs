@@ -21,6 +21,7 @@ internal sealed class JointKinds
         new TargetForm(),
         new RopeForm(),
         new MotorForm(),
+        new TransmissionForm(),
     };
 
     public JointForm Of(JointKind kind) => _forms[(int)kind];

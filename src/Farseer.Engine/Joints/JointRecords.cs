@@ -20,6 +20,7 @@ internal enum JointKind : byte
     Target = 11,
     Rope = 12,
     Motor = 13,
+    Transmission = 14,
 }
 
 [Flags]
@@ -53,7 +54,7 @@ internal struct JointSettings
     public double AnchorBX;
     public double AnchorBY;
 
-    /// <summary>World points over which a pulley's rope runs.</summary>
+    /// <summary>World points over which a pulley's rope runs, or the axes of a transmission.</summary>
     public double GroundAX;
     public double GroundAY;
     public double GroundBX;

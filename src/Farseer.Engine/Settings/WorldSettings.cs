@@ -7,6 +7,16 @@ internal enum FrictionMix
 {
     Average,
     Minimum,
+
+    /// <summary>The square root of the product.</summary>
+    GeometricMean,
+}
+
+/// <summary>How the restitution coefficients of two colliders combine.</summary>
+internal enum RestitutionMix
+{
+    Average,
+    Maximum,
 }
 
 /// <summary>The dials of one world. No dial carries a hidden unit of length: a scene scaled by a power of two gives scaled bits.</summary>
@@ -23,6 +33,12 @@ internal sealed class WorldSettings
 
     /// <summary>Default average.</summary>
     public FrictionMix FrictionMix { get; set; } = FrictionMix.Average;
+
+    /// <summary>Default average.</summary>
+    public RestitutionMix RestitutionMix { get; set; } = RestitutionMix.Average;
+
+    /// <summary>Approach slower than this does not bounce, a speed of the scene. 0 or more; default 0.</summary>
+    public float BounceThreshold { get; set; }
 
     /// <summary>The friction of a pair stays what it was when the pair was made (a quirk of the original). Default false.</summary>
     public bool FreezePairFriction { get; set; }

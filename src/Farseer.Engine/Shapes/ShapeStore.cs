@@ -104,6 +104,27 @@ internal sealed class ShapeStore
         return first;
     }
 
+    /// <summary>Moves the pieces of a collider within its body.</summary>
+    public void MovePieces(int collider, double x, double y)
+    {
+        ref ColliderInfo info = ref Colliders[collider];
+        for (int piece = info.PieceCount > 0 ? info.FirstPiece : -1; piece >= 0; piece = NextPiece[piece])
+        {
+            ref Piece p = ref Pieces[piece];
+            double reach = 0;
+            for (int i = p.VertexStart; i < p.VertexStart + p.VertexCount; i++)
+            {
+                double vx = Vertices[i].X + x;
+                double vy = Vertices[i].Y + y;
+                Vertices[i] = new Vector2((float)vx, (float)vy);
+                reach = Math.Max(reach, Math.Sqrt((vx * vx) + (vy * vy)));
+            }
+
+            p.Reach = FloatBits.RoundUp(reach + p.Radius);
+            p.Center = new Vector2((float)(p.Center.X + x), (float)(p.Center.Y + y));
+        }
+    }
+
     /// <summary>Frees the pieces of a collider and their vertices.</summary>
     public void DetachPieces(int collider)
     {

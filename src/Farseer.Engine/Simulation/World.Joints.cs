@@ -75,6 +75,13 @@ internal sealed partial class World
         return ref Joints.States[joint.Index];
     }
 
+    /// <summary>Force or torque of one row of a joint in the last substep.</summary>
+    public unsafe double JointRowForce(Handle joint, int row)
+    {
+        Require(joint, Joints.Ids, nameof(joint));
+        return _lastSubstep > 0 ? Joints.States[joint.Index].Impulse[row] / _lastSubstep : 0;
+    }
+
     public JointFlags JointFlagsOf(Handle joint)
     {
         Require(joint, Joints.Ids, nameof(joint));
@@ -86,8 +93,10 @@ internal sealed partial class World
     {
         if ((flags & JointFlags.CollideConnected) == 0 && bodyA != 0)
         {
-            MarkStale(bodyA);
-            Bodies.Flags[bodyA] |= BodyFlags.Moved;
+            // A static body may carry the contacts of the whole scene; the other one has its own only.
+            int body = (Bodies.Flags[bodyA] & BodyFlags.Static) != 0 ? bodyB : bodyA;
+            MarkStale(body);
+            Bodies.Flags[body] |= BodyFlags.Moved;
         }
     }
 

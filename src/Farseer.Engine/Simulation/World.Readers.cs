@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using Farseer.Engine.Accuracy;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Numerics;
@@ -77,6 +78,50 @@ internal sealed partial class World
             visitor.Visit(first.ColliderA, first.ColliderB, new ReadOnlySpan<ContactPoint>(_visitPoints.Pointer, points));
             start = end;
         }
+    }
+
+    /// <summary>Whether the fat boxes of two colliders of one piece each overlap: the pair then is known, or was refused.</summary>
+    public bool AreNear(Handle colliderA, Handle colliderB)
+    {
+        int a = Collider(colliderA).FirstPiece;
+        int b = Collider(colliderB).FirstPiece;
+        return (Proxies.Info[a].Flags & Proxies.Info[b].Flags & ProxyFlags.Alive) != 0
+            && Box.Overlap(Proxies.Fat[a], Proxies.Fat[b]);
+    }
+
+    /// <summary>
+    /// The impulses that a contact point of two colliders of one piece each gave in the last step, if there is such a point: those of
+    /// the last substep taken for the whole step.
+    /// </summary>
+    public unsafe bool TryGetImpulses(Handle colliderA, Handle colliderB, uint feature, out float normal, out float tangent)
+    {
+        normal = 0;
+        tangent = 0;
+        ulong key = PairBuffer.Pack(Collider(colliderA).FirstPiece, Collider(colliderB).FirstPiece);
+        if (!_contacts.Map.TryGet(key, out int index) || _contacts.Records[index].Color < 0)
+        {
+            return false;
+        }
+
+        ref ContactRecord record = ref _contacts.Records[index];
+        Graph.GraphColor color = _graph[record.Color];
+        ContactBundle* bundle = color.BundleOf(record.Row);
+        int lane = color.LaneOf(record.Row);
+        if (bundle->Point0.Id[lane] == feature)
+        {
+            normal = bundle->Point0.Normal[lane] * Settings.Substeps;
+            tangent = bundle->Point0.Tangent[lane] * Settings.Substeps;
+            return true;
+        }
+
+        if (bundle->Point1.Id[lane] == feature)
+        {
+            normal = bundle->Point1.Normal[lane] * Settings.Substeps;
+            tangent = bundle->Point1.Tangent[lane] * Settings.Substeps;
+            return true;
+        }
+
+        return false;
     }
 
     /// <summary>64-bit hash (FNV-1a) of the poses and velocities of all live bodies, in order; equal on every platform.</summary>

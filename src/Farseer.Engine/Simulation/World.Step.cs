@@ -90,7 +90,7 @@ internal sealed partial class World
         input.ImpulseScale = _lastSubstep > 0 ? substep / _lastSubstep : 1f;
         System.Numerics.Vector2 g = Settings.Gravity;
         float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
-        input.Coefficients = new ContactCoefficients(substep, gravity, Settings.AllowedPenetration);
+        input.Coefficients = new ContactCoefficients(substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold);
         return input;
     }
 

@@ -5,7 +5,7 @@ namespace Farseer.Engine.Joints.Kinds;
 /// <summary>
 /// A rope over two fixed points: φ = Target - lA - Ratio·lB ≥ 0 with the lengths lA, lB from the fixed points to the anchors. A
 /// rope pulls and never pushes, so it is a limit: dφ/dt = -nA·(vA + ωA×rA) - Ratio·nB·(vB + ωB×rB). Reads GroundA, GroundB,
-/// AnchorA, AnchorB, Ratio, Target.
+/// AnchorA, AnchorB, Ratio, Target. With the limit flag neither side grows beyond its length: φ = Upper - lA and Lower - lB.
 /// </summary>
 internal sealed class PulleyForm : JointForm
 {
@@ -23,6 +23,12 @@ internal sealed class PulleyForm : JointForm
             -s.Ratio * by,
             -s.Ratio * ((f.RBX * by) - (f.RBY * bx)),
             slack);
+        if ((flags & JointFlags.Limit) != 0)
+        {
+            rows.Add(RowType.Limit, -ax, -ay, -((f.RAX * ay) - (f.RAY * ax)), 0, 0, 0, s.Upper - lengthA);
+            rows.Add(RowType.Limit, 0, 0, 0, -bx, -by, -((f.RBX * by) - (f.RBY * bx)), s.Lower - lengthB);
+        }
+
         rows.JointError = Math.Max(0, -slack);
     }
 

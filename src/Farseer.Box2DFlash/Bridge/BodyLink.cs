@@ -1,0 +1,249 @@
+using System.Numerics;
+using Box2D.Dynamics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
+
+namespace Box2D.Bridge;
+
+/// <summary>
+/// A body's state: in the columns of the engine while it is there, in fields of its own otherwise. The engine keeps the centre of
+/// mass; the origin of the body, about which all shapes and joints are given, is found from it.
+/// </summary>
+internal sealed class BodyLink
+{
+    private readonly World _engine;
+    private Handle _handle;
+    private BodyPose _pose;
+    private BodyState _state;
+    private float _linearDamping;
+    private float _angularDamping;
+
+    public BodyLink(World engine, b2BodyDef def)
+    {
+        _engine = engine;
+        _linearDamping = def.linearDamping;
+        _angularDamping = def.angularDamping;
+        _pose = new BodyPose { X = def.position.x, Y = def.position.y, Angle = def.angle };
+        StableMath.SinCos(_pose.Angle, out double sin, out double cos);
+        _pose.Cos = (float)cos;
+        _pose.Sin = (float)sin;
+        _state = new BodyState { DeltaCos = 1 };
+    }
+
+    public bool IsAttached { get; private set; }
+
+    /// <summary>Centre of mass in the body.</summary>
+    public double CenterX { get; private set; }
+
+    public double CenterY { get; private set; }
+
+    public float Mass { get; private set; }
+
+    /// <summary>About the centre of mass; 0: does not turn.</summary>
+    public float Inertia { get; private set; }
+
+    public bool IsStatic => Mass == 0 && Inertia == 0;
+
+    public bool IsFrozen { get; private set; }
+
+    public Handle Handle
+    {
+        get
+        {
+            Attach();
+            return _handle;
+        }
+    }
+
+    public int Index => _handle.Index;
+
+    public double Angle => PoseRef.Angle;
+
+    public double Sin => PoseRef.Sin;
+
+    public double Cos => PoseRef.Cos;
+
+    public double WorldCenterX => PoseRef.X;
+
+    public double WorldCenterY => PoseRef.Y;
+
+    public double OriginX => PoseRef.X - ((Cos * CenterX) - (Sin * CenterY));
+
+    public double OriginY => PoseRef.Y - ((Sin * CenterX) + (Cos * CenterY));
+
+    public Vector2 Velocity
+    {
+        get => StateRef.LinearVelocity;
+        set => StateRef.LinearVelocity = value;
+    }
+
+    public float Spin
+    {
+        get => StateRef.AngularVelocity;
+        set => StateRef.AngularVelocity = value;
+    }
+
+    private ref BodyPose PoseRef
+    {
+        get
+        {
+            if (IsAttached)
+            {
+                return ref _engine.Bodies.Pose[_handle.Index];
+            }
+
+            return ref _pose;
+        }
+    }
+
+    private ref BodyState StateRef
+    {
+        get
+        {
+            if (IsAttached)
+            {
+                return ref _engine.Bodies.State[_handle.Index];
+            }
+
+            return ref _state;
+        }
+    }
+
+    /// <summary>Takes the body into the engine if it is not there.</summary>
+    public void Attach()
+    {
+        if (IsAttached)
+        {
+            return;
+        }
+
+        _handle = _engine.CreateBody(new BodyDef
+        {
+            X = _pose.X,
+            Y = _pose.Y,
+            Angle = _pose.Angle,
+            LinearVelocity = _state.LinearVelocity,
+            AngularVelocity = _state.AngularVelocity,
+            Mass = 1,
+            Inertia = 1,
+            Flags = BodyFlags.Enabled | BodyFlags.Static,
+        });
+        IsAttached = true;
+    }
+
+    /// <summary>Takes the body out; what it was last stays to be read.</summary>
+    public void Detach()
+    {
+        if (IsAttached)
+        {
+            _pose = PoseRef;
+            _state = StateRef;
+            IsAttached = false;
+            _engine.DestroyBody(_handle);
+        }
+    }
+
+    /// <summary>Sets mass, centre and inertia; the origin stays where it is. No mass and no inertia make the body static.</summary>
+    public void SetMass(float mass, float inertia, double centerX, double centerY, bool keepVelocity)
+    {
+        Attach();
+        if (centerX != CenterX || centerY != CenterY)
+        {
+            _engine.MoveCentre(_handle, centerX - CenterX, centerY - CenterY);
+            CenterX = centerX;
+            CenterY = centerY;
+        }
+
+        bool wasStatic = IsStatic;
+        Mass = mass;
+        Inertia = inertia;
+        if (IsStatic)
+        {
+            if (!wasStatic)
+            {
+                if (keepVelocity)
+                {
+                    _state = StateRef;
+                }
+
+                _engine.SetFlags(_handle, BodyFlags.Static, BodyFlags.None);
+            }
+
+            return;
+        }
+
+        float engineMass = mass > 0 ? mass : float.PositiveInfinity;
+        float engineInertia = inertia > 0 ? inertia : float.PositiveInfinity;
+        _engine.SetMass(_handle, engineMass, engineInertia);
+        _engine.Bodies.Drag[_handle.Index] = new BodyDrag
+        {
+            Linear = mass > 0 ? _linearDamping * mass : 0,
+            Angular = inertia > 0 ? _angularDamping * inertia : 0,
+        };
+        if (wasStatic)
+        {
+            _engine.SetFlags(_handle, BodyFlags.None, BodyFlags.Static);
+            if (keepVelocity)
+            {
+                StateRef.LinearVelocity = _state.LinearVelocity;
+                StateRef.AngularVelocity = _state.AngularVelocity;
+            }
+        }
+    }
+
+    /// <summary>Moves the origin.</summary>
+    public void SetTransform(double x, double y, double angle)
+    {
+        Attach();
+        _engine.SetAngle(_handle, angle);
+        _engine.SetPosition(_handle, x + ((Cos * CenterX) - (Sin * CenterY)), y + ((Sin * CenterX) + (Cos * CenterY)));
+    }
+
+    /// <summary>Stops the body and takes it out of all collision, for good.</summary>
+    public void Freeze()
+    {
+        IsFrozen = true;
+        StateRef.LinearVelocity = default;
+        StateRef.AngularVelocity = 0;
+        _engine.SetFlags(Handle, BodyFlags.None, BodyFlags.Enabled);
+    }
+
+    public void AddForce(double x, double y, double torque)
+    {
+        ref BodyForce force = ref _engine.Bodies.Force[Handle.Index];
+        force.Force += new Vector2((float)x, (float)y);
+        force.Torque += (float)torque;
+    }
+
+    public void AddImpulse(double x, double y, double angular)
+    {
+        ref BodyState state = ref StateRef;
+        double inverseMass = Mass > 0 ? 1.0 / Mass : 0;
+        double inverseInertia = Inertia > 0 ? 1.0 / Inertia : 0;
+        state.LinearVelocity += new Vector2((float)(inverseMass * x), (float)(inverseMass * y));
+        state.AngularVelocity += (float)(inverseInertia * angular);
+    }
+
+    /// <summary>Arm from the centre of mass to a point of the world.</summary>
+    public void Arm(double x, double y, out double rx, out double ry)
+    {
+        rx = x - PoseRef.X;
+        ry = y - PoseRef.Y;
+    }
+
+    public void ToWorld(double x, double y, out double worldX, out double worldY)
+    {
+        worldX = OriginX + ((Cos * x) - (Sin * y));
+        worldY = OriginY + ((Sin * x) + (Cos * y));
+    }
+
+    public void ToLocal(double worldX, double worldY, out double x, out double y)
+    {
+        double dx = worldX - OriginX;
+        double dy = worldY - OriginY;
+        x = (Cos * dx) + (Sin * dy);
+        y = (Cos * dy) - (Sin * dx);
+    }
+}

@@ -1,0 +1,59 @@
+using System.Collections.Generic;
+using Box2D.Collision.Shapes;
+using Box2D.Dynamics.Contacts;
+
+namespace Box2D.Bridge;
+
+/// <summary>All contacts, newest first, and where to find that of two colliders.</summary>
+internal sealed class ContactBook
+{
+    private readonly Dictionary<ulong, b2Contact> _byPair = new Dictionary<ulong, b2Contact>();
+
+    public b2Contact? First { get; private set; }
+
+    public int Count => _byPair.Count;
+
+    public static ulong Key(int colliderA, int colliderB) => colliderA < colliderB
+        ? ((ulong)(uint)colliderA << 32) | (uint)colliderB
+        : ((ulong)(uint)colliderB << 32) | (uint)colliderA;
+
+    public b2Contact? Find(int colliderA, int colliderB) =>
+        _byPair.TryGetValue(Key(colliderA, colliderB), out b2Contact? contact) ? contact : null;
+
+    public b2Contact Add(b2Shape shapeA, b2Shape shapeB, bool accepted)
+    {
+        (b2Shape first, b2Shape second) = IsSwapped(shapeA, shapeB) ? (shapeB, shapeA) : (shapeA, shapeB);
+        b2Contact contact = accepted ? new b2Contact(first, second) : new b2NullContact(first, second);
+        contact.Key = Key(shapeA.Link.Collider.Index, shapeB.Link.Collider.Index);
+        contact.Next = First;
+        if (First is not null)
+        {
+            First.Previous = contact;
+        }
+
+        First = contact;
+        _byPair.Add(contact.Key, contact);
+        return contact;
+    }
+
+    public void Remove(b2Contact contact)
+    {
+        _byPair.Remove(contact.Key);
+        if (contact.Previous is null)
+        {
+            First = contact.Next;
+        }
+        else
+        {
+            contact.Previous.Next = contact.Next;
+        }
+
+        if (contact.Next is not null)
+        {
+            contact.Next.Previous = contact.Previous;
+        }
+    }
+
+    /// <summary>As in the original a polygon comes before a circle; otherwise the older shape comes first.</summary>
+    private static bool IsSwapped(b2Shape a, b2Shape b) => a.GetType() == b2Shape.e_circleShape && b.GetType() == b2Shape.e_polygonShape;
+}

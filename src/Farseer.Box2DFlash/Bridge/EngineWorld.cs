@@ -1,0 +1,311 @@
+using System;
+using System.Numerics;
+using System.Runtime.ExceptionServices;
+using Box2D.Collision.Shapes;
+using Box2D.Dynamics;
+using Box2D.Dynamics.Contacts;
+using Farseer.Engine.Settings;
+using Farseer.Engine.Shapes;
+using Farseer.Engine.Simulation;
+
+namespace Box2D.Bridge;
+
+/// <summary>
+/// The engine's world with what the facade knows of it: which shape a collider is, which contacts there are, and who listens.
+/// </summary>
+internal sealed class EngineWorld : IStepHooks
+{
+    private readonly b2World _world;
+    private readonly ListenerRelay _relay;
+    private b2Shape?[] _shapes = new b2Shape?[16];
+    private ExceptionDispatchInfo? _failure;
+    private long _step;
+
+    public EngineWorld(b2World world)
+    {
+        _world = world;
+        _relay = new ListenerRelay(world, this);
+        WorldSettings settings = World.Settings;
+        settings.AllowedPenetration = Box2D.Common.b2Settings.b2_linearSlop;
+        settings.BounceThreshold = Box2D.Common.b2Settings.b2_velocityThreshold;
+        settings.FrictionMix = FrictionMix.GeometricMean;
+        settings.RestitutionMix = RestitutionMix.Maximum;
+        World.Hooks = this;
+    }
+
+    public World World { get; } = new World();
+
+    public ContactBook Contacts { get; } = new ContactBook();
+
+    /// <summary>How many shapes there are.</summary>
+    public int ShapeCount { get; private set; }
+
+    public void SetGravity(float x, float y) => World.Settings.Gravity = new Vector2(x, y);
+
+    public void Step(float dt, int iterations)
+    {
+        World.Settings.Substeps = iterations;
+        _step++;
+        World.Step(dt);
+        _relay.Results();
+        EndDistantContacts();
+    }
+
+    /// <summary>Throws what a listener threw within the step.</summary>
+    public void Rethrow()
+    {
+        ExceptionDispatchInfo? failure = _failure;
+        _failure = null;
+        failure?.Throw();
+    }
+
+    public void Keep(Exception exception) => _failure ??= ExceptionDispatchInfo.Capture(exception);
+
+    public void Attach(b2Shape shape)
+    {
+        BodyLink body = shape.Body!.Link;
+        ShapeCount++;
+        if (body.IsFrozen)
+        {
+            return;
+        }
+
+        shape.Link.Collider = World.CreateCollider(body.Handle, shape.Geometry(), new ColliderDef
+        {
+            Flags = Flags(shape),
+            Friction = shape.GetFriction(),
+            Restitution = shape.GetRestitution(),
+            Categories = uint.MaxValue,
+            CollidesWith = uint.MaxValue,
+            Offset = Offset(shape, body),
+        });
+        shape.Link.IsAttached = true;
+        int index = shape.Link.Collider.Index;
+        if (index >= _shapes.Length)
+        {
+            Array.Resize(ref _shapes, Math.Max(index + 1, _shapes.Length * 2));
+        }
+
+        _shapes[index] = shape;
+    }
+
+    public void Detach(b2Shape shape)
+    {
+        ShapeCount--;
+        if (shape.Link.IsAttached)
+        {
+            EndContacts(shape);
+            _shapes[shape.Link.Collider.Index] = null;
+            shape.Link.IsAttached = false;
+            World.DestroyCollider(shape.Link.Collider);
+        }
+    }
+
+    /// <summary>Ends the contacts of a shape: its points are removed, and bodies that it touched wake.</summary>
+    public void EndContacts(b2Shape shape)
+    {
+        b2Contact? contact = Contacts.First;
+        while (contact is not null)
+        {
+            b2Contact? next = contact.Next;
+            if (ReferenceEquals(contact.Shape1, shape) || ReferenceEquals(contact.Shape2, shape))
+            {
+                End(contact);
+            }
+
+            contact = next;
+        }
+    }
+
+    public void EndContacts(b2Body body)
+    {
+        for (b2Shape? s = body.Shapes; s is not null; s = s.Next)
+        {
+            EndContacts(s);
+        }
+    }
+
+    /// <summary>Ends the contacts between two bodies that a joint keeps from colliding.</summary>
+    public void EndContacts(b2Body body, b2Body other)
+    {
+        b2Contact? contact = Contacts.First;
+        while (contact is not null)
+        {
+            b2Contact? next = contact.Next;
+            b2Body? a = contact.Shape1.Body;
+            b2Body? b = contact.Shape2.Body;
+            if ((ReferenceEquals(a, body) && ReferenceEquals(b, other)) || (ReferenceEquals(a, other) && ReferenceEquals(b, body)))
+            {
+                End(contact);
+            }
+
+            contact = next;
+        }
+    }
+
+    /// <summary>A body became static or dynamic: its pairs are judged anew.</summary>
+    public void KindChanged(b2Body body)
+    {
+        for (b2Shape? s = body.Shapes; s is not null; s = s.Next)
+        {
+            Refilter(s);
+        }
+    }
+
+    public void Refilter(b2Shape shape)
+    {
+        if (shape.Link.IsAttached)
+        {
+            EndContacts(shape);
+            World.Refilter(shape.Link.Collider);
+        }
+    }
+
+    /// <summary>After a teleport: contacts whose shapes are no longer near end at once, as in the original.</summary>
+    public void Moved(b2Body body)
+    {
+        b2Contact? contact = Contacts.First;
+        while (contact is not null)
+        {
+            b2Contact? next = contact.Next;
+            if ((ReferenceEquals(contact.Shape1.Body, body) || ReferenceEquals(contact.Shape2.Body, body))
+                && !BoxesOverlap(contact.Shape1, contact.Shape2))
+            {
+                End(contact);
+            }
+
+            contact = next;
+        }
+    }
+
+    /// <summary>Whether no shape of the body lies wholly outside of the world.</summary>
+    public bool IsInside(b2Body body)
+    {
+        for (b2Shape? s = body.Shapes; s is not null; s = s.Next)
+        {
+            if (s.Link.IsAttached)
+            {
+                World.GetColliderBox(s.Link.Collider, out Vector2 min, out Vector2 max);
+                if (!_world.Overlaps(min, max))
+                {
+                    return false;
+                }
+            }
+        }
+
+        return true;
+    }
+
+    public bool Overlaps(b2Shape shape, Vector2 lower, Vector2 upper)
+    {
+        if (!shape.Link.IsAttached || shape.Body!.IsFrozen())
+        {
+            return false;
+        }
+
+        World.GetColliderBox(shape.Link.Collider, out Vector2 min, out Vector2 max);
+        return min.X <= upper.X && lower.X <= max.X && min.Y <= upper.Y && lower.Y <= max.Y;
+    }
+
+    public bool BoxesOverlap(b2Shape a, b2Shape b)
+    {
+        World.GetColliderBox(a.Link.Collider, out Vector2 minA, out Vector2 maxA);
+        World.GetColliderBox(b.Link.Collider, out Vector2 minB, out Vector2 maxB);
+        return minA.X <= maxB.X && minB.X <= maxA.X && minA.Y <= maxB.Y && minB.Y <= maxA.Y;
+    }
+
+    /// <summary>Tells the engine whether somebody listens: pairs that nobody hears of cost nothing.</summary>
+    public void ListenerChanged()
+    {
+        foreach (b2Shape? shape in _shapes)
+        {
+            if (shape is not null)
+            {
+                World.Collider(shape.Link.Collider).Flags = Flags(shape);
+            }
+        }
+    }
+
+    bool IStepHooks.AcceptPair(int colliderA, int colliderB)
+    {
+        b2Shape? a = _shapes[colliderA];
+        b2Shape? b = _shapes[colliderB];
+        if (a is null || b is null)
+        {
+            return false;
+        }
+
+        b2Contact? known = Contacts.Find(colliderA, colliderB);
+        if (known is null)
+        {
+            known = Contacts.Add(a, b, Ask(a, b));
+        }
+
+        return known.IsAccepted;
+    }
+
+    bool IStepHooks.OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points)
+    {
+        b2Contact? contact = Contacts.Find(colliderA, colliderB);
+        contact?.Points.Take(points, !ReferenceEquals(contact.Shape1, _shapes[colliderA]), _step);
+        return true;
+    }
+
+    void IStepHooks.OnSeparation(int colliderA, int colliderB)
+    {
+    }
+
+    void IStepHooks.ApplyForces(float dt) => _relay.Points(_step);
+
+    private static Vector2 Offset(b2Shape shape, BodyLink body)
+    {
+        var center = new Vector2((float)-body.CenterX, (float)-body.CenterY);
+        return shape is b2CircleShape circle ? center + circle.Center : center;
+    }
+
+    private ColliderFlags Flags(b2Shape shape)
+    {
+        ColliderFlags flags = ColliderFlags.Alive | ColliderFlags.CollisionEnabled;
+        flags |= shape.IsSensor() ? ColliderFlags.None : ColliderFlags.ResponseEnabled;
+        return _world.ContactListener is null ? flags : flags | ColliderFlags.WantsContact;
+    }
+
+    private bool Ask(b2Shape a, b2Shape b)
+    {
+        if (_world.ContactFilter is null)
+        {
+            return true;
+        }
+
+        try
+        {
+            return _world.ContactFilter.ShouldCollide(a, b);
+        }
+        catch (Exception exception)
+        {
+            Keep(exception);
+            return true;
+        }
+    }
+
+    private void End(b2Contact contact)
+    {
+        _relay.Removed(contact);
+        Contacts.Remove(contact);
+    }
+
+    private void EndDistantContacts()
+    {
+        b2Contact? contact = Contacts.First;
+        while (contact is not null)
+        {
+            b2Contact? next = contact.Next;
+            if (!World.AreNear(contact.Shape1.Link.Collider, contact.Shape2.Link.Collider))
+            {
+                End(contact);
+            }
+
+            contact = next;
+        }
+    }
+}

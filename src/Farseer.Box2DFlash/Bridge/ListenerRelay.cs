@@ -1,0 +1,170 @@
+using System;
+using Box2D.Collision;
+using Box2D.Common.Math;
+using Box2D.Dynamics;
+using Box2D.Dynamics.Contacts;
+using Farseer.Engine.Simulation;
+
+namespace Box2D.Bridge;
+
+/// <summary>
+/// Tells the contact listener. The engine hands over points while it finds contacts, in its own order; they are told when it has
+/// found all, contact by contact from the newest to the oldest as in the original, before the solver.
+/// </summary>
+internal sealed class ListenerRelay
+{
+    private readonly b2World _world;
+    private readonly EngineWorld _engine;
+    private readonly b2ContactPoint _point = new b2ContactPoint();
+    private readonly b2ContactResult _result = new b2ContactResult();
+
+    public ListenerRelay(b2World world, EngineWorld engine)
+    {
+        _world = world;
+        _engine = engine;
+    }
+
+    /// <summary>Points that came, stayed or went in this step.</summary>
+    public void Points(long step)
+    {
+        if (_world.ContactListener is null)
+        {
+            return;
+        }
+
+        for (b2Contact? contact = _engine.Contacts.First; contact is not null; contact = contact.Next)
+        {
+            ContactPoints points = contact.Points;
+            if (points.Step != step)
+            {
+                Removed(contact);
+                continue;
+            }
+
+            for (int i = 0; i < points.Count; i++)
+            {
+                if (points.WasThere(points[i].FeatureId))
+                {
+                    Tell(contact, ref points[i], Happening.Persist);
+                }
+                else
+                {
+                    Tell(contact, ref points[i], Happening.Add);
+                }
+            }
+
+            for (int i = 0; i < points.BeforeCount; i++)
+            {
+                if (!points.IsThere(points.Before(i).FeatureId))
+                {
+                    Tell(contact, ref points.Before(i), Happening.Remove);
+                }
+            }
+        }
+    }
+
+    /// <summary>What the solver did. Then the present points become those before.</summary>
+    public void Results()
+    {
+        if (_world.ContactListener is null)
+        {
+            return;
+        }
+
+        for (b2Contact? contact = _engine.Contacts.First; contact is not null; contact = contact.Next)
+        {
+            ContactPoints points = contact.Points;
+            for (int i = 0; i < points.Count; i++)
+            {
+                if (contact.IsSolid())
+                {
+                    Tell(contact, ref points[i]);
+                }
+            }
+
+            points.Turn();
+        }
+    }
+
+    /// <summary>All points of a contact are gone.</summary>
+    public void Removed(b2Contact contact)
+    {
+        ContactPoints points = contact.Points;
+        for (int i = 0; i < points.BeforeCount; i++)
+        {
+            Tell(contact, ref points.Before(i), Happening.Remove);
+        }
+
+        points.Clear();
+    }
+
+    private void Tell(b2Contact contact, ref ContactPoint point, Happening happening)
+    {
+        b2ContactListener? listener = _world.ContactListener;
+        if (listener is null)
+        {
+            return;
+        }
+
+        b2Body a = contact.Shape1.Body!;
+        b2Body b = contact.Shape2.Body!;
+        _point.shape1 = contact.Shape1;
+        _point.shape2 = contact.Shape2;
+        _point.position.Set((float)point.X, (float)point.Y);
+        _point.normal.Set(point.Normal.X, point.Normal.Y);
+        _point.separation = point.Separation;
+        _point.id.key = point.FeatureId;
+        _point.friction = (float)Math.Sqrt((double)contact.Shape1.GetFriction() * contact.Shape2.GetFriction());
+        _point.restitution = Math.Max(contact.Shape1.GetRestitution(), contact.Shape2.GetRestitution());
+        a.Link.Arm(point.X, point.Y, out double ax, out double ay);
+        b.Link.Arm(point.X, point.Y, out double bx, out double by);
+        _point.velocity.SetV(b2Math.SubtractVV(b.VelocityAtArm(bx, by), a.VelocityAtArm(ax, ay)));
+        try
+        {
+            switch (happening)
+            {
+                case Happening.Add:
+                    listener.Add(_point);
+                    break;
+                case Happening.Persist:
+                    listener.Persist(_point);
+                    break;
+                default:
+                    listener.Remove(_point);
+                    break;
+            }
+        }
+        catch (Exception exception) when (_world.IsStepping)
+        {
+            _engine.Keep(exception);
+        }
+    }
+
+    private void Tell(b2Contact contact, ref ContactPoint point)
+    {
+        _result.shape1 = contact.Shape1;
+        _result.shape2 = contact.Shape2;
+        _result.position.Set((float)point.X, (float)point.Y);
+        _result.normal.Set(point.Normal.X, point.Normal.Y);
+        _result.id.key = point.FeatureId;
+        _engine.World.TryGetImpulses(
+            contact.Shape1.Link.Collider, contact.Shape2.Link.Collider, point.FeatureId, out float normal, out float tangent);
+        _result.normalImpulse = normal;
+        _result.tangentImpulse = tangent;
+        try
+        {
+            _world.ContactListener!.Result(_result);
+        }
+        catch (Exception exception)
+        {
+            _engine.Keep(exception);
+        }
+    }
+
+    private enum Happening
+    {
+        Add,
+        Persist,
+        Remove,
+    }
+}

@@ -1,0 +1,12 @@
+using Farseer.Engine.Storage;
+
+namespace Box2D.Bridge;
+
+/// <summary>A shape's collider in the engine.</summary>
+internal sealed class ShapeLink
+{
+    public Handle Collider { get; set; }
+
+    /// <summary>False while the body is frozen or the shape is gone.</summary>
+    public bool IsAttached { get; set; }
+}

@@ -1,0 +1,19 @@
+using Box2D.Common.Math;
+
+namespace Box2D.Collision.Shapes;
+
+/// <summary>What a circle is made from.</summary>
+public class b2CircleDef : b2ShapeDef
+{
+    /// <summary>Makes a definition of a circle of radius 1 about the origin of the body.</summary>
+    public b2CircleDef()
+        : base(b2Shape.e_circleShape)
+    {
+    }
+
+    /// <summary>Centre in the body, metres. Default (0, 0).</summary>
+    public b2Vec2 localPosition { get; set; } = new b2Vec2(0, 0);
+
+    /// <summary>Radius, metres; above 0. Default 1.</summary>
+    public float radius { get; set; } = 1.0f;
+}

@@ -1,0 +1,175 @@
+using System;
+using System.Numerics;
+using Box2D.Bridge;
+using Box2D.Common.Math;
+using Box2D.Dynamics;
+
+namespace Box2D.Collision.Shapes;
+
+/// <summary>
+/// Collision geometry of a body, with friction and restitution. Shapes are made by <see cref="b2Body.CreateShape"/> and go with
+/// their body or by <see cref="b2Body.DestroyShape"/>.
+/// </summary>
+public abstract class b2Shape
+{
+    /// <summary>No kind of shape.</summary>
+    public const int e_unknownShape = -1;
+
+    /// <summary>A circle.</summary>
+    public const int e_circleShape = 0;
+
+    /// <summary>A polygon.</summary>
+    public const int e_polygonShape = 1;
+
+    /// <summary>How many kinds there are.</summary>
+    public const int e_shapeTypeCount = 2;
+
+    private readonly int _type;
+    private readonly float _friction;
+    private readonly float _restitution;
+    private readonly bool _isSensor;
+    private b2FilterData _filter;
+    private object? _userData;
+
+    internal b2Shape(b2ShapeDef def)
+    {
+        _type = def.type;
+        _friction = Require.NotNegative(def.friction, nameof(def.friction));
+        _restitution = Require.NotNegative(def.restitution, nameof(def.restitution));
+        Density = Require.NotNegative(def.density, nameof(def.density));
+        _filter = Require.NotNull(def.filter, nameof(def.filter)).Copy();
+        _isSensor = def.isSensor;
+        _userData = def.userData;
+    }
+
+    internal ShapeLink Link { get; } = new ShapeLink();
+
+    internal b2Body? Body { get; set; }
+
+    internal b2Shape? Next { get; set; }
+
+    internal float Density { get; }
+
+    /// <summary>The kind of shape: <see cref="e_circleShape"/> or <see cref="e_polygonShape"/>. It hides the type of the object, as the name is that of the original.</summary>
+    /// <returns>The kind.</returns>
+    public new int GetType() => _type;
+
+    /// <summary>Whether the shape only notices overlaps.</summary>
+    /// <returns>True for a sensor.</returns>
+    public bool IsSensor() => _isSensor;
+
+    /// <summary>Changes which shapes it collides with. Pairs that exist are judged anew only by <see cref="b2World.Refilter"/>.</summary>
+    /// <param name="filter">The filter; it is copied.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="filter"/> is null.</exception>
+    public void SetFilterData(b2FilterData filter) => _filter = Require.NotNull(filter, nameof(filter)).Copy();
+
+    /// <summary>Which shapes it collides with.</summary>
+    /// <returns>A copy: change it and hand it to <see cref="SetFilterData"/>.</returns>
+    public b2FilterData GetFilterData() => _filter.Copy();
+
+    /// <summary>The body that carries the shape.</summary>
+    /// <returns>The body; null once the shape is destroyed.</returns>
+    public b2Body? GetBody() => Body;
+
+    /// <summary>The next shape of the body: the one made before this one.</summary>
+    /// <returns>The shape, or null after the last.</returns>
+    public b2Shape? GetNext() => Next;
+
+    /// <summary>The object that the user attached.</summary>
+    /// <returns>The object, or null.</returns>
+    public object? GetUserData() => _userData;
+
+    /// <summary>Attaches an object.</summary>
+    /// <param name="data">Any object, or null.</param>
+    public void SetUserData(object? data) => _userData = data;
+
+    /// <summary>Whether a point is inside the shape.</summary>
+    /// <param name="xf">Where the body is: <see cref="b2Body.GetXForm"/>.</param>
+    /// <param name="p">The point, in the world.</param>
+    /// <returns>True if it is inside or on the rim.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    public abstract bool TestPoint(b2XForm xf, b2Vec2 p);
+
+    /// <summary>Where a line first meets the shape. A line that starts inside does not meet it.</summary>
+    /// <param name="xf">Where the body is.</param>
+    /// <param name="lambda">Its first item becomes the place on the line: 0 its start, 1 its end. Untouched on a miss.</param>
+    /// <param name="normal">Becomes the normal of the shape there. Untouched on a miss.</param>
+    /// <param name="segment">The line, in the world.</param>
+    /// <param name="maxLambda">How far along the line to look, 0 to 1.</param>
+    /// <returns>True if it meets the shape.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException"><paramref name="lambda"/> has no room.</exception>
+    public abstract bool TestSegment(b2XForm xf, float[] lambda, b2Vec2 normal, b2Segment segment, float maxLambda);
+
+    /// <summary>The box around the shape.</summary>
+    /// <param name="aabb">Becomes the box.</param>
+    /// <param name="xf">Where the body is.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    public abstract void ComputeAABB(b2AABB aabb, b2XForm xf);
+
+    /// <summary>The box around the shape at two places.</summary>
+    /// <param name="aabb">Becomes the box.</param>
+    /// <param name="xf1">Where the body is first.</param>
+    /// <param name="xf2">Where it is then.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    public void ComputeSweptAABB(b2AABB aabb, b2XForm xf1, b2XForm xf2)
+    {
+        var second = new b2AABB();
+        ComputeAABB(aabb, xf1);
+        ComputeAABB(second, xf2);
+        aabb.lowerBound.MinV(second.lowerBound);
+        aabb.upperBound.MaxV(second.upperBound);
+    }
+
+    /// <summary>Mass by the density, centre of mass, and inertia about the origin of the body.</summary>
+    /// <param name="massData">Becomes the result.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="massData"/> is null.</exception>
+    public void ComputeMass(b2MassData massData)
+    {
+        Require.NotNull(massData, nameof(massData));
+        ShapeMass mass = Mass();
+        massData.mass = (float)mass.Mass;
+        massData.center.Set((float)mass.X, (float)mass.Y);
+        massData.I = (float)(mass.Inertia + (mass.Mass * ((mass.X * mass.X) + (mass.Y * mass.Y))));
+    }
+
+    /// <summary>Greatest distance of the shape's core from the centre of mass of the body.</summary>
+    /// <returns>The distance, metres.</returns>
+    public float GetSweepRadius() => (float)SweepRadius(Body?.GetLocalCenter() ?? new b2Vec2());
+
+    /// <summary>Coefficient of friction.</summary>
+    /// <returns>0 or more.</returns>
+    public float GetFriction() => _friction;
+
+    /// <summary>Restitution.</summary>
+    /// <returns>0 or more.</returns>
+    public float GetRestitution() => _restitution;
+
+    internal abstract Farseer.Engine.Shapes.ShapeGeometry Geometry();
+
+    /// <summary>Mass, centre, and inertia about that centre.</summary>
+    internal abstract ShapeMass Mass();
+
+    internal abstract double SweepRadius(b2Vec2 center);
+
+    internal b2FilterData Filter => _filter;
+
+    private protected static Vector2 Local(b2XForm xf, b2Vec2 p)
+    {
+        double x = (double)p.x - xf.position.x;
+        double y = (double)p.y - xf.position.y;
+        b2Mat22 r = xf.R;
+        return new Vector2((float)((x * r.col1.x) + (y * r.col1.y)), (float)((x * r.col2.x) + (y * r.col2.y)));
+    }
+
+    private protected static void CheckSegment(b2XForm xf, float[] lambda, b2Vec2 normal, b2Segment segment, float maxLambda)
+    {
+        Require.NotNull(xf, nameof(xf));
+        Require.Room(lambda, nameof(lambda));
+        Require.NotNull(normal, nameof(normal));
+        Require.NotNull(segment, nameof(segment));
+        Require.Vector(segment.p1, nameof(segment));
+        Require.Vector(segment.p2, nameof(segment));
+        Require.Finite(maxLambda, nameof(maxLambda));
+    }
+}

@@ -1,0 +1,18 @@
+using Box2D.Common.Math;
+
+namespace Box2D.Collision;
+
+/// <summary>A box whose sides are parallel to the axes.</summary>
+public class b2AABB
+{
+    /// <summary>The corner with the lesser coordinates.</summary>
+    public b2Vec2 lowerBound { get; set; } = new b2Vec2();
+
+    /// <summary>The corner with the greater coordinates.</summary>
+    public b2Vec2 upperBound { get; set; } = new b2Vec2();
+
+    /// <summary>Whether the corners are finite and in order.</summary>
+    /// <returns>True if they are.</returns>
+    public bool IsValid() =>
+        upperBound.x - lowerBound.x >= 0 && upperBound.y - lowerBound.y >= 0 && lowerBound.IsValid() && upperBound.IsValid();
+}

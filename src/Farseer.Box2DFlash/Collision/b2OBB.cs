@@ -1,0 +1,16 @@
+using Box2D.Common.Math;
+
+namespace Box2D.Collision;
+
+/// <summary>A box that may be turned.</summary>
+public class b2OBB
+{
+    /// <summary>The rotation.</summary>
+    public b2Mat22 R { get; set; } = new b2Mat22();
+
+    /// <summary>The centre, in the body.</summary>
+    public b2Vec2 center { get; set; } = new b2Vec2();
+
+    /// <summary>Half the sides.</summary>
+    public b2Vec2 extents { get; set; } = new b2Vec2();
+}

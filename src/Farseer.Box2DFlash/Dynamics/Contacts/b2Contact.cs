@@ -1,0 +1,51 @@
+using Box2D.Bridge;
+using Box2D.Collision.Shapes;
+
+namespace Box2D.Dynamics.Contacts;
+
+/// <summary>
+/// Two shapes whose boxes overlap, whether or not they touch. The engine makes and ends it; see <see cref="b2World.GetContactList"/>.
+/// </summary>
+public class b2Contact
+{
+    internal b2Contact(b2Shape shape1, b2Shape shape2)
+    {
+        Points = new ContactPoints();
+        Shape1 = shape1;
+        Shape2 = shape2;
+    }
+
+    internal b2Shape Shape1 { get; }
+
+    internal b2Shape Shape2 { get; }
+
+    internal b2Contact? Next { get; set; }
+
+    internal b2Contact? Previous { get; set; }
+
+    internal ulong Key { get; set; }
+
+    internal ContactPoints Points { get; }
+
+    internal virtual bool IsAccepted => true;
+
+    /// <summary>First shape; of a polygon and a circle the polygon.</summary>
+    /// <returns>The shape.</returns>
+    public b2Shape GetShape1() => Shape1;
+
+    /// <summary>Second shape.</summary>
+    /// <returns>The shape.</returns>
+    public b2Shape GetShape2() => Shape2;
+
+    /// <summary>The next contact of the world: one made before this one.</summary>
+    /// <returns>The contact, or null after the last.</returns>
+    public b2Contact? GetNext() => Next;
+
+    /// <summary>Whether the shapes push each other apart when they touch: neither is a sensor.</summary>
+    /// <returns>True if they do.</returns>
+    public virtual bool IsSolid() => !Shape1.IsSensor() && !Shape2.IsSensor();
+
+    /// <summary>1 if the shapes touched in the last step and a contact listener is registered, otherwise 0.</summary>
+    /// <returns>0 or 1.</returns>
+    public int GetManifoldCount() => Points.Count > 0 ? 1 : 0;
+}

@@ -1,0 +1,51 @@
+using Box2D.Bridge;
+using Box2D.Common.Math;
+using Farseer.Engine.Joints;
+
+namespace Box2D.Dynamics.Joints;
+
+/// <summary>Draws a point of the second body towards a target, by a spring with a largest force.</summary>
+public class b2MouseJoint : b2Joint
+{
+    private readonly b2Vec2 _local;
+    private readonly b2Vec2 _target;
+
+    internal b2MouseJoint(b2MouseJointDef def, b2World world)
+        : base(def, world, JointKind.Target, def.body1!, def.body2!)
+    {
+        _target = def.target.Copy();
+        _local = def.body2!.GetLocalPoint(_target);
+        Link.Settings.AnchorAX = _target.x;
+        Link.Settings.AnchorAY = _target.y;
+        Link.Settings.AnchorBX = _local.x - def.body2.Link.CenterX;
+        Link.Settings.AnchorBY = _local.y - def.body2.Link.CenterY;
+        Link.Settings.MotorLimit = def.maxForce;
+        Link.Settings.Frequency = def.frequencyHz;
+        Link.Settings.DampingRatio = def.dampingRatio;
+    }
+
+    /// <summary>The target.</summary>
+    /// <returns>A new vector.</returns>
+    public override b2Vec2 GetAnchor1() => _target.Copy();
+
+    /// <inheritdoc/>
+    public override b2Vec2 GetAnchor2() => GetBody2().GetWorldPoint(_local);
+
+    /// <summary>Always 0: the joint pulls at a point.</summary>
+    /// <returns>0.</returns>
+    public override float GetReactionTorque() => 0;
+
+    /// <summary>Moves the target; it wakes the body.</summary>
+    /// <param name="target">Where to, in the world, metres; it is copied.</param>
+    /// <exception cref="System.ArgumentException"><paramref name="target"/> is null or not finite.</exception>
+    public void SetTarget(b2Vec2 target)
+    {
+        _target.SetV(Require.Vector(target, nameof(target)));
+        Link.Settings.AnchorAX = _target.x;
+        Link.Settings.AnchorAY = _target.y;
+        Link.Push(true);
+        GetBody2().WakeUp();
+    }
+
+    internal override void Attach() => Link.Attach(null, GetBody2().Link);
+}

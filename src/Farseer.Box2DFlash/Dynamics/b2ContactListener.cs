@@ -1,0 +1,35 @@
+using Box2D.Collision;
+using Box2D.Dynamics.Contacts;
+
+namespace Box2D.Dynamics;
+
+/// <summary>
+/// Hears of contact points. Derive from it and hand it to <see cref="b2World.SetContactListener"/>. The objects handed over are
+/// used again, and the world must not be changed within these calls: keep what you need and act after the step.
+/// </summary>
+public class b2ContactListener
+{
+    /// <summary>A point was made.</summary>
+    /// <param name="point">The point, before the solver.</param>
+    public virtual void Add(b2ContactPoint point)
+    {
+    }
+
+    /// <summary>A point has lasted since the last step.</summary>
+    /// <param name="point">The point, before the solver.</param>
+    public virtual void Persist(b2ContactPoint point)
+    {
+    }
+
+    /// <summary>A point is no more.</summary>
+    /// <param name="point">The point as it last was.</param>
+    public virtual void Remove(b2ContactPoint point)
+    {
+    }
+
+    /// <summary>What the solver did at a point; not for sensors.</summary>
+    /// <param name="point">The impulses.</param>
+    public virtual void Result(b2ContactResult point)
+    {
+    }
+}

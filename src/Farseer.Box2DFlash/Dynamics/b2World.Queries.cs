@@ -1,0 +1,80 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using Box2D.Bridge;
+using Box2D.Collision;
+using Box2D.Collision.Shapes;
+
+namespace Box2D.Dynamics;
+
+/// <content>Queries.</content>
+public partial class b2World
+{
+    /// <summary>Finds the shapes whose boxes overlap a box. It looks at boxes only: the shapes themselves may lie beside it.</summary>
+    /// <param name="aabb">The box, in the world.</param>
+    /// <param name="shapes">Where the shapes go, from the first place on.</param>
+    /// <param name="maxCount">How many at most; 0 or more.</param>
+    /// <returns>How many were put into <paramref name="shapes"/>.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">The corners of the box are not finite or not in order.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="maxCount"/> is negative or more than the array holds.</exception>
+    public int Query(b2AABB aabb, b2Shape[] shapes, int maxCount)
+    {
+        Require.NotNull(shapes, nameof(shapes));
+        CheckBox(aabb);
+        if (maxCount < 0 || maxCount > shapes.Length)
+        {
+            throw new ArgumentOutOfRangeException(nameof(maxCount), maxCount, "The count must be 0 or more, and the array must have room for it.");
+        }
+
+        return Find(aabb, maxCount, (i, shape) => shapes[i] = shape);
+    }
+
+    /// <summary>Finds the shapes whose boxes overlap a box, as the other overload.</summary>
+    /// <param name="aabb">The box, in the world.</param>
+    /// <param name="shapes">Where the shapes are added.</param>
+    /// <param name="maxCount">How many at most; 0 or more.</param>
+    /// <returns>How many were added.</returns>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">The corners of the box are not finite or not in order.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="maxCount"/> is negative.</exception>
+    public int Query(b2AABB aabb, List<b2Shape> shapes, int maxCount)
+    {
+        Require.NotNull(shapes, nameof(shapes));
+        CheckBox(aabb);
+        if (maxCount < 0)
+        {
+            throw new ArgumentOutOfRangeException(nameof(maxCount), maxCount, "The count must be 0 or more.");
+        }
+
+        return Find(aabb, maxCount, (_, shape) => shapes.Add(shape));
+    }
+
+    private static void CheckBox(b2AABB aabb)
+    {
+        Require.NotNull(aabb, nameof(aabb));
+        if (!aabb.IsValid())
+        {
+            throw new ArgumentException("The corners of the box must be finite and in order.", nameof(aabb));
+        }
+    }
+
+    private int Find(b2AABB aabb, int maxCount, Action<int, b2Shape> take)
+    {
+        var lower = new Vector2(aabb.lowerBound.x, aabb.lowerBound.y);
+        var upper = new Vector2(aabb.upperBound.x, aabb.upperBound.y);
+        int count = 0;
+        for (b2Body? body = _bodies; body is not null; body = body.Next)
+        {
+            for (b2Shape? shape = body.Shapes; shape is not null && count < maxCount; shape = shape.Next)
+            {
+                if (Engine.Overlaps(shape, lower, upper))
+                {
+                    take(count++, shape);
+                }
+            }
+        }
+
+        return count;
+    }
+}

@@ -1,0 +1,88 @@
+using System;
+using Box2D.Bridge;
+using Box2D.Common;
+using Box2D.Common.Math;
+
+namespace Box2D.Dynamics;
+
+/// <content>The step.</content>
+public partial class b2World
+{
+    /// <summary>
+    /// Moves the world on. Listeners are told within the step; see <see cref="b2ContactListener"/>. What one of them throws comes out
+    /// of here when the step is complete.
+    /// </summary>
+    /// <param name="dt">Time, seconds; finite and 0 or more. 0 does nothing. 1/60 is usual.</param>
+    /// <param name="iterations">
+    /// Accuracy, above 0: the step is solved in so many substeps, and the error falls fourfold with each doubling. 10 is usual.
+    /// </param>
+    /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from a listener.</exception>
+    public void Step(float dt, int iterations)
+    {
+        Require.NotNegative(dt, nameof(dt));
+        Require.Positive(iterations, nameof(iterations));
+        if (_locked)
+        {
+            throw new InvalidOperationException("The world is locked: Step must not be called by a listener of a step.");
+        }
+
+        _locked = true;
+        try
+        {
+            if (dt > 0)
+            {
+                if ((Quirks & Box2DFlash202Quirks.SpeedLimits) != 0)
+                {
+                    CutSpeeds();
+                }
+
+                Engine.Step(dt, iterations);
+                FreezeOutside();
+            }
+
+            DrawDebugData();
+        }
+        finally
+        {
+            _locked = false;
+        }
+
+        Engine.Rethrow();
+    }
+
+    private void FreezeOutside()
+    {
+        for (b2Body? b = _bodies; b is not null; b = b.Next)
+        {
+            if (b.Link.IsStatic || b.Link.IsFrozen || b.IsSleeping() || Engine.IsInside(b))
+            {
+                continue;
+            }
+
+            b.Freeze();
+            try
+            {
+                BoundaryListener?.Violation(b);
+            }
+            catch (Exception exception)
+            {
+                Engine.Keep(exception);
+            }
+        }
+    }
+
+    private void CutSpeeds()
+    {
+        for (b2Body? b = _bodies; b is not null; b = b.Next)
+        {
+            float speed = b.Link.Velocity.Length();
+            if (speed > b2Settings.b2_maxLinearVelocity)
+            {
+                b.Link.Velocity *= b2Settings.b2_maxLinearVelocity / speed;
+            }
+
+            b.Link.Spin = b2Math.b2Clamp(b.Link.Spin, -b2Settings.b2_maxAngularVelocity, b2Settings.b2_maxAngularVelocity);
+        }
+    }
+}

@@ -1,0 +1,275 @@
+using System;
+using System.Globalization;
+using System.Numerics;
+using Box2D.Bridge;
+using Box2D.Collision;
+using Box2D.Collision.Shapes;
+using Box2D.Common.Math;
+using Box2D.Dynamics.Contacts;
+using Box2D.Dynamics.Joints;
+
+namespace Box2D.Dynamics;
+
+/// <summary>Bodies, shapes and joints, and the step that moves them. There may be several worlds.</summary>
+public partial class b2World
+{
+    private readonly Vector2 _lower;
+    private readonly Vector2 _upper;
+    private readonly b2Body _ground;
+    private b2Body? _bodies;
+    private b2Joint? _joints;
+    private int _bodyCount;
+    private int _jointCount;
+    private bool _locked;
+
+    /// <summary>Makes a world.</summary>
+    /// <param name="worldAABB">The region of the bodies, metres; it is copied. A body that leaves it is frozen.</param>
+    /// <param name="gravity">Acceleration of all bodies, m/s²; it is copied.</param>
+    /// <param name="doSleep">Whether bodies at rest fall asleep.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">A value is not finite, or the corners of the region are not in order.</exception>
+    public b2World(b2AABB worldAABB, b2Vec2 gravity, bool doSleep)
+    {
+        Require.NotNull(worldAABB, nameof(worldAABB));
+        Require.Vector(worldAABB.lowerBound, nameof(worldAABB));
+        Require.Vector(worldAABB.upperBound, nameof(worldAABB));
+        if (!worldAABB.IsValid())
+        {
+            throw new ArgumentException(
+                $"The lower corner {worldAABB.lowerBound} of the world must lie below and left of the upper one {worldAABB.upperBound}.",
+                nameof(worldAABB));
+        }
+
+        Require.Vector(gravity, nameof(gravity));
+        _lower = new Vector2(worldAABB.lowerBound.x, worldAABB.lowerBound.y);
+        _upper = new Vector2(worldAABB.upperBound.x, worldAABB.upperBound.y);
+        Engine = new EngineWorld(this);
+        Engine.SetGravity(gravity.x, gravity.y);
+        DoSleep = doSleep;
+        _ground = new b2Body(this, new b2BodyDef());
+        _bodies = _ground;
+        _bodyCount = 1;
+    }
+
+    /// <summary>Which wrongs of version 2.0.2 are to be had. Default none.</summary>
+    public Box2DFlash202Quirks Quirks { get; set; }
+
+    internal EngineWorld Engine { get; }
+
+    internal bool DoSleep { get; }
+
+    internal bool IsStepping => _locked;
+
+    internal b2ContactFilter? ContactFilter { get; private set; } = b2ContactFilter.b2_defaultFilter;
+
+    internal b2ContactListener? ContactListener { get; private set; }
+
+    internal b2DestructionListener? DestructionListener { get; private set; }
+
+    internal b2BoundaryListener? BoundaryListener { get; private set; }
+
+    /// <summary>Registers who hears of joints and shapes that go with their body.</summary>
+    /// <param name="listener">The listener, or null for none.</param>
+    public void SetDestructionListener(b2DestructionListener? listener) => DestructionListener = listener;
+
+    /// <summary>Registers who hears of bodies that leave the world.</summary>
+    /// <param name="listener">The listener, or null for none.</param>
+    public void SetBoundaryListener(b2BoundaryListener? listener) => BoundaryListener = listener;
+
+    /// <summary>Registers who decides which shapes collide. Pairs that exist are judged anew only by <see cref="Refilter"/>.</summary>
+    /// <param name="filter">The filter; null lets all shapes collide.</param>
+    public void SetContactFilter(b2ContactFilter? filter) => ContactFilter = filter;
+
+    /// <summary>Registers who hears of contact points.</summary>
+    /// <param name="listener">The listener, or null for none.</param>
+    public void SetContactListener(b2ContactListener? listener)
+    {
+        ContactListener = listener;
+        Engine.ListenerChanged();
+    }
+
+    /// <summary>Makes a body.</summary>
+    /// <param name="def">What it is made from; it is copied.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="def"/> is null.</exception>
+    /// <exception cref="ArgumentException">A value of it is out of its range.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from a listener.</exception>
+    public b2Body CreateBody(b2BodyDef def)
+    {
+        Require.NotNull(def, nameof(def));
+        Require.Vector(def.position, nameof(def.position));
+        Require.Finite(def.angle, nameof(def.angle));
+        Require.NotNegative(def.linearDamping, nameof(def.linearDamping));
+        Require.NotNegative(def.angularDamping, nameof(def.angularDamping));
+        b2Body.CheckMass(def.massData);
+        if (IsLocked(nameof(CreateBody)))
+        {
+            return null!;
+        }
+
+        var body = new b2Body(this, def) { Next = _bodies };
+        _bodies = body;
+        _bodyCount++;
+        body.Link.Attach();
+        float inertia = def.fixedRotation ? 0 : def.massData.I;
+        body.ApplyMass(def.massData.mass, inertia, def.massData.center.x, def.massData.center.y);
+        body.Bullet = def.isBullet;
+        body.AllowSleeping(def.allowSleep);
+        if (def.isSleeping)
+        {
+            body.PutToSleep();
+        }
+
+        return body;
+    }
+
+    /// <summary>Destroys a body with its shapes and joints, of which the destruction listener is told first.</summary>
+    /// <param name="b">The body.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="b"/> is null.</exception>
+    /// <exception cref="ArgumentException"><paramref name="b"/> is of another world, destroyed already, or the ground body.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from a listener.</exception>
+    public void DestroyBody(b2Body b)
+    {
+        CheckMine(b, nameof(b));
+        if (ReferenceEquals(b, _ground))
+        {
+            throw new ArgumentException("The ground body belongs to the world.", nameof(b));
+        }
+
+        if (IsLocked(nameof(DestroyBody)))
+        {
+            return;
+        }
+
+        while (b.Joints is { } edge)
+        {
+            Destroy(edge.joint, true);
+        }
+
+        while (b.Shapes is { } shape)
+        {
+            DestructionListener?.SayGoodbyeShape(shape);
+            b.DestroyShape(shape);
+        }
+
+        if (ReferenceEquals(_bodies, b))
+        {
+            _bodies = b.Next;
+        }
+        else
+        {
+            b2Body before = _bodies!;
+            while (!ReferenceEquals(before.Next, b))
+            {
+                before = before.Next!;
+            }
+
+            before.Next = b.Next;
+        }
+
+        _bodyCount--;
+        b.IsAlive = false;
+        b.Next = null;
+        b.Link.Detach();
+    }
+
+    /// <summary>The body that belongs to the world: static, at the origin, without shapes at first.</summary>
+    /// <returns>The body; it counts in <see cref="GetBodyCount"/> and is the last of the list.</returns>
+    public b2Body GetGroundBody() => _ground;
+
+    /// <summary>The first body: the one made last.</summary>
+    /// <returns>The body.</returns>
+    public b2Body? GetBodyList() => _bodies;
+
+    /// <summary>The first joint: the one made last.</summary>
+    /// <returns>The joint, or null.</returns>
+    public b2Joint? GetJointList() => _joints;
+
+    /// <summary>The first contact: the one made last.</summary>
+    /// <returns>The contact, or null.</returns>
+    public b2Contact? GetContactList() => Engine.Contacts.First;
+
+    /// <summary>How many shapes there are.</summary>
+    /// <returns>0 or more.</returns>
+    public int GetProxyCount() => Engine.ShapeCount;
+
+    /// <summary>How many pairs of shapes have boxes that overlap.</summary>
+    /// <returns>0 or more.</returns>
+    public int GetPairCount() => Engine.Contacts.Count;
+
+    /// <summary>How many bodies there are, the ground body included.</summary>
+    /// <returns>1 or more.</returns>
+    public int GetBodyCount() => _bodyCount;
+
+    /// <summary>How many joints there are.</summary>
+    /// <returns>0 or more.</returns>
+    public int GetJointCount() => _jointCount;
+
+    /// <summary>How many contacts there are: pairs whose boxes overlap, whether or not they touch.</summary>
+    /// <returns>0 or more.</returns>
+    public int GetContactCount() => Engine.Contacts.Count;
+
+    /// <summary>Judges the pairs of a shape anew, after <see cref="b2Shape.SetFilterData"/>.</summary>
+    /// <param name="shape">The shape.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="shape"/> is null.</exception>
+    /// <exception cref="ArgumentException"><paramref name="shape"/> is destroyed or of another world.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from a listener.</exception>
+    public void Refilter(b2Shape shape)
+    {
+        Require.NotNull(shape, nameof(shape));
+        if (shape.Body is null || !ReferenceEquals(shape.Body.World, this))
+        {
+            throw new ArgumentException("The shape does not belong to this world.", nameof(shape));
+        }
+
+        if (!IsLocked(nameof(Refilter)))
+        {
+            Engine.Refilter(shape);
+        }
+    }
+
+    /// <summary>Changes gravity.</summary>
+    /// <param name="gravity">m/s², finite; it is copied.</param>
+    /// <exception cref="ArgumentException"><paramref name="gravity"/> is null or not finite.</exception>
+    public void SetGravity(b2Vec2 gravity)
+    {
+        Require.Vector(gravity, nameof(gravity));
+        Engine.SetGravity(gravity.x, gravity.y);
+        for (b2Body? b = _bodies; b is not null; b = b.Next)
+        {
+            b.WakeBySetter();
+        }
+    }
+
+    internal bool Overlaps(Vector2 min, Vector2 max) =>
+        min.X <= _upper.X && max.X >= _lower.X && min.Y <= _upper.Y && max.Y >= _lower.Y;
+
+    internal void CheckMine(b2Body? body, string name)
+    {
+        Require.NotNull(body, name);
+        if (!body!.IsAlive || !ReferenceEquals(body.World, this))
+        {
+            throw new ArgumentException("The body is destroyed or belongs to another world.", name);
+        }
+    }
+
+    /// <summary>Within a step nothing may be made or destroyed.</summary>
+    /// <returns>True if the call is to do nothing, which is a quirk.</returns>
+    internal bool IsLocked(string call)
+    {
+        if (!_locked)
+        {
+            return false;
+        }
+
+        if ((Quirks & Box2DFlash202Quirks.LockedCallsDoNothing) != 0)
+        {
+            return true;
+        }
+
+        throw new InvalidOperationException(string.Format(
+            CultureInfo.InvariantCulture,
+            "The world is locked: {0} must not be called by a listener or filter during b2World.Step. Keep what you need and act after the step.",
+            call));
+    }
+}
