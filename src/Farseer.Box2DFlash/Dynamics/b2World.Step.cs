@@ -8,6 +8,8 @@ namespace Box2D.Dynamics;
 /// <content>The step.</content>
 public partial class b2World
 {
+    private bool _continuous = true;
+
     /// <summary>
     /// Moves the world on. Listeners are told within the step; see <see cref="b2ContactListener"/>. What one of them throws comes out
     /// of here when the step is complete.
@@ -50,6 +52,20 @@ public partial class b2World
 
         Engine.Rethrow();
     }
+
+    /// <summary>Whether impulses of the last step start the next one. Kept for old code: here they always do, since results are better.</summary>
+    /// <param name="flag">Not used.</param>
+    public void SetWarmStarting(bool flag) => _ = flag;
+
+    /// <summary>Whether overlaps and joint errors are corrected. Kept for old code: here they always are.</summary>
+    /// <param name="flag">Not used.</param>
+    public void SetPositionCorrection(bool flag) => _ = flag;
+
+    /// <summary>Whether fast bodies are kept from passing through others. Default true.</summary>
+    /// <param name="flag">False switches it off.</param>
+    public void SetContinuousPhysics(bool flag) => _continuous = flag;
+
+    internal bool IsContinuous => _continuous;
 
     private void FreezeOutside()
     {

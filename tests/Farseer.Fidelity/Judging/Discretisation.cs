@@ -41,6 +41,11 @@ public sealed class Discretisation
         double gravity = Impacts.Gravity(file);
         for (int k = 1; k < rows.Length; k++)
         {
+            if (rows[k].IsAbsent || rows[k - 1].IsAbsent)
+            {
+                continue;
+            }
+
             bool impact = impacts.Between(k - 1);
             double share = impact ? file.Dt : file.Dt / 2;
             double elapsed = (file.SampleSteps[k] - file.SampleSteps[k - 1]) * (double)file.Dt;

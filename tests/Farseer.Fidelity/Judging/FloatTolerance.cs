@@ -17,7 +17,7 @@ public sealed record FloatTolerance(double Position, double Rotation, double Lin
 {
     public static FloatTolerance Of(SceneFile file, IEnumerable<Row[]> bodies)
     {
-        List<Row> rows = bodies.SelectMany(r => r).ToList();
+        List<Row> rows = bodies.SelectMany(r => r).Where(r => !r.IsAbsent).ToList();
         double position = Largest(rows, r => Math.Max(Math.Abs(r.X), Math.Abs(r.Y)));
         double rotation = Largest(rows, r => Math.Abs(r.Rotation));
         double velocity = Largest(rows, r => Math.Max(Math.Abs(r.VelocityX), Math.Abs(r.VelocityY)));
@@ -41,15 +41,9 @@ public sealed record FloatTolerance(double Position, double Rotation, double Lin
 /// <summary>The lengths of a scene that tolerances depend on, read from its arguments.</summary>
 public static class SceneSizes
 {
-    private const double DefaultAllowedPenetration = 0.05;
-
     public static bool MayTouch(SceneFile file) => file.Geoms.Count > 1;
 
-    public static double AllowedPenetration(SceneFile file)
-    {
-        JsonElement value = Json.Optional(Json.Optional(file.Root, "settings"), "allowedPenetration");
-        return value.ValueKind == JsonValueKind.Number ? value.GetDouble() : DefaultAllowedPenetration;
-    }
+    public static double AllowedPenetration(SceneFile file) => file.RestDepth;
 
     public static double SmallestHalfWidth(SceneFile file)
         => file.Geoms.Select(g => HalfWidth(file, g)).Where(w => w > 0).DefaultIfEmpty(double.PositiveInfinity).Min();

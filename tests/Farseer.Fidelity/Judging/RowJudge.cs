@@ -44,6 +44,13 @@ public static class RowJudge
             for (int k = 0; k < expected.Length; k++)
             {
                 Row got = ours.Rows[body][k];
+                if (got.IsAbsent || expected[k].IsAbsent)
+                {
+                    string which = body + (got.IsAbsent ? " is not there" : " is there") + " after " + file.SampleSteps[k].ToString(CultureInfo.InvariantCulture);
+                    worst[0].Take(got.IsAbsent == expected[k].IsAbsent ? 0 : double.PositiveInfinity, 0, which);
+                    continue;
+                }
+
                 Difference error = references.Select(r => Errors(got, r[body], impacts, k)).Aggregate(Smaller);
                 Difference limit = Limits(file, rounding, discretisation?.At(k), Settling.At(file, file.SampleSteps[k]));
                 string where = body + " after " + file.SampleSteps[k].ToString(CultureInfo.InvariantCulture);

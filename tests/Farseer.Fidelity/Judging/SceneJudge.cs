@@ -4,6 +4,7 @@ using System.Globalization;
 using System.Linq;
 using System.Text.Json;
 using Farseer.Fidelity.Building;
+using Farseer.Fidelity.Flash;
 using Farseer.Fidelity.Running;
 using Farseer.Fidelity.Scenes;
 
@@ -26,36 +27,15 @@ public sealed record Verdict(string Scene, Outcome Outcome, string Reason, IRead
 /// <summary>Builds, runs and judges one scene at each of its iteration counts.</summary>
 public static class SceneJudge
 {
-    public static Verdict Judge(SceneFile file)
+    public static Verdict Judge(SceneFile file) => file.Format == SceneFormat.Box2DFlash ? Guard(file, FlashJudge.Judge) : Guard(file, JudgeFarseer);
+
+    private static Verdict Guard(SceneFile file, Action<SceneFile, List<Check>, List<string>> judge)
     {
         List<Check> checks = [];
         List<string> notes = [];
         try
         {
-            object? quirks = Quirks.For(file.Name);
-            ClosedForm? closedForm = ClosedForms.ByScene.GetValueOrDefault(file.Name);
-            if (quirks is not null)
-            {
-                notes.Add("with " + quirks);
-            }
-
-            if (closedForm is not null)
-            {
-                notes.Add("closed form: " + closedForm.Reason);
-            }
-
-            foreach (int iterations in file.Iterations)
-            {
-                RunResult run = SceneRunner.Run(file, iterations, quirks);
-                string prefix = file.Iterations.Length > 1 ? iterations.ToString(CultureInfo.InvariantCulture) + ": " : string.Empty;
-                checks.AddRange(JudgeRun(file, iterations, run, closedForm).Select(c => c with { What = prefix + c.What }));
-                if (quirks is not null && !notes.Contains("the flags change it"))
-                {
-                    bool differs = Differs(run, SceneRunner.Run(file, iterations, null));
-                    checks.Add(Check.Of(prefix + "flags", differs ? null : "the scene is the same without them"));
-                    notes.Add("the flags change it");
-                }
-            }
+            judge(file, checks, notes);
         }
         catch (MissingPartException e)
         {
@@ -72,6 +52,34 @@ public static class SceneJudge
         }
 
         return new Verdict(file.Name, checks.All(c => c.Passed) ? Outcome.Pass : Outcome.Fail, string.Join("; ", notes), checks);
+    }
+
+    private static void JudgeFarseer(SceneFile file, List<Check> checks, List<string> notes)
+    {
+        object? quirks = Quirks.For(file.Name);
+        ClosedForm? closedForm = ClosedForms.ByScene.GetValueOrDefault(file.Name);
+        if (quirks is not null)
+        {
+            notes.Add("with " + quirks);
+        }
+
+        if (closedForm is not null)
+        {
+            notes.Add("closed form: " + closedForm.Reason);
+        }
+
+        foreach (int iterations in file.Iterations)
+        {
+            RunResult run = SceneRunner.Run(file, iterations, quirks);
+            string prefix = file.Iterations.Length > 1 ? iterations.ToString(CultureInfo.InvariantCulture) + ": " : string.Empty;
+            checks.AddRange(JudgeRun(file, iterations, run, closedForm).Select(c => c with { What = prefix + c.What }));
+            if (quirks is not null && !notes.Contains("the flags change it"))
+            {
+                bool differs = Differs(run, SceneRunner.Run(file, iterations, null));
+                checks.Add(Check.Of(prefix + "flags", differs ? null : "the scene is the same without them"));
+                notes.Add("the flags change it");
+            }
+        }
     }
 
     private static IEnumerable<Check> JudgeRun(SceneFile file, int iterations, RunResult run, ClosedForm? closedForm)

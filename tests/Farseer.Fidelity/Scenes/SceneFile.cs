@@ -3,13 +3,14 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using Farseer.Fidelity.Flash;
 
 namespace Farseer.Fidelity.Scenes;
 
 /// <summary>One scene file, read whole: how to build and step it, and what the original did with it.</summary>
 public sealed class SceneFile
 {
-    private SceneFile(string path, JsonElement root)
+    internal SceneFile(string path, JsonElement root)
     {
         Path = path;
         Root = root;
@@ -19,45 +20,51 @@ public sealed class SceneFile
 
     public JsonElement Root { get; }
 
-    public string Name { get; private init; } = string.Empty;
+    public string Name { get; internal init; } = string.Empty;
 
-    public string Category { get; private init; } = string.Empty;
+    public string Category { get; internal init; } = string.Empty;
 
-    public string? Quirk { get; private init; }
+    /// <summary>Which library the scene was recorded with, and so which one is to be compared.</summary>
+    public SceneFormat Format { get; internal init; }
 
-    public JsonElement Gravity { get; private init; }
+    /// <summary>Depth at which a contact rests in the library: AllowedPenetration or the linear slop.</summary>
+    public double RestDepth { get; internal init; }
 
-    public float Dt { get; private init; }
+    public string? Quirk { get; internal init; }
 
-    public int Steps { get; private init; }
+    public JsonElement Gravity { get; internal init; }
 
-    public int[] Iterations { get; private init; } = [];
+    public float Dt { get; internal init; }
 
-    public int[] SampleSteps { get; private init; } = [];
+    public int Steps { get; internal init; }
 
-    public IReadOnlyList<MadeObject> Bodies { get; private init; } = [];
+    public int[] Iterations { get; internal init; } = [];
 
-    public IReadOnlyList<MadeObject> Geoms { get; private init; } = [];
+    public int[] SampleSteps { get; internal init; } = [];
 
-    public IReadOnlyList<MadeObject> Joints { get; private init; } = [];
+    public IReadOnlyList<MadeObject> Bodies { get; internal init; } = [];
 
-    public IReadOnlyList<MadeObject> Springs { get; private init; } = [];
+    public IReadOnlyList<MadeObject> Geoms { get; internal init; } = [];
 
-    public IReadOnlyList<SceneAction> Actions { get; private init; } = [];
+    public IReadOnlyList<MadeObject> Joints { get; internal init; } = [];
 
-    public IReadOnlyList<SceneQuery> Queries { get; private init; } = [];
+    public IReadOnlyList<MadeObject> Springs { get; internal init; } = [];
 
-    public IReadOnlyList<string> Observe { get; private init; } = [];
+    public IReadOnlyList<SceneAction> Actions { get; internal init; } = [];
 
-    public Difference? Spread { get; private init; }
+    public IReadOnlyList<SceneQuery> Queries { get; internal init; } = [];
+
+    public IReadOnlyList<string> Observe { get; internal init; } = [];
+
+    public Difference? Spread { get; internal init; }
 
     /// <summary>By how much a tiny displacement of the start grows; at least 1.</summary>
-    public double Growth { get; private init; } = 1;
+    public double Growth { get; internal init; } = 1;
 
-    public Refined? Refined { get; private init; }
+    public Refined? Refined { get; internal init; }
 
     /// <summary>By iteration count.</summary>
-    public IReadOnlyDictionary<int, Recording> Recordings { get; private init; } = new Dictionary<int, Recording>();
+    public IReadOnlyDictionary<int, Recording> Recordings { get; internal init; } = new Dictionary<int, Recording>();
 
     /// <summary>Reads every scene of a folder, in the order of their names.</summary>
     public static IReadOnlyList<SceneFile> ReadFolder(string folder)
@@ -83,7 +90,8 @@ public sealed class SceneFile
         {
             using FileStream stream = File.OpenRead(path);
             using JsonDocument document = JsonDocument.Parse(stream);
-            return Parse(path, document.RootElement.Clone());
+            JsonElement root = document.RootElement.Clone();
+            return FlashReader.IsFlash(root) ? FlashReader.Parse(path, root) : Parse(path, root);
         }
         catch (Exception e) when (e is JsonException or InvalidOperationException or FormatException or KeyNotFoundException or IOException or UnauthorizedAccessException)
         {
@@ -93,6 +101,13 @@ public sealed class SceneFile
         {
             throw new BadSceneException($"{System.IO.Path.GetFileName(path)}: {e.Message}");
         }
+    }
+
+    private static double RestDepthOf(JsonElement root)
+    {
+        const double Default = 0.05;
+        JsonElement value = Json.Optional(Json.Optional(root, "settings"), "allowedPenetration");
+        return value.ValueKind == JsonValueKind.Number ? value.GetDouble() : Default;
     }
 
     private static SceneFile Parse(string path, JsonElement root)
@@ -130,6 +145,8 @@ public sealed class SceneFile
             Name = Json.Text(root, "name"),
             Category = Json.Text(root, "category"),
             Quirk = Json.OptionalText(root, "quirk"),
+            Format = SceneFormat.Farseer,
+            RestDepth = RestDepthOf(root),
             Gravity = gravity,
             Dt = dt,
             Steps = steps,

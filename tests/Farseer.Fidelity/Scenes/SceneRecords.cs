@@ -3,6 +3,13 @@ using System.Text.Json;
 
 namespace Farseer.Fidelity.Scenes;
 
+/// <summary>Which of the two formats a scene is written in.</summary>
+public enum SceneFormat
+{
+    Farseer,
+    Box2DFlash,
+}
+
 /// <summary>An object made by a factory: its id, the call, and the properties to set afterwards.</summary>
 public sealed record MadeObject(string Id, string Factory, JsonElement Args, IReadOnlyList<KeyValuePair<string, JsonElement>> Properties, string? Body);
 
@@ -26,7 +33,13 @@ public sealed record SceneEvent(string Type, string First, string Second, int Co
 }
 
 /// <summary>The state of one body at one sample.</summary>
-public readonly record struct Row(double X, double Y, double Rotation, double VelocityX, double VelocityY, double AngularVelocity);
+public readonly record struct Row(double X, double Y, double Rotation, double VelocityX, double VelocityY, double AngularVelocity)
+{
+    /// <summary>The body is not there.</summary>
+    public static readonly Row Absent = new(double.NaN, double.NaN, double.NaN, double.NaN, double.NaN, double.NaN);
+
+    public bool IsAbsent => double.IsNaN(X);
+}
 
 /// <summary>A largest difference for each of the four recorded quantities.</summary>
 public readonly record struct Difference(double Position, double Rotation, double LinearVelocity, double AngularVelocity);

@@ -1,0 +1,23 @@
+using System.Collections.Generic;
+using Box2D.Dynamics;
+
+namespace Farseer.Fidelity.Flash;
+
+/// <summary>The scenes that show a wrong of the original which the library has only on request.</summary>
+internal static class FlashQuirks
+{
+    private static readonly Dictionary<string, Box2DFlash202Quirks> _byScene = new()
+    {
+        ["callback_lock"] = Box2DFlash202Quirks.LockedCallsDoNothing,
+        ["gravity_change"] = Box2DFlash202Quirks.SettersWakeNobody,
+        ["polygon_geometry"] = Box2DFlash202Quirks.BoxOfTurnedBox,
+        ["query_aabb"] = Box2DFlash202Quirks.BoxOfTurnedBox,
+        ["reactions"] = Box2DFlash202Quirks.PrismaticForceSquared | Box2DFlash202Quirks.PulleyForceSign | Box2DFlash202Quirks.RevoluteTorqueOfLimitOnly,
+        ["set_mass"] = Box2DFlash202Quirks.StaticKeepsVelocity,
+        ["sleep_wake"] = Box2DFlash202Quirks.SettersWakeNobody,
+        ["transforms"] = Box2DFlash202Quirks.LocalPointVelocity,
+        ["velocity_limits"] = Box2DFlash202Quirks.SpeedLimits,
+    };
+
+    public static Box2DFlash202Quirks For(string scene) => _byScene.GetValueOrDefault(scene);
+}
