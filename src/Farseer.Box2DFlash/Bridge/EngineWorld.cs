@@ -15,6 +15,9 @@ namespace Box2D.Bridge;
 /// </summary>
 internal sealed class EngineWorld : IStepHooks
 {
+    /// <summary>Depth of rest in slops: where bodies of the original come to rest at its usual settings.</summary>
+    private const float RestShare = 0.5f;
+
     private readonly b2World _world;
     private readonly ListenerRelay _relay;
     private b2Shape?[] _shapes = new b2Shape?[16];
@@ -26,7 +29,7 @@ internal sealed class EngineWorld : IStepHooks
         _world = world;
         _relay = new ListenerRelay(world, this);
         WorldSettings settings = World.Settings;
-        settings.AllowedPenetration = Box2D.Common.b2Settings.b2_linearSlop;
+        settings.AllowedPenetration = RestShare * Box2D.Common.b2Settings.b2_linearSlop;
         settings.BounceThreshold = Box2D.Common.b2Settings.b2_velocityThreshold;
         settings.FrictionMix = FrictionMix.GeometricMean;
         settings.RestitutionMix = RestitutionMix.Maximum;

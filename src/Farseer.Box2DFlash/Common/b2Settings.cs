@@ -26,7 +26,7 @@ public static class b2Settings
     /// <summary>Pairs at most in the original: 4096. No limit here.</summary>
     public const int b2_maxPairs = 8 * b2_maxProxies;
 
-    /// <summary>Depth at which contacts rest, metres: 0.005. Acts.</summary>
+    /// <summary>Depth of contacts that is no error, metres: 0.005. Contacts rest at half of it.</summary>
     public const float b2_linearSlop = 0.005f;
 
     /// <summary>Angle by which the original's joints may be off, radians: 2 degrees. Joints here give way to rounding only.</summary>

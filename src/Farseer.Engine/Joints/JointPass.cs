@@ -154,9 +154,11 @@ internal sealed unsafe class JointPass
             return;
         }
 
-        // A stiffness ω²/L and a damping 2ζω/L, felt with a response below L.
+        // A stiffness ω²/L and a damping 2ζω/L, felt with a response below L. A spring of a given mass m has mω² and 2mζω, whatever mass
+        // the row feels: both are in proportion to the root of the ratio.
         double least = LeastFreedom * (Own(nodes, joint->Ends.NodeA, r->A + (k * 3)) + Own(nodes, joint->Ends.NodeB, r->B + (k * 3)));
-        double share = joint->Response[k] < least ? Math.Sqrt(Math.Max(0, joint->Response[k]) / least) : 1;
+        double share = r->SpringMass > 0 ? Math.Sqrt(r->SpringMass * Math.Max(0, joint->Response[k]))
+            : joint->Response[k] < least ? Math.Sqrt(Math.Max(0, joint->Response[k]) / least) : 1;
         double omega = r->Stiffness[k] * share;
         double zeta = r->Damping[k] * share;
         double wave = omega * h * Math.Sqrt(Math.Abs(1 - (zeta * zeta)));

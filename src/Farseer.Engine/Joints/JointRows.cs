@@ -95,6 +95,9 @@ internal unsafe struct JointRows
     public fixed byte Type[Most];
     public int Count;
 
+    /// <summary>Mass by which springs are as stiff as their frequency says; 0: the mass that each row feels.</summary>
+    public double SpringMass;
+
     /// <summary>Rows of the block at the front.</summary>
     public int Hard;
 

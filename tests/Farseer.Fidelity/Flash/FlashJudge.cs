@@ -34,7 +34,7 @@ internal static class FlashJudge
         string key = iterations.ToString(CultureInfo.InvariantCulture);
         return RowJudge.Judge(file, iterations, result.Recording, null)
             .Concat(EventJudge.Judge(file, iterations, result.Recording))
-            .Concat(ObservationJudge.Judge(file, iterations, result.Recording))
+            .Concat(FlashObservationJudge.Judge(file, iterations, result.Recording))
             .Concat(FlashQueryJudge.Judge(file, iterations, result.Recording))
             .Concat(FlashQueryJudge.MassProperties(file, result))
             .Concat(FlashListJudge.Lists(file, key, run))

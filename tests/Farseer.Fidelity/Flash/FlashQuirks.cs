@@ -12,6 +12,8 @@ internal static class FlashQuirks
         ["gravity_change"] = Box2DFlash202Quirks.SettersWakeNobody,
         ["polygon_geometry"] = Box2DFlash202Quirks.BoxOfTurnedBox,
         ["query_aabb"] = Box2DFlash202Quirks.BoxOfTurnedBox,
+        ["pulley"] = Box2DFlash202Quirks.PulleyForceSign,
+        ["pulley_limits"] = Box2DFlash202Quirks.PulleyForceSign,
         ["reactions"] = Box2DFlash202Quirks.PrismaticForceSquared | Box2DFlash202Quirks.PulleyForceSign | Box2DFlash202Quirks.RevoluteTorqueOfLimitOnly,
         ["set_mass"] = Box2DFlash202Quirks.StaticKeepsVelocity,
         ["sleep_wake"] = Box2DFlash202Quirks.SettersWakeNobody,

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Farseer.Fidelity.Running;
@@ -9,101 +8,100 @@ namespace Farseer.Fidelity.Flash;
 /// <summary>
 /// The calls of a contact listener by pair of shapes. A pair begins with the Add of its first point and ends with the Remove of its
 /// last one; in between, which of its features a point is named by, and so whether it is exchanged for another, is the detail of the
-/// original's clipping. Which shape comes first is not compared either.
+/// original's clipping. Which shape comes first is not compared either, nor a contact that is lost for no more than two steps and had
+/// again.
 /// </summary>
 internal sealed class PairEvents
 {
-    private readonly EventLog _log = new();
+    private const int ShortLoss = 2;
+
     private readonly Dictionary<(string, string), Pair> _pairs = [];
-    private readonly List<Pair> _open = [];
-    private int _step;
+    private readonly List<Pair> _order = [];
 
     public void Add(int step, string kind, string shape1, string shape2)
     {
-        if (step != _step)
-        {
-            Close();
-            _step = step;
-        }
-
         (string, string) key = string.CompareOrdinal(shape1, shape2) < 0 ? (shape1, shape2) : (shape2, shape1);
         if (!_pairs.TryGetValue(key, out Pair? pair))
         {
             _pairs.Add(key, pair = new Pair(key.Item1, key.Item2));
+            _order.Add(pair);
         }
 
-        if (!_open.Contains(pair))
+        List<int> steps = kind switch
         {
-            _open.Add(pair);
-            pair.Begin();
+            "Result" => pair.Solved,
+            "Remove" => pair.Removed,
+            _ => pair.Touching,
+        };
+        if (steps.Count == 0 || steps[^1] != step)
+        {
+            steps.Add(step);
         }
-
-        pair.Take(kind);
     }
 
     public IReadOnlyList<SceneEvent> ToEvents()
     {
-        Close();
-        return _log.ToEvents();
-    }
-
-    private void Close()
-    {
-        _log.Update = _step;
-        foreach (Pair pair in _open)
+        List<(int Step, string Kind, Pair Pair)> all = [.. _order.SelectMany(p => p.Events().Select(e => (e.Step, e.Kind, p)))];
+        EventLog log = new();
+        foreach ((int step, string kind, Pair pair) in all.OrderBy(e => e.Step))
         {
-            foreach (string kind in pair.Kinds())
-            {
-                _log.Add(kind, pair.First, pair.Second);
-            }
+            log.Update = step;
+            log.Add(kind, pair.First, pair.Second);
         }
 
-        _open.Clear();
+        return log.ToEvents();
     }
 
     private sealed class Pair(string first, string second)
     {
-        private readonly List<string> _kinds = [];
-        private int _points;
-        private int _before;
-
         public string First => first;
 
         public string Second => second;
 
-        public void Begin()
+        public List<int> Touching { get; } = [];
+
+        public List<int> Solved { get; } = [];
+
+        public List<int> Removed { get; } = [];
+
+        public IEnumerable<(int Step, string Kind)> Events()
         {
-            _kinds.Clear();
-            _before = _points;
+            foreach ((int begin, int end) in Runs(Touching))
+            {
+                yield return (begin, "Add");
+                for (int step = begin + 1; step <= end; step++)
+                {
+                    yield return (step, "Persist");
+                }
+
+                int removed = Removed.Find(r => r >= end);
+                if (removed >= end && (removed == end || removed <= end + ShortLoss))
+                {
+                    yield return (removed, "Remove");
+                }
+            }
+
+            foreach ((int begin, int end) in Runs(Solved))
+            {
+                for (int step = begin; step <= end; step++)
+                {
+                    yield return (step, "Result");
+                }
+            }
         }
 
-        public void Take(string kind)
+        private static IEnumerable<(int Begin, int End)> Runs(List<int> steps)
         {
-            _points += kind == "Add" ? 1 : kind == "Remove" ? -1 : 0;
-            _kinds.Add(kind);
-        }
+            for (int i = 0; i < steps.Count;)
+            {
+                int end = i;
+                while (end + 1 < steps.Count && steps[end + 1] <= steps[end] + 1 + ShortLoss)
+                {
+                    end++;
+                }
 
-        public IEnumerable<string> Kinds()
-        {
-            bool began = _before == 0 && _kinds.Contains("Add");
-            bool ended = _points == 0 && _kinds.Contains("Remove");
-            if (began)
-            {
-                yield return "Add";
-            }
-            else if (!ended)
-            {
-                yield return "Persist";
-            }
-
-            if (_kinds.Contains("Result"))
-            {
-                yield return "Result";
-            }
-
-            if (ended)
-            {
-                yield return "Remove";
+                yield return (steps[i], steps[end]);
+                i = end + 1;
             }
         }
     }

@@ -36,7 +36,7 @@ public static class ObservationJudge
         }
     }
 
-    private static bool IsCount(JsonElement value) => value.ValueKind switch
+    internal static bool IsCount(JsonElement value) => value.ValueKind switch
     {
         JsonValueKind.Number => value.TryGetInt32(out _),
         JsonValueKind.Array => value.GetArrayLength() == 0,

@@ -52,7 +52,7 @@ public static class RowJudge
                 }
 
                 Difference error = references.Select(r => Errors(got, r[body], impacts, k)).Aggregate(Smaller);
-                Difference limit = Limits(file, rounding, discretisation?.At(k), Settling.At(file, file.SampleSteps[k]));
+                Difference limit = Limits(file, rounding, discretisation?.At(k), file.Format == SceneFormat.Farseer ? Settling.At(file, file.SampleSteps[k]) : Settling.AfterTouch(file, iterations, impacts, k));
                 string where = body + " after " + file.SampleSteps[k].ToString(CultureInfo.InvariantCulture);
                 worst[0].Take(error.Position, limit.Position, where);
                 worst[1].Take(error.Rotation, limit.Rotation, where);

@@ -26,4 +26,33 @@ public static class Settling
             ? new Difference(0, depth / halfWidth, speed, speed / halfWidth)
             : default;
     }
+
+    /// <summary>
+    /// A contact of Box2DFlash that has just been made is caught at its surface and then sinks to the depth of rest d, here softly: the
+    /// speed is d r e^(-r t) with the rate r of a contact's bias, (pi/2) / (20 + pi/2) of a substep, of which there are as many as
+    /// iterations. The original's sinks by its slop too, in the steps before it is caught.
+    /// </summary>
+    public static Difference AfterTouch(SceneFile file, int iterations, Impacts impacts, int row)
+    {
+        const double Share = Math.PI / 2 / (20 + (Math.PI / 2));
+        if (!SceneSizes.MayTouch(file))
+        {
+            return default;
+        }
+
+        int touch = row;
+        while (touch > 0 && !impacts.Between(touch - 1))
+        {
+            touch--;
+        }
+
+        double gravity = Impacts.Gravity(file);
+        double depth = SceneSizes.AllowedPenetration(file);
+        double sinking = gravity > 0 ? Math.Sqrt(2 * depth / gravity) : 0;
+        double elapsed = (file.SampleSteps[row] - file.SampleSteps[touch] - 1) * (double)file.Dt;
+        double rate = Share * iterations / file.Dt;
+        double speed = depth * rate * Math.Exp(-rate * Math.Max(0, elapsed - sinking));
+        double halfWidth = SceneSizes.SmallestHalfWidth(file);
+        return new Difference(0, elapsed <= sinking ? depth / halfWidth : 0, speed, speed / halfWidth);
+    }
 }

@@ -22,6 +22,7 @@ public class b2MouseJoint : b2Joint
         Link.Settings.MotorLimit = def.maxForce;
         Link.Settings.Frequency = def.frequencyHz;
         Link.Settings.DampingRatio = def.dampingRatio;
+        Link.Settings.Ratio = def.body2.GetMass();
     }
 
     /// <summary>The target.</summary>

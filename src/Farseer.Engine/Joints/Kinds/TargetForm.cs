@@ -3,7 +3,7 @@ namespace Farseer.Engine.Joints.Kinds;
 /// <summary>
 /// Draws anchor B towards anchor A (the target, usually a point of the world) by a damped spring with a largest force: one
 /// spring row along the way to the target, which carries the force, and one across. Reads AnchorA, AnchorB, Frequency,
-/// DampingRatio, MotorLimit (force).
+/// DampingRatio, MotorLimit (force), Ratio (the mass that the frequency counts by; 0: that at the anchor).
 /// </summary>
 internal sealed class TargetForm : JointForm
 {
@@ -11,6 +11,7 @@ internal sealed class TargetForm : JointForm
     {
         double length = Direction(f, out double nx, out double ny);
         double bound = s.MotorLimit * f.H;
+        rows.SpringMass = s.Ratio;
         for (int i = 0; i < 2; i++)
         {
             int row = i == 0
