@@ -19,6 +19,7 @@ internal sealed class BodyLink
     private BodyState _state;
     private float _linearDamping;
     private float _angularDamping;
+    private bool _keeps;
 
     public BodyLink(World engine, b2BodyDef def)
     {
@@ -75,14 +76,28 @@ internal sealed class BodyLink
 
     public Vector2 Velocity
     {
-        get => StateRef.LinearVelocity;
-        set => StateRef.LinearVelocity = value;
+        get => _keeps ? _state.LinearVelocity : StateRef.LinearVelocity;
+        set
+        {
+            _state.LinearVelocity = value;
+            if (!_keeps)
+            {
+                StateRef.LinearVelocity = value;
+            }
+        }
     }
 
     public float Spin
     {
-        get => StateRef.AngularVelocity;
-        set => StateRef.AngularVelocity = value;
+        get => _keeps ? _state.AngularVelocity : StateRef.AngularVelocity;
+        set
+        {
+            _state.AngularVelocity = value;
+            if (!_keeps)
+            {
+                StateRef.AngularVelocity = value;
+            }
+        }
     }
 
     private ref BodyPose PoseRef
@@ -166,6 +181,7 @@ internal sealed class BodyLink
                 if (keepVelocity)
                 {
                     _state = StateRef;
+                    _keeps = true;
                 }
 
                 _engine.SetFlags(_handle, BodyFlags.Static, BodyFlags.None);
@@ -185,8 +201,9 @@ internal sealed class BodyLink
         if (wasStatic)
         {
             _engine.SetFlags(_handle, BodyFlags.None, BodyFlags.Static);
-            if (keepVelocity)
+            if (_keeps)
             {
+                _keeps = false;
                 StateRef.LinearVelocity = _state.LinearVelocity;
                 StateRef.AngularVelocity = _state.AngularVelocity;
             }
@@ -215,6 +232,31 @@ internal sealed class BodyLink
         ref BodyForce force = ref _engine.Bodies.Force[Handle.Index];
         force.Force += new Vector2((float)x, (float)y);
         force.Torque += (float)torque;
+    }
+
+    /// <summary>
+    /// Cuts the speeds that a step of the original would begin with: what is above the limit after gravity and forces. The engine
+    /// will add gravity again, so it is taken off here.
+    /// </summary>
+    public void CutSpeed(Vector2 gravity, float dt, float most, float mostSpin)
+    {
+        ref BodyForce force = ref _engine.Bodies.Force[Handle.Index];
+        ref BodyState state = ref StateRef;
+        float inverseMass = Mass > 0 ? 1f / Mass : 0;
+        Vector2 next = state.LinearVelocity + (dt * (gravity + (inverseMass * force.Force)));
+        float speed = next.Length();
+        if (speed > most)
+        {
+            state.LinearVelocity = (next * (most / speed)) - (dt * gravity);
+            force.Force = default;
+        }
+
+        float spin = state.AngularVelocity + (Inertia > 0 ? dt * force.Torque / Inertia : 0);
+        if (System.Math.Abs(spin) > mostSpin)
+        {
+            state.AngularVelocity = spin > 0 ? mostSpin : -mostSpin;
+            force.Torque = 0;
+        }
     }
 
     public void AddImpulse(double x, double y, double angular)

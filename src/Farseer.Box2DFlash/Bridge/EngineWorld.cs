@@ -4,9 +4,12 @@ using System.Runtime.ExceptionServices;
 using Box2D.Collision.Shapes;
 using Box2D.Dynamics;
 using Box2D.Dynamics.Contacts;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Queries;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Bridge;
 
@@ -21,6 +24,7 @@ internal sealed class EngineWorld : IStepHooks
     private readonly b2World _world;
     private readonly ListenerRelay _relay;
     private b2Shape?[] _shapes = new b2Shape?[16];
+    private readonly IndexList _found = new IndexList();
     private ExceptionDispatchInfo? _failure;
     private long _step;
 
@@ -40,8 +44,7 @@ internal sealed class EngineWorld : IStepHooks
 
     public ContactBook Contacts { get; } = new ContactBook();
 
-    /// <summary>How many shapes there are.</summary>
-    public int ShapeCount { get; private set; }
+    public Vector2 Gravity => World.Settings.Gravity;
 
     public void SetGravity(float x, float y) => World.Settings.Gravity = new Vector2(x, y);
 
@@ -67,7 +70,6 @@ internal sealed class EngineWorld : IStepHooks
     public void Attach(b2Shape shape)
     {
         BodyLink body = shape.Body!.Link;
-        ShapeCount++;
         if (body.IsFrozen)
         {
             return;
@@ -94,7 +96,6 @@ internal sealed class EngineWorld : IStepHooks
 
     public void Detach(b2Shape shape)
     {
-        ShapeCount--;
         if (shape.Link.IsAttached)
         {
             EndContacts(shape);
@@ -199,16 +200,47 @@ internal sealed class EngineWorld : IStepHooks
         return true;
     }
 
-    public bool Overlaps(b2Shape shape, Vector2 lower, Vector2 upper)
+    /// <summary>Hands over the shapes whose boxes overlap a box, in the order of their making.</summary>
+    public void Find(Vector2 lower, Vector2 upper, Func<b2Shape, bool> take)
     {
-        if (!shape.Link.IsAttached || shape.Body!.IsFrozen())
+        World.Queries.FindInBox(new Box { MinX = lower.X, MinY = lower.Y, MaxX = upper.X, MaxY = upper.Y }, QueryFilter.All, _found);
+        for (int i = 0; i < _found.Count; i++)
         {
-            return false;
+            b2Shape? shape = _shapes[_found[i]];
+            if (shape is not null && !take(shape))
+            {
+                return;
+            }
         }
-
-        World.GetColliderBox(shape.Link.Collider, out Vector2 min, out Vector2 max);
-        return min.X <= upper.X && lower.X <= max.X && min.Y <= upper.Y && lower.Y <= max.Y;
     }
+
+    /// <summary>Calls for each pair of shapes of different bodies, not both static, whose boxes overlap now.</summary>
+    public void VisitPairs(Action<b2Shape, b2Shape> visit)
+    {
+        foreach (b2Shape? shape in _shapes)
+        {
+            if (shape is null || shape.Body!.IsFrozen())
+            {
+                continue;
+            }
+
+            World.GetColliderBox(shape.Link.Collider, out Vector2 min, out Vector2 max);
+            World.Queries.FindInBox(new Box { MinX = min.X, MinY = min.Y, MaxX = max.X, MaxY = max.Y }, QueryFilter.All, _found);
+            for (int i = 0; i < _found.Count; i++)
+            {
+                b2Shape? other = _shapes[_found[i]];
+                if (other is not null
+                    && shape.Link.Collider.Index < other.Link.Collider.Index
+                    && !ReferenceEquals(shape.Body, other.Body)
+                    && !(shape.Body.IsStatic() && other.Body!.IsStatic()))
+                {
+                    visit(shape, other);
+                }
+            }
+        }
+    }
+
+    public void BoxOf(b2Shape shape, out Vector2 min, out Vector2 max) => World.GetColliderBox(shape.Link.Collider, out min, out max);
 
     public bool BoxesOverlap(b2Shape a, b2Shape b)
     {

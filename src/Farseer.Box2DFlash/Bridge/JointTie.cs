@@ -55,6 +55,9 @@ internal sealed class JointTie
     /// <summary>Torque on the second body in the last step.</summary>
     public double Torque => _attached ? _engine.JointState(_handle).Torque : 0;
 
+    /// <summary>What one row gave in the last substep.</summary>
+    public double RowForce(int row) => _attached ? _engine.JointRowForce(_handle, row) : 0;
+
     /// <summary>What the motor gave.</summary>
     public double MotorForce => _attached && Motor ? _engine.JointRowForce(_handle, FirstLimitRow + (Limit ? 2 : 0)) : 0;
 

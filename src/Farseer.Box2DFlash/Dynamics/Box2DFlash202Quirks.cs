@@ -21,7 +21,7 @@ public enum Box2DFlash202Quirks
     /// <summary>The reaction force of a prismatic joint has both of its parts squared.</summary>
     PrismaticForceSquared = 2,
 
-    /// <summary>The reaction force of a pulley has the opposite sign.</summary>
+    /// <summary>The reaction force of a pulley has the opposite sign, and is that of the first side's rope, limits left out.</summary>
     PulleyForceSign = 4,
 
     /// <summary>The reaction torque of a revolute joint is that of its limit only, without its motor's.</summary>
@@ -49,4 +49,9 @@ public enum Box2DFlash202Quirks
 
     /// <summary>Each step takes 2 % of the angular velocity of a body that a mouse joint drags.</summary>
     MouseJointSlowsTurn = 512,
+
+    /// <summary>
+    /// A mouse joint is as stiff as its frequency says divided by <see cref="Joints.b2MouseJointDef.timeStep"/>: 60 times at 1/60 s.
+    /// </summary>
+    MouseJointStiffness = 1024,
 }

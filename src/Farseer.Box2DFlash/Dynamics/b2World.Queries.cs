@@ -64,15 +64,13 @@ public partial class b2World
         var lower = new Vector2(aabb.lowerBound.x, aabb.lowerBound.y);
         var upper = new Vector2(aabb.upperBound.x, aabb.upperBound.y);
         int count = 0;
-        for (b2Body? body = _bodies; body is not null; body = body.Next)
+        if (maxCount > 0)
         {
-            for (b2Shape? shape = body.Shapes; shape is not null && count < maxCount; shape = shape.Next)
+            Engine.Find(lower, upper, shape =>
             {
-                if (Engine.Overlaps(shape, lower, upper))
-                {
-                    take(count++, shape);
-                }
-            }
+                take(count++, shape);
+                return count < maxCount;
+            });
         }
 
         return count;

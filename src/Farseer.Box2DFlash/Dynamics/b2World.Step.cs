@@ -1,7 +1,7 @@
 using System;
 using Box2D.Bridge;
 using Box2D.Common;
-using Box2D.Common.Math;
+using Box2D.Dynamics.Joints;
 
 namespace Box2D.Dynamics;
 
@@ -36,7 +36,12 @@ public partial class b2World
             {
                 if ((Quirks & Box2DFlash202Quirks.SpeedLimits) != 0)
                 {
-                    CutSpeeds();
+                    CutSpeeds(dt);
+                }
+
+                if ((Quirks & Box2DFlash202Quirks.MouseJointSlowsTurn) != 0)
+                {
+                    SlowDragged();
                 }
 
                 Engine.Step(dt, iterations);
@@ -88,17 +93,26 @@ public partial class b2World
         }
     }
 
-    private void CutSpeeds()
+    private void CutSpeeds(float dt)
     {
         for (b2Body? b = _bodies; b is not null; b = b.Next)
         {
-            float speed = b.Link.Velocity.Length();
-            if (speed > b2Settings.b2_maxLinearVelocity)
+            if (b.IsDynamic())
             {
-                b.Link.Velocity *= b2Settings.b2_maxLinearVelocity / speed;
+                b.Link.CutSpeed(Engine.Gravity, dt, b2Settings.b2_maxLinearVelocity, b2Settings.b2_maxAngularVelocity);
             }
+        }
+    }
 
-            b.Link.Spin = b2Math.b2Clamp(b.Link.Spin, -b2Settings.b2_maxAngularVelocity, b2Settings.b2_maxAngularVelocity);
+    private void SlowDragged()
+    {
+        const float Kept = 0.98f;
+        for (b2Joint? joint = _joints; joint is not null; joint = joint.Next)
+        {
+            if (joint is b2MouseJoint)
+            {
+                joint.GetBody2().Link.Spin *= Kept;
+            }
         }
     }
 }

@@ -189,13 +189,33 @@ public partial class b2World
     /// <returns>The contact, or null.</returns>
     public b2Contact? GetContactList() => Engine.Contacts.First;
 
-    /// <summary>How many shapes there are.</summary>
+    /// <summary>How many shapes there are, without those of frozen bodies.</summary>
     /// <returns>0 or more.</returns>
-    public int GetProxyCount() => Engine.ShapeCount;
+    public int GetProxyCount()
+    {
+        int count = 0;
+        for (b2Body? body = _bodies; body is not null; body = body.Next)
+        {
+            for (b2Shape? shape = body.IsFrozen() ? null : body.Shapes; shape is not null; shape = shape.Next)
+            {
+                count++;
+            }
+        }
 
-    /// <summary>How many pairs of shapes have boxes that overlap.</summary>
+        return count;
+    }
+
+    /// <summary>
+    /// How many pairs of shapes have boxes that overlap now, filters or not; shapes of one body or of two static ones make no pair.
+    /// It looks at all shapes.
+    /// </summary>
     /// <returns>0 or more.</returns>
-    public int GetPairCount() => Engine.Contacts.Count;
+    public int GetPairCount()
+    {
+        int count = 0;
+        Engine.VisitPairs((_, _) => count++);
+        return count;
+    }
 
     /// <summary>How many bodies there are, the ground body included.</summary>
     /// <returns>1 or more.</returns>
@@ -205,9 +225,14 @@ public partial class b2World
     /// <returns>0 or more.</returns>
     public int GetJointCount() => _jointCount;
 
-    /// <summary>How many contacts there are: pairs whose boxes overlap, whether or not they touch.</summary>
+    /// <summary>How many contacts there are: pairs whose boxes overlap now, whether or not they touch. It looks at all shapes.</summary>
     /// <returns>0 or more.</returns>
-    public int GetContactCount() => Engine.Contacts.Count;
+    public int GetContactCount()
+    {
+        int count = 0;
+        Engine.VisitPairs((a, b) => count += a.Body!.IsConnected(b.Body!) ? 0 : 1);
+        return count;
+    }
 
     /// <summary>Judges the pairs of a shape anew, after <see cref="b2Shape.SetFilterData"/>.</summary>
     /// <param name="shape">The shape.</param>

@@ -38,6 +38,6 @@ internal sealed partial class World
             }
         }
 
-        Bodies.Flags[body.Index] |= BodyFlags.Moved;
+        NotePlaced(body.Index);
     }
 }

@@ -59,6 +59,14 @@ internal static class FlashListJudge
     {
         List<(int Step, string What)> wanted = expected.EnumerateArray().Select(e => Item(e, byPair)).ToList();
         List<(int Step, string What)> found = got.EnumerateArray().Select(e => Item(e, byPair)).ToList();
+        if (byPair)
+        {
+            // Boxes with a margin do not part as often as the original's: only the first answer of a pair counts, and the pairs of one
+            // step have the order of the original's lists.
+            wanted = [.. wanted.DistinctBy(w => w.What).OrderBy(w => w.What, StringComparer.Ordinal)];
+            found = [.. found.DistinctBy(w => w.What).OrderBy(w => w.What, StringComparer.Ordinal)];
+        }
+
         bool same = wanted.Count == found.Count
             && wanted.Zip(found, (w, f) => w.What == f.What && Math.Abs(w.Step - f.Step) <= StepShift).All(s => s);
         return same ? null : $"{got}, in the original {expected}";

@@ -10,11 +10,13 @@ internal static class FlashQuirks
     {
         ["callback_lock"] = Box2DFlash202Quirks.LockedCallsDoNothing,
         ["gravity_change"] = Box2DFlash202Quirks.SettersWakeNobody,
+        ["mouse_joint"] = Box2DFlash202Quirks.MouseJointSlowsTurn | Box2DFlash202Quirks.MouseJointStiffness,
         ["polygon_geometry"] = Box2DFlash202Quirks.BoxOfTurnedBox,
         ["query_aabb"] = Box2DFlash202Quirks.BoxOfTurnedBox,
         ["pulley"] = Box2DFlash202Quirks.PulleyForceSign,
         ["pulley_limits"] = Box2DFlash202Quirks.PulleyForceSign,
-        ["reactions"] = Box2DFlash202Quirks.PrismaticForceSquared | Box2DFlash202Quirks.PulleyForceSign | Box2DFlash202Quirks.RevoluteTorqueOfLimitOnly,
+        ["reactions"] = Box2DFlash202Quirks.PrismaticForceSquared | Box2DFlash202Quirks.PulleyForceSign
+            | Box2DFlash202Quirks.RevoluteTorqueOfLimitOnly | Box2DFlash202Quirks.MouseJointStiffness | Box2DFlash202Quirks.MouseJointSlowsTurn,
         ["set_mass"] = Box2DFlash202Quirks.StaticKeepsVelocity,
         ["sleep_wake"] = Box2DFlash202Quirks.SettersWakeNobody,
         ["transforms"] = Box2DFlash202Quirks.LocalPointVelocity,

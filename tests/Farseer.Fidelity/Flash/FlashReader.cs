@@ -46,6 +46,8 @@ internal static class FlashReader
             RestDepth = LinearSlop,
             Gravity = Json.Required(Json.Required(root, "world"), "gravity"),
             Dt = dt,
+            LongestDt = Json.Items(root, "actions").Select(a => Json.Optional(a, "dt")).Where(e => e.ValueKind == JsonValueKind.Number)
+                .Select(e => e.GetSingle()).Append(dt).Max(),
             Steps = steps,
             Iterations = iterations,
             SampleSteps = samples,

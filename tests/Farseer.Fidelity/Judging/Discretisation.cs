@@ -47,7 +47,7 @@ public sealed class Discretisation
             }
 
             bool impact = impacts.Between(k - 1);
-            double share = impact ? file.Dt : file.Dt / 2;
+            double share = impact ? file.LongestDt : file.LongestDt / 2;
             double elapsed = (file.SampleSteps[k] - file.SampleSteps[k - 1]) * (double)file.Dt;
             _position[k] = _position[k - 1] + (share * Speed(rows[k], rows[k - 1]));
             _rotation[k] = _rotation[k - 1] + (share * Math.Abs(rows[k].AngularVelocity - rows[k - 1].AngularVelocity));
@@ -55,7 +55,7 @@ public sealed class Discretisation
             // The speed at an impact is that at a moment known to one step, on either side of it.
             _velocity[k] = _velocity[k - 1] + (impact ? 2 * file.Dt * gravity : 0);
             _angular[k] = _angular[k - 1];
-            double half = file.Dt / 2 / elapsed;
+            double half = file.LongestDt / 2 / elapsed;
             _velocity[k] += half * (Smooth(rows, impacts, k, SpeedChange) ?? 0);
             _angular[k] += half * (Smooth(rows, impacts, k, SpinChange) ?? 0);
             _earlyVelocity[k] = impact ? 0 : half * Early(rows, impacts, k, SpeedChange);

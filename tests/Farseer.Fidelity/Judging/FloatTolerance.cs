@@ -51,6 +51,11 @@ public static class SceneSizes
     /// <summary>The radius of a circle, or 0.</summary>
     public static double Radius(MadeObject geom) => Json.Optional(geom.Args, "radius") is { ValueKind: JsonValueKind.Number } e ? e.GetDouble() : 0;
 
+    /// <summary>The longer half side of a box, or 0.</summary>
+    public static double Largest(MadeObject geom)
+        => new[] { "width", "height" }.Select(n => Json.Optional(geom.Args, n)).Where(e => e.ValueKind == JsonValueKind.Number)
+            .Select(e => e.GetDouble() / 2).DefaultIfEmpty(0).Max();
+
     /// <summary>How far a polygon of a circle's edges stays inside the circle.</summary>
     public static double Sagitta(MadeObject geom)
     {

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
+using Farseer.Fidelity.Flash;
 using Farseer.Fidelity.Scenes;
 
 namespace Farseer.Fidelity.Judging;
@@ -53,6 +54,11 @@ public static class RowJudge
 
                 Difference error = references.Select(r => Errors(got, r[body], impacts, k)).Aggregate(Smaller);
                 Difference limit = Limits(file, rounding, discretisation?.At(k), file.Format == SceneFormat.Farseer ? Settling.At(file, file.SampleSteps[k]) : Settling.AfterTouch(file, iterations, impacts, k));
+                if (file.Format == SceneFormat.Box2DFlash)
+                {
+                    limit = FlashSlops.Add(file, limit);
+                }
+
                 string where = body + " after " + file.SampleSteps[k].ToString(CultureInfo.InvariantCulture);
                 worst[0].Take(error.Position, limit.Position, where);
                 worst[1].Take(error.Rotation, limit.Rotation, where);

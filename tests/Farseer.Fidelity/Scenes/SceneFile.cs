@@ -36,6 +36,9 @@ public sealed class SceneFile
 
     public float Dt { get; internal init; }
 
+    /// <summary>The longest step that is taken; <see cref="Dt"/> unless an action changes it.</summary>
+    public float LongestDt { get; internal init; }
+
     public int Steps { get; internal init; }
 
     public int[] Iterations { get; internal init; } = [];
@@ -149,6 +152,7 @@ public sealed class SceneFile
             RestDepth = RestDepthOf(root),
             Gravity = gravity,
             Dt = dt,
+            LongestDt = dt,
             Steps = steps,
             Iterations = iterations,
             SampleSteps = sampleSteps,

@@ -20,8 +20,10 @@ public class b2MouseJoint : b2Joint
         Link.Settings.AnchorBX = _local.x - def.body2.Link.CenterX;
         Link.Settings.AnchorBY = _local.y - def.body2.Link.CenterY;
         Link.Settings.MotorLimit = def.maxForce;
-        Link.Settings.Frequency = def.frequencyHz;
-        Link.Settings.DampingRatio = def.dampingRatio;
+        bool stiff = (world.Quirks & Box2DFlash202Quirks.MouseJointStiffness) != 0 && def.timeStep > 0;
+        double scale = stiff ? System.Math.Sqrt(1 / (double)def.timeStep) : 1;
+        Link.Settings.Frequency = def.frequencyHz * scale;
+        Link.Settings.DampingRatio = def.dampingRatio * scale;
         Link.Settings.Ratio = def.body2.GetMass();
     }
 

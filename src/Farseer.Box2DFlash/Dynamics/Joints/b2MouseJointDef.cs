@@ -24,7 +24,9 @@ public class b2MouseJointDef : b2JointDef
     /// <summary>Damping of the spring: 0 none, 1 critical. Default 0.7.</summary>
     public float dampingRatio { get; set; } = 0.7f;
 
-    /// <summary>Time step by which the original softened the spring, seconds. Not used: each step knows its own.</summary>
+    /// <summary>
+    /// Time step, seconds; finite. Used only with <see cref="Box2DFlash202Quirks.MouseJointStiffness"/>. Default 1/60.
+    /// </summary>
     public float timeStep { get; set; } = 1.0f / 60.0f;
 
     internal override b2Joint Make(b2World world)
@@ -32,6 +34,7 @@ public class b2MouseJointDef : b2JointDef
         Require.Vector(target, nameof(target));
         Require.NotNegative(maxForce, nameof(maxForce));
         Require.Positive(frequencyHz, nameof(frequencyHz));
+        Require.Finite(timeStep, nameof(timeStep));
         Require.NotNegative(dampingRatio, nameof(dampingRatio));
         return new b2MouseJoint(this, world);
     }

@@ -55,8 +55,15 @@ public class b2PulleyJoint : b2Joint
     /// <returns>A new vector.</returns>
     public override b2Vec2 GetReactionForce()
     {
-        b2Vec2 force = base.GetReactionForce();
-        return (World.Quirks & Box2DFlash202Quirks.PulleyForceSign) != 0 ? force.Negative() : force;
+        if ((World.Quirks & Box2DFlash202Quirks.PulleyForceSign) == 0)
+        {
+            return base.GetReactionForce();
+        }
+
+        b2Vec2 direction = b2Math.SubtractVV(GetAnchor2(), _ground2);
+        direction.Normalize();
+        direction.Multiply((float)Link.RowForce(0));
+        return direction;
     }
 
     /// <summary>Always 0: a rope transmits no torque.</summary>

@@ -38,8 +38,15 @@ public class b2RevoluteJoint : b2Joint
 
     /// <summary>The torque on the second body in the last step, N·m: that of the limits and of the motor.</summary>
     /// <returns>Positive counter-clockwise.</returns>
-    public override float GetReactionTorque() =>
-        (World.Quirks & Box2DFlash202Quirks.RevoluteTorqueOfLimitOnly) != 0 ? (float)Link.LimitForce : (float)Link.Torque;
+    public override float GetReactionTorque()
+    {
+        if (!Link.Limit && !Link.Motor)
+        {
+            return 0;
+        }
+
+        return (World.Quirks & Box2DFlash202Quirks.RevoluteTorqueOfLimitOnly) != 0 ? (float)Link.LimitForce : (float)Link.Torque;
+    }
 
     /// <summary>The angle, radians, with all whole turns.</summary>
     /// <returns>0 where the joint was made.</returns>
