@@ -210,6 +210,13 @@ internal sealed class BodyLink
         }
     }
 
+    /// <summary>Whether the body is kept from passing through moving bodies too.</summary>
+    public bool IsBullet
+    {
+        get => IsAttached && (_engine.Bodies.Flags[_handle.Index] & BodyFlags.Bullet) != 0;
+        set => _engine.SetFlags(Handle, value ? BodyFlags.Bullet : BodyFlags.None, value ? BodyFlags.None : BodyFlags.Bullet);
+    }
+
     /// <summary>Moves the origin.</summary>
     public void SetTransform(double x, double y, double angle)
     {

@@ -44,6 +44,8 @@ internal sealed class EngineWorld : IStepHooks
 
     public ContactBook Contacts { get; } = new ContactBook();
 
+    public void SetContinuous(bool flag) => World.Settings.Continuous = flag;
+
     public Vector2 Gravity => World.Settings.Gravity;
 
     public void SetGravity(float x, float y) => World.Settings.Gravity = new Vector2(x, y);
@@ -214,7 +216,7 @@ internal sealed class EngineWorld : IStepHooks
         }
     }
 
-    /// <summary>Calls for each pair of shapes of different bodies, not both static, whose boxes overlap now.</summary>
+    /// <summary>Calls for each pair of shapes whose boxes overlap now, whatever bodies they belong to.</summary>
     public void VisitPairs(Action<b2Shape, b2Shape> visit)
     {
         foreach (b2Shape? shape in _shapes)
@@ -229,16 +231,16 @@ internal sealed class EngineWorld : IStepHooks
             for (int i = 0; i < _found.Count; i++)
             {
                 b2Shape? other = _shapes[_found[i]];
-                if (other is not null
-                    && shape.Link.Collider.Index < other.Link.Collider.Index
-                    && !ReferenceEquals(shape.Body, other.Body)
-                    && !(shape.Body.IsStatic() && other.Body!.IsStatic()))
+                if (other is not null && shape.Link.Collider.Index < other.Link.Collider.Index)
                 {
                     visit(shape, other);
                 }
             }
         }
     }
+
+    /// <summary>Whether the filter has said that two shapes do not collide.</summary>
+    public bool IsRefused(b2Shape a, b2Shape b) => Contacts.Find(a.Link.Collider.Index, b.Link.Collider.Index) is { IsAccepted: false };
 
     public void BoxOf(b2Shape shape, out Vector2 min, out Vector2 max) => World.GetColliderBox(shape.Link.Collider, out min, out max);
 
@@ -282,7 +284,17 @@ internal sealed class EngineWorld : IStepHooks
     bool IStepHooks.OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points)
     {
         b2Contact? contact = Contacts.Find(colliderA, colliderB);
-        contact?.Points.Take(points, !ReferenceEquals(contact.Shape1, _shapes[colliderA]), _step);
+        if (contact is not null)
+        {
+            contact.Points.Take(points, !ReferenceEquals(contact.Shape1, _shapes[colliderA]), _step);
+
+            // An impact of a fast body is found while the step ends, after the other points were told.
+            if (_relay.ToldStep == _step)
+            {
+                _relay.PointsOf(contact);
+            }
+        }
+
         return true;
     }
 

@@ -24,9 +24,13 @@ internal sealed class ListenerRelay
         _engine = engine;
     }
 
+    /// <summary>The last step whose points were told.</summary>
+    public long ToldStep { get; private set; } = -1;
+
     /// <summary>Points that came, stayed or went in this step.</summary>
     public void Points(long step)
     {
+        ToldStep = step;
         if (_world.ContactListener is null)
         {
             return;
@@ -34,31 +38,30 @@ internal sealed class ListenerRelay
 
         for (b2Contact? contact = _engine.Contacts.First; contact is not null; contact = contact.Next)
         {
-            ContactPoints points = contact.Points;
-            if (points.Step != step)
+            if (contact.Points.Step == step)
+            {
+                PointsOf(contact);
+            }
+            else
             {
                 Removed(contact);
-                continue;
             }
+        }
+    }
 
-            for (int i = 0; i < points.Count; i++)
-            {
-                if (points.WasThere(points[i].FeatureId))
-                {
-                    Tell(contact, ref points[i], Happening.Persist);
-                }
-                else
-                {
-                    Tell(contact, ref points[i], Happening.Add);
-                }
-            }
+    public void PointsOf(b2Contact contact)
+    {
+        ContactPoints points = contact.Points;
+        for (int i = 0; i < points.Count; i++)
+        {
+            Tell(contact, ref points[i], points.WasThere(points[i].FeatureId) ? Happening.Persist : Happening.Add);
+        }
 
-            for (int i = 0; i < points.BeforeCount; i++)
+        for (int i = 0; i < points.BeforeCount; i++)
+        {
+            if (!points.IsThere(points.Before(i).FeatureId))
             {
-                if (!points.IsThere(points.Before(i).FeatureId))
-                {
-                    Tell(contact, ref points.Before(i), Happening.Remove);
-                }
+                Tell(contact, ref points.Before(i), Happening.Remove);
             }
         }
     }

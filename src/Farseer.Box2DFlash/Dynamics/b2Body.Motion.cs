@@ -138,13 +138,16 @@ public partial class b2Body
 
     /// <summary>Whether the body is a bullet.</summary>
     /// <returns>The flag.</returns>
-    public bool IsBullet() => Bullet;
+    public bool IsBullet() => Link.IsBullet;
 
     /// <summary>Makes the body a bullet: it does not pass through other moving bodies either. It costs time.</summary>
     /// <param name="flag">True for a bullet.</param>
-    public void SetBullet(bool flag) => Bullet = flag;
-
-    internal bool Bullet { get; set; }
+    /// <exception cref="InvalidOperationException">The body is destroyed.</exception>
+    public void SetBullet(bool flag)
+    {
+        CheckAlive();
+        Link.IsBullet = flag;
+    }
 
     /// <summary>As the original's contact points have it where the quirk is on, whose formula is that of the local point.</summary>
     internal b2Vec2 VelocityAtArm(double rx, double ry)

@@ -8,8 +8,6 @@ namespace Box2D.Dynamics;
 /// <content>The step.</content>
 public partial class b2World
 {
-    private bool _continuous = true;
-
     /// <summary>
     /// Moves the world on. Listeners are told within the step; see <see cref="b2ContactListener"/>. What one of them throws comes out
     /// of here when the step is complete.
@@ -68,9 +66,7 @@ public partial class b2World
 
     /// <summary>Whether fast bodies are kept from passing through others. Default true.</summary>
     /// <param name="flag">False switches it off.</param>
-    public void SetContinuousPhysics(bool flag) => _continuous = flag;
-
-    internal bool IsContinuous => _continuous;
+    public void SetContinuousPhysics(bool flag) => Engine.SetContinuous(flag);
 
     private void FreezeOutside()
     {

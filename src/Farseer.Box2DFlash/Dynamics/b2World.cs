@@ -113,7 +113,7 @@ public partial class b2World
         body.Link.Attach();
         float inertia = def.fixedRotation ? 0 : def.massData.I;
         body.ApplyMass(def.massData.mass, inertia, def.massData.center.x, def.massData.center.y);
-        body.Bullet = def.isBullet;
+        body.Link.IsBullet = def.isBullet;
         body.AllowSleeping(def.allowSleep);
         if (def.isSleeping)
         {
@@ -206,8 +206,7 @@ public partial class b2World
     }
 
     /// <summary>
-    /// How many pairs of shapes have boxes that overlap now, filters or not; shapes of one body or of two static ones make no pair.
-    /// It looks at all shapes.
+    /// How many pairs of shapes have boxes that overlap now, whether or not they may collide. It looks at all shapes.
     /// </summary>
     /// <returns>0 or more.</returns>
     public int GetPairCount()
@@ -225,12 +224,19 @@ public partial class b2World
     /// <returns>0 or more.</returns>
     public int GetJointCount() => _jointCount;
 
-    /// <summary>How many contacts there are: pairs whose boxes overlap now, whether or not they touch. It looks at all shapes.</summary>
+    /// <summary>
+    /// How many contacts there are: pairs whose boxes overlap now and which may collide, whether or not they touch. It looks at all
+    /// shapes, and does not ask the filter.
+    /// </summary>
     /// <returns>0 or more.</returns>
     public int GetContactCount()
     {
         int count = 0;
-        Engine.VisitPairs((a, b) => count += a.Body!.IsConnected(b.Body!) ? 0 : 1);
+        Engine.VisitPairs((a, b) =>
+        {
+            bool none = ReferenceEquals(a.Body, b.Body) || (a.Body!.IsStatic() && b.Body!.IsStatic()) || a.Body.IsConnected(b.Body!);
+            count += none || Engine.IsRefused(a, b) ? 0 : 1;
+        });
         return count;
     }
 

@@ -114,6 +114,13 @@ internal static unsafe class ContactUpdate
         };
     }
 
+    public static double MixRestitution(ShapeStore shapes, RestitutionMix mix, in ContactRecord record)
+    {
+        double a = shapes.Colliders[record.ColliderA].Restitution;
+        double b = shapes.Colliders[record.ColliderB].Restitution;
+        return mix == RestitutionMix.Maximum ? Math.Max(a, b) : 0.5 * (a + b);
+    }
+
     /// <param name="input">Columns and numbers of this step.</param>
     /// <param name="row">Names the pairs and their flags.</param>
     /// <param name="bits">What the sides are.</param>

@@ -231,8 +231,7 @@ internal sealed class FastBodySweep
         obstacle.VelocityX = state.LinearVelocity.X;
         obstacle.VelocityY = state.LinearVelocity.Y;
         obstacle.Spin = state.AngularVelocity;
-        obstacle.Restitution = 0.5 * ((double)input.Shapes.Colliders[record.ColliderA].Restitution
-            + input.Shapes.Colliders[record.ColliderB].Restitution);
+        obstacle.Restitution = ContactUpdate.MixRestitution(input.Shapes, input.Settings.RestitutionMix, record);
         obstacle.Friction = input.Settings.FreezePairFriction
             ? record.FirstFriction
             : ContactUpdate.MixFriction(input.Shapes, input.Settings.FrictionMix, record);

@@ -43,7 +43,7 @@ internal static class FlashQueryJudge
             double magnitude = query.Args.Select(ValueComparer.Magnitude).Append(ValueComparer.Magnitude(expected[i])).Append(Largest(file, iterations)).Max();
             double travelled = query.AfterStep == 0
                 ? 0
-                : moved.Position + moved.LinearVelocity + ((moved.Rotation + moved.AngularVelocity) * magnitude);
+                : moved.Position + moved.LinearVelocity + ((moved.Rotation + moved.AngularVelocity) * magnitude) + (moved.Position * Spin(file, iterations));
             double error = ValueComparer.Difference(expected[i], ours.QueryResults[i]);
             Check check = new(query + ": expected " + expected[i] + ", got " + ours.QueryResults[i], error, (Operations * Ulp * magnitude) + travelled, string.Empty);
             checks.Add(check.Passed ? check with { What = "query" } : check);
@@ -88,6 +88,9 @@ internal static class FlashQueryJudge
 
         static string[] Names(JsonElement e) => e.GetProperty("shapes").EnumerateArray().Select(s => s.GetString()!).ToArray();
     }
+
+    private static double Spin(SceneFile file, int iterations) => file.Recordings[iterations].Rows.Values.SelectMany(r => r)
+        .Where(r => !r.IsAbsent).Select(r => Math.Abs(r.AngularVelocity)).DefaultIfEmpty(0).Max();
 
     private static double Largest(SceneFile file, int iterations) => file.Recordings[iterations].Rows.Values.SelectMany(r => r)
         .Where(r => !r.IsAbsent).Select(r => Math.Max(Math.Abs(r.X), Math.Abs(r.Y))).DefaultIfEmpty(1).Max();

@@ -30,7 +30,7 @@ internal static class FlashValues
             case JsonValueKind.True or JsonValueKind.False:
                 return value.GetBoolean();
             case JsonValueKind.Number:
-                return type == typeof(int) ? (object)value.GetInt32() : type == typeof(uint) ? value.GetUInt32() : value.GetSingle();
+                return type == typeof(int) ? value.GetInt32() : type == typeof(uint) ? value.GetUInt32() : (object)value.GetSingle();
             case JsonValueKind.String:
                 return type == typeof(object) ? value.GetString() : scene[value.GetString()!];
             case JsonValueKind.Array when type == typeof(b2Vec2[]):

@@ -35,6 +35,9 @@ public static class Settling
     public static Difference AfterTouch(SceneFile file, int iterations, Impacts impacts, int row)
     {
         const double Share = Math.PI / 2 / (20 + (Math.PI / 2));
+
+        // A hundredth of the speed below which a body counts as resting.
+        const double Still = 1e-4;
         if (!SceneSizes.MayTouch(file))
         {
             return default;
@@ -51,8 +54,9 @@ public static class Settling
         double sinking = gravity > 0 ? Math.Sqrt(2 * depth / gravity) : 0;
         double elapsed = (file.SampleSteps[row] - file.SampleSteps[touch] - 1) * (double)file.Dt;
         double rate = Share * iterations / file.Dt;
-        double speed = depth * rate * Math.Exp(-rate * Math.Max(0, elapsed - sinking));
+        double rest = Math.Exp(-rate * Math.Max(0, elapsed - sinking));
+        double speed = Math.Max(depth * rate * rest, Still);
         double halfWidth = SceneSizes.SmallestHalfWidth(file);
-        return new Difference(0, elapsed <= sinking ? depth / halfWidth : 0, speed, speed / halfWidth);
+        return new Difference(0, depth * rest / halfWidth, speed, speed / halfWidth);
     }
 }
