@@ -9,6 +9,7 @@ namespace Farseer.Rules.Tests;
 public sealed class FacadeTests
 {
     private const string Facade = "FarseerGames.FarseerPhysics.";
+    private const string FlashFacade = "Box2D.";
     private const string Engine = "Farseer.Engine.";
 
     // The types that need more, with all they may use. A longer list means that work belongs in Bridge.
@@ -23,14 +24,16 @@ public sealed class FacadeTests
     };
 
     [Theory]
-    [InlineData("netstandard2.0")]
-    [InlineData("net8.0")]
-    public void Type_OutsideBridge_UsesOneEngineFolder(string framework)
+    [InlineData("Farseer", Facade, "netstandard2.0")]
+    [InlineData("Farseer", Facade, "net8.0")]
+    [InlineData("Farseer.Box2DFlash", FlashFacade, "netstandard2.0")]
+    [InlineData("Farseer.Box2DFlash", FlashFacade, "net8.0")]
+    public void Type_OutsideBridge_UsesOneEngineFolder(string library, string facade, string framework)
     {
-        using AssemblyWalk walk = new(Repository.Library("Farseer", framework));
+        using AssemblyWalk walk = new(Repository.Library(library, framework));
         List<(string Type, List<string> Folders)> types = [.. walk.Uses()
-            .Where(u => u.UsedType.StartsWith(Engine, StringComparison.Ordinal) && u.User.StartsWith(Facade, StringComparison.Ordinal))
-            .Select(u => (Type: u.User.Split('/')[0][Facade.Length..], Folder: u.UsedType[Engine.Length..].Split('.')[0]))
+            .Where(u => u.UsedType.StartsWith(Engine, StringComparison.Ordinal) && u.User.StartsWith(facade, StringComparison.Ordinal))
+            .Select(u => (Type: u.User.Split('/')[0][facade.Length..], Folder: u.UsedType[Engine.Length..].Split('.')[0]))
             .Where(u => !u.Type.StartsWith("Bridge.", StringComparison.Ordinal))
             .GroupBy(u => u.Type, u => u.Folder)
             .Select(g => (g.Key, g.Distinct().Order(StringComparer.Ordinal).ToList()))];

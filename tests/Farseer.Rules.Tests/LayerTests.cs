@@ -57,6 +57,8 @@ public sealed class LayerTests
     [InlineData("Farseer.Engine", "net8.0")]
     [InlineData("Farseer", "netstandard2.0")]
     [InlineData("Farseer", "net8.0")]
+    [InlineData("Farseer.Box2DFlash", "netstandard2.0")]
+    [InlineData("Farseer.Box2DFlash", "net8.0")]
     public void Assembly_RefersDownwardsOnly(string name, string framework)
     {
         HashSet<string> allowed = framework == "netstandard2.0"

@@ -173,8 +173,8 @@ internal sealed class FastBodySweep
 
         Mover mover = MoverAt(input.Bodies, body, path, time, left);
         Obstacle obstacle = Describe(input, record, isA, otherPath.XAt(time) - path.XAt(time), otherPath.YAt(time) - path.YAt(time));
-        obstacle.Slowest = RestSubsteps * input.Substep
-            * Math.Abs(((double)gain.X * manifold.Normal.X) + ((double)gain.Y * manifold.Normal.Y));
+        double weight = Math.Abs(((double)gain.X * manifold.Normal.X) + ((double)gain.Y * manifold.Normal.Y));
+        obstacle.Slowest = Math.Max(RestSubsteps * input.Substep * weight, input.Settings.BounceThreshold);
         Manifold own = isA ? Flip(manifold) : Shift(manifold, pair.Offset);
         Mover after = mover;
         if (!Impact.Resolve(ref after, obstacle, own))

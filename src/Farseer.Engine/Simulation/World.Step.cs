@@ -197,7 +197,8 @@ internal sealed partial class World
             input.RowCount = _classes.RowCount(index);
             input.Substeps = _substeps * fineness;
             input.Substep = substep;
-            input.Coefficients = new ContactCoefficients(substep, input.Coefficients.Gravity, input.Coefficients.Rest);
+            input.Coefficients = new ContactCoefficients(
+                substep, input.Coefficients.Gravity, input.Coefficients.Rest, input.Coefficients.BounceThreshold);
             input.Springs = null;
             joints.Select(index, substep, fineness);
             AuditSolve(input);
