@@ -198,7 +198,7 @@ public sealed class BodyTests
     }
 
     [Fact]
-    [ManualRow("B113-B120")]
+    [ManualRow("B113-B119")]
     public void Loads_ChangeTheMotion()
     {
         b2World world = Bench.World(0);

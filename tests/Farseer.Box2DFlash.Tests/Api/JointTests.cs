@@ -182,7 +182,9 @@ public sealed class JointTests
         Bench.Step(world, 30);
 
         Assert.Equal(2, joint.GetJointSpeed(), 1e-2);
-        Assert.Equal(1, joint.GetJointTranslation(), 0.02);
+
+        // 50 N bring 1 kg to 2 m/s in 0.04 s, on the first 0.04 m.
+        Assert.Equal(0.96, joint.GetJointTranslation(), 0.005);
         slider.ApplyImpulse(new b2Vec2(0, 1), new b2Vec2(0.5f, 0));
         Bench.Step(world, 60);
         Assert.Equal(1.5, joint.GetJointTranslation(), 0.01);

@@ -202,7 +202,7 @@ public sealed class ShapeTests
         Assert.Throws<ArgumentException>(() => body.CreateShape(Polygon((-1, 0), (0, 2), (1, 0))));
         Assert.Throws<ArgumentException>(() => body.CreateShape(Polygon((0, 0), (2, 0), (1, 0.1f), (1, 2))));
         Assert.Throws<ArgumentException>(() => body.CreateShape(Polygon((0, 0), (1, 0), (1, 0), (0, 1))));
-        Assert.Throws<ArgumentException>(() => body.CreateShape(Polygon((0, 0), (float.NaN, 0), (0, 1))));
+        Assert.Throws<ArgumentOutOfRangeException>(() => body.CreateShape(Polygon((0, 0), (float.NaN, 0), (0, 1))));
         b2PolygonDef turned = new();
         turned.SetAsOrientedBox(1, 2, new b2Vec2(3, 0), 0.5f * b2Settings.b2_pi);
         b2Vec2[] corners = ((b2PolygonShape)body.CreateShape(turned)).GetVertices();
