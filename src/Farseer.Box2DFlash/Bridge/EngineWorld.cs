@@ -4,6 +4,7 @@ using System.Runtime.ExceptionServices;
 using Box2D.Collision.Shapes;
 using Box2D.Dynamics;
 using Box2D.Dynamics.Contacts;
+using Farseer.Engine.Joints;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Queries;
 using Farseer.Engine.Settings;
@@ -43,6 +44,9 @@ internal sealed class EngineWorld : IStepHooks
     public World World { get; } = new World();
 
     public ContactBook Contacts { get; } = new ContactBook();
+
+    /// <summary>What ties a joint to this engine.</summary>
+    public JointTie Tie(JointKind kind, bool collideConnected) => new JointTie(World, kind, collideConnected);
 
     public void SetContinuous(bool flag) => World.Settings.Continuous = flag;
 

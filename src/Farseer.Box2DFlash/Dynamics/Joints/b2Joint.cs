@@ -53,7 +53,7 @@ public abstract class b2Joint
         _body2 = body2;
         World = world;
         CollideConnected = def.collideConnected;
-        Link = new JointTie(world.Engine.World, kind, def.collideConnected);
+        Link = world.Engine.Tie(kind, def.collideConnected);
         Edge1 = new b2JointEdge(this, body2);
         Edge2 = new b2JointEdge(this, body1);
     }
