@@ -254,7 +254,10 @@ public sealed class ListenerTests
             First = point.shape1.GetBody();
             Second = point.shape2.GetBody();
             _ = point.velocity.Length();
-            _pairs.Add((First!, Second!));
+            if (call != "Remove")
+            {
+                _pairs.Add((First!, Second!));
+            }
         }
     }
 
