@@ -12,7 +12,8 @@ public sealed class Report
         Limits. Trajectories: against `refined` at most the original's own error at its own settings
         (differenceFromRecorded); scenes without it: against the nearer recording within the spread between 5 and
         100 iterations plus the error of its first-order integrator (dt/2 times the variation of the
-        velocity, dt times its jumps). Both plus rounding ((2 + sqrt(steps)) ulps) and, where bodies may
+        velocity, dt times its jumps). Both plus rounding ((2 + sqrt(steps)) ulps; a body that `refined` holds
+        still to the last bit: a velocity of half an ulp of its place in a refined step) and, where bodies may
         touch, AllowedPenetration on positions. Beside an impact a velocity may be any between the rows
         around it, and in the first sqrt(2 AllowedPenetration / g) a body at rest may still sink. Events: same
         kinds, pairs and order, shifted by 2 updates plus the time to cross AllowedPenetration and the

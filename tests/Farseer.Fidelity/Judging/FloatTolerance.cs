@@ -33,6 +33,23 @@ public sealed record FloatTolerance(double Position, double Rotation, double Lin
         return new FloatTolerance(Ulp(position) * ulps, Ulp(rotation) * ulps, Ulp(velocity) * ulps, Ulp(angular) * ulps);
     }
 
+    /// <summary>
+    /// The velocity of a body that the refined run holds still, every place and angle the same to the last bit: below half an ulp
+    /// of them in one of its steps a velocity moves nothing, and is what its joints make of the rounding of places, for they turn
+    /// a share of it into speed in each step. A body that moves has none of this.
+    /// </summary>
+    public static Difference OfStanding(SceneFile file, Row[] rows)
+    {
+        if (file.Refined is not { } refined || !rows.All(r => r.X == rows[0].X && r.Y == rows[0].Y && r.Rotation == rows[0].Rotation))
+        {
+            return default;
+        }
+
+        double step = file.Dt / (double)refined.DtDivisor;
+        double place = Ulp(Math.Max(Math.Abs(rows[0].X), Math.Abs(rows[0].Y)));
+        return new Difference(0, 0, place / 2 / step, Ulp(Math.Abs(rows[0].Rotation)) / 2 / step);
+    }
+
     public static double Ulp(double magnitude) => magnitude == 0 ? 0 : MathF.BitIncrement((float)magnitude) - (float)magnitude;
 
     private static double Largest(List<Row> rows, Func<Row, double> value) => rows.Count == 0 ? 0 : rows.Max(value);

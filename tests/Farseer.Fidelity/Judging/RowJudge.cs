@@ -41,6 +41,7 @@ public static class RowJudge
         foreach ((string body, Row[] expected) in reference)
         {
             Impacts impacts = new(file, expected, rounding);
+            Difference standing = FloatTolerance.OfStanding(file, expected);
             Discretisation? discretisation = file.Refined is null ? new Discretisation(file, expected, impacts) : null;
             for (int k = 0; k < expected.Length; k++)
             {
@@ -62,8 +63,8 @@ public static class RowJudge
                 string where = body + " after " + file.SampleSteps[k].ToString(CultureInfo.InvariantCulture);
                 worst[0].Take(error.Position, limit.Position, where);
                 worst[1].Take(error.Rotation, limit.Rotation, where);
-                worst[2].Take(error.LinearVelocity, limit.LinearVelocity, where);
-                worst[3].Take(error.AngularVelocity, limit.AngularVelocity, where);
+                worst[2].Take(error.LinearVelocity, limit.LinearVelocity + standing.LinearVelocity, where);
+                worst[3].Take(error.AngularVelocity, limit.AngularVelocity + standing.AngularVelocity, where);
             }
         }
 

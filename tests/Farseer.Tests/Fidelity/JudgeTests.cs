@@ -73,6 +73,20 @@ public sealed class JudgeTests
     }
 
     [Fact]
+    public void Judge_BodyThatShouldStandStill_MayNotMove()
+    {
+        SceneFile scene = ReferenceData.Scene("track");
+        Recording still = scene.Recordings[5];
+        string body = still.Rows.Keys.First();
+        double speed = FloatTolerance.OfStanding(scene, scene.Refined!.Rows[body]).LinearVelocity;
+
+        Assert.InRange(speed, 1e-6, 1e-2);
+        Assert.Contains(RowJudge.Judge(scene, 5, With(still, body, r => r with { VelocityX = r.VelocityX + (2 * speed) }), null), c => !c.Passed);
+        Assert.Contains(RowJudge.Judge(scene, 5, With(still, body, r => r with { X = r.X + 1e-3 }), null), c => !c.Passed);
+        Assert.Equal(default, FloatTolerance.OfStanding(scene, [still.Rows[body][0], still.Rows[body][1] with { X = 0 }]));
+    }
+
+    [Fact]
     public void Judge_NotANumber_Fails()
     {
         SceneFile scene = ReferenceData.Scene("free_fall");

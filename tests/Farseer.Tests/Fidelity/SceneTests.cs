@@ -16,7 +16,7 @@ public sealed class SceneTests
     /// </summary>
     private static readonly HashSet<string> KnownFaults = new(StringComparer.Ordinal)
     {
-        "chain_pin", "track",
+        "chain_pin",
     };
 
     public static TheoryData<string> BuiltScenes =>
