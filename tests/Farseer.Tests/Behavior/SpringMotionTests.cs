@@ -134,6 +134,53 @@ public class SpringMotionTests
         }
     }
 
+    /// <summary>The springs between two bodies that are free: the same, about their common centre, whose motion they leave alone.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(1e3)]
+    [InlineData(1e6)]
+    public void ConstantAndDampingTimesAMillion_BetweenFreeBodiesAtLargeSteps_StayBoundedAndRest(double factor)
+    {
+        foreach ((double k, double c) in new[] { (factor, 1.0), (1.0, factor), (factor, factor), (factor, 0.0) })
+        {
+            var simulator = new PhysicsSimulator();
+            Body a = Free(simulator, 0, 0);
+            Body b = Free(simulator, 30, 0);
+            b.Mass = 2;
+            LinearSpring linear = Factory.CreateLinearSpring(simulator, a, Vector2.Zero, b, Vector2.Zero, (float)(30 * k), (float)(2 * c));
+            linear.RestLength = 20;
+            Body first = Free(simulator, 0, 200);
+            Body second = Free(simulator, 100, 200);
+            second.MomentOfInertia = 2;
+            first.AngularVelocity = 30;
+            AngleSpring angle = Factory.CreateAngleSpring(simulator, first, second, (float)(30 * k), (float)(2 * c));
+            angle.TargetAngle = 1;
+            double before = (15 * k * 100) + 450 + (15 * k);
+            double most = 0;
+            double turning = 0;
+            for (int i = 0; i < 3000; i++)
+            {
+                simulator.Update(1 / 15f);
+                double stretch = b.PositionX - a.PositionX - 20;
+                double twist = second.TotalRotation - first.TotalRotation - 1;
+                turning = first.AngularVelocity + (2 * second.AngularVelocity);
+                double moving = a.LinearVelocity.LengthSquared() + (2 * b.LinearVelocity.LengthSquared())
+                    + (first.AngularVelocity * first.AngularVelocity) + (2 * second.AngularVelocity * second.AngularVelocity);
+                most = Math.Max(most, (moving / 2) + (15 * k * ((stretch * stretch) + (twist * twist))));
+            }
+
+            // As above. The centre stays at (0 + 2 30) / 3; an angle spring damps each body's own turning, so that goes, but never grows.
+            Assert.InRange(most, 0, 1.3 * before);
+            Assert.Equal(20, (a.PositionX + (2 * b.PositionX)) / 3, 1e-2);
+            Assert.InRange(turning, -0.1, 30.1);
+            if (c > 0 && c * c * 1000 > k && c < 1e3 * k)
+            {
+                Assert.Equal(20, b.PositionX - a.PositionX, 0.02);
+                Assert.Equal(1, second.TotalRotation - first.TotalRotation, 0.01);
+            }
+        }
+    }
+
     [Fact]
     public void HungBody_OnSpringsOfAnyStrength_RestsAtTheExtensionOfItsWeight()
     {
