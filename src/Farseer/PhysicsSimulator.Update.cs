@@ -255,7 +255,7 @@ public partial class PhysicsSimulator
             NarrowPhaseCollisionTime = Milliseconds(profile[StepStage.NarrowPhase]);
             ApplyForcesTime = Milliseconds(profile[StepStage.Forces]);
             ApplyImpulsesTime = Milliseconds(profile[StepStage.GraphAndIslands] + profile[StepStage.Solve]);
-            UpdatePositionsTime = Milliseconds(profile[StepStage.Finish] + profile[StepStage.Continuous]);
+            UpdatePositionsTime = Milliseconds(profile[StepStage.Finish] + profile[StepStage.Continuous] + profile[StepStage.Sleep]);
         }
     }
 }

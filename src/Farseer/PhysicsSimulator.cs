@@ -285,6 +285,6 @@ public partial class PhysicsSimulator : IDisposable
     private void UseCollider(IBroadPhaseCollider collider)
     {
         _relay.Collider = (collider as IEngineCollider)?.Core;
-        World.SetBroadPhase(_relay.Collider?.Engine ?? new UserBroadPhase(this));
+        World.SetBroadPhase(_relay.Collider?.Engine ?? new UserBroadPhase(this), always: _relay.Collider is null);
     }
 }

@@ -103,6 +103,15 @@ internal enum BodyFlags : uint
 
     /// <summary>Foreseen at the start of the step to move by more than its own size in it.</summary>
     Fast = 1024,
+
+    /// <summary>Rests, and costs nothing until something wakes it: see <c>World.WakeUp</c>.</summary>
+    Asleep = 2048,
+
+    /// <summary>Never falls asleep, nor does what it is in touch with.</summary>
+    NeverSleeps = 4096,
+
+    /// <summary>Asleep, and somebody got hold of its velocity: the next step looks whether it was set.</summary>
+    Handled = 8192,
 }
 
 /// <summary>What a step's motion of a body is measured by. 8 bytes; a body without colliders is never fast.</summary>

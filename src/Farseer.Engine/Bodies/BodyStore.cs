@@ -24,6 +24,9 @@ internal sealed class BodyStore
 
     public IdPool Ids { get; } = new IdPool();
 
+    /// <summary>The bodies that a step looks at: all but those asleep. It skips whole words of them.</summary>
+    public BitSet Visited { get; } = new BitSet();
+
     public ColumnSet Set => _set;
 
     public Column<BodyState> State { get; }

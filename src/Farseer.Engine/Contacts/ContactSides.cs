@@ -1,3 +1,4 @@
+using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
@@ -48,12 +49,31 @@ internal sealed unsafe class ContactSides
     /// <summary>The side of piece 0; that of <see cref="NoPiece"/> stands before it.</summary>
     public ContactSide* Pointer => _sides.Pointer + 1;
 
-    [MethodImpl(KernelMethod.Optimized)]
+    /// <summary>Writes the sides of all pieces but those asleep, which have not changed.</summary>
     public void Prepare(ShapeStore shapes, BodyStore bodies, ProxyInfo* proxies, byte* moves)
     {
         int end = shapes.PieceIds.End;
         _sides.EnsureCapacity(end + 1);
         _sides[0] = new ContactSide { Cos = 1, HalfX = 1, HalfY = 1, Flags = SideFlags.Box };
+        ulong* visited = shapes.VisitedPieces.Words;
+        int first = 0;
+        while (first < end)
+        {
+            int last = first;
+            while (last < end && visited[last >> 6] != 0)
+            {
+                last = Math.Min((last | 63) + 1, end);
+            }
+
+            Prepare(shapes, bodies, proxies, moves, first, last);
+            first = (last | 63) + 1;
+        }
+    }
+
+    /// <summary>Writes the sides of pieces in a row.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public void Prepare(ShapeStore shapes, BodyStore bodies, ProxyInfo* proxies, byte* moves, int first, int end)
+    {
         ContactSide* sides = Pointer;
         Piece* pieces = shapes.Pieces.Pointer;
         ColliderInfo* colliders = shapes.Colliders.Pointer;
@@ -61,7 +81,7 @@ internal sealed unsafe class ContactSides
         BodyState* states = bodies.State.Pointer;
         BodyMass* masses = bodies.Mass.Pointer;
         BodyFlags* flags = bodies.Flags.Pointer;
-        for (int i = 0; i < end; i++)
+        for (int i = first; i < end; i++)
         {
             Piece* piece = pieces + i;
             if (piece->VertexCount == 0)
@@ -86,7 +106,9 @@ internal sealed unsafe class ContactSides
             side->VelocityY = state->LinearVelocity.Y;
             side->AngularVelocity = state->AngularVelocity;
             ColliderInfo* collider = colliders + piece->Collider;
-            bool moving = moves[body] != 0;
+
+            // What sleeps can be moved: a contact with it wakes it before it is solved.
+            bool moving = moves[body] != 0 || (flags[body] & BodyFlags.Asleep) != 0;
             SideFlags now = (proxies[i].Flags & ProxyFlags.Moved) != 0 ? SideFlags.NewBox : SideFlags.None;
             side->Flags = now | Describe(piece, collider->Flags, flags[body], moving);
             side->HalfX = (side->Flags & SideFlags.Box) != 0 ? piece->Half.X : piece->Radius;

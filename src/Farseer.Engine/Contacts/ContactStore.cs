@@ -40,6 +40,12 @@ internal struct ContactRecord
     public int ColliderA;
     public int ColliderB;
 
+    /// <summary>Colour of a pair that sleeps and has no row.</summary>
+    public const int DormantIdle = -2;
+
+    /// <summary>Colour of a row that sleeps: one behind all others.</summary>
+    public const int DormantRow = 65;
+
     /// <summary>Colour of its row, or -1: not in the graph, <see cref="Row"/> then counts in the idle list.</summary>
     public int Color;
     public int Row;
@@ -50,6 +56,9 @@ internal struct ContactRecord
 
     /// <summary>A collider of the pair has several pieces: the pair of colliders may have further records.</summary>
     public bool OfSeveral;
+
+    /// <summary>True if the pair sleeps: both bodies are asleep, or one is and the other does not move.</summary>
+    public readonly bool IsDormant => Color == DormantIdle || Color == DormantRow;
 }
 
 /// <summary>All pairs, the map from pieces to pairs, and the list of pairs without a row.</summary>
@@ -84,6 +93,13 @@ internal sealed class ContactStore
     public int IdleCount { get; private set; }
 
     public int Idle(int position) => _idle[position];
+
+    /// <summary>Takes a pair out of the idle list, to sleep.</summary>
+    public void LayDown(int index)
+    {
+        RemoveIdle(index);
+        Records[index].Color = ContactRecord.DormantIdle;
+    }
 
     public int Create(ulong key, in ContactRecord record)
     {

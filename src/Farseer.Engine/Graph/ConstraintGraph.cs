@@ -29,9 +29,12 @@ internal sealed unsafe class ConstraintGraph
 
     public const int ColorCount = MaskedColors + 2;
 
+    /// <summary>The rows of contacts asleep, behind all colours: kept with their impulses, and solved by nobody.</summary>
+    public const int Dormant = ContactRecord.DormantRow;
+
     private readonly Column<ulong> _masks = new Column<ulong>();
     private readonly Column<int> _degree = new Column<int>();
-    private readonly GraphColor[] _colors = new GraphColor[ColorCount];
+    private readonly GraphColor[] _colors = new GraphColor[ColorCount + 1];
 
     private readonly GraphColor[] _inOrder = new GraphColor[ColorCount];
 
@@ -55,6 +58,8 @@ internal sealed unsafe class ConstraintGraph
         }
 
         _inOrder[next] = _colors[StaticOverflow];
+        System.Diagnostics.Debug.Assert(Dormant == ColorCount, "the colour of those asleep is none of the others");
+        _colors[Dormant] = new GraphColor();
     }
 
     public int RowCount { get; private set; }
@@ -109,6 +114,33 @@ internal sealed unsafe class ConstraintGraph
         record.Color = -1;
         RowCount--;
         Changed = true;
+    }
+
+    /// <summary>Lays a row to rest as it is.</summary>
+    public void LayDown(ref ContactRecord record, Column<ContactRecord> records)
+    {
+        GraphColor from = _colors[record.Color];
+        GraphColor to = _colors[Dormant];
+        int row = to.AddRow();
+        ContactRowWriter.MoveLane(from.BundleOf(record.Row), from.LaneOf(record.Row), to.BundleOf(row), to.LaneOf(row));
+        Remove(ref record, records);
+        record.Color = Dormant;
+        record.Row = row;
+    }
+
+    /// <summary>Takes a row up again, with the impulses that it had.</summary>
+    public void TakeUp(int contact, ref ContactRecord record, Column<ContactRecord> records, bool movesA, bool movesB)
+    {
+        GraphColor from = _colors[Dormant];
+        int row = record.Row;
+        Add(contact, ref record, movesA, movesB);
+        GraphColor to = _colors[record.Color];
+        ContactRowWriter.MoveLane(from.BundleOf(row), from.LaneOf(row), to.BundleOf(record.Row), to.LaneOf(record.Row));
+        int moved = from.RemoveRow(row);
+        if (moved >= 0)
+        {
+            records[moved].Row = row;
+        }
     }
 
     private int Choose(int a, int b, bool movesA, bool movesB)

@@ -30,6 +30,9 @@ internal sealed unsafe class IslandStore
 
     public float* SlotSag => _slotSag.Pointer;
 
+    /// <summary>The island of a body that had a row when the islands were last built.</summary>
+    public int Of(int body) => _islandOf[body];
+
     /// <summary>First slot of each island; the entry after the last island is <see cref="SlotCount"/>.</summary>
     public int* FirstSlot => _firstSlot.Pointer;
 

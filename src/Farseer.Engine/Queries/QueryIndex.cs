@@ -137,8 +137,15 @@ internal sealed unsafe class QueryIndex
         Piece* pieces = shapes.Pieces.Pointer;
         BodyPose* poses = bodies.Pose.Pointer;
         PieceFit* fits = _fits.Pointer;
+        ulong* visited = shapes.VisitedPieces.Words;
         for (int piece = 0; piece < end; piece++)
         {
+            if (visited[piece >> 6] == 0)
+            {
+                piece |= 63;
+                continue;
+            }
+
             PieceFit* fit = fits + piece;
             if (fit->Place != Nowhere && !fit->IsChanged
                 && !(Travel(*fit, poses[pieces[piece].Body], pieces[piece].Reach) <= fit->Margin))

@@ -52,6 +52,18 @@ internal sealed class WorldSettings
     /// <summary>A pair collides if only one side wants the other (a quirk of the original). Default false: both must.</summary>
     public bool OneSidedFilter { get; set; }
 
+    /// <summary>Bodies that rest fall asleep. Default false.</summary>
+    public bool AllowSleep { get; set; }
+
+    /// <summary>Seconds that a body, and all that it is in touch with, must rest before they fall asleep. Above 0; default 0.5.</summary>
+    public float TimeToSleep { get; set; } = 0.5f;
+
+    /// <summary>
+    /// A body rests as long as it stays within this share of its size. Above 0; default 2⁻¹⁴. Larger: bodies that still creep are
+    /// stopped; smaller: what trembles stays awake.
+    /// </summary>
+    public float RestShare { get; set; } = 1f / (1 << 14);
+
     /// <summary>Raise separation for pairs that only overlapped with their boxes (a quirk of the original). Default false.</summary>
     public bool SeparateUntouchedPairs { get; set; }
 

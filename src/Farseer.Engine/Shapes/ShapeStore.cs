@@ -43,6 +43,9 @@ internal sealed class ShapeStore
 
     public IdPool PieceIds { get; } = new IdPool();
 
+    /// <summary>The pieces of the bodies that a step looks at.</summary>
+    public BitSet VisitedPieces { get; } = new BitSet();
+
     public IdPool ColliderIds { get; } = new IdPool();
 
     public Column<Vector2> Vertices { get; }
@@ -79,6 +82,7 @@ internal sealed class ShapeStore
             int index = handle.Index;
             _pieceSet.EnsureCapacity(PieceIds.End);
             _pieceHandles[index] = handle;
+            VisitedPieces.Set(index);
             NextPiece[index] = -1;
             int count = source.Vertices.Length;
             int start = TakeRange(count);

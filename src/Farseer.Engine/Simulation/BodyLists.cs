@@ -15,6 +15,7 @@ internal sealed unsafe class BodyLists
     private readonly Column<byte> _moves = new Column<byte>();
     private readonly Column<byte> _wasActive = new Column<byte>();
     private readonly Column<int> _active = new Column<int>();
+    private readonly IndexList _driven = new IndexList();
     private readonly Column<int> _solver = new Column<int>();
     private readonly Column<int> _free = new Column<int>();
     private readonly Column<int> _outOfRange = new Column<int>();
@@ -43,6 +44,9 @@ internal sealed unsafe class BodyLists
     /// <summary>Bodies that moved by more than their size in this step.</summary>
     public FastList Fast { get; } = new FastList();
 
+    /// <summary>Kinematic and static bodies that have a velocity: what touches them does not rest.</summary>
+    public IndexList Driven => _driven;
+
     public QuarantineRecord Outcast(int index) => _outcasts[index];
 
     public void ForgetOutcasts() => OutcastCount = 0;
@@ -55,12 +59,21 @@ internal sealed unsafe class BodyLists
         _active.EnsureCapacity(end);
         byte* moves = _moves.Pointer;
         BodyFlags* flags = bodies.Flags.Pointer;
+        ulong* visited = bodies.Visited.Words;
         ActiveCount = 0;
+        _driven.Clear();
         for (int i = 0; i < end; i++)
         {
+            // Those asleep do not move, as when they fell asleep.
+            if (visited[i >> 6] == 0)
+            {
+                i |= 63;
+                continue;
+            }
+
             BodyFlags f = flags[i];
             moves[i] = 0;
-            if ((f & (BodyFlags.Alive | BodyFlags.Enabled)) != (BodyFlags.Alive | BodyFlags.Enabled))
+            if ((f & (BodyFlags.Alive | BodyFlags.Enabled | BodyFlags.Asleep)) != (BodyFlags.Alive | BodyFlags.Enabled))
             {
                 continue;
             }
@@ -71,6 +84,11 @@ internal sealed unsafe class BodyLists
                 continue;
             }
 
+            if ((f & (BodyFlags.Static | BodyFlags.Kinematic)) != 0 && IsDriven(bodies.State[i]))
+            {
+                _driven.Add(i);
+            }
+
             if ((f & BodyFlags.Static) != 0)
             {
                 continue;
@@ -79,6 +97,22 @@ internal sealed unsafe class BodyLists
             _active[ActiveCount++] = i;
             moves[i] = (f & BodyFlags.Kinematic) == 0 ? (byte)1 : (byte)0;
         }
+    }
+
+    /// <summary>A body woke within the step: it moves from now on.</summary>
+    public void Join(BodyStore bodies, int body, float dt)
+    {
+        _active.EnsureCapacity(ActiveCount + 1);
+        _active[ActiveCount] = body;
+        Foresight.Begin(bodies, _active.Pointer + ActiveCount, 1, dt);
+        ActiveCount++;
+    }
+
+    /// <summary>Notes that contacts and joints may move a body, or that it sleeps.</summary>
+    public void SetMoving(int body, bool value)
+    {
+        _moves.EnsureCapacity(body + 1);
+        _moves[body] = value ? (byte)1 : (byte)0;
     }
 
     /// <summary>Sorts the bodies anew within a step: those that were not foreseen at its start are foreseen now.</summary>
@@ -195,7 +229,7 @@ internal sealed unsafe class BodyLists
         CastOutAll(bodies, count, QuarantineCause.Forces);
     }
 
-    /// <summary>Takes over the solver's displacements, and uses up all forces.</summary>
+    /// <summary>Takes over the solver's displacements.</summary>
     public void Finish(BodyStore bodies)
     {
         _outOfRange.EnsureCapacity(SolverCount);
@@ -206,14 +240,26 @@ internal sealed unsafe class BodyLists
             FinishBodies.UpdateRotor(ref bodies.Pose[_free[i]]);
             FinishBodies.ForgetTurn(bodies, _free[i]);
         }
+    }
 
+    public static void UseUpForces(BodyStore bodies)
+    {
         BodyForce* force = bodies.Force.Pointer;
+        ulong* visited = bodies.Visited.Words;
         int end = bodies.Ids.End;
         for (int i = 0; i < end; i++)
         {
+            if (visited[i >> 6] == 0)
+            {
+                i |= 63;
+                continue;
+            }
+
             force[i] = default;
         }
     }
+
+    private static bool IsDriven(in BodyState state) => state.LinearVelocity != Vector2.Zero || state.AngularVelocity != 0;
 
     private void CastOutAll(BodyStore bodies, int count, QuarantineCause cause)
     {

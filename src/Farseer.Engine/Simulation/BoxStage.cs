@@ -35,12 +35,19 @@ internal sealed unsafe class BoxStage
         BodyStore bodies = world.Bodies;
         int end = bodies.Ids.End;
         _fits.EnsureCapacity(end);
-        ForgetMoves(world.Proxies);
+        ulong* visited = bodies.Visited.Words;
         float pull = (Math.Abs(world.Settings.Gravity.X) + Math.Abs(world.Settings.Gravity.Y)) * dt;
         for (int body = 1; body < end; body++)
         {
+            if (visited[body >> 6] == 0)
+            {
+                body |= 63;
+                continue;
+            }
+
             BodyFlags flags = bodies.Flags[body];
-            bool moves = (flags & (BodyFlags.Alive | BodyFlags.Enabled | BodyFlags.Static)) == (BodyFlags.Alive | BodyFlags.Enabled);
+            const BodyFlags Moving = BodyFlags.Alive | BodyFlags.Enabled;
+            bool moves = (flags & (Moving | BodyFlags.Static | BodyFlags.Asleep)) == Moving;
             if ((flags & BodyFlags.Moved) != 0)
             {
                 bodies.Flags[body] = flags & ~(BodyFlags.Moved | BodyFlags.Fast);
@@ -70,16 +77,6 @@ internal sealed unsafe class BoxStage
         if (now != flags)
         {
             bodies.Flags[body] = now;
-        }
-    }
-
-    // The marks of the last step have served its pairs and its contacts.
-    private static void ForgetMoves(ProxyStore proxies)
-    {
-        ProxyInfo* info = proxies.Info.Pointer;
-        for (int i = 0; i < proxies.End; i++)
-        {
-            info[i].Flags &= ~ProxyFlags.Moved;
         }
     }
 
@@ -121,6 +118,7 @@ internal sealed unsafe class BoxStage
         }
 
         world.Bodies.Size[body] = new BodySize { Extent = FastShare * extent, Reach = reach };
+        world.NoteSize(body, reach > 0 ? extent : 0, reach);
         _fits[body] = new FitRecord { X = pose.X, Y = pose.Y, Angle = pose.Angle, Reach = reach, Margin = margin };
     }
 

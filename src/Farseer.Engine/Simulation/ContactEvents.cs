@@ -23,17 +23,20 @@ internal sealed unsafe class ContactEvents
     private Column<PairOfColliders> _pairs = new Column<PairOfColliders>();
     private Column<ulong> _oldKeys = new Column<ulong>();
     private Column<PairOfColliders> _oldPairs = new Column<PairOfColliders>();
+    private readonly Column<PairOfColliders> _woken = new Column<PairOfColliders>();
     private int _oldCount;
     private int _count;
+    private int _wokenCount;
 
     public void Raise(World world, ContactStore contacts, ConstraintGraph graph, bool anyHeard)
     {
         IStepHooks? hooks = world.Hooks;
-        if (hooks == null || (!anyHeard && _oldCount == 0))
+        if (hooks == null || (!anyHeard && _oldCount == 0 && _wokenCount == 0))
         {
             return;
         }
 
+        TakeBackWoken(world);
         int count = Gather(world, contacts);
         _count = 0;
         int i = 0;
@@ -67,6 +70,33 @@ internal sealed unsafe class ContactEvents
         _count = 0;
     }
 
+    /// <summary>Pairs asleep neither touch anew nor part: they are left out until they wake.</summary>
+    public void LeaveOut(World world)
+    {
+        int kept = 0;
+        for (int i = 0; i < _oldCount; i++)
+        {
+            PairOfColliders pair = _oldPairs[i];
+            if (!world.IsStill(world.Shapes.Colliders[pair.A].Body) || !world.IsStill(world.Shapes.Colliders[pair.B].Body))
+            {
+                _oldKeys[kept] = _oldKeys[i];
+                _oldPairs[kept++] = pair;
+            }
+        }
+
+        _oldCount = kept;
+    }
+
+    /// <summary>A pair wakes: listeners have heard that it touches, if it does.</summary>
+    public void Woke(World world, in ContactRecord record)
+    {
+        if ((record.Flags & ContactFlags.Heard) != 0 && IsReported(world, record))
+        {
+            _woken.EnsureCapacity(_wokenCount + 1);
+            _woken[_wokenCount++] = new PairOfColliders { A = record.ColliderA, B = record.ColliderB };
+        }
+    }
+
     /// <summary>A collider goes: the pairs of it that touched separate.</summary>
     public void ColliderRemoved(World world, int collider)
     {
@@ -80,6 +110,64 @@ internal sealed unsafe class ContactEvents
         {
             Part(world, ref _oldPairs[i], collider, !IsIn(_keys, _count, _oldKeys[i]));
         }
+
+        for (int i = 0; i < _wokenCount; i++)
+        {
+            Part(world, ref _woken[i], collider, IsFirstOfItsPair(i));
+        }
+    }
+
+    /// <summary>Pieces of the same two colliders wake as several pairs, which are one event.</summary>
+    private bool IsFirstOfItsPair(int woken)
+    {
+        for (int i = 0; i < woken; i++)
+        {
+            if (_woken[i].A == _woken[woken].A && _woken[i].B == _woken[woken].B)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Puts the woken pairs among those of the last step, in their order.</summary>
+    private void TakeBackWoken(World world)
+    {
+        if (_wokenCount == 0)
+        {
+            return;
+        }
+
+        int all = _oldCount + _wokenCount;
+        Reserve(all);
+        for (int i = 0; i < _oldCount; i++)
+        {
+            _contacts[i] = i;
+            _keys[i] = _oldKeys[i];
+            _pairs[i] = _oldPairs[i];
+        }
+
+        for (int i = 0; i < _wokenCount; i++)
+        {
+            PairOfColliders pair = _woken[i];
+            _contacts[_oldCount + i] = _oldCount + i;
+            _keys[_oldCount + i] = Key(world, pair.A, pair.B);
+            _pairs[_oldCount + i] = pair;
+        }
+
+        _sort.Sort(_keys.Pointer, _contacts.Pointer, all);
+        _oldCount = 0;
+        for (int i = 0; i < all; i++)
+        {
+            if (_oldCount == 0 || _oldKeys[_oldCount - 1] != _keys[i])
+            {
+                _oldKeys[_oldCount] = _keys[i];
+                _oldPairs[_oldCount++] = _pairs[_contacts[i]];
+            }
+        }
+
+        _wokenCount = 0;
     }
 
     /// <summary>
@@ -190,7 +278,7 @@ internal sealed unsafe class ContactEvents
         for (int i = 0; i < contacts.End; i++)
         {
             ref ContactRecord record = ref contacts.Records[i];
-            if (record.PieceA >= 0 && (record.Flags & ContactFlags.Heard) != 0 && IsReported(world, record))
+            if (record.PieceA >= 0 && (record.Flags & ContactFlags.Heard) != 0 && !record.IsDormant && IsReported(world, record))
             {
                 _keys[count] = Key(world, record);
                 _contacts[count++] = i;
@@ -225,8 +313,10 @@ internal sealed unsafe class ContactEvents
                 world.Shapes.TightBox(record.PieceB, world.Bodies.Pose[record.BodyB]));
     }
 
-    private static ulong Key(World world, in ContactRecord record) =>
-        ((ulong)(uint)world.Shapes.Colliders[record.ColliderA].Order << 32) | (uint)world.Shapes.Colliders[record.ColliderB].Order;
+    private static ulong Key(World world, in ContactRecord record) => Key(world, record.ColliderA, record.ColliderB);
+
+    private static ulong Key(World world, int colliderA, int colliderB) =>
+        ((ulong)(uint)world.Shapes.Colliders[colliderA].Order << 32) | (uint)world.Shapes.Colliders[colliderB].Order;
 
     /// <returns>False if the pair gives no response in this step.</returns>
     private bool RaiseContact(

@@ -39,11 +39,12 @@ internal sealed unsafe class ContactStage
     /// <summary>A pair has a listener.</summary>
     public bool AnyHeard { get; private set; }
 
+    /// <param name="world">Its bodies may sleep.</param>
     /// <param name="input">Columns and numbers of this step.</param>
     /// <param name="graph">The rows.</param>
     /// <param name="joints">What holds bodies besides rows.</param>
     /// <param name="allHeld">Every body is in the solver's hands.</param>
-    public void Update(ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
+    public void Update(World world, ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
     {
         ContactStore contacts = input.Contacts;
         _sides.Prepare(input.Shapes, input.Bodies, input.Proxies, input.Moves);
@@ -63,6 +64,12 @@ internal sealed unsafe class ContactStage
         _fast.Begin(contacts.Records.Capacity);
         UpdateGraph(input, graph);
         UpdateIdle(input);
+        if (world.AsleepCount > 0)
+        {
+            WakeGained(world, contacts);
+            _fast.Wake(world, contacts);
+        }
+
         Take(contacts, graph);
         Give(input, graph);
         _fast.Decide(input, graph, joints, allHeld);
@@ -89,6 +96,27 @@ internal sealed unsafe class ContactStage
     }
 
     public static ulong PairKey(in ContactRecord record) => BroadPhase.PairBuffer.Pack(record.PieceA, record.PieceB);
+
+    /// <summary>Writes the sides of a body that has just fallen asleep: until it wakes they stay as they are.</summary>
+    public void WriteSides(World world, byte* moves, int piece) =>
+        _sides.Prepare(world.Shapes, world.Bodies, world.Proxies.Info.Pointer, moves, piece, piece + 1);
+
+    /// <summary>Pairs of one side asleep are about to get a row: that wakes it, but for those that nothing has moved.</summary>
+    private void WakeGained(World world, ContactStore contacts)
+    {
+        int kept = 0;
+        for (int i = 0; i < _gainedCount; i++)
+        {
+            int index = _gained[i];
+            if (world.WakeByContact(contacts.Records[index]))
+            {
+                _gainKeys[kept] = _gainKeys[i];
+                _gained[kept++] = index;
+            }
+        }
+
+        _gainedCount = kept;
+    }
 
     private void UpdateGraph(in ContactUpdateInput input, ConstraintGraph graph)
     {

@@ -44,6 +44,15 @@ internal sealed unsafe class FastPairStage
         _contacts[_count++] = contact;
     }
 
+    /// <summary>What a fast body comes near wakes: it would meet it as a wall.</summary>
+    public void Wake(World world, ContactStore contacts)
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            world.WakeByContact(contacts.Records[_contacts[i]]);
+        }
+    }
+
     public void Decide(in ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
     {
         _sort.Sort(_keys.Pointer, _contacts.Pointer, _count);

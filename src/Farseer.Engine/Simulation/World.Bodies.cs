@@ -31,7 +31,9 @@ internal sealed partial class World
         FinishBodies.UpdateRotor(ref Bodies.Pose[body]);
         Bodies.Force[body] = default;
         Bodies.Drag[body] = def.Drag;
-        Bodies.Flags[body] = def.Flags | BodyFlags.Alive | BodyFlags.Moved;
+        Bodies.Flags[body] = (def.Flags & ~BodyFlags.Asleep) | BodyFlags.Alive | BodyFlags.Moved;
+        Bodies.Visited.Set(body);
+        _rest.Restart(body);
         Bodies.UserIndex[body] = def.UserIndex;
         Bodies.Motion[body] = new BodyMotion
         {
@@ -40,6 +42,11 @@ internal sealed partial class World
         Bodies.Residual[body] = default;
         _firstCollider[body] = -1;
         SetMass(handle, def.Mass, def.Inertia);
+        if ((def.Flags & BodyFlags.Asleep) != 0)
+        {
+            PutToSleep(handle);
+        }
+
         return handle;
     }
 
@@ -55,6 +62,7 @@ internal sealed partial class World
             }
         }
 
+        WakeUp(body);
         DestroyJointsOf(body.Index);
         Bodies.Flags[body.Index] &= ~(BodyFlags.Alive | BodyFlags.Enabled);
         _deadBodies.EnsureCapacity(_deadBodyCount + 1);
@@ -65,6 +73,11 @@ internal sealed partial class World
     {
         Require(body);
         Purge();
+        if ((Bodies.Flags[body.Index] & BodyFlags.Moved) == 0)
+        {
+            Disturb(body.Index);
+        }
+
         Handle handle = Shapes.ColliderIds.Take();
         int collider = handle.Index;
         Shapes.Colliders.EnsureCapacity(Shapes.ColliderIds.End);
@@ -104,6 +117,7 @@ internal sealed partial class World
     {
         Require(collider, Shapes.ColliderIds, nameof(collider));
         ref ColliderInfo info = ref Shapes.Colliders[collider.Index];
+        Disturb(info.Body);
         info.Flags &= ~ColliderFlags.Alive;
         for (int piece = info.FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
         {
@@ -137,6 +151,7 @@ internal sealed partial class World
     public void SetMass(Handle body, float mass, float inertia)
     {
         Require(body);
+        Disturb(body.Index);
         bool moves = (Bodies.Flags[body.Index] & (BodyFlags.Static | BodyFlags.Kinematic)) == 0;
         Bodies.Mass[body.Index] = new BodyMass
         {
@@ -150,6 +165,7 @@ internal sealed partial class World
     /// <summary>Sets and clears flags (static, kinematic, enabled, ...) with everything that follows from them.</summary>
     public void SetFlags(Handle body, BodyFlags set, BodyFlags clear)
     {
+        const BodyFlags Sleep = BodyFlags.Asleep | BodyFlags.Handled;
         const BodyFlags Structural = BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.Enabled;
         Require(body);
         BodyFlags old = Bodies.Flags[body.Index];
@@ -159,6 +175,16 @@ internal sealed partial class World
             now &= ~BodyFlags.Quarantined;
         }
 
+        if (((old ^ now) & Structural) != 0)
+        {
+            Wake(body.Index);
+        }
+        else if (old != now)
+        {
+            Disturb(body.Index);
+        }
+
+        now = (now & ~Sleep) | (Bodies.Flags[body.Index] & Sleep);
         Bodies.Flags[body.Index] = now;
         if (((old ^ now) & Structural) == 0)
         {

@@ -34,6 +34,8 @@ internal sealed partial class World
         }
 
         Purge();
+        DisturbByJoint(bodyA.Index);
+        DisturbByJoint(bodyB.Index);
         Handle joint = Joints.Add(kind, bodyA.Index, bodyB.Index, settings, flags);
         Refilter(bodyA.Index, bodyB.Index, flags);
         return joint;
@@ -45,6 +47,8 @@ internal sealed partial class World
         Require(joint, Joints.Ids, nameof(joint));
         JointLink link = Joints.Links[joint.Index];
         JointFlags flags = Joints.Flags[joint.Index];
+        DisturbByJoint(link.BodyA);
+        DisturbByJoint(link.BodyB);
         Joints.Remove(joint);
         Refilter(link.BodyA, link.BodyB, flags);
     }
@@ -54,6 +58,8 @@ internal sealed partial class World
         const JointFlags Filter = JointFlags.Enabled | JointFlags.CollideConnected;
         Require(joint, Joints.Ids, nameof(joint));
         JointFlags before = Joints.Flags[joint.Index];
+        DisturbByJoint(Joints.Links[joint.Index].BodyA);
+        DisturbByJoint(Joints.Links[joint.Index].BodyB);
         Joints.Settings[joint.Index] = settings;
         Joints.Flags[joint.Index] = flags | JointFlags.Alive;
         if (((before ^ flags) & JointFlags.Enabled) != 0)

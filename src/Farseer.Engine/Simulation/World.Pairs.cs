@@ -14,7 +14,9 @@ internal sealed partial class World
     private readonly RadixSort _pairSort = new RadixSort();
     private readonly PairMap _verdicts = new PairMap();
     private readonly Column<byte> _staleBodies = new Column<byte>();
+    private readonly IndexList _movedProxies = new IndexList();
     private bool _anyStale;
+    private bool _alwaysCollect;
 
     /// <summary>Gives a piece a new fat box and makes it look for pairs.</summary>
     internal void SetProxy(int piece, in Box fat, bool alive, bool isStatic)
@@ -28,6 +30,7 @@ internal sealed partial class World
 
         bool known = (info.Flags & ProxyFlags.Alive) != 0;
         Proxies.Fat[piece] = fat;
+        _movedProxies.Add(piece);
         info.Body = Shapes.Pieces[piece].Body;
         info.Flags = ProxyFlags.Alive | ProxyFlags.Moved | (isStatic ? ProxyFlags.Static : ProxyFlags.None);
         if (!known)
@@ -57,9 +60,22 @@ internal sealed partial class World
 
     private void MarkStale(int body)
     {
+        Disturb(body);
         _staleBodies.EnsureCapacity(Bodies.Ids.End);
         _staleBodies[body] = 1;
         _anyStale = true;
+    }
+
+    // The marks of the last step have served its pairs and its contacts.
+    private unsafe void ForgetMoves()
+    {
+        ProxyInfo* info = Proxies.Info.Pointer;
+        for (int i = 0; i < _movedProxies.Count; i++)
+        {
+            info[_movedProxies[i]].Flags &= ~ProxyFlags.Moved;
+        }
+
+        _movedProxies.Clear();
     }
 
     private unsafe void FindPairs()
@@ -68,6 +84,12 @@ internal sealed partial class World
         if (_verdicts.Count > 0)
         {
             _verdicts.Clear();
+        }
+
+        // Without a new box there is no new pair; only the search of a user hears of every step.
+        if (_movedProxies.Count == 0 && !_alwaysCollect)
+        {
+            return;
         }
 
         BroadPhase.Collect(Proxies, _pairs);
@@ -182,6 +204,11 @@ internal sealed partial class World
             ref ContactRecord record = ref _contacts.Records[i];
             if (record.PieceA >= 0 && IsOver(record))
             {
+                if (record.IsDormant)
+                {
+                    WakeBodiesOf(record);
+                }
+
                 ContactStage.Drop(_contacts, _graph, i);
             }
         }

@@ -11,6 +11,7 @@ internal sealed partial class World
 
     private void NotePlaced(int body)
     {
+        Disturb(body);
         Bodies.Flags[body] |= BodyFlags.Moved;
         if (!Queries.IsUsed)
         {

@@ -6,5 +6,11 @@ namespace Farseer.Engine.Simulation;
 internal sealed partial class World
 {
     /// <summary>Lets a spring act in the step under way; only from <see cref="IStepHooks.ApplyForces"/>.</summary>
-    public void ApplySpring(in SpringDef def) => _springs.Add(def);
+    public void ApplySpring(in SpringDef def)
+    {
+        if (AsleepCount == 0 || WakesBySpring(def.BodyA, def.BodyB))
+        {
+            _springs.Add(def);
+        }
+    }
 }

@@ -16,17 +16,20 @@ internal sealed partial class World
         Profile.Begin();
         PurgeNow();
         BeginAccuracy();
+        WakeWhatChanged(dt);
         CollectBodies();
+        WakeByDriven();
         _lists.Foresee(Bodies, dt);
         Profile.End(StepStage.DeferredChanges);
 
+        ForgetMoves();
         _boxes.Update(this, dt);
         FindPairs();
         Profile.End(StepStage.BroadPhase);
 
         float substep = dt / _substeps;
         ContactUpdateInput contacts = ContactInput(dt, substep);
-        _contactStage.Update(contacts, _graph, Joints, UserJoints != null && UserJoints.Any);
+        _contactStage.Update(this, contacts, _graph, Joints, UserJoints != null && UserJoints.Any);
         _events.Raise(this, _contacts, _graph, _contactStage.AnyHeard);
         Profile.End(StepStage.NarrowPhase);
 
@@ -34,6 +37,11 @@ internal sealed partial class World
         Profile.End(StepStage.GraphAndIslands);
 
         ApplyForces(dt);
+        if (_graph.Changed)
+        {
+            anyDeep = UpdateIslands(contacts.Coefficients);
+        }
+
         if (_contactStage.AnyHeard)
         {
             CollectStaticsAfterCallbacks();
@@ -55,6 +63,10 @@ internal sealed partial class World
         }
 
         Profile.End(StepStage.Continuous);
+
+        FallAsleep(dt);
+        BodyLists.UseUpForces(Bodies);
+        Profile.End(StepStage.Sleep);
     }
 
     private void ApplyForces(float dt)
@@ -105,6 +117,7 @@ internal sealed partial class World
         {
             _islands.Build(_graph, Bodies.Ids.End, _lists.Moves);
             _graph.Changed = false;
+            _groupsChanged = true;
         }
 
         return _feedForward.Apply(_islands, _graph, coefficients);

@@ -83,8 +83,11 @@ internal sealed partial class World
         }
     }
 
-    public void SetBroadPhase(IBroadPhase broadPhase)
+    /// <param name="broadPhase">The new one.</param>
+    /// <param name="always">True: it is asked in every step, also if no box has changed.</param>
+    public void SetBroadPhase(IBroadPhase broadPhase, bool always = false)
     {
+        _alwaysCollect = always;
         BroadPhase = broadPhase;
         for (int i = 0; i < Proxies.End; i++)
         {

@@ -36,6 +36,13 @@ internal sealed unsafe class SpringStore
         _rows[Count++] = new SpringRow { Def = def };
     }
 
+    /// <summary>The bodies of a spring of this step.</summary>
+    public void Ends(int spring, out int a, out int b)
+    {
+        a = _rows[spring].Def.BodyA;
+        b = _rows[spring].Def.BodyB;
+    }
+
     public void Clear()
     {
         for (int i = 0; i < Count; i++)

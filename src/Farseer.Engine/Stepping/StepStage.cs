@@ -11,5 +11,6 @@ internal enum StepStage
     Solve,
     Finish,
     Continuous,
+    Sleep,
     Count,
 }

@@ -8,6 +8,12 @@ internal sealed unsafe class BitSet
     private readonly Column<ulong> _words = new Column<ulong>(1);
     private int _wordCount;
 
+    /// <summary>The bits, 64 numbers a word.</summary>
+    public ulong* Words => _words.Pointer;
+
+    /// <summary>Words from here on are not kept: they hold no members.</summary>
+    public int WordCount => _wordCount;
+
     /// <summary>Members; counted on demand, O(words).</summary>
     public int Count
     {

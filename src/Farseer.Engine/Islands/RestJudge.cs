@@ -1,0 +1,240 @@
+using System;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Settings;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Islands;
+
+/// <summary>What the judgement of a step needs to know.</summary>
+internal unsafe struct RestInput
+{
+    public BodyStore Bodies;
+    public WorldSettings Settings;
+
+    /// <summary>Bodies that can move, and whether contacts and joints may move them.</summary>
+    public int* Active;
+    public int ActiveCount;
+    public byte* Moves;
+
+    /// <summary>Contacts of each body, and the islands that these make.</summary>
+    public int* Degrees;
+    public IslandStore Islands;
+    public float Dt;
+}
+
+/// <summary>
+/// Finds out which groups of bodies rest. A body rests as long as it stays where it was, within a small share of its size: that asks
+/// nothing of its velocity, which trembles, and lets no slow but steady motion pass. Under gravity the share is also one of the
+/// way that a body falls in the time to sleep: at the top of its flight it is in no case long enough within that, however large it is.
+/// </summary>
+internal sealed unsafe class RestJudge
+{
+    /// <summary>A body flying freely goes through at least 1/8 of g·T² in the time to sleep; it rests within this share of it.</summary>
+    private const float FallShare = 1f / 1024;
+
+    private readonly Column<RestRecord> _records = new Column<RestRecord>();
+    private readonly Column<int> _parent = new Column<int>();
+    private readonly Column<int> _firstOfIsland = new Column<int>();
+    private readonly Column<float> _least = new Column<float>();
+    private readonly IndexList _resting = new IndexList();
+
+    /// <summary>What may fall asleep, after <see cref="Close"/>.</summary>
+    public IndexList Resting => _resting;
+
+    /// <summary>A body has rested long enough, in the last step or before.</summary>
+    public bool AnyRested { get; private set; }
+
+    /// <summary>The body was disturbed: it must rest anew.</summary>
+    public void Restart(int body)
+    {
+        if (body < _records.Capacity)
+        {
+            _records[body].Time = 0;
+        }
+    }
+
+    /// <summary>Sets the sizes of a body: that of its smallest piece, and its greatest distance from the centre.</summary>
+    /// <param name="body">The body.</param>
+    /// <param name="extent">0 if it has no shape: it is then as large as its mass is spread.</param>
+    /// <param name="reach">At least the extent.</param>
+    /// <param name="mass">Its mass.</param>
+    public void SetSize(int body, float extent, float reach, in BodyMass mass)
+    {
+        float spread = mass.InverseInertia > 0 ? (float)Math.Sqrt((double)mass.InverseMass / mass.InverseInertia) : 0;
+        _records.EnsureCapacity(body + 1);
+        _records[body].Extent = extent > 0 ? extent : spread;
+        _records[body].Reach = extent > 0 ? reach : spread;
+    }
+
+    /// <summary>Follows the bodies of a step.</summary>
+    /// <returns>True if one of them has, in this step, rested long enough: a group can be ready only then, or if it has changed.</returns>
+    [MethodImpl(KernelMethod.Optimized)]
+    public bool Watch(in RestInput input)
+    {
+        BodyStore bodies = input.Bodies;
+        _records.EnsureCapacity(bodies.Ids.End);
+        Vector2 g = input.Settings.Gravity;
+        float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
+        float time = input.Settings.TimeToSleep;
+        float fall = FallShare * gravity * time * time;
+        float share = input.Settings.RestShare;
+        float dt = input.Dt;
+        bool any = false;
+        AnyRested = false;
+        int* active = input.Active;
+        int count = input.ActiveCount;
+        byte* moves = input.Moves;
+        RestRecord* records = _records.Pointer;
+        BodyPose* poses = bodies.Pose.Pointer;
+        for (int i = 0; i < count; i++)
+        {
+            int body = active[i];
+            RestRecord* record = records + body;
+            BodyPose* pose = poses + body;
+            double moved = Math.Abs(pose->X - record->X) + Math.Abs(pose->Y - record->Y) + (Math.Abs(pose->Angle - record->Angle) * record->Reach);
+            if (!(moved <= share * record->Extent))
+            {
+                record->X = pose->X;
+                record->Y = pose->Y;
+                record->Angle = pose->Angle;
+                record->Time = 0;
+                continue;
+            }
+
+            bool pulled = gravity > 0 && (bodies.Flags[body] & BodyFlags.IgnoreGravity) == 0;
+            float room = pulled ? Math.Min(share * record->Extent, fall) : share * record->Extent;
+            if (moves[body] == 0 || IsHeld(bodies, body)
+                || (pulled && !(moved <= fall))
+                || (!pulled && input.Degrees[body] == 0 && !WillStop(bodies, body, record->Reach, room, time)))
+            {
+                record->X = pose->X;
+                record->Y = pose->Y;
+                record->Angle = pose->Angle;
+                record->Time = 0;
+                continue;
+            }
+
+            float before = record->Time;
+            record->Time = before + dt;
+            bool rested = record->Time >= time;
+            AnyRested |= rested;
+            any |= rested && before < time;
+        }
+
+        return any;
+    }
+
+    /// <summary>Forms the groups of bodies in contact; what else hangs together is joined afterwards.</summary>
+    public void Open(in RestInput input)
+    {
+        int end = input.Bodies.Ids.End;
+        _parent.EnsureCapacity(end);
+        _least.EnsureCapacity(end);
+        _firstOfIsland.EnsureCapacity(Math.Max(1, input.Islands.Count));
+        for (int i = 0; i < input.Islands.Count; i++)
+        {
+            _firstOfIsland[i] = -1;
+        }
+
+        for (int i = 0; i < input.ActiveCount; i++)
+        {
+            int body = input.Active[i];
+            _parent[body] = body;
+            _least[body] = float.MaxValue;
+            if (input.Moves[body] != 0 && input.Degrees[body] > 0)
+            {
+                ref int first = ref _firstOfIsland[input.Islands.Of(body)];
+                first = first < 0 ? body : first;
+                _parent[body] = first;
+            }
+        }
+    }
+
+    /// <summary>Two bodies that can move hang together.</summary>
+    public void Join(int a, int b)
+    {
+        a = Find(a);
+        b = Find(b);
+        if (a != b)
+        {
+            _parent[b] = a;
+        }
+    }
+
+    /// <summary>Lists the bodies of the groups that have rested as a whole.</summary>
+    public void Close(in RestInput input)
+    {
+        for (int i = 0; i < input.ActiveCount; i++)
+        {
+            int body = input.Active[i];
+            if (input.Moves[body] != 0)
+            {
+                ref float least = ref _least[Find(body)];
+                least = Math.Min(least, _records[body].Time);
+            }
+        }
+
+        _resting.Clear();
+        for (int i = 0; i < input.ActiveCount; i++)
+        {
+            int body = input.Active[i];
+            if (input.Moves[body] != 0 && _least[Find(body)] >= input.Settings.TimeToSleep)
+            {
+                _resting.Add(body);
+            }
+        }
+    }
+
+    private static bool IsHeld(BodyStore bodies, int body)
+    {
+        ref BodyForce force = ref bodies.Force[body];
+        return (bodies.Flags[body] & BodyFlags.NeverSleeps) != 0 || force.Force != Vector2.Zero || force.Torque != 0;
+    }
+
+    /// <summary>
+    /// A body that nothing touches and nothing pulls goes on for ever, be it ever so slowly: it rests if it stands still, or if drag
+    /// stops it before it has gone anywhere.
+    /// </summary>
+    private static bool WillStop(BodyStore bodies, int body, float reach, float room, float time)
+    {
+        ref BodyState state = ref bodies.State[body];
+        double speed = Math.Abs((double)state.LinearVelocity.X) + Math.Abs((double)state.LinearVelocity.Y);
+        double spin = Math.Abs((double)state.AngularVelocity) * reach;
+        if (speed == 0 && spin == 0)
+        {
+            return true;
+        }
+
+        double rate = (double)bodies.Drag[body].Linear * bodies.Mass[body].InverseMass;
+        return rate > 0 && speed <= room * rate && spin * time <= room;
+    }
+
+    private int Find(int body)
+    {
+        while (_parent[body] != body)
+        {
+            _parent[body] = _parent[_parent[body]];
+            body = _parent[body];
+        }
+
+        return body;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    private struct RestRecord
+    {
+        /// <summary>Where the body came to rest.</summary>
+        public double X;
+        public double Y;
+        public double Angle;
+        public float Reach;
+        public float Extent;
+
+        /// <summary>Seconds since then.</summary>
+        public float Time;
+    }
+}

@@ -1,0 +1,553 @@
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Islands;
+using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>
+/// Bodies that rest fall asleep, all at once that hang together by contacts, joints and springs. No phase of a step looks at them. Their
+/// contacts keep rows and impulses, and come back warm when something wakes them; listeners hear of neither.
+/// </summary>
+internal sealed partial class World
+{
+    /// <summary>Springs come and go in each step: a group that one of them has left is found after so many.</summary>
+    private const int MostStepsUngrouped = 32;
+
+    private readonly RestJudge _rest = new RestJudge();
+    private readonly DormantContacts _dormant = new DormantContacts();
+    private readonly IndexList _put = new IndexList();
+    private readonly IndexList _putInStep = new IndexList();
+    private readonly IndexList _handled = new IndexList();
+    private readonly IndexList _flood = new IndexList();
+    private readonly IndexList _layDown = new IndexList();
+    private int _stepsUngrouped;
+    private bool _groupsChanged;
+    private Vector2 _gravityAsleep;
+    private float _dt;
+    private bool _bodiesCollected;
+
+    /// <summary>Bodies asleep.</summary>
+    public int AsleepCount { get; private set; }
+
+    public bool IsAwake(Handle body)
+    {
+        Require(body);
+        return !IsAsleep(body.Index);
+    }
+
+    /// <summary>Wakes a body and all that hangs together with it. An awake one has to rest anew before it falls asleep.</summary>
+    public void WakeUp(Handle body)
+    {
+        Require(body);
+        Wake(body.Index);
+    }
+
+    public void WakeAll()
+    {
+        for (int body = 1; AsleepCount > 0 && body < Bodies.Ids.End; body++)
+        {
+            Wake(body);
+        }
+    }
+
+    /// <summary>
+    /// Stops a body and puts it to sleep; within a step, at its end. The next step wakes it if something awake is in touch with it. Of
+    /// no effect on what cannot fall asleep.
+    /// </summary>
+    public void PutToSleep(Handle body)
+    {
+        Require(body);
+        if (IsStepping)
+        {
+            _putInStep.Add(body.Index);
+        }
+        else if (MayLieDown(body.Index))
+        {
+            LieDown(body.Index);
+            _put.Add(body.Index);
+        }
+    }
+
+    /// <summary>Somebody got hold of a sleeping body's velocity and may set it: the next step looks.</summary>
+    public void NoteHandled(int body)
+    {
+        if ((Bodies.Flags[body] & (BodyFlags.Asleep | BodyFlags.Handled)) == BodyFlags.Asleep)
+        {
+            Bodies.Flags[body] |= BodyFlags.Handled;
+            _handled.Add(body);
+        }
+    }
+
+    internal void NoteSize(int body, float extent, float reach) => _rest.SetSize(body, extent, reach, Bodies.Mass[body]);
+
+    /// <summary>Whether nothing moves a body: it sleeps, or is static or kinematic and has no velocity.</summary>
+    internal bool IsStill(int body)
+    {
+        BodyFlags flags = Bodies.Flags[body];
+        if ((flags & (BodyFlags.Static | BodyFlags.Kinematic)) != 0)
+        {
+            ref BodyState state = ref Bodies.State[body];
+            return state.LinearVelocity == Vector2.Zero && state.AngularVelocity == 0;
+        }
+
+        return (flags & BodyFlags.Asleep) != 0 || (flags & BodyFlags.Enabled) == 0;
+    }
+
+    /// <summary>A pair that is about to touch wakes the side that sleeps.</summary>
+    /// <returns>False if both sides go on sleeping: nothing has come near, they were put to sleep where they touch.</returns>
+    internal bool WakeByContact(in ContactRecord record)
+    {
+        bool asleepA = IsAsleep(record.BodyA);
+        bool asleepB = IsAsleep(record.BodyB);
+        if (!asleepA && !asleepB)
+        {
+            return true;
+        }
+
+        int piece = asleepA ? record.PieceA : record.PieceB;
+        bool isFresh = (Proxies.Info[piece].Flags & ProxyFlags.Moved) != 0;
+        if ((asleepA && asleepB) || (isFresh && IsStill(asleepA ? record.BodyB : record.BodyA)))
+        {
+            return false;
+        }
+
+        Wake(asleepA ? record.BodyA : record.BodyB);
+        return true;
+    }
+
+    /// <summary>A spring wakes a sleeping end if the other end moves.</summary>
+    /// <returns>False if no end is awake: the spring has nothing to do.</returns>
+    private bool WakesBySpring(int bodyA, int bodyB)
+    {
+        bool asleepA = IsAsleep(bodyA);
+        bool asleepB = IsAsleep(bodyB);
+        if ((asleepA && IsStill(bodyB)) || (asleepB && IsStill(bodyA)))
+        {
+            return false;
+        }
+
+        if (asleepA || asleepB)
+        {
+            Wake(asleepA ? bodyA : bodyB);
+        }
+
+        return true;
+    }
+
+    private bool IsAsleep(int body) => (Bodies.Flags[body] & BodyFlags.Asleep) != 0;
+
+    /// <summary>
+    /// A body was changed from outside: it wakes, and so does what rests on it. One that was put to sleep and has not seen a step since is
+    /// still being built.
+    /// </summary>
+    private void Disturb(int body)
+    {
+        _rest.Restart(body);
+        if (AsleepCount == 0 || body == 0)
+        {
+            return;
+        }
+
+        if (!IsAsleep(body))
+        {
+            WakeTouching(body);
+        }
+        else if ((Bodies.Flags[body] & BodyFlags.Moved) == 0)
+        {
+            Wake(body);
+        }
+    }
+
+    /// <summary>A joint at the body changed.</summary>
+    private void DisturbByJoint(int body)
+    {
+        _rest.Restart(body);
+        if (IsAsleep(body) && (Bodies.Flags[body] & BodyFlags.Moved) == 0)
+        {
+            Wake(body);
+        }
+    }
+
+    /// <summary>Wakes all that rests on a body which is not asleep itself.</summary>
+    private void WakeTouching(int body)
+    {
+        for (int entry = _dormant.First(body); entry >= 0; entry = _dormant.First(body))
+        {
+            WakeBodiesOf(_contacts.Records[entry >> 1]);
+        }
+
+        for (int entry = Joints.First(body); entry >= 0; entry = Joints.Next(entry))
+        {
+            JointLink link = Joints.Links[entry >> 1];
+            Wake(link.BodyA == body ? link.BodyB : link.BodyA);
+        }
+    }
+
+    private void WakeBodiesOf(ContactRecord record)
+    {
+        Wake(record.BodyA);
+        Wake(record.BodyB);
+    }
+
+    /// <summary>Floods from a body over the rows and joints that sleep.</summary>
+    private void Wake(int body)
+    {
+        _rest.Restart(body);
+        if (!IsAsleep(body))
+        {
+            return;
+        }
+
+        _flood.Clear();
+        Reach(body);
+        for (int i = 0; i < _flood.Count; i++)
+        {
+            int woken = _flood[i];
+            for (int entry = _dormant.First(woken); entry >= 0; entry = _dormant.First(woken))
+            {
+                TakeUp(entry >> 1, woken);
+            }
+
+            for (int entry = Joints.First(woken); entry >= 0; entry = Joints.Next(entry))
+            {
+                JointLink link = Joints.Links[entry >> 1];
+                if ((Joints.Flags[entry >> 1] & JointFlags.Enabled) != 0)
+                {
+                    Reach(link.BodyA == woken ? link.BodyB : link.BodyA);
+                }
+            }
+        }
+    }
+
+    /// <summary>Gets a body up, if it sleeps.</summary>
+    private void Reach(int body)
+    {
+        if (!IsAsleep(body))
+        {
+            return;
+        }
+
+        AsleepCount--;
+        Bodies.Flags[body] &= ~(BodyFlags.Asleep | BodyFlags.Handled);
+        Bodies.Visited.Set(body);
+        _rest.Restart(body);
+        for (int collider = _firstCollider[body]; collider >= 0; collider = _nextCollider[collider])
+        {
+            for (int piece = Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
+            {
+                Shapes.VisitedPieces.Set(piece);
+            }
+        }
+
+        _lists.SetMoving(body, true);
+        if (_bodiesCollected)
+        {
+            _lists.Join(Bodies, body, _dt);
+        }
+
+        _flood.Add(body);
+    }
+
+    private void TakeUp(int contact, int woken)
+    {
+        ref ContactRecord record = ref _contacts.Records[contact];
+        _dormant.Remove(contact, record);
+        if (record.Color == ContactRecord.DormantRow)
+        {
+            _graph.TakeUp(contact, ref record, _contacts.Records, CanMove(record.BodyA), CanMove(record.BodyB));
+            Reach(record.BodyA == woken ? record.BodyB : record.BodyA);
+        }
+        else
+        {
+            _contacts.AddIdle(contact);
+        }
+
+        _events.Woke(this, record);
+    }
+
+    private bool CanMove(int body) => (Bodies.Flags[body] & (BodyFlags.Static | BodyFlags.Kinematic)) == 0;
+
+    /// <summary>At the start of a step: what has been set from outside since the last one.</summary>
+    private void WakeWhatChanged(float dt)
+    {
+        _dt = dt;
+        bool isTurned = _lastSubstep > 0 && Settings.Gravity != _gravityAsleep;
+        if (AsleepCount > 0 && (!Settings.AllowSleep || isTurned || IsSleepBarred))
+        {
+            WakeAll();
+        }
+
+        _gravityAsleep = Settings.Gravity;
+        for (int i = 0; i < _handled.Count; i++)
+        {
+            int body = _handled[i];
+            ref BodyState state = ref Bodies.State[body];
+            Bodies.Flags[body] &= ~BodyFlags.Handled;
+            if (IsAsleep(body) && (state.LinearVelocity != Vector2.Zero || state.AngularVelocity != 0))
+            {
+                Wake(body);
+            }
+        }
+
+        _handled.Clear();
+        if (_put.Count > 0)
+        {
+            WakeBesideAwake();
+            LayDownContacts();
+        }
+    }
+
+    /// <summary>Joints that a user wrote may hold any body, which only they know.</summary>
+    private bool IsSleepBarred => UserJoints != null && UserJoints.Any;
+
+    /// <summary>After the bodies are known: what stands on something that has a velocity does not sleep.</summary>
+    private void WakeByDriven()
+    {
+        _bodiesCollected = true;
+        for (int i = 0; AsleepCount > 0 && i < _lists.Driven.Count; i++)
+        {
+            WakeTouching(_lists.Driven[i]);
+        }
+    }
+
+    /// <summary>Bodies that were put to sleep one by one do not sleep beside awake ones.</summary>
+    private unsafe void WakeBesideAwake()
+    {
+        _layDown.Clear();
+        for (int i = 0; i < _put.Count; i++)
+        {
+            for (int entry = Joints.First(_put[i]); entry >= 0; entry = Joints.Next(entry))
+            {
+                JointLink link = Joints.Links[entry >> 1];
+                if ((Joints.Flags[entry >> 1] & JointFlags.Enabled) != 0 && !(IsStill(link.BodyA) && IsStill(link.BodyB)))
+                {
+                    _layDown.Add(_put[i]);
+                }
+            }
+        }
+
+        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        {
+            GraphColor color = _graph[c];
+            for (int k = 0; k < color.BundleCount * ContactBundle.Lanes; k++)
+            {
+                ContactBundle* row = color.Bundles + (k / ContactBundle.Lanes);
+                int lane = k % ContactBundle.Lanes;
+                int a = row->BodyA[lane];
+                int b = row->BodyB[lane];
+                if (IsAsleep(a) != IsAsleep(b) && !(IsStill(a) && IsStill(b)))
+                {
+                    _layDown.Add(IsAsleep(a) ? a : b);
+                }
+            }
+        }
+
+        for (int i = 0; i < _layDown.Count; i++)
+        {
+            Wake(_layDown[i]);
+        }
+    }
+
+    /// <summary>At the end of a step: lays down what has rested for long enough.</summary>
+    private unsafe void FallAsleep(float dt)
+    {
+        _bodiesCollected = false;
+        bool any = _put.Count > 0;
+        _rest.Resting.Clear();
+        if (Settings.AllowSleep && !IsSleepBarred)
+        {
+            RestInput input;
+            input.Bodies = Bodies;
+            input.Settings = Settings;
+            input.Active = _lists.Active;
+            input.ActiveCount = _lists.ActiveCount;
+            input.Moves = _lists.Moves;
+            input.Degrees = _graph.Degrees;
+            input.Islands = _islands;
+            input.Dt = dt;
+            bool isDue = _rest.Watch(input);
+            if (_rest.AnyRested && (isDue || _groupsChanged || ++_stepsUngrouped >= MostStepsUngrouped))
+            {
+                _groupsChanged = false;
+                _stepsUngrouped = 0;
+                FormGroups(input);
+            }
+        }
+
+        for (int i = 0; i < _rest.Resting.Count; i++)
+        {
+            LieDown(_rest.Resting[i]);
+            any = true;
+        }
+
+        if (any)
+        {
+            LayDownContacts();
+            _events.LeaveOut(this);
+            Leave(_rest.Resting);
+            Leave(_put);
+        }
+
+        _put.Clear();
+        for (int i = 0; i < _putInStep.Count; i++)
+        {
+            int body = _putInStep[i];
+            if (Bodies.Ids.IsUsed(body) && MayLieDown(body))
+            {
+                LieDown(body);
+                _put.Add(body);
+            }
+        }
+
+        _putInStep.Clear();
+    }
+
+    private unsafe void FormGroups(in RestInput input)
+    {
+        if (_lists.Driven.Count > 0)
+        {
+            RestartBesideDriven();
+        }
+
+        _rest.Open(input);
+        for (int joint = 0; joint < Joints.Ids.End; joint++)
+        {
+            const JointFlags Acts = JointFlags.Alive | JointFlags.Enabled;
+            JointLink link = Joints.Links[joint];
+            if ((Joints.Flags[joint] & Acts) == Acts && (input.Moves[link.BodyA] & input.Moves[link.BodyB]) != 0)
+            {
+                _rest.Join(link.BodyA, link.BodyB);
+            }
+        }
+
+        for (int i = 0; i < _springs.Count; i++)
+        {
+            _springs.Ends(i, out int a, out int b);
+            if ((input.Moves[a] & input.Moves[b]) != 0)
+            {
+                _rest.Join(a, b);
+            }
+        }
+
+        _rest.Close(input);
+    }
+
+    private unsafe void RestartBesideDriven()
+    {
+        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        {
+            GraphColor color = _graph[c];
+            for (int k = 0; k < color.BundleCount * ContactBundle.Lanes; k++)
+            {
+                ContactBundle* row = color.Bundles + (k / ContactBundle.Lanes);
+                int lane = k % ContactBundle.Lanes;
+                if (row->Contact[lane] >= 0 && (IsDriven(row->BodyA[lane]) || IsDriven(row->BodyB[lane])))
+                {
+                    _rest.Restart(row->BodyA[lane]);
+                    _rest.Restart(row->BodyB[lane]);
+                }
+            }
+        }
+    }
+
+    private bool Sleeps(int bodyA, int bodyB) =>
+        (IsAsleep(bodyA) || IsAsleep(bodyB)) && IsStill(bodyA) && IsStill(bodyB);
+
+    private bool IsDriven(int body) => !CanMove(body) && !IsStill(body);
+
+    private bool MayLieDown(int body)
+    {
+        const BodyFlags Awake = BodyFlags.Alive | BodyFlags.Enabled;
+        const BodyFlags All = Awake | BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.Asleep | BodyFlags.NeverSleeps;
+        return (Bodies.Flags[body] & All) == Awake && Settings.AllowSleep && !IsSleepBarred;
+    }
+
+    private void LieDown(int body)
+    {
+        AsleepCount++;
+        Bodies.Flags[body] |= BodyFlags.Asleep;
+        ref BodyState state = ref Bodies.State[body];
+        state.LinearVelocity = Vector2.Zero;
+        state.AngularVelocity = 0;
+        Bodies.Motion[body] = default;
+        Bodies.Residual[body] = default;
+        Bodies.Force[body] = default;
+        _lists.SetMoving(body, false);
+    }
+
+    /// <summary>Takes the pairs out of the step of which no side moves.</summary>
+    private unsafe void LayDownContacts()
+    {
+        _layDown.Clear();
+        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        {
+            GraphColor color = _graph[c];
+            for (int k = 0; k < color.BundleCount * ContactBundle.Lanes; k++)
+            {
+                ContactBundle* row = color.Bundles + (k / ContactBundle.Lanes);
+                int lane = k % ContactBundle.Lanes;
+                if (row->Contact[lane] >= 0 && Sleeps(row->BodyA[lane], row->BodyB[lane]))
+                {
+                    _layDown.Add(row->Contact[lane]);
+                }
+            }
+        }
+
+        for (int i = 0; i < _contacts.IdleCount; i++)
+        {
+            ref ContactRecord record = ref _contacts.Records[_contacts.Idle(i)];
+            if (Sleeps(record.BodyA, record.BodyB))
+            {
+                _layDown.Add(_contacts.Idle(i));
+            }
+        }
+
+        for (int i = 0; i < _layDown.Count; i++)
+        {
+            int contact = _layDown[i];
+            ref ContactRecord record = ref _contacts.Records[contact];
+            if (record.Color >= 0)
+            {
+                _graph.LayDown(ref record, _contacts.Records);
+            }
+            else
+            {
+                _contacts.LayDown(contact);
+            }
+
+            _dormant.Add(contact, record);
+        }
+    }
+
+    /// <summary>From now on no phase looks at these bodies.</summary>
+    private unsafe void Leave(IndexList bodies)
+    {
+        for (int i = 0; i < bodies.Count; i++)
+        {
+            int body = bodies[i];
+            if (!IsAsleep(body))
+            {
+                continue;
+            }
+
+            Bodies.Visited.Clear(body);
+            for (int collider = _firstCollider[body]; collider >= 0; collider = _nextCollider[collider])
+            {
+                for (int piece = Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
+                {
+                    Shapes.VisitedPieces.Clear(piece);
+                    _contactStage.WriteSides(this, _lists.Moves, piece);
+                    if (Queries.IsUsed)
+                    {
+                        Queries.Changed(piece);
+                    }
+                }
+            }
+        }
+    }
+}
