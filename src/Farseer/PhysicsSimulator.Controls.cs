@@ -69,6 +69,12 @@ public partial class PhysicsSimulator
         _controllers.Remove(controller, nameof(controller));
     }
 
+    private void TakeOut(Spring spring)
+    {
+        spring.WakeEnds();
+        SpringList.TakeOut(spring);
+    }
+
     private void TakeInControls()
     {
         _controllers.TakeIn();

@@ -43,6 +43,7 @@ public partial class PhysicsSimulator : IDisposable
     {
         _relay = new EventRelay(this, _table);
         _arbiters = new ArbiterView(this, _table);
+        _queries = new QueryLink(World, _table);
         BodyList = new BodyList { Owner = this };
         GeomList = new GeomList { Owner = this };
         JointList = new JointList { Owner = this };
@@ -50,7 +51,7 @@ public partial class PhysicsSimulator : IDisposable
         SpringList = new SpringList { Owner = this };
         _joints = new ItemQueue<Joint>(this, JointList, TakeIn, TakeOut, LetGo);
         _controllers = new ItemQueue<Controller>(this, ControllerList, ControllerList.TakeIn, ControllerList.TakeOut);
-        _springs = new ItemQueue<Spring>(this, SpringList, SpringList.TakeIn, SpringList.TakeOut);
+        _springs = new ItemQueue<Spring>(this, SpringList, SpringList.TakeIn, TakeOut);
         InactivityController = new InactivityController(this);
         _controllers.Add(InactivityController, nameof(InactivityController));
         World.Hooks = _relay;
@@ -183,6 +184,45 @@ public partial class PhysicsSimulator : IDisposable
 
     /// <summary>False pauses: items are taken in and out, but nothing moves and forces given meanwhile are dropped. Default true.</summary>
     public bool Enabled { get; set; } = true;
+
+    /// <summary>
+    /// True lets bodies that rest fall asleep: a body and all that it is connected with by contacts, joints and springs stop together, cost
+    /// nothing from then on, and wake when something awake touches or pulls one of them, or when one of them, its geoms or joints
+    /// or what it stands on is changed. Their geoms stay in contact without events. Where nothing rests it changes nothing. Default
+    /// false: nothing sleeps, as in the original. (An addition to the original, whose <see cref="InactivityController"/> disables
+    /// bodies instead.)
+    /// </summary>
+    public bool AllowSleep
+    {
+        get => World.Settings.AllowSleep;
+        set => World.Settings.AllowSleep = value;
+    }
+
+    /// <summary>
+    /// Seconds that a body, and all that it is connected with, must rest before they fall asleep; above 0. Default 0.5. (An addition to the
+    /// original.)
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
+    public float TimeToSleep
+    {
+        get => World.Settings.TimeToSleep;
+        set => World.Settings.TimeToSleep = Require.Positive(value, nameof(TimeToSleep));
+    }
+
+    /// <summary>
+    /// A body rests as long as it does not move by more than this share of its size; above 0. A larger one lets bodies sleep sooner,
+    /// and stops those that still creep; a tall pile may never rest within a small one. No body in free flight rests, whatever its size.
+    /// Default 1/16384. (An addition to the original.)
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
+    public float SleepTolerance
+    {
+        get => World.Settings.RestShare;
+        set => World.Settings.RestShare = Require.Positive(value, nameof(SleepTolerance));
+    }
+
+    /// <summary>Number of bodies asleep. (An addition to the original.)</summary>
+    public int SleepingBodyCount => World.AsleepCount;
 
     /// <summary>
     /// Behaviours of version 2.0.1 to bring back. Set it before anything is added. Default <see cref="Farseer201Quirks.None"/>.

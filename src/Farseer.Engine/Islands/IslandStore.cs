@@ -240,6 +240,14 @@ internal sealed unsafe class IslandStore
                         continue;
                     }
 
+                    // Both were taken out of motion since the step began: the row goes at the start of the next.
+                    if ((moves[a] | moves[b]) == 0)
+                    {
+                        row->Island[lane] = 0;
+                        row->Level[lane] = 0;
+                        continue;
+                    }
+
                     // A contact belongs to the level of its upper body; the ground carries level 0.
                     int body = moves[a] != 0 ? a : b;
                     int other = moves[b] != 0 ? b : body;

@@ -22,6 +22,9 @@ internal struct QueryFilter
     /// <summary>A body that is not seen; 0: all are.</summary>
     public int IgnoredBody;
 
+    /// <summary>Another one.</summary>
+    public int OtherIgnoredBody;
+
     public IQueryPredicate? Predicate;
 
     /// <summary>Sees every collider.</summary>

@@ -166,7 +166,7 @@ internal sealed unsafe partial class WorldQueries
         return (info.Flags & required) == required
             && (info.Categories & _filter.Categories) != 0
             && (_bodies.Flags[p.Body] & Present) == Present
-            && (p.Body != _filter.IgnoredBody || p.Body == 0)
+            && (p.Body == 0 || (p.Body != _filter.IgnoredBody && p.Body != _filter.OtherIgnoredBody))
             && (_filter.Predicate == null || _filter.Predicate.Accept(p.Collider));
     }
 

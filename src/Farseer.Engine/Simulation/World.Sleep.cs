@@ -47,6 +47,22 @@ internal sealed partial class World
         Wake(body.Index);
     }
 
+    /// <summary>Wakes the body in a slot, if one is there.</summary>
+    public void WakeUp(int body)
+    {
+        if (body > 0 && body < Bodies.Ids.End)
+        {
+            Wake(body);
+        }
+    }
+
+    /// <summary>Material or listeners of a collider changed: its body wakes, and so does what rests on it.</summary>
+    public void NoteChanged(Handle collider)
+    {
+        Require(collider, Shapes.ColliderIds, nameof(collider));
+        Disturb(Shapes.Colliders[collider.Index].Body);
+    }
+
     public void WakeAll()
     {
         for (int body = 1; AsleepCount > 0 && body < Bodies.Ids.End; body++)
@@ -371,7 +387,7 @@ internal sealed partial class World
             input.Islands = _islands;
             input.Dt = dt;
             bool isDue = _rest.Watch(input);
-            if (_rest.AnyRested && (isDue || _groupsChanged || ++_stepsUngrouped >= MostStepsUngrouped))
+            if (_rest.AnyRested && !_graph.Changed && (isDue || _groupsChanged || ++_stepsUngrouped >= MostStepsUngrouped))
             {
                 _groupsChanged = false;
                 _stepsUngrouped = 0;

@@ -47,6 +47,10 @@ internal struct SpringDef
 
     /// <summary>Largest torque on a body; infinite: no limit. Angular springs only.</summary>
     public double MaxTorque;
+
+    public readonly bool IsSameAs(in SpringDef other) =>
+        Kind == other.Kind && BodyA == other.BodyA && BodyB == other.BodyB && AnchorA == other.AnchorA && AnchorB == other.AnchorB
+        && Rest.Equals(other.Rest) && Stiffness.Equals(other.Stiffness) && Damping.Equals(other.Damping) && MaxTorque.Equals(other.MaxTorque);
 }
 
 /// <summary>One spring during a step: what was asked for, and what the substeps need.</summary>

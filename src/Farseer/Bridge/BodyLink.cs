@@ -20,6 +20,21 @@ internal sealed class BodyLink
     private World? _world;
     private Handle _handle;
 
+    /// <summary>The body is to be put to sleep as soon as it is in a world.</summary>
+    public bool StartsAsleep { get; set; }
+
+    public bool IsAwake => _world is null ? !StartsAsleep : _world.IsAwake(_handle);
+
+    /// <summary>The state, for somebody who may set the velocity: that wakes a body.</summary>
+    public ref BodyState MotionRef
+    {
+        get
+        {
+            _world?.NoteHandled(_handle.Index);
+            return ref StateRef;
+        }
+    }
+
     /// <summary>What the user asked for; the world may hold the body as static on top while it is not simulated itself.</summary>
     public BodyFlags UserFlags { get; set; }
 
@@ -120,8 +135,9 @@ internal sealed class BodyLink
             Mass = Mass.Mass,
             Inertia = Mass.Inertia,
             Drag = Drag,
-            Flags = EngineFlags,
+            Flags = EngineFlags | (StartsAsleep ? BodyFlags.Asleep : BodyFlags.None),
         });
+        StartsAsleep = false;
         _world = world;
         if (!isSimulated)
         {
@@ -222,11 +238,29 @@ internal sealed class BodyLink
         }
     }
 
+    public void WakeUp()
+    {
+        StartsAsleep = false;
+        _world?.WakeUp(_handle);
+    }
+
+    public void PutToSleep()
+    {
+        if (_world is null)
+        {
+            StartsAsleep = true;
+        }
+        else
+        {
+            _world.PutToSleep(_handle);
+        }
+    }
+
     private void PushFlags()
     {
         if (_world is not null)
         {
-            const BodyFlags Owned = BodyFlags.Enabled | BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.IgnoreGravity | BodyFlags.QuadraticDrag;
+            const BodyFlags Owned = BodyFlags.Enabled | BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.IgnoreGravity | BodyFlags.QuadraticDrag | BodyFlags.NeverSleeps;
             BodyFlags flags = EngineFlags;
             _world.SetFlags(_handle, flags & Owned, Owned & ~flags);
         }

@@ -58,6 +58,7 @@ internal sealed class GeomLink
             ref ColliderInfo info = ref _world.Collider(Handle);
             info.Friction = friction;
             info.Restitution = restitution;
+            _world.NoteChanged(Handle);
         }
     }
 
@@ -88,6 +89,7 @@ internal sealed class GeomLink
         if (_world is not null)
         {
             _world.Collider(Handle).Flags = Flags();
+            _world.NoteChanged(Handle);
         }
     }
 

@@ -11,10 +11,10 @@ public partial class Body
     /// Velocity of the centre of mass, length/s. It is a reference: <c>body.LinearVelocity.X = 5</c> and
     /// <c>body.LinearVelocity = v</c> both work. Use the reference at once; do not keep it over an update. Default (0, 0).
     /// </summary>
-    public ref Vector2 LinearVelocity => ref Link.StateRef.LinearVelocity;
+    public ref Vector2 LinearVelocity => ref Link.MotionRef.LinearVelocity;
 
     /// <summary>Angular velocity, rad/s. It is a reference, as <see cref="LinearVelocity"/>. Default 0.</summary>
-    public ref float AngularVelocity => ref Link.StateRef.AngularVelocity;
+    public ref float AngularVelocity => ref Link.MotionRef.AngularVelocity;
 
     /// <summary>Force gathered since the last update.</summary>
     public Vector2 Force => Link.ForceRef.Force;
@@ -40,6 +40,7 @@ public partial class Body
         ThrowIfDisposed();
         Require.Finite(amount, nameof(amount));
         Note(nameof(ApplyForce));
+        WakeFor(amount);
         Link.ForceRef.Force += amount;
     }
 
@@ -59,6 +60,7 @@ public partial class Body
         Require.Finite(amount, nameof(amount));
         Require.Finite(point, nameof(point));
         Note(nameof(ApplyForceAtLocalPoint));
+        WakeFor(amount);
         Vector2 offset = Turned(in Link.PoseRef, point);
         AddForceAt(amount, offset);
         Swing += Vector2.Dot(offset, amount);
@@ -81,6 +83,7 @@ public partial class Body
         Require.Finite(amount, nameof(amount));
         Require.Finite(point, nameof(point));
         Note(nameof(ApplyForceAtWorldPoint));
+        WakeFor(amount);
         AddForceAt(amount, OffsetOf(point));
     }
 
@@ -95,6 +98,7 @@ public partial class Body
         ThrowIfDisposed();
         Require.Finite(torque, nameof(torque));
         Note(nameof(ApplyTorque));
+        WakeFor(new Vector2(torque, 0));
         Link.ForceRef.Torque += torque;
     }
 
@@ -124,6 +128,7 @@ public partial class Body
         ThrowIfDisposed();
         Require.Finite(amount, nameof(amount));
         Note(nameof(ApplyImpulse));
+        WakeFor(amount);
         Impulse += amount;
         Simulator?.NotePending(this);
     }
@@ -144,6 +149,7 @@ public partial class Body
         ThrowIfDisposed();
         Require.Finite(amount, nameof(amount));
         Note(nameof(ApplyAngularImpulse));
+        WakeFor(new Vector2(amount, 0));
         AngularVelocity += amount * InverseMomentOfInertia;
     }
 
@@ -178,6 +184,14 @@ public partial class Body
         float inverseMass = InverseMass;
         LinearVelocity += Impulse * (dividedTwice ? inverseMass * inverseMass : inverseMass);
         Impulse = Vector2.Zero;
+    }
+
+    private void WakeFor(Vector2 amount)
+    {
+        if (amount != Vector2.Zero)
+        {
+            Link.WakeUp();
+        }
     }
 
     private void AddForceAt(Vector2 force, Vector2 offset)

@@ -174,6 +174,39 @@ public partial class Body : IDisposable
         set => Link.DragRef.Rotational = Require.NotNegative(value, nameof(RotationalDragCoefficient));
     }
 
+    /// <summary>
+    /// False while the body sleeps: it rests, together with all that it hangs together with, and costs nothing until something wakes it; see
+    /// <see cref="PhysicsSimulator.AllowSleep"/>. Setting it to true wakes the body, and an awake one has to rest anew; false stops the body and
+    /// puts it to sleep at once, or as soon as it is in a simulator. That is without effect where the body may not sleep, and does not
+    /// last while something awake touches it. Default true. (An addition to the original.)
+    /// </summary>
+    public bool Awake
+    {
+        get => Link.IsAwake;
+        set
+        {
+            ThrowIfDisposed();
+            if (value)
+            {
+                Link.WakeUp();
+            }
+            else
+            {
+                Link.PutToSleep();
+            }
+        }
+    }
+
+    /// <summary>
+    /// False keeps the body, and all that it is in touch with, from falling asleep. It counts only while
+    /// <see cref="PhysicsSimulator.AllowSleep"/> is true. Default true. (An addition to the original.)
+    /// </summary>
+    public bool SleepingAllowed
+    {
+        get => (Link.UserFlags & BodyFlags.NeverSleeps) == 0;
+        set => SetFlag(BodyFlags.NeverSleeps, !value);
+    }
+
     /// <summary>True lets an inactivity controller disable the body when it rests. Default false.</summary>
     public bool IsAutoIdle { get; set; }
 

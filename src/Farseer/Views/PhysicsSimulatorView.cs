@@ -203,7 +203,7 @@ public partial class PhysicsSimulatorView
             return SensorColor;
         }
 
-        if (!body.Enabled)
+        if (!body.Enabled || !body.Awake)
         {
             return SleepingColor;
         }

@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Springs;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
@@ -12,6 +13,7 @@ public abstract class Spring : IDisposable, IItem
     private float _springConstant;
     private float _dampingConstant;
     private float _breakpoint = float.MaxValue;
+    private bool _enabled = true;
 
     /// <summary>Makes a spring without strength.</summary>
     protected Spring()
@@ -22,7 +24,18 @@ public abstract class Spring : IDisposable, IItem
     public event EventHandler<EventArgs>? Broke;
 
     /// <summary>False lets the spring rest without force. Breaking sets it to false. Default true.</summary>
-    public bool Enabled { get; set; } = true;
+    public bool Enabled
+    {
+        get => _enabled;
+        set
+        {
+            if (_enabled != value)
+            {
+                _enabled = value;
+                WakeEnds();
+            }
+        }
+    }
 
     /// <summary>True once <see cref="Dispose()"/> was called.</summary>
     public bool IsDisposed { get; private set; }
@@ -82,6 +95,19 @@ public abstract class Spring : IDisposable, IItem
     Membership IItem.Membership { get; set; }
 
     internal PhysicsSimulator? Simulator { get; private set; }
+
+    /// <summary>What the engine was last told of the spring.</summary>
+    internal SpringDef Told { get; set; }
+
+    /// <summary>Wakes what the spring holds, since it does so otherwise than when these fell asleep.</summary>
+    internal void WakeEnds()
+    {
+        if (Simulator is not null && Simulator.World.AsleepCount > 0)
+        {
+            Simulator.World.WakeUp(Told.BodyA);
+            Simulator.World.WakeUp(Told.BodyB);
+        }
+    }
 
     /// <summary>
     /// Disposes the spring if a body of it is disposed. The simulator calls it in every update; writers of springs override it.

@@ -1,0 +1,186 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Collisions;
+
+namespace FarseerGames.FarseerPhysics;
+
+/// <content>
+/// Rays, boxes, points and shapes against the geoms where they are now: those that the last update has taken in. They may be asked at any
+/// time, also from handlers. What is found comes in the order in which the geoms were made, if not said otherwise. Without a list that must grow, nothing is
+/// allocated. (Additions to the original.)
+/// </content>
+public partial class PhysicsSimulator
+{
+    private readonly QueryLink _queries;
+
+    /// <summary>The first geom on a way. A geom that the way starts in or on is met at once.</summary>
+    /// <param name="start">Start of the way, world coordinates; finite, within ±9.2E18.</param>
+    /// <param name="end">End of the way, as <paramref name="start"/>.</param>
+    /// <param name="hit">Where the geom is met; the default value if there is none.</param>
+    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <returns>True if a geom is met.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A point is not finite or too far away.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from the filter of another query.</exception>
+    public bool RayCast(Vector2 start, Vector2 end, out RayCastHit hit, QueryFilter? filter = null)
+    {
+        ThrowIfDisposed();
+        Require.Place(start, nameof(start));
+        Require.Place(end, nameof(end));
+        return _queries.CastRay(start, end, filter, out hit);
+    }
+
+    /// <summary>All geoms on a way, each where the way first enters it, the nearest first.</summary>
+    /// <param name="start">Start of the way, world coordinates; finite, within ±9.2E18.</param>
+    /// <param name="end">End of the way, as <paramref name="start"/>.</param>
+    /// <param name="hits">Is emptied and filled.</param>
+    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <returns>Number of geoms.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A point is not finite or too far away.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="hits"/> is null.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from the filter of another query.</exception>
+    public int RayCastAll(Vector2 start, Vector2 end, List<RayCastHit> hits, QueryFilter? filter = null)
+    {
+        ThrowIfDisposed();
+        Require.Place(start, nameof(start));
+        Require.Place(end, nameof(end));
+        return _queries.CastRayAll(start, end, filter, Require.NotNull(hits, nameof(hits)));
+    }
+
+    /// <summary>The geoms whose bounding boxes share a point with a box.</summary>
+    /// <param name="aabb">The box, world coordinates.</param>
+    /// <param name="geoms">Is emptied and filled.</param>
+    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <returns>Number of geoms.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="aabb"/> or <paramref name="geoms"/> is null.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from the filter of another query.</exception>
+    public int Query(AABB aabb, List<Geom> geoms, QueryFilter? filter = null)
+    {
+        ThrowIfDisposed();
+        return _queries.FindInBox(Require.NotNull(aabb, nameof(aabb)), filter, Require.NotNull(geoms, nameof(geoms)));
+    }
+
+    /// <summary>
+    /// The geoms that a point is in or on. Lines contain nothing. Other than for <see cref="CollideAll(Vector2)"/>, circles are round.
+    /// </summary>
+    /// <param name="point">The point, world coordinates; finite, within ±9.2E18.</param>
+    /// <param name="geoms">Is emptied and filled.</param>
+    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <returns>Number of geoms.</returns>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="point"/> is not finite or too far away.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="geoms"/> is null.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from the filter of another query.</exception>
+    public int QueryPoint(Vector2 point, List<Geom> geoms, QueryFilter? filter = null)
+    {
+        ThrowIfDisposed();
+        Require.Place(point, nameof(point));
+        return _queries.FindAtPoint(point, filter, Require.NotNull(geoms, nameof(geoms)));
+    }
+
+    /// <summary>The geoms that a disc overlaps or touches.</summary>
+    /// <param name="center">Centre of the disc, world coordinates; finite, within ±9.2E18.</param>
+    /// <param name="radius">Its radius, a length of the scene above 0, from 1.1E-19 to 9.2E18.</param>
+    /// <param name="geoms">Is emptied and filled.</param>
+    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <returns>Number of geoms.</returns>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="center"/> or <paramref name="radius"/> is out of range.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="geoms"/> is null.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from the filter of another query.</exception>
+    public int QueryCircle(Vector2 center, float radius, List<Geom> geoms, QueryFilter? filter = null)
+    {
+        ThrowIfDisposed();
+        Require.Place(center, nameof(center));
+        Require.Length(radius, nameof(radius));
+        return _queries.FindInCircle(center, radius, filter, Require.NotNull(geoms, nameof(geoms)));
+    }
+
+    /// <summary>The geoms that another overlaps or touches where it is. Those of its own body are not seen.</summary>
+    /// <param name="geometry">A geom that is in the simulator.</param>
+    /// <param name="geoms">Is emptied and filled.</param>
+    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <returns>Number of geoms.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="geometry"/> or <paramref name="geoms"/> is null.</exception>
+    /// <exception cref="ArgumentException"><paramref name="geometry"/> is not in the simulator, or no update has taken it in yet.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from the filter of another query.</exception>
+    public int QueryGeom(Geom geometry, List<Geom> geoms, QueryFilter? filter = null)
+    {
+        ThrowIfDisposed();
+        Require.NotNull(geoms, nameof(geoms));
+        RequireInside(geometry);
+        return _queries.FindTouching(geometry, filter, geoms);
+    }
+
+    /// <summary>The first geom that a disc meets on its way. One that it overlaps or touches at the start is met at once.</summary>
+    /// <param name="center">Centre of the disc at the start, world coordinates; finite, within ±9.2E18.</param>
+    /// <param name="radius">Its radius, a length of the scene above 0, from 1.1E-19 to 9.2E18.</param>
+    /// <param name="translation">The way; finite, within ±9.2E18.</param>
+    /// <param name="hit">Where the geom is met; the default value if there is none.</param>
+    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <returns>True if a geom is met.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">An argument is out of range.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from the filter of another query.</exception>
+    public bool CircleCast(Vector2 center, float radius, Vector2 translation, out RayCastHit hit, QueryFilter? filter = null)
+    {
+        ThrowIfDisposed();
+        Require.Place(center, nameof(center));
+        Require.Length(radius, nameof(radius));
+        Require.Place(translation, nameof(translation));
+        return _queries.CastCircle(center, radius, translation, filter, out hit);
+    }
+
+    /// <summary>
+    /// The first geom that another would meet if it went a straight way from where it is, without turning. One that it overlaps or touches
+    /// at the start is met at once; the geoms of its own body are not seen.
+    /// </summary>
+    /// <param name="geometry">A geom that is in the simulator; it stays where it is.</param>
+    /// <param name="translation">The way; finite, within ±9.2E18.</param>
+    /// <param name="hit">Where the geom is met; the default value if there is none.</param>
+    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <returns>True if a geom is met.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="geometry"/> is null.</exception>
+    /// <exception cref="ArgumentException"><paramref name="geometry"/> is not in the simulator, or no update has taken it in yet.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="translation"/> is not finite or too long.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from the filter of another query.</exception>
+    public bool ShapeCast(Geom geometry, Vector2 translation, out RayCastHit hit, QueryFilter? filter = null)
+    {
+        ThrowIfDisposed();
+        Require.Place(translation, nameof(translation));
+        RequireInside(geometry);
+        return _queries.CastGeom(geometry, translation, filter, out hit);
+    }
+
+    /// <summary>The geom whose border is nearest to a point, or that the point is deepest in.</summary>
+    /// <param name="point">The point, world coordinates; finite, within ±9.2E18.</param>
+    /// <param name="maximumDistance">How far to look, a length of the scene; finite and at least 0.</param>
+    /// <param name="hit">The geom and its nearest point; the default value if there is none.</param>
+    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <returns>True if there is one.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">An argument is out of range.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from the filter of another query.</exception>
+    public bool ClosestPoint(Vector2 point, float maximumDistance, out ClosestPointHit hit, QueryFilter? filter = null)
+    {
+        ThrowIfDisposed();
+        Require.Place(point, nameof(point));
+        Require.NotNegative(maximumDistance, nameof(maximumDistance));
+        return _queries.FindNearest(point, maximumDistance, filter, out hit);
+    }
+
+    private void RequireInside(Geom geometry)
+    {
+        Require.NotNull(geometry, nameof(geometry)).ThrowIfDisposed();
+        if (!ReferenceEquals(geometry.Simulator, this) || !geometry.Link.IsAttached)
+        {
+            throw new ArgumentException("The geom is not in this simulator, or no update has taken it in yet.", nameof(geometry));
+        }
+    }
+}
