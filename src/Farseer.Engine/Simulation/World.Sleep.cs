@@ -387,7 +387,7 @@ internal sealed partial class World
             input.Islands = _islands;
             input.Dt = dt;
             bool isDue = _rest.Watch(input);
-            if (_rest.AnyRested && !_graph.Changed && (isDue || _groupsChanged || ++_stepsUngrouped >= MostStepsUngrouped))
+            if (_rest.AnyRested && (!_graph.Changed || _graph.RowCount == 0) && (isDue || _groupsChanged || ++_stepsUngrouped >= MostStepsUngrouped))
             {
                 _groupsChanged = false;
                 _stepsUngrouped = 0;
