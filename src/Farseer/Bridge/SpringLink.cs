@@ -77,6 +77,7 @@ internal static class SpringLink
         if (!def.IsSameAs(spring.Told))
         {
             spring.Told = def;
+            spring.ToldIn = world;
             world.WakeUp(def.BodyA);
             world.WakeUp(def.BodyB);
         }

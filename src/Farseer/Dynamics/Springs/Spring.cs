@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Simulation;
 using Farseer.Engine.Springs;
 using FarseerGames.FarseerPhysics.Bridge;
 
@@ -99,13 +100,16 @@ public abstract class Spring : IDisposable, IItem
     /// <summary>What the engine was last told of the spring.</summary>
     internal SpringDef Told { get; set; }
 
+    /// <summary>Where that was.</summary>
+    internal World? ToldIn { get; set; }
+
     /// <summary>Wakes what the spring holds, since it does so otherwise than when these fell asleep.</summary>
     internal void WakeEnds()
     {
-        if (Simulator is not null && Simulator.World.AsleepCount > 0)
+        if (ToldIn is { AsleepCount: > 0 } world)
         {
-            Simulator.World.WakeUp(Told.BodyA);
-            Simulator.World.WakeUp(Told.BodyB);
+            world.WakeUp(Told.BodyA);
+            world.WakeUp(Told.BodyB);
         }
     }
 
