@@ -68,7 +68,7 @@ internal static class FlashObservationJudge
             .Select(i => wanted.Where(w => w.Length > i).Max(w => w[i]) - wanted.Where(w => w.Length > i).Min(w => w[i]))
             .DefaultIfEmpty(0).Max();
         // Both the recording and the library may be that far from the truth, on either side.
-        limit += 2 * share * range;
+        limit += (2 * share * range) + FlashSlops.OfObserved(file, what);
         bool[] struck = StruckNear(file, iterations);
         Worst worst = new();
         for (int k = 0; k < found.Length; k++)

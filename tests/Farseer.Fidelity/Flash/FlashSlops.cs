@@ -14,8 +14,28 @@ internal static class FlashSlops
 {
     private const double Angular = 2.0 / 180 * Math.PI;
 
-    public static Difference Add(SceneFile file, Difference limit)
+    /// <summary>What an observed angle or translation of a joint may differ by.</summary>
+    public static double OfObserved(SceneFile file, string what) => !HasLimits(file) ? 0
+        : what.EndsWith("GetJointAngle", StringComparison.Ordinal) ? Angular
+        : what.EndsWith("GetJointTranslation", StringComparison.Ordinal) ? file.RestDepth : 0;
+
+    /// <summary>
+    /// A limit of the rows with the slops, and with what float velocities lose in the substeps of a steady push: half an ulp each, always
+    /// to the same side.
+    /// </summary>
+    public static Difference Add(SceneFile file, int iterations, int updates, Row row, Difference limit)
     {
+        if (SceneSizes.MayTouch(file) || file.Joints.Count > 0)
+        {
+            double substeps = 0.5 * updates * iterations;
+            double speed = Math.Max(Math.Abs(row.VelocityX), Math.Abs(row.VelocityY));
+            limit = limit with
+            {
+                LinearVelocity = limit.LinearVelocity + (substeps * FloatTolerance.Ulp(speed)),
+                AngularVelocity = limit.AngularVelocity + (substeps * FloatTolerance.Ulp(Math.Abs(row.AngularVelocity))),
+            };
+        }
+
         if (!HasLimits(file))
         {
             return limit;

@@ -57,7 +57,7 @@ public static class RowJudge
                 Difference limit = Limits(file, rounding, discretisation?.At(k), file.Format == SceneFormat.Farseer ? Settling.At(file, file.SampleSteps[k]) : Settling.AfterTouch(file, iterations, impacts, k));
                 if (file.Format == SceneFormat.Box2DFlash)
                 {
-                    limit = FlashSlops.Add(file, limit);
+                    limit = FlashSlops.Add(file, iterations, file.SampleSteps[k], expected[k], limit);
                 }
 
                 string where = body + " after " + file.SampleSteps[k].ToString(CultureInfo.InvariantCulture);

@@ -51,7 +51,9 @@ public static class Settling
 
         double gravity = Impacts.Gravity(file);
         double depth = SceneSizes.AllowedPenetration(file);
-        double sinking = gravity > 0 ? Math.Sqrt(2 * depth / gravity) : 0;
+
+        // Bodies on one another sink by the sum of their depths.
+        double sinking = gravity > 0 ? Math.Sqrt(2 * depth * file.Bodies.Count / gravity) : 0;
         double elapsed = (file.SampleSteps[row] - file.SampleSteps[touch] - 1) * (double)file.Dt;
         double rate = Share * iterations / file.Dt;
         double rest = Math.Exp(-rate * Math.Max(0, elapsed - sinking));
