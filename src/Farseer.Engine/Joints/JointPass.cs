@@ -24,6 +24,9 @@ internal sealed unsafe class JointPass
     /// </summary>
     private const double LeastFreedom = 0.125;
 
+    /// <summary>ρ of a loop's block in terms of its rows' own responses; blocks are iterated, so a soft direction still closes.</summary>
+    private const double DeadLoop = 1e-4;
+
     // Blocks of a net are soft, tied to the substep rate as contacts are: ωh = π/2, ζ = 2.
     private const double AngularStep = 1.5707963267948966;
     private const double NetDamping = 4 + AngularStep;
@@ -193,12 +196,69 @@ internal sealed unsafe class JointPass
             }
         }
 
+        if (joint->Ends.Coupled)
+        {
+            InvertWithin(joint, r, k, n);
+            return;
+        }
+
         for (int p = 0; p < n; p++)
         {
             k[(p * n) + p] *= 1 + 1e-9;
         }
 
         SmallMatrix.Invert(k, n, joint->Block);
+    }
+
+    /// <summary>
+    /// Of a block that closes a loop: with K in terms of the rows' own responses, K (K² + ρ²)⁻¹ is the inverse wherever there is a
+    /// response, and goes to 0 with it. In a grid of welds the tree alone holds what the block would, and a linkage has dead
+    /// centres; the plain inverse would divide rounding by rounding there. See <see cref="RowEnds.Dead"/>.
+    /// </summary>
+    private void InvertWithin(ActiveJoint* joint, JointRows* r, double* k, int n)
+    {
+        double* scale = stackalloc double[3];
+        double* square = stackalloc double[9];
+        double* inverse = stackalloc double[9];
+        for (int p = 0; p < n; p++)
+        {
+            double own = RowEnds.Own(_view.Nodes, &joint->Ends, r->A + (p * 3), r->B + (p * 3));
+            scale[p] = own > 0 ? 1 / Math.Sqrt(own) : 0;
+        }
+
+        for (int i = 0; i < n * n; i++)
+        {
+            k[i] *= scale[i / n] * scale[i % n];
+        }
+
+        for (int p = 0; p < n; p++)
+        {
+            for (int q = 0; q < n; q++)
+            {
+                double sum = p == q ? DeadLoop * DeadLoop : 0;
+                for (int i = 0; i < n; i++)
+                {
+                    sum += k[(p * n) + i] * k[(i * n) + q];
+                }
+
+                square[(p * n) + q] = sum;
+            }
+        }
+
+        SmallMatrix.Invert(square, n, inverse);
+        for (int p = 0; p < n; p++)
+        {
+            for (int q = 0; q < n; q++)
+            {
+                double sum = 0;
+                for (int i = 0; i < n; i++)
+                {
+                    sum += k[(p * n) + i] * inverse[(i * n) + q];
+                }
+
+                joint->Block[(p * n) + q] = scale[p] * sum * scale[q];
+            }
+        }
     }
 
     private double RowSpeed(ActiveJoint* joint, JointRows* r, int k) =>
@@ -289,6 +349,21 @@ internal sealed unsafe class JointPass
         return -(v + (LimitRecovery * over / h) + (r->Damping[k] * joint->Lambda[k])) / (response + r->Damping[k]);
     }
 
+    /// <summary>As of a tree's rows: a large error came from outside and goes at the rate of the bias factor.</summary>
+    private static double Bias(ActiveJoint* joint, JointRows* r, int k, in JointStep step)
+    {
+        double error = r->Error[k];
+        if (!joint->Ends.Coupled)
+        {
+            return error * NetBias / step.Substep;
+        }
+
+        double small = JointSolver.Small * r->SizeOf(k);
+        double magnitude = Math.Abs(error);
+        double rest = Math.Max(0, magnitude - small) * Math.Min(1, r->Bias * step.Substep / step.Dt);
+        return (error < 0 ? -1 : 1) * (Math.Min(small, magnitude) + rest) / step.Substep;
+    }
+
     private void SolveBlock(ActiveJoint* joint, JointRows* r, in JointStep step, bool biased)
     {
         double* residual = stackalloc double[3];
@@ -298,7 +373,7 @@ internal sealed unsafe class JointPass
         for (int k = 0; k < n; k++)
         {
             bool servo = r->Type[k] == (byte)RowType.Servo;
-            double bias = servo ? -r->Speed[k] : biased ? r->Error[k] * (coupled ? 1 : NetBias) / step.Substep : 0;
+            double bias = servo ? -r->Speed[k] : biased ? Bias(joint, r, k, step) : 0;
             residual[k] = RowSpeed(joint, r, k) + bias;
         }
 

@@ -190,6 +190,13 @@ internal unsafe struct JointRows
     /// <summary>Motor: the share of a correction that is applied. Limit: the slack.</summary>
     public void SetShare(int row, double share) => Share[row] = share;
 
+    /// <summary>What the error of a row is small or large against: a radian, or the joint's length.</summary>
+    public readonly double SizeOf(int row)
+    {
+        bool turns = A[row * 3] == 0 && A[(row * 3) + 1] == 0 && B[row * 3] == 0 && B[(row * 3) + 1] == 0;
+        return turns ? 1 : Size;
+    }
+
     public readonly double ErrorOf(int row) => Error[row];
 
     public void SetSpring(int row, double stiffness, double damping)

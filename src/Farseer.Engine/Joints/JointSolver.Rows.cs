@@ -24,7 +24,7 @@ internal enum TargetKind
 /// <content>Rows and targets.</content>
 internal sealed unsafe partial class JointSolver
 {
-    private const double Small = 0.02;
+    internal const double Small = 0.02;
 
     /// <summary>The rows at the present poses; servo and motor keep the speeds of the step's start.</summary>
     private void WriteRows(bool begin)
@@ -226,8 +226,7 @@ internal sealed unsafe partial class JointSolver
         }
 
         double error = rows->Error[r];
-        bool turns = rows->A[r * 3] == 0 && rows->A[(r * 3) + 1] == 0 && rows->B[r * 3] == 0 && rows->B[(r * 3) + 1] == 0;
-        double size = turns ? 1 : rows->Size;
+        double size = rows->SizeOf(r);
         double small = Small * size;
         double magnitude = Math.Abs(error);
         tree->Worst = Math.Max(tree->Worst, size > 0 ? magnitude / size : 0);

@@ -101,15 +101,17 @@ internal unsafe struct RowEnds
     }
 
     /// <summary>
-    /// The response of a row to itself, as something to divide by. With R what its bodies alone would answer, it is K + ρ²R²/K: K
+    /// The response of a row to itself, as something to divide by. With R what its bodies alone would answer, it is K (1 + (ρR/K)⁴): K
     /// wherever there is a response, and large where a tree leaves none. Surfaces that touch within a rigid group of joints press on
-    /// each other with nothing to gain; divided by a rounding of K they would explode.
+    /// each other with nothing to gain; divided by a rounding of K they would explode. The fourth power lets no impulse gather there
+    /// that a breaking joint would set free.
     /// </summary>
     public static double Response(TreeNode* nodes, RowEnds* ends, double* a, double* b)
     {
         double own = Own(nodes, ends, a, b);
         double k = Math.Max(Response(nodes, ends, a, b, a, b), Dead * Dead * own);
-        return k > 0 ? k + (Dead * own * (Dead * own / k)) : 0;
+        double ratio = k > 0 ? Dead * own / k : 0;
+        return k * (1 + (ratio * ratio * (ratio * ratio)));
     }
 
     /// <summary>What the bodies would answer to a row without their trees.</summary>
