@@ -103,6 +103,7 @@ internal sealed unsafe partial class JointSolver
             }
         }
 
+        DriveDoubles();
         Kick(-0.5f);
         LoadVelocities();
         for (int i = 0; i < _agendaCount; i++)

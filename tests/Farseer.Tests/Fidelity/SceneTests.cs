@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using Farseer.Fidelity.Judging;
 using Farseer.Fidelity.Scenes;
@@ -10,27 +9,11 @@ namespace Farseer.Tests.Fidelity;
 /// <summary>Every reference scene, run through the public API and judged as the fidelity runner judges it.</summary>
 public sealed class SceneTests
 {
-    /// <summary>
-    /// Scenes that miss their reference today (known faults). The runner reports each
-    /// as FAIL; a scene that is mended must leave the list, or its test fails.
-    /// </summary>
-    private static readonly HashSet<string> KnownFaults = new(StringComparer.Ordinal)
-    {
-        "chain_pin",
-    };
-
-    public static TheoryData<string> BuiltScenes =>
-        new(ReferenceData.Scenes.Select(s => s.Name).Where(n => !KnownFaults.Contains(n)));
-
-    public static TheoryData<string> FaultyScenes => new(KnownFaults);
+    public static TheoryData<string> Scenes =>
+        new(ReferenceData.Scenes.Select(s => s.Name));
 
     [Theory]
-    [MemberData(nameof(FaultyScenes))]
-    public void Scene_WithAKnownFault_StillMissesItsReference(string name) =>
-        Assert.Equal(Outcome.Fail, SceneJudge.Judge(ReferenceData.Scene(name)).Outcome);
-
-    [Theory]
-    [MemberData(nameof(BuiltScenes))]
+    [MemberData(nameof(Scenes))]
     public void Scene_RunThroughTheApi_MeetsItsReference(string name)
     {
         Verdict verdict = SceneJudge.Judge(ReferenceData.Scene(name));
