@@ -137,6 +137,12 @@ internal static unsafe class ContactUpdate
             fates.Deferred = FastPairs.Defer(input, row, bits.Fast & bits.Exists & ~fates.Dropped, ref touch);
         }
 
+        int fresh = kept & touch.Hit & bits.Exists & ~fates.Dropped;
+        if (fresh != 0)
+        {
+            GlancingContact.Drop(input, row, fresh, ref touch);
+        }
+
         int hit = touch.Hit;
         int touching = touch.Touching;
         int due = bits.Heard == 0 ? 0 : FindDue(input, row, bits, touching, hit);

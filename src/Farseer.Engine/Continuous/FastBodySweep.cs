@@ -70,13 +70,13 @@ internal sealed class FastBodySweep
         double gainY = ((double)end.LinearVelocity.Y - motion.VelocityY) / left;
         double gainW = ((double)end.AngularVelocity - motion.AngularVelocity) / left;
         BodyPath path = Flight(motion, input.Bodies.Pose[body], gainX, gainY, gainW, left);
-        bool bounced = false;
+        bool moved = false;
         int impacts = 0;
         for (int search = 0; ; search++)
         {
             int found = FindFirst(input, body, path, left, out double time);
             bool stop = found >= 0 && (search == MostSearches || impacts == MostImpacts || _candidates[found].Moves != 0);
-            if (found < 0 && !bounced)
+            if (found < 0 && !moved)
             {
                 return;
             }
@@ -88,18 +88,19 @@ internal sealed class FastBodySweep
             }
 
             ref SweepCandidate candidate = ref _candidates[found];
-            if (!Meet(input, body, path, time, left, ref candidate, new Vector2((float)gainX, (float)gainY), out bool gone))
+            Meeting meeting = Meet(input, body, path, time, left, ref candidate, new Vector2((float)gainX, (float)gainY));
+            if (meeting == Meeting.Gone)
             {
-                if (gone)
-                {
-                    return;
-                }
+                return;
+            }
 
+            moved |= meeting != Meeting.Missed;
+            if (meeting != Meeting.Struck)
+            {
                 continue;
             }
 
             impacts++;
-            bounced = true;
             left *= 1 - time;
             if (!(left > 0))
             {
@@ -142,11 +143,10 @@ internal sealed class FastBodySweep
         return path;
     }
 
-    /// <summary>The impact of a free body with a candidate. False if there is none after all, or the body is <paramref name="gone"/>.</summary>
-    private static bool Meet(
-        in SweepInput input, int body, in BodyPath path, double time, double left, ref SweepCandidate candidate, Vector2 gain, out bool gone)
+    /// <summary>The impact of a free body with a candidate.</summary>
+    private static Meeting Meet(
+        in SweepInput input, int body, in BodyPath path, double time, double left, ref SweepCandidate candidate, Vector2 gain)
     {
-        gone = false;
         ContactRecord record = input.Contacts.Records[candidate.Contact];
         bool isA = record.BodyA == body;
         int other = isA ? record.BodyB : record.BodyA;
@@ -161,14 +161,14 @@ internal sealed class FastBodySweep
         if (manifold.Count == 0 && candidate.Mode == SweepMode.Met)
         {
             candidate.Mode = SweepMode.Passed;
-            return false;
+            return Meeting.Missed;
         }
 
         candidate.Mode = SweepMode.Met;
         candidate.Target = Math.Min(depth, tolerance) - (2 * tolerance);
         if (manifold.Count == 0)
         {
-            return false;
+            return Meeting.Missed;
         }
 
         Mover mover = MoverAt(input.Bodies, body, path, time, left);
@@ -179,7 +179,7 @@ internal sealed class FastBodySweep
         Mover after = mover;
         if (!Impact.Resolve(ref after, obstacle, own))
         {
-            return false;
+            return Meeting.Missed;
         }
 
         Place(input, body, path, time, left);
@@ -190,14 +190,13 @@ internal sealed class FastBodySweep
         if (Changed(input.Bodies, body, before, state, flags))
         {
             // A handler took the body into its own hands.
-            gone = true;
-            return false;
+            return Meeting.Gone;
         }
 
         if (!accepted)
         {
             candidate.Mode = SweepMode.Passed;
-            return false;
+            return Meeting.Refused;
         }
 
         ref BodyState now = ref input.Bodies.State[body];
@@ -211,7 +210,7 @@ internal sealed class FastBodySweep
             candidate.Target = -tolerance;
         }
 
-        return true;
+        return Meeting.Struck;
     }
 
     private static bool Changed(BodyStore bodies, int body, in BodyPose pose, in BodyState state, BodyFlags flags)
@@ -418,5 +417,18 @@ internal sealed class FastBodySweep
         }
 
         return path;
+    }
+
+    private enum Meeting
+    {
+        /// <summary>No contact, or none that approaches.</summary>
+        Missed,
+
+        /// <summary>A handler cancelled the response; the body is where they met, and its way goes on.</summary>
+        Refused,
+        Struck,
+
+        /// <summary>A handler moved, stopped or removed the body.</summary>
+        Gone,
     }
 }
