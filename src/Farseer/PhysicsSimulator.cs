@@ -98,6 +98,19 @@ public partial class PhysicsSimulator : IDisposable
     }
 
     /// <summary>
+    /// True keeps bodies that move or turn by more than their own size in an update from passing through others: the impact is
+    /// found on the way that they take. Nothing is done, and no time taken, where nothing is so fast. A geom whose
+    /// <see cref="Collisions.Geom.CollisionResponseEnabled"/> is false is told of what passes it. Default true. See
+    /// <see cref="Dynamics.Body.IsBullet"/> and <see cref="Dynamics.Body.IsContinuousCollisionEnabled"/>. (An addition to the
+    /// original.)
+    /// </summary>
+    public bool IsContinuousCollisionEnabled
+    {
+        get => World.Settings.Continuous;
+        set => World.Settings.Continuous = value;
+    }
+
+    /// <summary>
     /// The part of a deep penetration that one update takes away, without giving the bodies speed; at least 0, and 1 and more take
     /// away all of it. Default 0.8.
     /// </summary>

@@ -260,7 +260,8 @@ internal sealed class BodyLink
     {
         if (_world is not null)
         {
-            const BodyFlags Owned = BodyFlags.Enabled | BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.IgnoreGravity | BodyFlags.QuadraticDrag | BodyFlags.NeverSleeps;
+            const BodyFlags Owned = BodyFlags.Enabled | BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.IgnoreGravity | BodyFlags.QuadraticDrag
+                | BodyFlags.NeverSleeps | BodyFlags.Bullet | BodyFlags.Discrete;
             BodyFlags flags = EngineFlags;
             _world.SetFlags(_handle, flags & Owned, Owned & ~flags);
         }

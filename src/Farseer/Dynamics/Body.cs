@@ -136,6 +136,29 @@ public partial class Body : IDisposable
         set => SetFlag(BodyFlags.Kinematic, value);
     }
 
+    /// <summary>
+    /// A bullet passes through nothing, however fast: not through what can move either. Other bodies are kept from passing through
+    /// static and kinematic ones; through one that moves they pass only if something deflects or speeds them up within the update
+    /// in which they would meet it. Costs time only in updates in which the body moves by more than its own size. Default false.
+    /// (An addition to the original.)
+    /// </summary>
+    public bool IsBullet
+    {
+        get => (Link.UserFlags & BodyFlags.Bullet) != 0;
+        set => SetFlag(BodyFlags.Bullet, value);
+    }
+
+    /// <summary>
+    /// False leaves the body out of continuous collision: in an update in which it moves by more than its own size it meets only
+    /// what it touches when the update begins, and may pass through the rest. For debris of which nobody cares. Default true.
+    /// See <see cref="PhysicsSimulator.IsContinuousCollisionEnabled"/>. (An addition to the original.)
+    /// </summary>
+    public bool IsContinuousCollisionEnabled
+    {
+        get => (Link.UserFlags & BodyFlags.Discrete) == 0;
+        set => SetFlag(BodyFlags.Discrete, !value);
+    }
+
     /// <summary>True leaves gravity out for this body. Default false.</summary>
     public bool IgnoreGravity
     {

@@ -46,6 +46,8 @@ public class RandomCallProperties
         p => p.Body.ResetDynamics(),
         p => p.Body.IsStatic = p.Flag(),
         p => p.Body.IsKinematic = p.Flag(),
+        p => p.Body.IsBullet = p.Flag(),
+        p => p.Body.IsContinuousCollisionEnabled = p.Flag(),
         p => p.Body.Enabled = p.Flag(),
         p => p.Body.Enabled = true,
         p => p.Geom.FrictionCoefficient = p.Number(),
