@@ -10,6 +10,12 @@ namespace Farseer.Engine.Bodies;
 internal static unsafe class Integrator
 {
     /// <summary>
+    /// Contacts see a body turned by no more than this since the foreseen middle of the step, radians. Their impulses keep the arms
+    /// of that middle; beyond, the two have so little to do with each other that a pile hit by a bullet gains energy without end.
+    /// </summary>
+    public const float LargestTurn = 1f;
+
+    /// <summary>
     /// v ← v·keep + drive. Before that the change of the last substep is noted: where a body accelerates steadily (falls,
     /// slides, rolls) it is what <see cref="IntegratePositions"/> needs to be exact.
     /// </summary>
@@ -55,7 +61,7 @@ internal static unsafe class Integrator
             d.X = d.X + (step * (v.X - (half * SmallerChange(v.X - startX, changeX))));
             d.Y = d.Y + (step * (v.Y - (half * SmallerChange(v.Y - startY, changeY))));
             turned = turned + (step * (v.W - (half * SmallerChange(v.W - startW, changeW))));
-            WideTrigonometry.SinCos(turned, out d.Sin, out d.Cos);
+            WideTrigonometry.SinCos(Wide.Max(Wide.Splat(-LargestTurn), Wide.Min(Wide.Splat(LargestTurn), turned)), out d.Sin, out d.Cos);
             BodyLanes.ScatterDelta(states, index, d);
             BodyLanes.Scatter(motion, index, startX, startY, startW, turned);
         }

@@ -1,4 +1,5 @@
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Springs;
 
@@ -40,6 +41,11 @@ internal struct EndState
             end.Sin = state.DeltaSin;
             end.Cos = state.DeltaCos;
             end.Turned = bodies.Motion[body].Turned;
+            if (end.Turned > Integrator.LargestTurn || end.Turned < -Integrator.LargestTurn)
+            {
+                // What the state tells is for contacts.
+                StableMath.SinCos(end.Turned, out end.Sin, out end.Cos);
+            }
         }
 
         if (moves != 0)

@@ -178,6 +178,102 @@ public class FastBodyTests
         Assert.Equal(new Vector2(500, 0), shot.LinearVelocity);
     }
 
+    [Theory]
+    [InlineData(100f)]
+    [InlineData(1000f)]
+    [InlineData(10000f)]
+    public void Bullet_AtAThinWallThatMoves_DoesNotPass_AndTheMomentumStays(float speed)
+    {
+        for (int start = 0; start < 20; start++)
+        {
+            using var simulator = new PhysicsSimulator(Vector2.Zero) { AllowedPenetration = 1e-5f };
+            Body wall = Wall(simulator, Vector2.Zero, 0.02f, 2).Body;
+            wall.IsStatic = false;
+            wall.Mass = 40;
+            wall.MomentOfInertia = 40 * 4 / 12f;
+            Sandbox.WithoutDrag(wall);
+            wall.LinearVelocity = new Vector2(-3, 0);
+            Body shot = Shot(simulator, new Vector2(-3 - (speed * Dt * start / 20), 0), round: true);
+            shot.IsBullet = true;
+            shot.LinearVelocity = new Vector2(speed, 0);
+            double before = speed - (40.0 * 3);
+            for (int i = 0; i < (6 / (speed * Dt)) + 3; i++)
+            {
+                simulator.Update(Dt);
+                double momentum = shot.LinearVelocity.X + (40.0 * wall.LinearVelocity.X);
+
+                // Rounding of float velocities.
+                Assert.Equal(before, momentum, 1e-6 * (speed + 120));
+                Assert.True(shot.Position.X < wall.Position.X, $"Start {start}: passed in step {i}.");
+            }
+
+            Assert.Equal(shot.LinearVelocity.X, wall.LinearVelocity.X, 1e-4f * speed);
+        }
+    }
+
+    // It meets the static wall behind first, comes back within the step, and the plate in front is in nobody's foresight.
+    [Fact]
+    public void Bullet_ComingBackFromAWallWithinAStep_DoesNotPassAPlateThatCanMove()
+    {
+        using var simulator = new PhysicsSimulator(Vector2.Zero) { AllowedPenetration = 1e-5f };
+        Wall(simulator, new Vector2(2, 0), 0.1f, 10).RestitutionCoefficient = 1;
+        Body plate = Wall(simulator, new Vector2(-1, 0), 0.02f, 2).Body;
+        plate.IsStatic = false;
+        Body shot = Shot(simulator, Vector2.Zero, round: true, restitution: 1);
+        shot.IsBullet = true;
+        shot.LinearVelocity = new Vector2(600, 0);
+        for (int i = 0; i < 5; i++)
+        {
+            simulator.Update(Dt);
+            Assert.True(shot.Position.X > plate.Position.X, $"Passed in step {i}.");
+        }
+    }
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void FastBall_NotLookedAfter_PassesAThinWall(bool forAll)
+    {
+        using var simulator = new PhysicsSimulator(Vector2.Zero) { AllowedPenetration = 1e-5f };
+        Wall(simulator, Vector2.Zero, 0.02f, 10);
+        Body shot = Shot(simulator, new Vector2(-5, 0), round: true);
+        shot.LinearVelocity = new Vector2(500, 0);
+        simulator.IsContinuousCollisionEnabled = !forAll;
+        shot.IsContinuousCollisionEnabled = forAll;
+        Sandbox.Run(simulator, 3, Dt);
+        Assert.Equal(20, shot.Position.X, 1e-3f);
+    }
+
+    [Fact]
+    public void Pyramid_HitByABullet_StaysFinite_AndNothingPassesTheFloor()
+    {
+        using var simulator = new PhysicsSimulator(new Vector2(0, -10)) { AllowedPenetration = 0.005f };
+        Wall(simulator, new Vector2(0, -0.5f), 200, 1).FrictionCoefficient = 0.6f;
+        for (int row = 0; row < 8; row++)
+        {
+            for (int i = 0; i < 8 - row; i++)
+            {
+                Body box = BodyFactory.Instance.CreateBody(simulator, 1, 1 / 6f);
+                box.Position = new Vector2(i - 3.5f + (row * 0.5f), row + 0.5f);
+                GeomFactory.Instance.CreateRectangleGeom(simulator, box, 1, 1).FrictionCoefficient = 0.6f;
+            }
+        }
+
+        Body shot = Shot(simulator, new Vector2(-50, 2.3f), round: true);
+        shot.IsBullet = true;
+        shot.Mass = 20;
+        shot.LinearVelocity = new Vector2(3000, -20);
+        for (int i = 0; i < 300; i++)
+        {
+            simulator.Update(Dt);
+            foreach (Body body in simulator.BodyList)
+            {
+                Assert.False(body.IsQuarantined);
+                Assert.True(body.IsStatic || body.Position.Y > -0.1f || Math.Abs(body.Position.X) > 100, $"Through the floor in step {i}.");
+            }
+        }
+    }
+
     [Fact]
     public void FastBall_InAScaledWorld_GoesTheSameWayBitForBit()
     {
