@@ -29,6 +29,9 @@ internal sealed class FastBodySweep
     /// </summary>
     private const double CoreShare = 0.25;
 
+    /// <summary>The same for a body with joints: stopping it alone tears them open by as much as it is put back.</summary>
+    private const double JointedCoreShare = 0.75;
+
     /// <summary>Impacts slower than this many substeps of outside acceleration are rest, as in the solver.</summary>
     private const double RestSubsteps = 4;
 
@@ -314,7 +317,7 @@ internal sealed class FastBodySweep
 
     /// <summary>
     /// What the solver had in hand, or what touched from the start, may sink in on: only the core must not pass. So may a body that
-    /// has joints, which stopping it alone would tear open.
+    /// has joints.
     /// </summary>
     private static void NoteTouching(in SweepInput input, int body, in BodyPath path, ref SweepCandidate candidate)
     {
@@ -329,10 +332,11 @@ internal sealed class FastBodySweep
         query.Until = 0;
         TimeOfImpact.Find(
             input.Shapes, record.PieceA, isA ? path : other, record.PieceB, isA ? other : path, query, out _, out double separation);
-        if (record.Color >= 0 || input.Joints.Degree(body) > 0 || separation <= PairStage.SkinShare * extent)
+        bool jointed = input.Joints.Degree(body) > 0;
+        if (record.Color >= 0 || jointed || separation <= PairStage.SkinShare * extent)
         {
             candidate.Mode = SweepMode.Met;
-            candidate.Target = Math.Min(separation, 0) - (CoreShare * extent);
+            candidate.Target = Math.Min(separation, 0) - ((jointed ? JointedCoreShare : CoreShare) * extent);
         }
     }
 

@@ -19,15 +19,16 @@ internal sealed unsafe partial class JointSolver
     private const double FastestReturn = 10;
 
     /// <param name="kind">What the rows are to reach.</param>
-    /// <param name="again">The trees have been solved in this pass: only their limits may have changed since.</param>
-    private void SolveTrees(TargetKind kind, bool again)
+    /// <param name="again">The trees have been solved in this pass: only limits at rows may have changed since.</param>
+    /// <returns>True if other limits hold than before.</returns>
+    private bool SolveTrees(TargetKind kind, bool again)
     {
         bool refactored = false;
         for (int at = 0; at < _treeCount; at++)
         {
             int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
-            if (!tree->Eliminates || (again && !tree->HasLimits))
+            if (!tree->Eliminates || (again && !(tree->HasLimits && tree->HasRows)))
             {
                 continue;
             }
@@ -40,6 +41,8 @@ internal sealed unsafe partial class JointSolver
         {
             PrepareAgain();
         }
+
+        return refactored;
     }
 
     private void SolveTree(JointTree* tree, TargetKind kind)

@@ -12,7 +12,7 @@ namespace Farseer.Engine.Joints;
 /// </content>
 internal sealed unsafe partial class JointSolver
 {
-    private const int Corrections = 3;
+    private const int Corrections = 4;
     private const int Projections = 12;
 
     /// <summary>Sweeps over loops and contacts in a correction, and over deep contacts when they are pushed apart.</summary>
@@ -84,9 +84,16 @@ internal sealed unsafe partial class JointSolver
             for (int k = 0; k < 3; k++)
             {
                 node->PlainMove[k] = node->Move[k];
+                node->PlainVelocity[k] = node->Velocity[k];
             }
 
             node->Bent = 0;
+        }
+
+        for (int i = 0; i < _contactCount; i++)
+        {
+            _contacts[i].Point0.Plain = _contacts[i].Point0.Normal;
+            _contacts[i].Point1.Plain = _contacts[i].Point1.Normal;
         }
     }
 
@@ -207,8 +214,9 @@ internal sealed unsafe partial class JointSolver
         bool any = false;
         for (int at = 0; at < _treeCount; at++)
         {
-            int i = _trees[at];
-            any |= _forest.Trees[i].Astray;
+            JointTree* tree = _forest.Trees + _trees[at];
+            tree->Undone = tree->Astray;
+            any |= tree->Astray;
         }
 
         if (!any)
@@ -216,16 +224,7 @@ internal sealed unsafe partial class JointSolver
             return;
         }
 
-        for (int at = 0; at < _nodeCount; at++)
-        {
-            int i = _nodes[at];
-            TreeNode* node = _forest.Nodes + i;
-            if (_forest.Trees[node->Tree].Astray)
-            {
-                SetMove(node, node->PlainMove[0], node->PlainMove[1], node->PlainMove[2]);
-            }
-        }
-
+        Undo();
         for (int round = 0; round < Projections && ProjectOnce(); round++)
         {
         }
@@ -245,6 +244,56 @@ internal sealed unsafe partial class JointSolver
 
         StoreVelocities();
     }
+
+    /// <summary>
+    /// What pressed on a tree that went astray was held against a wrong motion: all that touches it goes back as well, with the
+    /// impulses of the surfaces. The trees among them are projected too.
+    /// </summary>
+    private void Undo()
+    {
+        for (bool more = true; more;)
+        {
+            more = false;
+            for (int i = 0; i < _contactCount; i++)
+            {
+                ref RowEnds ends = ref _contacts[i].Ends;
+                if (ends.NodeA >= 0 && ends.NodeB >= 0)
+                {
+                    JointTree* a = _forest.Trees + _forest.Nodes[ends.NodeA].Tree;
+                    JointTree* b = _forest.Trees + _forest.Nodes[ends.NodeB].Tree;
+                    more |= a->Undone != b->Undone;
+                    a->Undone |= b->Undone;
+                    b->Undone = a->Undone;
+                }
+            }
+        }
+
+        for (int i = 0; i < _contactCount; i++)
+        {
+            ref TreeContact contact = ref _contacts[i];
+            if (IsUndone(contact.Ends.NodeA) || IsUndone(contact.Ends.NodeB))
+            {
+                contact.Point0.Normal = contact.Point0.Plain;
+                contact.Point1.Normal = contact.Point1.Plain;
+            }
+        }
+
+        for (int at = 0; at < _nodeCount; at++)
+        {
+            TreeNode* node = _forest.Nodes + _nodes[at];
+            JointTree* tree = _forest.Trees + node->Tree;
+            if (tree->Undone)
+            {
+                tree->Astray = tree->Eliminates;
+                SetMove(node, node->PlainMove[0], node->PlainMove[1], node->PlainMove[2]);
+                node->Velocity[0] = node->PlainVelocity[0];
+                node->Velocity[1] = node->PlainVelocity[1];
+                node->Velocity[2] = node->PlainVelocity[2];
+            }
+        }
+    }
+
+    private bool IsUndone(int node) => node >= 0 && _forest.Trees[_forest.Nodes[node].Tree].Undone;
 
     /// <returns>True if an error was left to take out.</returns>
     private bool ProjectOnce()
@@ -269,9 +318,18 @@ internal sealed unsafe partial class JointSolver
             }
 
             any = true;
-            TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
-            Clear(tree);
-            TreeSolve.Run(_forest, tree);
+            for (int attempt = 0; attempt < LimitRounds; attempt++)
+            {
+                TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+                Clear(tree);
+                SetTargets(tree, TargetKind.Projection);
+                TreeSolve.Run(_forest, tree);
+                if (!tree->HasLimits || !ReviseLimits(tree, TargetKind.Projection, false))
+                {
+                    break;
+                }
+            }
+
             for (int k = tree->First; k < tree->End; k++)
             {
                 TreeNode* node = _forest.Nodes + k;

@@ -57,7 +57,7 @@ internal sealed unsafe partial class JointSolver
     {
         Collate();
         _pass.Enter(_forest.View, _step.Bodies.State.Pointer);
-        _contactPass.Enter(_forest.View, _step.Bodies, coefficients);
+        _contactPass.Enter(_forest.View, _step.Bodies, coefficients, _fineness);
         for (int at = 0; at < _jointCount; at++)
         {
             int i = _joints[at];
@@ -127,18 +127,14 @@ internal sealed unsafe partial class JointSolver
     public void Solve(bool again)
     {
         LoadVelocities();
-        SolveTrees(TargetKind.Biased, again);
-        Sweep(Pass.Biased);
-        StoreVelocities();
+        Run(TargetKind.Biased, Pass.Biased, again);
     }
 
     /// <summary>The relax pass at the new positions: no errors, no bias.</summary>
     public void Relax(bool again, bool rub)
     {
         LoadVelocities();
-        SolveTrees(TargetKind.Relaxed, again);
-        Sweep(rub ? Pass.Relaxed : Pass.RelaxedSmooth);
-        StoreVelocities();
+        Run(TargetKind.Relaxed, rub ? Pass.Relaxed : Pass.RelaxedSmooth, again);
     }
 
     /// <summary>Before a substep: the speeds at which its impacts part.</summary>
@@ -210,6 +206,22 @@ internal sealed unsafe partial class JointSolver
         Settle,
         Correction,
         PushOut,
+    }
+
+    /// <summary>
+    /// The trees, then the rows. Where rows pushed at limits, which then are to be held or let go, both once more: a contact that opens
+    /// a limit would have a whole substep for it otherwise.
+    /// </summary>
+    private void Run(TargetKind kind, Pass pass, bool again)
+    {
+        SolveTrees(kind, again);
+        Sweep(pass);
+        if (_agendaCount > 0 && SolveTrees(kind, true))
+        {
+            Sweep(pass);
+        }
+
+        StoreVelocities();
     }
 
     /// <summary>One sweep over all iterated rows, in the order of the trees.</summary>

@@ -20,6 +20,9 @@ internal struct TreeContactPoint
     public double Feed;
     public double Bounce;
 
+    /// <summary>The normal impulse before the position correction.</summary>
+    public double Plain;
+
     /// <summary>At the present poses: separation, arms of the normal and of the tangent row, response of the tangent row.</summary>
     public double Separation;
     public double NormalA;

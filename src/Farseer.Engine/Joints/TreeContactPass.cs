@@ -15,12 +15,21 @@ internal sealed unsafe partial class TreeContactPass
 {
     private const double DeterminantShare = 1e-3;
 
+    /// <summary>Static sags up to which a contact is as deep as its load makes it.</summary>
+    private const double OrdinarySags = 3;
+
     private BodyStore _bodies = null!;
     private JointForestView _view;
     private ContactCoefficients _c;
+    private double _slowness = 1;
 
-    public void Enter(in JointForestView view, BodyStore bodies, in ContactCoefficients coefficients)
+    /// <param name="view">The trees.</param>
+    /// <param name="bodies">The bodies.</param>
+    /// <param name="coefficients">Those of the class's substep.</param>
+    /// <param name="fineness">How many of its substeps make one of the step's.</param>
+    public void Enter(in JointForestView view, BodyStore bodies, in ContactCoefficients coefficients, double fineness)
     {
+        _slowness = 1 / fineness;
         _view = view;
         _bodies = bodies;
         _c = coefficients;
@@ -291,7 +300,12 @@ internal sealed unsafe partial class TreeContactPass
             return v + (gap * _c.InverseSubstep) + Math.Min((double)_c.BiasRate * _c.Rest, sink);
         }
 
-        return (ContactCoefficients.MassScale * v) + Math.Min((double)_c.BiasRate * ContactCoefficients.MassScale * p->Separation, sink)
+        // What is deeper than the load accounts for goes as slowly as in the islands of the step's own substep: stiff contacts of
+        // many substeps would make speed of it.
+        double sag = OrdinarySags * _c.Sag((float)(p->Normal * k));
+        double depth = Math.Max(0, -p->Separation - sag);
+        double bias = ContactCoefficients.MassScale * _c.BiasRate * (p->Separation + (depth * (1 - _slowness)));
+        return (ContactCoefficients.MassScale * v) + Math.Min(bias, sink)
             + (k * ContactCoefficients.ImpulseScale * (p->Normal - p->Feed));
     }
 

@@ -39,6 +39,9 @@ internal struct JointTree
     /// <summary>Its displacements are kept in double: only the joints' passes move its bodies.</summary>
     public bool Exact;
 
+    /// <summary>Its correction is taken back, since a tree that it touches went astray.</summary>
+    public bool Undone;
+
     /// <summary>Takes part in the present round of the position correction.</summary>
     public bool Corrects;
 

@@ -58,6 +58,9 @@ internal unsafe struct TreeNode
     public fixed double StartMove[3];
     public fixed double PlainMove[3];
 
+    /// <summary>The velocity before corrections.</summary>
+    public fixed double PlainVelocity[3];
+
     public fixed double ChildS[9];
     public fixed double ParentS[9];
 
