@@ -13,6 +13,9 @@ public unsafe class TreeMassTests
     /// <summary>What a dense inverse of some 40 rows at mass ratios to 1:1000 leaves of 16 digits.</summary>
     private const double Rounding = 1e-7;
 
+    /// <summary>With two anchors the far one's block is singular and gets 1e-9 of its own response, at ratios to 1:1000.</summary>
+    private const double Regular = 1e-5;
+
     [Theory]
     [InlineData(2, 0)]
     [InlineData(3, 1)]
@@ -33,7 +36,7 @@ public unsafe class TreeMassTests
                     for (int k = 0; k < 9; k++)
                     {
                         double exact = tree.Dense[((a - 1) * 3) + (k / 3), ((b - 1) * 3) + (k % 3)];
-                        Assert.InRange(Math.Abs(between[k] - exact), 0, Rounding * tree.Largest);
+                        Assert.InRange(Math.Abs(between[k] - exact), 0, tree.Tolerance * tree.Largest);
                     }
                 }
             }
@@ -71,12 +74,12 @@ public unsafe class TreeMassTests
                 TreeWalk.Apply(view, node, p[0], p[1], p[2]);
                 for (int c = 0; c < 3; c++)
                 {
-                    Assert.Equal(expected[((body - 1) * 3) + c], tree.Forest.Nodes[node].Velocity[c], Rounding * tree.Largest * 30);
+                    Assert.Equal(expected[((body - 1) * 3) + c], tree.Forest.Nodes[node].Velocity[c], tree.Tolerance * tree.Largest * 30);
                 }
             }
 
             TreeWalk.End(view, tree.Forest.Trees);
-            tree.AssertVelocities(expected, Rounding * tree.Largest * 30);
+            tree.AssertVelocities(expected, tree.Tolerance * tree.Largest * 30);
         }
     }
 
@@ -105,8 +108,8 @@ public unsafe class TreeMassTests
             }
 
             // Masses up to 1,000 multiply what the dense inverse has lost.
-            tree.AssertVelocities(expected, 1e3 * Rounding);
-            tree.AssertImpulses(before, 1e3 * Rounding);
+            tree.AssertVelocities(expected, 1e3 * tree.Tolerance);
+            tree.AssertImpulses(before, 1e3 * tree.Tolerance);
         }
     }
 
@@ -122,6 +125,7 @@ public unsafe class TreeMassTests
         {
             _random = new Random(seed);
             _bodies = bodies;
+            Tolerance = anchors > 1 ? Regular : Rounding;
             int joints = bodies - 1 + anchors;
             Active.EnsureCapacity(joints);
             Rows.EnsureCapacity(joints);
@@ -144,7 +148,9 @@ public unsafe class TreeMassTests
             for (int i = 0; i < joints; i++)
             {
                 int child = i < bodies - 1 ? i + 2 : i == bodies - 1 ? 1 : bodies;
-                int parent = i < bodies - 1 ? 1 + _random.Next(i + 1) : 0;
+
+                // Between two anchors a chain: fewer links than that would be a rigid frame.
+                int parent = i >= bodies - 1 ? 0 : anchors > 1 ? i + 1 : 1 + _random.Next(i + 1);
                 double x = places[2 * child] + _random.NextDouble() - 0.5;
                 double y = places[(2 * child) + 1] + _random.NextDouble() - 0.5;
                 JointFrame frame = default;
@@ -187,6 +193,8 @@ public unsafe class TreeMassTests
         public double[,] Dense { get; private set; } = new double[0, 0];
 
         public double Largest { get; private set; }
+
+        public double Tolerance { get; }
 
         private int Joints { get; }
 
