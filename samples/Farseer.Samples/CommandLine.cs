@@ -9,6 +9,7 @@ internal static class CommandLine
     private static readonly string[] _runOptions = ["--steps", "--iterations", "--dt", "--json"];
     private static readonly string[] _watchOptions = ["--iterations", "--dt"];
     private static readonly string[] _drawOptions = ["--step", "--out", "--show", "--iterations", "--dt"];
+    private static readonly string[] _adviseOptions = ["--error", "--steps"];
 
     public static void None(string verb, ReadOnlySpan<string> words)
     {
@@ -24,6 +25,7 @@ internal static class CommandLine
         {
             "watch" => _watchOptions,
             "draw" => _drawOptions,
+            "advise" => _adviseOptions,
             _ => _runOptions,
         };
         RunOptions options = new(string.Empty);
@@ -56,6 +58,7 @@ internal static class CommandLine
                 "--step" => options with { Steps = Whole(word, value, 0) },
                 "--out" => options with { Out = value ?? throw Bad(word, "the name of a file", null) },
                 "--show" => options with { Show = Parts(word, value) },
+                "--error" => options with { Error = Length(word, value) },
                 "--iterations" => options with { Iterations = Whole(word, value, 1) },
                 _ => options with { Dt = Seconds(word, value) },
             };
@@ -75,6 +78,11 @@ internal static class CommandLine
         float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out float value) && value > 0f && float.IsFinite(value)
             ? value
             : throw Bad(option, "a number of seconds above 0", text);
+
+    private static float Length(string option, string? text) =>
+        float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out float value) && value > 0f && float.IsFinite(value)
+            ? value
+            : throw Bad(option, "a length above 0", text);
 
     private static ShownParts Parts(string option, string? text)
     {

@@ -25,6 +25,9 @@ internal sealed record RunOptions(string Scene)
 
     public bool Json { get; init; }
 
+    /// <summary>The error to be kept, a length of the scene.</summary>
+    public float? Error { get; init; }
+
     /// <summary>The file to draw into.</summary>
     public string? Out { get; init; }
 

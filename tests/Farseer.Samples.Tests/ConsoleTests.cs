@@ -134,6 +134,7 @@ public sealed class ConsoleTests : IDisposable
     [Theory]
     [InlineData("list")]
     [InlineData("help")]
+    [InlineData("advise falling-stack --steps 6 --error 1")]
     [InlineData("run dominoes --steps 30 --iterations 8 --dt 0.01")]
     public async Task Console_Redirected_PrintsPlainTextOf80Columns(string arguments)
     {

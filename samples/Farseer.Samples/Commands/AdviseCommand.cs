@@ -1,0 +1,64 @@
+using System;
+using System.Globalization;
+using Farseer.Scenes;
+using FarseerGames.FarseerPhysics;
+
+namespace Farseer.Samples.Commands;
+
+/// <summary>Sweeps the dials on a scene and prints the cheapest setting that keeps an error, with the curve.</summary>
+internal static class AdviseCommand
+{
+    /// <summary>Seconds of the scene that are tried at most: every setting runs twice.</summary>
+    private const float LongestSeconds = 10;
+
+    /// <summary>Share of the scene's longer side that is asked for if the command line names no error.</summary>
+    private const float UsualShare = 1e-4f;
+
+    private const int Fine = 0;
+    private const int NotReached = 1;
+
+    public static int Execute(RunOptions options)
+    {
+        Scene scene = SceneSelection.Find(options.Scene);
+        float seconds = Math.Min((options.Steps ?? scene.Steps) * scene.Dt, LongestSeconds);
+        float error = options.Error
+            ?? UsualShare * Math.Max(scene.View.Max.X - scene.View.Min.X, scene.View.Max.Y - scene.View.Min.Y);
+        AccuracyAdvice advice;
+        try
+        {
+            advice = AccuracyAdvisor.Advise(() => Build(scene), scene.Step, seconds, error);
+        }
+        catch (ArgumentException e)
+        {
+            throw new UsageException(e.Message.ReplaceLineEndings(" "));
+        }
+
+        Write(advice, scene);
+        AccuracyPoint? cheapest = advice.Cheapest;
+        Console.WriteLine(cheapest is AccuracyPoint best
+            ? FormattableString.Invariant($"cheapest with an error of at most {error:G3}: {best.Iterations} iterations at {1 / best.Dt:0} updates a second")
+            : FormattableString.Invariant($"no setting keeps the error below {error:G3}"));
+        return cheapest is null ? NotReached : Fine;
+    }
+
+    private static PhysicsSimulator Build(Scene scene)
+    {
+        PhysicsSimulator simulator = new();
+        scene.Build(simulator);
+        return simulator;
+    }
+
+    private static void Write(AccuracyAdvice advice, Scene scene)
+    {
+        Console.WriteLine(scene.Title + ": errors (lengths), and milliseconds for a second of the scene");
+        Console.WriteLine("rate  iterations     peak      rms      end   work  ms/second");
+        foreach (AccuracyPoint point in advice.Curve)
+        {
+            bool best = advice.Cheapest is AccuracyPoint cheapest && cheapest.Iterations == point.Iterations && cheapest.Dt == point.Dt;
+            string verdict = best ? "  cheapest" : point.PeakError <= advice.MaximumError ? "  kept" : string.Empty;
+            Console.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{1 / point.Dt,4:0}  {point.Iterations,10}  {point.PeakError,7:0.0E+0}  {point.RmsError,7:0.0E+0}  {point.EndError,7:0.0E+0}  {point.Work,5:0}  {point.MillisecondsPerSecond,9:0.00}{verdict}"));
+        }
+    }
+}
