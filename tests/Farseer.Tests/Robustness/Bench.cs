@@ -189,6 +189,8 @@ internal sealed class Bench
             : type == typeof(CurveKey[]) ? new CurveKey[12]
             : type == typeof(Vector2[]) ? new[] { Vector2.Zero, Vector2.One }
             : type == typeof(Action<Arbiter>) ? (Action<Arbiter>)(_ => { })
+            : type == typeof(Func<PhysicsSimulator>) ? (Func<PhysicsSimulator>)(() => new PhysicsSimulator())
+            : type == typeof(Action<PhysicsSimulator, int, float>) ? (Action<PhysicsSimulator, int, float>)((_, _, _) => { })
             : type == typeof(Predicate<Arbiter>) ? (Predicate<Arbiter>)(_ => false)
             : type.GetConstructor(new[] { typeof(PhysicsSimulator) }) is { } forSimulator ? forSimulator.Invoke(new object[] { Simulator })
             : type.GetConstructor(Type.EmptyTypes) is { } plain ? plain.Invoke(null)
