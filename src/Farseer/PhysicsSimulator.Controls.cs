@@ -71,7 +71,7 @@ public partial class PhysicsSimulator
 
     private void TakeOut(Spring spring)
     {
-        spring.WakeEnds();
+        spring.Memory.WakeEnds();
         SpringList.TakeOut(spring);
     }
 

@@ -45,7 +45,7 @@ internal static class SpringLink
         };
         def.BodyA = IndexIn(simulator.World, body1, ref def.AnchorA, out _);
         def.BodyB = IndexIn(simulator.World, body2, ref def.AnchorB, out _);
-        Tell(simulator.World, spring, def);
+        spring.Memory.Tell(simulator.World, def);
     }
 
     public static void Angular(Spring spring, Body? body1, Body body2, float targetAngle, float multiplier, float maxTorque)
@@ -68,21 +68,7 @@ internal static class SpringLink
         def.BodyA = IndexIn(simulator.World, body1, ref def.AnchorA, out double angle1);
         def.BodyB = IndexIn(simulator.World, body2, ref def.AnchorB, out double angle2);
         def.Rest += angle1 - angle2;
-        Tell(simulator.World, spring, def);
-    }
-
-    /// <summary>A spring that has changed wakes what it holds.</summary>
-    private static void Tell(World world, Spring spring, in SpringDef def)
-    {
-        if (!def.IsSameAs(spring.Told))
-        {
-            spring.Told = def;
-            spring.ToldIn = world;
-            world.WakeUp(def.BodyA);
-            world.WakeUp(def.BodyB);
-        }
-
-        world.ApplySpring(def);
+        spring.Memory.Tell(simulator.World, def);
     }
 
     /// <summary>Index of a body; one that is not in this world is a place of it, index 0, with the point and the angle that it has now.</summary>

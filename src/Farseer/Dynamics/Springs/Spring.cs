@@ -1,6 +1,4 @@
 using System;
-using Farseer.Engine.Simulation;
-using Farseer.Engine.Springs;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
@@ -33,7 +31,7 @@ public abstract class Spring : IDisposable, IItem
             if (_enabled != value)
             {
                 _enabled = value;
-                WakeEnds();
+                Memory.WakeEnds();
             }
         }
     }
@@ -97,21 +95,7 @@ public abstract class Spring : IDisposable, IItem
 
     internal PhysicsSimulator? Simulator { get; private set; }
 
-    /// <summary>What the engine was last told of the spring.</summary>
-    internal SpringDef Told { get; set; }
-
-    /// <summary>Where that was.</summary>
-    internal World? ToldIn { get; set; }
-
-    /// <summary>Wakes what the spring holds, since it does so otherwise than when these fell asleep.</summary>
-    internal void WakeEnds()
-    {
-        if (ToldIn is { AsleepCount: > 0 } world)
-        {
-            world.WakeUp(Told.BodyA);
-            world.WakeUp(Told.BodyB);
-        }
-    }
+    internal SpringMemory Memory { get; } = new SpringMemory();
 
     /// <summary>
     /// Disposes the spring if a body of it is disposed. The simulator calls it in every update; writers of springs override it.

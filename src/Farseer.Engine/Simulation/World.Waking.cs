@@ -1,0 +1,263 @@
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>What wakes bodies: changes from outside, awake bodies that come into touch, springs, and the ground when it moves.</summary>
+internal sealed partial class World
+{
+    private readonly IndexList _flood = new IndexList();
+
+    /// <summary>A pair that is about to touch wakes the side that sleeps.</summary>
+    /// <returns>False if both sides go on sleeping: nothing has come near, they were put to sleep where they touch.</returns>
+    internal bool WakeByContact(in ContactRecord record)
+    {
+        bool asleepA = IsAsleep(record.BodyA);
+        bool asleepB = IsAsleep(record.BodyB);
+        if (!asleepA && !asleepB)
+        {
+            return true;
+        }
+
+        int piece = asleepA ? record.PieceA : record.PieceB;
+        bool isFresh = (Proxies.Info[piece].Flags & ProxyFlags.Moved) != 0;
+        if ((asleepA && asleepB) || (isFresh && IsStill(asleepA ? record.BodyB : record.BodyA)))
+        {
+            return false;
+        }
+
+        Wake(asleepA ? record.BodyA : record.BodyB);
+        return true;
+    }
+
+    /// <summary>A spring wakes a sleeping end if the other end moves.</summary>
+    /// <returns>False if no end is awake: the spring has nothing to do.</returns>
+    private bool WakesBySpring(int bodyA, int bodyB)
+    {
+        bool asleepA = IsAsleep(bodyA);
+        bool asleepB = IsAsleep(bodyB);
+        if ((asleepA && IsStill(bodyB)) || (asleepB && IsStill(bodyA)))
+        {
+            return false;
+        }
+
+        if (asleepA || asleepB)
+        {
+            Wake(asleepA ? bodyA : bodyB);
+        }
+
+        return true;
+    }
+
+    /// <summary>
+    /// A body was changed from outside: it wakes, and so does what rests on it. One that was put to sleep and has not seen a step since is
+    /// still being built.
+    /// </summary>
+    private void Disturb(int body)
+    {
+        _rest.Restart(body);
+        if (AsleepCount == 0 || body == 0)
+        {
+            return;
+        }
+
+        if (!IsAsleep(body))
+        {
+            WakeTouching(body);
+        }
+        else if ((Bodies.Flags[body] & BodyFlags.Moved) == 0)
+        {
+            Wake(body);
+        }
+    }
+
+    /// <summary>A joint at the body changed.</summary>
+    private void DisturbByJoint(int body)
+    {
+        _rest.Restart(body);
+        if (IsAsleep(body) && (Bodies.Flags[body] & BodyFlags.Moved) == 0)
+        {
+            Wake(body);
+        }
+    }
+
+    /// <summary>Wakes all that rests on a body which is not asleep itself.</summary>
+    private void WakeTouching(int body)
+    {
+        for (int entry = _dormant.First(body); entry >= 0; entry = _dormant.First(body))
+        {
+            WakeBodiesOf(_contacts.Records[entry >> 1]);
+        }
+
+        for (int entry = Joints.First(body); entry >= 0; entry = Joints.Next(entry))
+        {
+            JointLink link = Joints.Links[entry >> 1];
+            Wake(link.BodyA == body ? link.BodyB : link.BodyA);
+        }
+    }
+
+    private void WakeBodiesOf(ContactRecord record)
+    {
+        Wake(record.BodyA);
+        Wake(record.BodyB);
+    }
+
+    /// <summary>Floods from a body over the rows and joints that sleep.</summary>
+    private void Wake(int body)
+    {
+        _rest.Restart(body);
+        if (!IsAsleep(body))
+        {
+            return;
+        }
+
+        _flood.Clear();
+        Reach(body);
+        for (int i = 0; i < _flood.Count; i++)
+        {
+            int woken = _flood[i];
+            for (int entry = _dormant.First(woken); entry >= 0; entry = _dormant.First(woken))
+            {
+                TakeUp(entry >> 1, woken);
+            }
+
+            for (int entry = Joints.First(woken); entry >= 0; entry = Joints.Next(entry))
+            {
+                JointLink link = Joints.Links[entry >> 1];
+                if ((Joints.Flags[entry >> 1] & JointFlags.Enabled) != 0)
+                {
+                    Reach(link.BodyA == woken ? link.BodyB : link.BodyA);
+                }
+            }
+        }
+    }
+
+    /// <summary>Gets a body up, if it sleeps.</summary>
+    private void Reach(int body)
+    {
+        if (!IsAsleep(body))
+        {
+            return;
+        }
+
+        AsleepCount--;
+        Bodies.Flags[body] &= ~(BodyFlags.Asleep | BodyFlags.Handled);
+        Bodies.Visited.Set(body);
+        _rest.Restart(body);
+        for (int collider = _firstCollider[body]; collider >= 0; collider = _nextCollider[collider])
+        {
+            for (int piece = Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
+            {
+                Shapes.VisitedPieces.Set(piece);
+            }
+        }
+
+        _lists.SetMoving(body, true);
+        if (_bodiesCollected)
+        {
+            _lists.Join(Bodies, body, _dt);
+        }
+
+        _flood.Add(body);
+    }
+
+    private void TakeUp(int contact, int woken)
+    {
+        ref ContactRecord record = ref _contacts.Records[contact];
+        _dormant.Remove(contact, record);
+        if (record.Color == ContactRecord.DormantRow)
+        {
+            _graph.TakeUp(contact, ref record, _contacts.Records, CanMove(record.BodyA), CanMove(record.BodyB));
+            Reach(record.BodyA == woken ? record.BodyB : record.BodyA);
+        }
+        else
+        {
+            _contacts.AddIdle(contact);
+        }
+
+        _events.Woke(this, record);
+    }
+
+    /// <summary>At the start of a step: what has been set from outside since the last one.</summary>
+    private void WakeWhatChanged(float dt)
+    {
+        _dt = dt;
+        bool isTurned = _lastSubstep > 0 && Settings.Gravity != _gravityAsleep;
+        if (AsleepCount > 0 && (!Settings.AllowSleep || isTurned || IsSleepBarred))
+        {
+            WakeAll();
+        }
+
+        _gravityAsleep = Settings.Gravity;
+        for (int i = 0; i < _handled.Count; i++)
+        {
+            int body = _handled[i];
+            ref BodyState state = ref Bodies.State[body];
+            Bodies.Flags[body] &= ~BodyFlags.Handled;
+            if (IsAsleep(body) && (state.LinearVelocity != Vector2.Zero || state.AngularVelocity != 0))
+            {
+                Wake(body);
+            }
+        }
+
+        _handled.Clear();
+        if (_put.Count > 0)
+        {
+            WakeBesideAwake();
+            LayDownContacts();
+        }
+    }
+
+    /// <summary>After the bodies are known: what stands on something that has a velocity does not sleep.</summary>
+    private void WakeByDriven()
+    {
+        _bodiesCollected = true;
+        for (int i = 0; AsleepCount > 0 && i < _lists.Driven.Count; i++)
+        {
+            WakeTouching(_lists.Driven[i]);
+        }
+    }
+
+    /// <summary>Bodies that were put to sleep one by one do not sleep beside awake ones.</summary>
+    private unsafe void WakeBesideAwake()
+    {
+        _layDown.Clear();
+        for (int i = 0; i < _put.Count; i++)
+        {
+            for (int entry = Joints.First(_put[i]); entry >= 0; entry = Joints.Next(entry))
+            {
+                JointLink link = Joints.Links[entry >> 1];
+                if ((Joints.Flags[entry >> 1] & JointFlags.Enabled) != 0 && !(IsStill(link.BodyA) && IsStill(link.BodyB)))
+                {
+                    _layDown.Add(_put[i]);
+                }
+            }
+        }
+
+        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        {
+            GraphColor color = _graph[c];
+            for (int k = 0; k < color.BundleCount * ContactBundle.Lanes; k++)
+            {
+                ContactBundle* row = color.Bundles + (k / ContactBundle.Lanes);
+                int lane = k % ContactBundle.Lanes;
+                int a = row->BodyA[lane];
+                int b = row->BodyB[lane];
+                if (IsAsleep(a) != IsAsleep(b) && !(IsStill(a) && IsStill(b)))
+                {
+                    _layDown.Add(IsAsleep(a) ? a : b);
+                }
+            }
+        }
+
+        for (int i = 0; i < _layDown.Count; i++)
+        {
+            Wake(_layDown[i]);
+        }
+    }
+}

@@ -1,0 +1,33 @@
+using Farseer.Engine.Simulation;
+using Farseer.Engine.Springs;
+
+namespace FarseerGames.FarseerPhysics.Bridge;
+
+/// <summary>What the engine was last told of a spring: when that changes, or ends, what the spring holds must wake.</summary>
+internal sealed class SpringMemory
+{
+    private World? _world;
+    private SpringDef _def;
+
+    public void Tell(World world, in SpringDef def)
+    {
+        if (!def.IsSameAs(_def))
+        {
+            _def = def;
+            _world = world;
+            WakeEnds();
+        }
+
+        _world = world;
+        world.ApplySpring(def);
+    }
+
+    public void WakeEnds()
+    {
+        if (_world is { AsleepCount: > 0 } world)
+        {
+            world.WakeUp(_def.BodyA);
+            world.WakeUp(_def.BodyB);
+        }
+    }
+}
