@@ -20,6 +20,7 @@ internal sealed class BodyLink
     private float _linearDamping;
     private float _angularDamping;
     private bool _keeps;
+    private bool _sleepsAtFirst;
 
     public BodyLink(World engine, b2BodyDef def)
     {
@@ -207,8 +208,43 @@ internal sealed class BodyLink
                 StateRef.LinearVelocity = _state.LinearVelocity;
                 StateRef.AngularVelocity = _state.AngularVelocity;
             }
+
+            if (_sleepsAtFirst)
+            {
+                _sleepsAtFirst = false;
+                PutToSleep();
+            }
         }
     }
+
+    /// <summary>A body that is not dynamic yet keeps that it is to sleep until it is.</summary>
+    public bool IsSleeping => IsStatic ? _sleepsAtFirst : IsAttached && !_engine.IsAwake(_handle);
+
+    public void WakeUp()
+    {
+        _sleepsAtFirst = false;
+        if (IsAttached && !IsStatic)
+        {
+            _engine.WakeUp(_handle);
+        }
+    }
+
+    public void PutToSleep()
+    {
+        if (IsStatic)
+        {
+            _sleepsAtFirst = true;
+        }
+        else if (!IsFrozen)
+        {
+            Velocity = default;
+            Spin = 0;
+            _engine.PutToSleep(Handle);
+        }
+    }
+
+    public void AllowSleep(bool allow) =>
+        _engine.SetFlags(Handle, allow ? BodyFlags.None : BodyFlags.NeverSleeps, allow ? BodyFlags.NeverSleeps : BodyFlags.None);
 
     /// <summary>Whether the body is kept from passing through moving bodies too.</summary>
     public bool IsBullet

@@ -22,6 +22,12 @@ internal sealed class EngineWorld : IStepHooks
     /// <summary>Depth of rest in slops: where bodies of the original come to rest at its usual settings.</summary>
     private const float RestShare = 0.5f;
 
+    /// <summary>
+    /// Share of half its size that a resting body may move: what the original's slowest speed makes of a body of a metre in the time to
+    /// sleep.
+    /// </summary>
+    private const float RestTolerance = 2 * Box2D.Common.b2Settings.b2_linearSleepTolerance * Box2D.Common.b2Settings.b2_timeToSleep;
+
     private readonly b2World _world;
     private readonly ListenerRelay _relay;
     private b2Shape?[] _shapes = new b2Shape?[16];
@@ -38,12 +44,19 @@ internal sealed class EngineWorld : IStepHooks
         settings.BounceThreshold = Box2D.Common.b2Settings.b2_velocityThreshold;
         settings.FrictionMix = FrictionMix.GeometricMean;
         settings.RestitutionMix = RestitutionMix.Maximum;
+        settings.AllowSleep = true;
+        settings.RestShare = RestTolerance;
+
+        // A body can be put to sleep also in a world in which none falls asleep.
+        settings.TimeToSleep = world.DoSleep ? Box2D.Common.b2Settings.b2_timeToSleep : float.MaxValue;
         World.Hooks = this;
     }
 
     public World World { get; } = new World();
 
     public ContactBook Contacts { get; } = new ContactBook();
+
+    public void SetGravityWakes(bool wakes) => World.Settings.GravityWakes = wakes;
 
     /// <summary>What ties a joint to this engine.</summary>
     public JointTie Tie(JointKind kind, bool collideConnected) => new JointTie(World, kind, collideConnected);

@@ -42,7 +42,7 @@ internal sealed class ListenerRelay
             {
                 PointsOf(contact);
             }
-            else
+            else if (!IsAsleep(contact))
             {
                 Removed(contact);
             }
@@ -77,6 +77,11 @@ internal sealed class ListenerRelay
         for (b2Contact? contact = _engine.Contacts.First; contact is not null; contact = contact.Next)
         {
             ContactPoints points = contact.Points;
+            if (points.Step != ToldStep)
+            {
+                continue;
+            }
+
             for (int i = 0; i < points.Count; i++)
             {
                 if (contact.IsSolid())
@@ -99,6 +104,14 @@ internal sealed class ListenerRelay
         }
 
         points.Clear();
+    }
+
+    /// <summary>Nothing happens between bodies asleep, or one and a static one: what touched goes on touching.</summary>
+    private static bool IsAsleep(b2Contact contact)
+    {
+        b2Body a = contact.Shape1.Body!;
+        b2Body b = contact.Shape2.Body!;
+        return (a.IsSleeping() || a.IsStatic()) && (b.IsSleeping() || b.IsStatic());
     }
 
     private void Tell(b2Contact contact, ref ContactPoint point, Happening happening)

@@ -23,6 +23,8 @@ public partial class b2World
         }
 
         b2Joint joint = def.Make(this);
+        bool asleep1 = joint.GetBody1().IsSleeping();
+        bool asleep2 = joint.GetBody2().IsSleeping();
         joint.Next = _joints;
         _joints = joint;
         _jointCount++;
@@ -34,8 +36,8 @@ public partial class b2World
             Engine.EndContacts(joint.GetBody1(), joint.GetBody2());
         }
 
-        joint.GetBody1().WakeBySetter();
-        joint.GetBody2().WakeBySetter();
+        SetAwake(joint.GetBody1(), asleep1);
+        SetAwake(joint.GetBody2(), asleep2);
         return joint;
     }
 
@@ -69,6 +71,19 @@ public partial class b2World
         }
 
         return false;
+    }
+
+    /// <summary>A new joint wakes its bodies but where the quirk says that it does not.</summary>
+    private void SetAwake(b2Body body, bool wasAsleep)
+    {
+        if (wasAsleep && (Quirks & Box2DFlash202Quirks.SettersWakeNobody) != 0)
+        {
+            body.Link.PutToSleep();
+        }
+        else
+        {
+            body.WakeUp();
+        }
     }
 
     private static void Link(b2Body body, b2JointEdge edge)

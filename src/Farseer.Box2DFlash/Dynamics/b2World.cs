@@ -21,6 +21,7 @@ public partial class b2World
     private int _bodyCount;
     private int _jointCount;
     private bool _locked;
+    private Box2DFlash202Quirks _quirks;
 
     /// <summary>Makes a world.</summary>
     /// <param name="worldAABB">The region of the bodies, metres; it is copied. A body that leaves it is frozen.</param>
@@ -43,16 +44,24 @@ public partial class b2World
         Require.Vector(gravity, nameof(gravity));
         _lower = new Vector2(worldAABB.lowerBound.x, worldAABB.lowerBound.y);
         _upper = new Vector2(worldAABB.upperBound.x, worldAABB.upperBound.y);
+        DoSleep = doSleep;
         Engine = new EngineWorld(this);
         Engine.SetGravity(gravity.x, gravity.y);
-        DoSleep = doSleep;
         _ground = new b2Body(this, new b2BodyDef());
         _bodies = _ground;
         _bodyCount = 1;
     }
 
     /// <summary>Which wrongs of version 2.0.2 are to be had. Default none.</summary>
-    public Box2DFlash202Quirks Quirks { get; set; }
+    public Box2DFlash202Quirks Quirks
+    {
+        get => _quirks;
+        set
+        {
+            _quirks = value;
+            Engine.SetGravityWakes((value & Box2DFlash202Quirks.SettersWakeNobody) == 0);
+        }
+    }
 
     internal EngineWorld Engine { get; }
 
@@ -255,6 +264,7 @@ public partial class b2World
 
         if (!IsLocked(nameof(Refilter)))
         {
+            shape.Body.WakeUp();
             Engine.Refilter(shape);
         }
     }
@@ -266,10 +276,6 @@ public partial class b2World
     {
         Require.Vector(gravity, nameof(gravity));
         Engine.SetGravity(gravity.x, gravity.y);
-        for (b2Body? b = _bodies; b is not null; b = b.Next)
-        {
-            b.WakeBySetter();
-        }
     }
 
     internal bool Overlaps(Vector2 min, Vector2 max) =>

@@ -55,6 +55,9 @@ internal sealed class WorldSettings
     /// <summary>Bodies that rest fall asleep. Default false.</summary>
     public bool AllowSleep { get; set; }
 
+    /// <summary>A change of gravity wakes all bodies; false is a quirk of an original. Default true.</summary>
+    public bool GravityWakes { get; set; } = true;
+
     /// <summary>Seconds that a body, and all that it is in touch with, must rest before they fall asleep. Above 0; default 0.5.</summary>
     public float TimeToSleep { get; set; } = 0.5f;
 

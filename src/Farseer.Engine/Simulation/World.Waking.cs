@@ -187,7 +187,7 @@ internal sealed partial class World
     private void WakeWhatChanged(float dt)
     {
         _dt = dt;
-        bool isTurned = _lastSubstep > 0 && Settings.Gravity != _gravityAsleep;
+        bool isTurned = _lastSubstep > 0 && Settings.GravityWakes && Settings.Gravity != _gravityAsleep;
         if (AsleepCount > 0 && (!Settings.AllowSleep || isTurned || IsSleepBarred))
         {
             WakeAll();

@@ -20,6 +20,11 @@ internal static class FlashJudge
             notes.Add("with " + quirks);
         }
 
+        if (FlashExemptions.Reason(file) is { } reason)
+        {
+            notes.Add("not compared: " + reason);
+        }
+
         foreach (int iterations in file.Iterations)
         {
             FlashRun run = FlashRun.Of(file, iterations, quirks);

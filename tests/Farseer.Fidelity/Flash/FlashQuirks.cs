@@ -9,6 +9,7 @@ internal static class FlashQuirks
     private static readonly Dictionary<string, Box2DFlash202Quirks> _byScene = new()
     {
         ["callback_lock"] = Box2DFlash202Quirks.LockedCallsDoNothing,
+        ["debug_draw"] = Box2DFlash202Quirks.SettersWakeNobody,
         ["gravity_change"] = Box2DFlash202Quirks.SettersWakeNobody,
         ["mouse_joint"] = Box2DFlash202Quirks.MouseJointSlowsTurn | Box2DFlash202Quirks.MouseJointStiffness,
         ["polygon_geometry"] = Box2DFlash202Quirks.BoxOfTurnedBox,

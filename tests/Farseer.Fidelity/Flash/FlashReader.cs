@@ -89,7 +89,11 @@ internal static class FlashReader
             }
         }
 
-        return events.ToEvents();
+        Dictionary<string, string> bodies = Json.Items(root, "bodies").SelectMany(Shapes).ToDictionary(g => g.Id, g => g.Body!);
+        int steps = root.GetProperty("steps").GetInt32();
+        return events.ToEvents(shape => bodies.TryGetValue(shape, out string? body)
+            ? SleepIntervals.Of(SleepIntervals.Read(root, key, body), steps)
+            : []);
     }
 
     private static IEnumerable<MadeObject> Shapes(JsonElement body)

@@ -43,7 +43,7 @@ internal sealed class FlashRun
         new Recording(
             _rows.ToDictionary(p => p.Key, p => p.Value.ToArray()),
             _observed.ToDictionary(p => p.Key, p => p.Value.ToArray()),
-            _scene.Log.Contacts.ToEvents(),
+            _scene.Log.Contacts.ToEvents(SleepOf),
             _answers),
         _masses,
         new Dictionary<string, JsonElement>());
@@ -64,6 +64,14 @@ internal sealed class FlashRun
     };
 
     public static FlashRun Of(SceneFile file, int iterations, Box2DFlash202Quirks quirks) => new(file, iterations, quirks);
+
+    private IEnumerable<(int From, int To)> SleepOf(string shape)
+    {
+        string? body = _scene.File.Geoms.FirstOrDefault(g => g.Id == shape)?.Body;
+        return body is not null && SleepChanges.TryGetValue(body, out List<(int Step, bool State)>? changes)
+            ? SleepIntervals.Of(changes, _scene.File.Steps)
+            : [];
+    }
 
     private void StepThrough(int iterations)
     {

@@ -36,6 +36,12 @@ internal static class FlashSlops
             };
         }
 
+        if (Json.Optional(file.Root, "inAddCallback").ValueKind == JsonValueKind.Array)
+        {
+            // What a listener does comes with the contact, which may begin a step earlier or later.
+            limit = limit with { LinearVelocity = limit.LinearVelocity + (Impacts.Gravity(file) * file.Dt * 1.001) };
+        }
+
         if (!HasLimits(file))
         {
             return limit;

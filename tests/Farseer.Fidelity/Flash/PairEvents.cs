@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Farseer.Fidelity.Running;
@@ -9,7 +10,7 @@ namespace Farseer.Fidelity.Flash;
 /// The calls of a contact listener by pair of shapes. A pair begins with the Add of its first point and ends with the Remove of its
 /// last one; in between, which of its features a point is named by, and so whether it is exchanged for another, is the detail of the
 /// original's clipping. Which shape comes first is not compared either, nor a contact that is lost for no more than two steps and had
-/// again.
+/// again, nor what is told of bodies asleep: the original tells of them or not by a flag that their static neighbours take over.
 /// </summary>
 internal sealed class PairEvents
 {
@@ -39,8 +40,17 @@ internal sealed class PairEvents
         }
     }
 
-    public IReadOnlyList<SceneEvent> ToEvents()
+    /// <param name="asleep">From when until when the body of a shape slept: meanwhile a pair goes on as it was, told or not.</param>
+    public IReadOnlyList<SceneEvent> ToEvents(Func<string, IEnumerable<(int From, int To)>> asleep)
     {
+        foreach (Pair pair in _order)
+        {
+            foreach ((int from, int to) in asleep(pair.First).Concat(asleep(pair.Second)).OrderBy(i => i.From))
+            {
+                pair.Sleep(from, to);
+            }
+        }
+
         List<(int Step, string Kind, Pair Pair)> all = [.. _order.SelectMany(p => p.Events().Select(e => (e.Step, e.Kind, p)))];
         EventLog log = new();
         foreach ((int step, string kind, Pair pair) in all.OrderBy(e => e.Step))
@@ -63,6 +73,14 @@ internal sealed class PairEvents
         public List<int> Solved { get; } = [];
 
         public List<int> Removed { get; } = [];
+
+        public void Sleep(int from, int to)
+        {
+            int removed = Removed.Find(r => r >= from);
+            int end = removed >= from && removed > 0 ? Math.Min(to, removed - 1) : to;
+            Fill(Touching, from, end);
+            Fill(Solved, from, end);
+        }
 
         public IEnumerable<(int Step, string Kind)> Events()
         {
@@ -88,6 +106,24 @@ internal sealed class PairEvents
                     yield return (step, "Result");
                 }
             }
+        }
+
+        private static void Fill(List<int> steps, int from, int to)
+        {
+            if (!steps.Exists(s => s < from && s >= from - 1 - ShortLoss))
+            {
+                return;
+            }
+
+            for (int step = from; step <= to; step++)
+            {
+                if (!steps.Contains(step))
+                {
+                    steps.Add(step);
+                }
+            }
+
+            steps.Sort();
         }
 
         private static IEnumerable<(int Begin, int End)> Runs(List<int> steps)

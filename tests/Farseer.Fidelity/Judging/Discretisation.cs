@@ -49,7 +49,10 @@ public sealed class Discretisation
             bool impact = impacts.Between(k - 1);
             double share = impact ? file.LongestDt : file.LongestDt / 2;
             double elapsed = (file.SampleSteps[k] - file.SampleSteps[k - 1]) * (double)file.Dt;
-            _position[k] = _position[k - 1] + (share * Speed(rows[k], rows[k - 1]));
+
+            // Where rows are far apart a body may have gained speed between the row and the impact.
+            double gained = impact && file.Format == SceneFormat.Box2DFlash ? gravity * elapsed : 0;
+            _position[k] = _position[k - 1] + (share * (Speed(rows[k], rows[k - 1]) + gained));
             _rotation[k] = _rotation[k - 1] + (share * Math.Abs(rows[k].AngularVelocity - rows[k - 1].AngularVelocity));
 
             // The speed at an impact is that at a moment known to one step, on either side of it.
