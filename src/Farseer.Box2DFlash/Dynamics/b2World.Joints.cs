@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Box2D.Bridge;
 using Box2D.Dynamics.Joints;
 
@@ -23,8 +24,7 @@ public partial class b2World
         }
 
         b2Joint joint = def.Make(this);
-        bool asleep1 = joint.GetBody1().IsSleeping();
-        bool asleep2 = joint.GetBody2().IsSleeping();
+        List<b2Body>? asleep = (Quirks & Box2DFlash202Quirks.SettersWakeNobody) != 0 ? Sleeping() : null;
         joint.Next = _joints;
         _joints = joint;
         _jointCount++;
@@ -36,8 +36,16 @@ public partial class b2World
             Engine.EndContacts(joint.GetBody1(), joint.GetBody2());
         }
 
-        SetAwake(joint.GetBody1(), asleep1);
-        SetAwake(joint.GetBody2(), asleep2);
+        if (asleep is null)
+        {
+            joint.GetBody1().WakeUp();
+            joint.GetBody2().WakeUp();
+        }
+        else
+        {
+            PutBack(asleep);
+        }
+
         return joint;
     }
 
@@ -73,17 +81,30 @@ public partial class b2World
         return false;
     }
 
-    /// <summary>A new joint wakes its bodies but where the quirk says that it does not.</summary>
-    private void SetAwake(b2Body body, bool wasAsleep)
+    /// <summary>The engine wakes what a new joint reaches; with the quirk it goes on sleeping.</summary>
+    private static void PutBack(List<b2Body> asleep)
     {
-        if (wasAsleep && (Quirks & Box2DFlash202Quirks.SettersWakeNobody) != 0)
+        foreach (b2Body body in asleep)
         {
-            body.Link.PutToSleep();
+            if (!body.IsSleeping())
+            {
+                body.Link.PutToSleep();
+            }
         }
-        else
+    }
+
+    private List<b2Body> Sleeping()
+    {
+        var bodies = new List<b2Body>();
+        for (b2Body? body = _bodies; body is not null; body = body.Next)
         {
-            body.WakeUp();
+            if (body.IsDynamic() && body.IsSleeping())
+            {
+                bodies.Add(body);
+            }
         }
+
+        return bodies;
     }
 
     private static void Link(b2Body body, b2JointEdge edge)

@@ -185,16 +185,17 @@ public sealed class JointTests
 
         // 50 N bring 1 kg to 2 m/s in 0.04 s, on the first 0.04 m.
         Assert.Equal(0.96, joint.GetJointTranslation(), 0.005);
-        slider.ApplyImpulse(new b2Vec2(0, 1), new b2Vec2(0.5f, 0));
-        Bench.Step(world, 60);
-        Assert.Equal(1.5, joint.GetJointTranslation(), 0.01);
-        Assert.Equal(0, slider.GetAngle(), 1e-3);
-        Assert.Equal(0, slider.GetPosition().y, 1e-3);
         joint.SetMotorSpeed(-1);
         joint.SetMaxMotorForce(10);
         Bench.Step(world, 30);
         Assert.Equal(-1, joint.GetJointSpeed(), 1e-2);
         Assert.True(Math.Abs(joint.GetMotorForce()) <= 10.01);
+        joint.SetMotorSpeed(2);
+        slider.ApplyImpulse(new b2Vec2(0, 1), new b2Vec2(0.5f, 0));
+        Bench.Step(world, 120);
+        Assert.Equal(1.5, joint.GetJointTranslation(), 0.01);
+        Assert.Equal(0, slider.GetAngle(), 1e-3);
+        Assert.Equal(0, slider.GetPosition().y, 1e-3);
         Assert.Null(typeof(b2PrismaticJoint).GetMethod("SetMotorForce"));
         def.localAxis1.Set(0, 0);
         Assert.Throws<ArgumentException>(() => world.CreateJoint(def));

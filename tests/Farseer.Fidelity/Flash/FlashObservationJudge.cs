@@ -15,8 +15,6 @@ namespace Farseer.Fidelity.Flash;
 /// </summary>
 internal static class FlashObservationJudge
 {
-    /// <summary>As for the states of sleep: see <see cref="FlashListJudge"/>.</summary>
-    private const double SleepShift = 0.25;
     private const int StepShift = 2;
 
     /// <summary>Rounding counts against this if all values are smaller, 0 for example.</summary>
@@ -38,7 +36,7 @@ internal static class FlashObservationJudge
 
     private static Check Counted(SceneFile file, string what, JsonElement[] expected, JsonElement[] got)
     {
-        int shift = what.EndsWith("IsSleeping", StringComparison.Ordinal) ? (int)Math.Ceiling(SleepShift / file.Dt) : StepShift;
+        int shift = what.EndsWith("IsSleeping", StringComparison.Ordinal) ? (int)Math.Ceiling(FlashListJudge.SleepShift / file.Dt) : StepShift;
         for (int k = 0; k < got.Length; k++)
         {
             int step = file.SampleSteps[k];
