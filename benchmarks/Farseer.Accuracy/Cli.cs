@@ -21,7 +21,7 @@ internal static class Cli
           --iterations N[,N..]  values of PhysicsSimulator.Iterations (default 5)
           --dt S[,S..]          step lengths, seconds or fractions such as 1/240 (default 1/60)
           --penetration F       AllowedPenetration as a share of the smallest body extent, 0 to 1e-4 (default 0)
-          --runs N              runs for the clock: the first warms up, the median of the others counts (default 1)
+          --runs N              runs for the clock: the first warms up, the least of the others counts (default 1)
           --csv FILE            writes the rows to a file too
           list                  the scenes, their parameters and metrics
           sweep [--out FILE] [--runs N]

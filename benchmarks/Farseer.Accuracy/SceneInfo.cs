@@ -46,6 +46,7 @@ internal static class Catalogue
         .. Accuracy.Scenes.Pendulums.Scenes,
         .. Accuracy.Scenes.Chains.Scenes,
         .. Accuracy.Scenes.Mechanisms.Scenes,
+        .. Accuracy.Scenes.Sleepers.Scenes,
         .. Accuracy.Scenes.Endurance.Scenes,
     ];
 

@@ -89,6 +89,8 @@ internal static class Aims
         new("prismatic slide", "S25b_prismatic_slide=30", "perp_error_mm", 1e-3),
         new("gear", "S25c_gear=2", "gear_angle_error_max_deg", 1e-5),
         new("motor", "S26_motor=1", "lift_threshold_rel_error", 1e-5),
+        new("sleep, pyramid of 10", "S27_sleep_pyramid=10", "max_pos_difference_mm", 0.01),
+        new("sleep, pyramid of 10", "S27_sleep_pyramid=10", "asleep_frac", 1, AtLeast: true),
         new("soak of 10⁶ steps", "S28_soak=1e6", "incline_creep_mm", 0.05),
         new("soak of 10⁶ steps", "S28_soak=1e6", "stack_top_drift_mm", 0.05),
         new("soak of 10⁶ steps", "S28_soak=1e6", "pendulum_energy_ratio", 0.999, AtLeast: true),

@@ -73,6 +73,7 @@ internal static class FastBodies
                     rig.Friction = 0;
                     Actor wall = rig.AddBox(0, 0, 0.02, 2, density: 1000);
                     Actor shot = rig.AddCircle(-5 - (travel * j / Starts), 0, 0.1);
+                    shot.Body.IsBullet = true;
                     shot.Velocity = new Vec(trial.Parameter, 0);
                     double momentum = shot.Mass * shot.Velocity.X;
                     rig.RunSteps((int)Math.Ceiling((8 + travel) / travel) + 2);
