@@ -56,6 +56,8 @@ internal sealed class EngineWorld : IStepHooks
 
     public ContactBook Contacts { get; } = new ContactBook();
 
+    public ulong StateHash() => World.StateHash();
+
     public void SetGravityWakes(bool wakes) => World.Settings.GravityWakes = wakes;
 
     /// <summary>What ties a joint to this engine.</summary>

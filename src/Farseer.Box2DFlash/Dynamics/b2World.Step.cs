@@ -56,6 +56,13 @@ public partial class b2World
         Engine.Rethrow();
     }
 
+    /// <summary>
+    /// A hash of the places and velocities of all bodies, equal on every platform for equal worlds: to compare runs, for example of two
+    /// players. (An addition to the original.)
+    /// </summary>
+    /// <returns>The hash.</returns>
+    public ulong StateHash() => Engine.StateHash();
+
     /// <summary>Whether impulses of the last step start the next one. Kept for old code: here they always do, since results are better.</summary>
     /// <param name="flag">Not used.</param>
     public void SetWarmStarting(bool flag) => _ = flag;
