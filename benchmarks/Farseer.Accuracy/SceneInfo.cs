@@ -37,7 +37,6 @@ internal static class Catalogue
         .. Accuracy.Scenes.Friction.Scenes,
         .. Accuracy.Scenes.Springs.Scenes,
         .. Accuracy.Scenes.Stacks.Scenes,
-        .. Accuracy.Scenes.Sleep.Scenes,
         .. Accuracy.Scenes.Masonry.Scenes,
         .. Accuracy.Scenes.Overlaps.Scenes,
         .. Accuracy.Scenes.FastBodies.Scenes,
