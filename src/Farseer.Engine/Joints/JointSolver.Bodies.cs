@@ -109,11 +109,13 @@ internal sealed unsafe partial class JointSolver
             _forest.Trees[i].Exact = _forest.Trees[i].Eliminates;
         }
 
-        // Soft joints tie their bodies as well: moved by laws that differ by g·h² they would be pulled askew.
+        // Iterated joints tie their bodies as well: moved by laws that differ by g·h² they would be pulled askew. And a force that
+        // turns with its bodies is not the steady one that the exact law is for: a pair that whirls at the end of its rope would gain
+        // the share ωh/2 of the rope's force along its way, and tear off within seconds.
         for (int at = 0; at < _jointCount; at++)
         {
             int i = _joints[at];
-            if (_active[i].Role == JointRole.Iterated && _rows[i].Count > 0 && _rows[i].Type[0] == (byte)RowType.Motor)
+            if (_active[i].Role == JointRole.Iterated && (_rows[i].Hard > 0 || Acts(_active.Pointer + i, _rows.Pointer + i)))
             {
                 MarkExact(_active[i].Ends.NodeA);
                 MarkExact(_active[i].Ends.NodeB);
