@@ -93,7 +93,8 @@ internal static unsafe class BounceKernel
                 x1.Store(row->Point1.Normal + lane);
                 if (last)
                 {
-                    Wide.Select(any, Wide.Splat(1f), Wide.Load(row->Struck + lane)).Store(row->Struck + lane);
+                    Wide blow = Wide.Max(x0 + x1, Wide.Splat(float.Epsilon));
+                    Wide.Select(any, blow, Wide.Load(row->Struck + lane)).Store(row->Struck + lane);
                     Release(ref row->Point0, lane, any);
                     Release(ref row->Point1, lane, any);
                 }

@@ -71,7 +71,7 @@ internal unsafe struct ContactBundle
     /// <summary>Combined restitution; 0: the restitution pass skips the contact.</summary>
     public fixed float Restitution[Lanes];
 
-    /// <summary>1 if the pair bounced in this step, else 0: by the step's end nothing else tells of an impact.</summary>
+    /// <summary>Impulse of the last bounce of the pair in this step, else 0: by the step's end nothing else tells of an impact.</summary>
     public fixed float Struck[Lanes];
 
     /// <summary>Index of the contact record; -1 in an empty lane.</summary>

@@ -96,9 +96,9 @@ internal sealed unsafe partial class JointSolver
         for (int i = 0; i < _contactCount; i++)
         {
             TreeContact* contact = _contacts.Pointer + i;
-            if (contact->Struck)
+            if (contact->Struck > 0)
             {
-                contact->Bundle->Struck[contact->Lane] = 1;
+                contact->Bundle->Struck[contact->Lane] = (float)contact->Struck;
             }
 
             GiveBack(contact->Point0, &contact->Bundle->Point0, contact->Lane);

@@ -47,7 +47,9 @@ internal unsafe struct TreeContact
     /// <summary>0, 1 or 2.</summary>
     public int Points;
     public bool Deep;
-    public bool Struck;
+
+    /// <summary>Impulse of the last bounce in the step, both points together; 0: none.</summary>
+    public double Struck;
     public double NormalX;
     public double NormalY;
     public double Friction;

@@ -20,7 +20,7 @@ internal sealed unsafe partial class TreeContactPass
         double driveA = contact->Ends.NodeA < 0 ? 0 : (contact->NormalX * a.X) + (contact->NormalY * a.Y);
         double driveB = contact->Ends.NodeB < 0 ? 0 : (contact->NormalX * b.X) + (contact->NormalY * b.Y);
         double acceleration = (driveB - driveA) * _c.InverseSubstep;
-        double slow = BounceKernel.RestSubsteps * Math.Max(Math.Abs(driveA), Math.Abs(driveB));
+        double slow = Math.Max(BounceKernel.RestSubsteps * Math.Max(Math.Abs(driveA), Math.Abs(driveB)), _c.BounceThreshold);
         contact->Point0.Bounce = Target(contact->Point0, v0, acceleration, slow, contact->Restitution);
         contact->Point1.Bounce = contact->Points > 1 ? Target(contact->Point1, v1, acceleration, slow, contact->Restitution) : 0;
     }
@@ -44,7 +44,7 @@ internal sealed unsafe partial class TreeContactPass
         Rub(contact, x0, x1);
         if (last)
         {
-            contact->Struck = true;
+            contact->Struck = Math.Max(x0 + x1, float.Epsilon);
             Release(p0);
             Release(p1);
         }

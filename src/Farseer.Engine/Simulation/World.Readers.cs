@@ -109,19 +109,26 @@ internal sealed partial class World
         int lane = color.LaneOf(record.Row);
         if (bundle->Point0.Id[lane] == feature)
         {
-            normal = bundle->Point0.Normal[lane] * Settings.Substeps;
+            normal = ImpulseOf(bundle, lane, bundle->Point0.Normal[lane]);
             tangent = bundle->Point0.Tangent[lane] * Settings.Substeps;
             return true;
         }
 
         if (bundle->Point1.Id[lane] == feature)
         {
-            normal = bundle->Point1.Normal[lane] * Settings.Substeps;
+            normal = ImpulseOf(bundle, lane, bundle->Point1.Normal[lane]);
             tangent = bundle->Point1.Tangent[lane] * Settings.Substeps;
             return true;
         }
 
         return false;
+    }
+
+    /// <summary>A point that bounced has let go of its impulse: then that of the blow counts, which the points of the contact share.</summary>
+    private unsafe float ImpulseOf(ContactBundle* bundle, int lane, float normal)
+    {
+        float blow = bundle->Struck[lane] * (bundle->Single[lane] > 0 ? 1f : 0.5f);
+        return normal > 0 ? normal * Settings.Substeps : blow;
     }
 
     /// <summary>64-bit hash (FNV-1a) of the poses and velocities of all live bodies, in order; equal on every platform.</summary>

@@ -40,6 +40,24 @@ public sealed class ListenerTests
     }
 
     [Fact]
+    public void Result_OfABounce_IsTheWholeBlow()
+    {
+        b2World world = Bench.World(0);
+        Recorder recorder = new();
+        world.SetContactListener(recorder);
+        Bench.Static(world, 5, 0, 0.5f, 5);
+        b2Body ball = Bench.Ball(world, 0, 0, 0.5f, 0.5f);
+        ball.SetLinearVelocity(new b2Vec2(4, 0));
+        for (int i = 0; i < 120 && ball.GetLinearVelocity().x > 0; i++)
+        {
+            world.Step(Bench.Dt, 10);
+        }
+
+        Assert.Equal(-2, ball.GetLinearVelocity().x, 0.01);
+        Assert.Equal(6 * ball.GetMass(), recorder.ImpulseOfLastStep, 0.05);
+    }
+
+    [Fact]
     [ManualRow("B281", "B282")]
     public void Points_AreOneObjectUsedAgain()
     {
