@@ -223,13 +223,30 @@ internal sealed partial class World
         }
     }
 
-    /// <summary>Bodies that were put to sleep one by one do not sleep beside awake ones.</summary>
-    private unsafe void WakeBesideAwake()
+    /// <summary>
+    /// Bodies that were put to sleep one by one do not sleep beside awake ones; nor beside those that this wakes, whose rows are not
+    /// dormant yet, so that no flood finds them.
+    /// </summary>
+    private void WakeBesideAwake()
     {
-        _layDown.Clear();
+        do
+        {
+            _layDown.Clear();
+            FindJointedToAwake();
+            FindTouchingAwake();
+            for (int i = 0; i < _layDown.Count; i++)
+            {
+                Wake(_layDown[i]);
+            }
+        }
+        while (_layDown.Count > 0);
+    }
+
+    private void FindJointedToAwake()
+    {
         for (int i = 0; i < _put.Count; i++)
         {
-            for (int entry = Joints.First(_put[i]); entry >= 0; entry = Joints.Next(entry))
+            for (int entry = Joints.First(_put[i]); IsAsleep(_put[i]) && entry >= 0; entry = Joints.Next(entry))
             {
                 JointLink link = Joints.Links[entry >> 1];
                 if ((Joints.Flags[entry >> 1] & JointFlags.Enabled) != 0 && !(IsStill(link.BodyA) && IsStill(link.BodyB)))
@@ -238,7 +255,10 @@ internal sealed partial class World
                 }
             }
         }
+    }
 
+    private unsafe void FindTouchingAwake()
+    {
         for (int c = 0; c < ConstraintGraph.ColorCount; c++)
         {
             GraphColor color = _graph[c];
@@ -253,11 +273,6 @@ internal sealed partial class World
                     _layDown.Add(IsAsleep(a) ? a : b);
                 }
             }
-        }
-
-        for (int i = 0; i < _layDown.Count; i++)
-        {
-            Wake(_layDown[i]);
         }
     }
 }

@@ -28,6 +28,13 @@ public class SleepProperties
     }
 
     [Fact]
+    public void BodyPutToSleepBesideOneThatIsWokenAgain_WakesWithIt()
+    {
+        // It kept its row against the other, which the solver then worked on: a sleeper got a velocity.
+        Run(64738152);
+    }
+
+    [Fact]
     public void World_DisturbedAtRandom_HasBodiesAsleep()
     {
         // The property above would hold of a world that never sleeps.
