@@ -175,11 +175,8 @@ internal sealed partial class World
 
     private unsafe void FormGroups(in RestInput input)
     {
-        if (_lists.Driven.Count > 0)
-        {
-            RestartBesideDriven();
-        }
-
+        // Not only those that the step began with: a handler may have set one going since.
+        RestartBesideDriven();
         _rest.Open(input);
         for (int joint = 0; joint < Joints.Ids.End; joint++)
         {

@@ -27,12 +27,11 @@ public class SleepProperties
         }).QuickCheckThrowOnFailure();
     }
 
-    [Fact]
-    public void BodyPutToSleepBesideOneThatIsWokenAgain_WakesWithIt()
-    {
-        // It kept its row against the other, which the solver then worked on: a sleeper got a velocity.
-        Run(64738152);
-    }
+    /// <summary>Each kept a row that the solver went on with, and a sleeper got a velocity.</summary>
+    [Theory]
+    [InlineData(64738152)] // Put to sleep beside one that was put to sleep too and is woken again.
+    [InlineData(1031853712)] // Falls asleep in the step in which a handler sets the platform under it going.
+    public void Body_ThatMayNotSleepWhereItIs_IsWokenBeforeItIsSolved(int seed) => Run(seed);
 
     [Fact]
     public void World_DisturbedAtRandom_HasBodiesAsleep()
