@@ -55,6 +55,11 @@ internal sealed unsafe class JointPass
         for (int k = 0; k < r->Count; k++)
         {
             joint->Response[k] = RowEnds.Response(nodes, &joint->Ends, r->A + (k * 3), r->B + (k * 3));
+            if (IsStalled(joint, r, k))
+            {
+                joint->Response[k] = 0;
+            }
+
             SetSpring(nodes, joint, r, k, h);
         }
 
@@ -293,6 +298,7 @@ internal sealed unsafe class JointPass
         double response = joint->Response[k];
         if (!(response > 0))
         {
+            Press(joint, r, k);
             return;
         }
 
@@ -334,6 +340,41 @@ internal sealed unsafe class JointPass
 
         joint->Lambda[k] = now;
         Apply(joint, r, k, now - old);
+    }
+
+    /// <summary>A motor whose tree leaves it no freedom: its own limit holds, or joints on both sides of it.</summary>
+    private bool IsStalled(ActiveJoint* joint, JointRows* r, int k)
+    {
+        if (r->Type[k] != (byte)RowType.Motor || r->Damping[k] > 0)
+        {
+            return false;
+        }
+
+        double* a = r->A + (k * 3);
+        double* b = r->B + (k * 3);
+        return RowEnds.Response(_view.Nodes, &joint->Ends, a, b, a, b)
+            <= RowEnds.Dead * RowEnds.Own(_view.Nodes, &joint->Ends, a, b);
+    }
+
+    /// <summary>
+    /// A stalled motor pushes with what it has, or with what would set its bodies alone going. The tree takes that up; the limit that it
+    /// pushes away from is let go when the trees are next solved. Nothing gathers: what it pushed before does not count.
+    /// </summary>
+    private void Press(ActiveJoint* joint, JointRows* r, int k)
+    {
+        if (r->Type[k] != (byte)RowType.Motor || r->Damping[k] > 0)
+        {
+            return;
+        }
+
+        double own = RowEnds.Own(_view.Nodes, &joint->Ends, r->A + (k * 3), r->B + (k * 3));
+        if (own > 0)
+        {
+            double old = joint->Lambda[k];
+            double wanted = (r->Speed[k] - RowSpeed(joint, r, k)) / own;
+            joint->Lambda[k] = Math.Max(r->Low[k], Math.Min(r->High[k], wanted));
+            Apply(joint, r, k, joint->Lambda[k] - old);
+        }
     }
 
     private static double Limit(ActiveJoint* joint, JointRows* r, int k, double v, double h, bool biased)

@@ -145,7 +145,10 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
-    /// <summary>Lets go of limits that pull, and holds those that are being passed.</summary>
+    /// <summary>
+    /// Lets go of limits that pull, and holds those that are being passed. What was just let go still stands where the limit held it:
+    /// whether it is being passed is for the next round to see, not for the rounding of that standstill.
+    /// </summary>
     /// <returns>True if the set changed.</returns>
     private bool ReviseLimits(JointTree* tree, TargetKind kind, bool release)
     {
@@ -155,8 +158,7 @@ internal sealed unsafe partial class JointSolver
             TreeNode* node = _forest.Nodes + i;
             if (node->HasLimits)
             {
-                changed |= release && ReleaseEdge(node);
-                changed |= LockEdge(node, kind);
+                changed |= (release && ReleaseEdge(node)) || LockEdge(node, kind);
             }
         }
 
@@ -165,8 +167,7 @@ internal sealed unsafe partial class JointSolver
             TreeAnchor* anchor = _forest.Anchors + i;
             if (_active[anchor->Active].BlockLimits)
             {
-                changed |= release && ReleaseAnchor(anchor);
-                changed |= LockAnchor(anchor, kind);
+                changed |= (release && ReleaseAnchor(anchor)) || LockAnchor(anchor, kind);
             }
         }
 
