@@ -22,15 +22,16 @@ internal static class HelpCommand
               --out f.svg           the file (default: the scene's name)
               --show LIST           besides: vertices,grids,boxes,axes or all
               --iterations N, --dt S
-          advise <scene|file.json>  the cheapest setting that keeps an error, with the curve
-              --error E             the largest error, a length (default: 1/10000 of the view)
+          advise <scene|file.json>  the cheapest setting for an error, with the curve
+              --error E             the largest error (default: 1/10000 of the view)
               --steps N             how much of the scene (default: all, at most 10 s)
           check                     run all scenes and compare with what must come out
           help                      this
 
         Without arguments: a menu in a terminal, otherwise the scene falling-stack.
         A scene file is described in docs/SceneFormat.md.
-        Exit code: 0 fine, 1 a check failed or no setting found, 2 wrong use or a broken file.
+        Exit code: 0 fine, 1 a check failed or no setting found, 2 wrong use or a
+        broken file.
         """;
 
     public static int Execute()

@@ -229,20 +229,47 @@ internal sealed unsafe partial class JointSolver
         {
         }
 
-        for (int at = 0; at < _nodeCount; at++)
+        for (int at = 0; at < _treeCount; at++)
         {
-            int i = _nodes[at];
-            TreeNode* node = _forest.Nodes + i;
-            if (_forest.Trees[node->Tree].Astray)
+            JointTree* tree = _forest.Trees + _trees[at];
+            if (tree->Astray && !GainsByProjection(tree))
             {
-                for (int k = 0; k < 3; k++)
+                for (int i = tree->First; i < tree->End; i++)
                 {
-                    node->Velocity[k] = (node->Move[k] - node->StartMove[k]) / _step.Substep;
+                    TreeNode* node = _forest.Nodes + i;
+                    node->Velocity[0] = ProjectedSpeed(node, 0);
+                    node->Velocity[1] = ProjectedSpeed(node, 1);
+                    node->Velocity[2] = ProjectedSpeed(node, 2);
                 }
             }
         }
 
         StoreVelocities();
+    }
+
+    private double ProjectedSpeed(TreeNode* node, int k) => (node->Move[k] - node->StartMove[k]) / _step.Substep;
+
+    /// <summary>
+    /// The way to the projected place, taken as a speed, has more energy than the body had. A chain that is as long as its gap can close an
+    /// error along itself only by a far larger bend: as a speed that bend would throw off what lies on it. The bodies keep the speeds
+    /// that they had, which the relax pass brings into line with the joints.
+    /// </summary>
+    private bool GainsByProjection(JointTree* tree)
+    {
+        double gain = 0;
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            for (int k = 0; k < 3; k++)
+            {
+                double inverse = k < 2 ? node->InverseMass : node->InverseInertia;
+                double projected = ProjectedSpeed(node, k);
+                double plain = node->PlainVelocity[k];
+                gain += inverse > 0 ? ((projected * projected) - (plain * plain)) / inverse : 0;
+            }
+        }
+
+        return gain > 0;
     }
 
     /// <summary>
@@ -379,10 +406,42 @@ internal sealed unsafe partial class JointSolver
             if (_forest.Trees[node->Tree].HasRows)
             {
                 double* v = node->Velocity;
+                for (int k = 0; k < 3; k++)
+                {
+                    node->PlainMove[k] = node->Move[k];
+                }
+
                 SetMove(node, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), node->Move[2] + (h * v[2]));
                 v[0] = node->Saved[0];
                 v[1] = node->Saved[1];
                 v[2] = node->Saved[2];
+            }
+        }
+
+        TakeBackPushes();
+    }
+
+    /// <summary>
+    /// A push goes along the joints' directions at its start. Where that leaves a tree out of joint it is taken back: a taut chain answers
+    /// a push across with a wide bend, and to put its joints right again would throw off what lies on it.
+    /// </summary>
+    private void TakeBackPushes()
+    {
+        LoadPoses();
+        WriteErrors();
+        for (int at = 0; at < _treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            if (!tree->HasRows || !tree->Eliminates)
+            {
+                continue;
+            }
+
+            SetTargets(tree, TargetKind.Projection);
+            for (int i = tree->First; i < tree->End && tree->Worst > Failed; i++)
+            {
+                TreeNode* node = _forest.Nodes + i;
+                SetMove(node, node->PlainMove[0], node->PlainMove[1], node->PlainMove[2]);
             }
         }
     }
