@@ -54,12 +54,7 @@ internal sealed unsafe class JointPass
 
         for (int k = 0; k < r->Count; k++)
         {
-            joint->Response[k] = RowEnds.Response(nodes, &joint->Ends, r->A + (k * 3), r->B + (k * 3));
-            if (IsStalled(joint, r, k))
-            {
-                joint->Response[k] = 0;
-            }
-
+            joint->Response[k] = IsStalled(joint, r, k) ? 0 : RowEnds.Response(nodes, &joint->Ends, r->A + (k * 3), r->B + (k * 3));
             SetSpring(nodes, joint, r, k, h);
         }
 
@@ -342,10 +337,13 @@ internal sealed unsafe class JointPass
         Apply(joint, r, k, now - old);
     }
 
+    /// <summary>Soft joints are motors too, with a compliance that leaves them a response.</summary>
+    private static bool IsRigidMotor(JointRows* r, int k) => r->Type[k] == (byte)RowType.Motor && !(r->Damping[k] > 0);
+
     /// <summary>A motor whose tree leaves it no freedom: its own limit holds, or joints on both sides of it.</summary>
     private bool IsStalled(ActiveJoint* joint, JointRows* r, int k)
     {
-        if (r->Type[k] != (byte)RowType.Motor || r->Damping[k] > 0)
+        if (!IsRigidMotor(r, k))
         {
             return false;
         }
@@ -362,7 +360,7 @@ internal sealed unsafe class JointPass
     /// </summary>
     private void Press(ActiveJoint* joint, JointRows* r, int k)
     {
-        if (r->Type[k] != (byte)RowType.Motor || r->Damping[k] > 0)
+        if (!IsRigidMotor(r, k))
         {
             return;
         }

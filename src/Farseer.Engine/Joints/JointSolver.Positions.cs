@@ -438,7 +438,12 @@ internal sealed unsafe partial class JointSolver
             }
 
             SetTargets(tree, TargetKind.Projection);
-            for (int i = tree->First; i < tree->End && tree->Worst > Failed; i++)
+            if (!(tree->Worst > Failed))
+            {
+                continue;
+            }
+
+            for (int i = tree->First; i < tree->End; i++)
             {
                 TreeNode* node = _forest.Nodes + i;
                 SetMove(node, node->PlainMove[0], node->PlainMove[1], node->PlainMove[2]);
