@@ -185,7 +185,7 @@ public partial class PhysicsSimulator : IDisposable
                     + (GeomList.Count + _geomsWaiting).ToString(System.Globalization.CultureInfo.InvariantCulture) + ".");
             }
 
-            if (value is IEngineCollider own && !ReferenceEquals(own.Core.Owner, this))
+            if (value is LibraryCollider own && !ReferenceEquals(own.Core.Owner, this))
             {
                 throw new ArgumentException("The collider was made for another simulator.", nameof(BroadPhaseCollider));
             }
@@ -337,7 +337,7 @@ public partial class PhysicsSimulator : IDisposable
 
     private void UseCollider(IBroadPhaseCollider collider)
     {
-        _relay.Collider = (collider as IEngineCollider)?.Core;
+        _relay.Collider = (collider as LibraryCollider)?.Core;
         World.SetBroadPhase(_relay.Collider?.Engine ?? new UserBroadPhase(this), always: _relay.Collider is null);
     }
 }

@@ -69,9 +69,3 @@ internal sealed class EngineCollider
         return oneIsEnough ? wantsA || wantsB : wantsA && wantsB;
     }
 }
-
-/// <summary>A collider that an algorithm of the engine does the work of.</summary>
-internal interface IEngineCollider
-{
-    EngineCollider Core { get; }
-}

@@ -1,44 +1,15 @@
 using FarseerGames.FarseerPhysics.Bridge;
-using FarseerGames.FarseerPhysics.Interfaces;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>Keeps the boxes sorted along both axes: good when geoms move little between updates.</summary>
-public partial class SweepAndPruneCollider : IBroadPhaseCollider, IEngineCollider
+public partial class SweepAndPruneCollider : LibraryCollider
 {
-    private readonly EngineCollider _core;
-
     /// <summary>Makes a collider for a simulator; set <see cref="PhysicsSimulator.BroadPhaseCollider"/> to use it.</summary>
     /// <param name="physicsSimulator">The simulator.</param>
     /// <exception cref="System.ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
-    public SweepAndPruneCollider(PhysicsSimulator physicsSimulator) =>
-        _core = new EngineCollider(physicsSimulator, new Farseer.Engine.BroadPhase.SweepAndPrune());
-
-    /// <inheritdoc/>
-    public event BroadPhaseCollisionHandler OnBroadPhaseCollision
-    {
-        add => _core.Add(value);
-        remove => _core.Remove(value);
-    }
-
-    EngineCollider IEngineCollider.Core => _core;
-
-    /// <summary>The simulator calls it; the collider already knows its geoms by then, so it does nothing.</summary>
-    /// <param name="geom">The geom.</param>
-    public void Add(Geom geom) => Require.NotNull(geom, nameof(geom));
-
-    /// <summary>The simulator calls it; geoms leave the collider by themselves, so it does nothing.</summary>
-    public void ProcessDisposedGeoms()
-    {
-    }
-
-    /// <summary>The simulator calls it; geoms leave the collider by themselves, so it does nothing.</summary>
-    public void ProcessRemovedGeoms()
-    {
-    }
-
-    /// <summary>The pairs are found within <see cref="PhysicsSimulator.Update(float)"/>; a call from outside does nothing.</summary>
-    public void Update()
+    public SweepAndPruneCollider(PhysicsSimulator physicsSimulator)
+        : base(physicsSimulator, new Farseer.Engine.BroadPhase.SweepAndPrune())
     {
     }
 
@@ -62,7 +33,7 @@ public partial class SweepAndPruneCollider : IBroadPhaseCollider, IEngineCollide
     public void Run()
     {
         CollisionPairs.Clear();
-        GeomList geoms = _core.Owner.GeomList;
+        GeomList geoms = Core.Owner.GeomList;
         for (int i = 0; i < geoms.Count; i++)
         {
             for (int j = i + 1; j < geoms.Count; j++)

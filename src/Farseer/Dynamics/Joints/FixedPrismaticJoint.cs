@@ -8,7 +8,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// <summary>
 /// A slide in the world: the body moves along a line and cannot turn. <see cref="Joint.JointError"/> is its distance from the line. (An addition to the original.)
 /// </summary>
-public class FixedPrismaticJoint : WorldJoint
+public class FixedPrismaticJoint : DrivenWorldJoint
 {
     private readonly Vector2 _anchor;
     private readonly double _x;
@@ -16,12 +16,6 @@ public class FixedPrismaticJoint : WorldJoint
     private readonly double _startAngle;
     private readonly double _axisX;
     private readonly double _axisY;
-    private bool _limited;
-    private float _lower;
-    private float _upper;
-    private bool _motor;
-    private float _motorSpeed;
-    private float _maxMotor;
 
     /// <summary>Makes a joint; the travel is 0 as the body stands.</summary>
     /// <param name="body">The body.</param>
@@ -41,74 +35,12 @@ public class FixedPrismaticJoint : WorldJoint
         _startAngle = JointAttachment.Angle(body);
     }
 
-    /// <summary>True keeps the travel of the body along the line between the limits. Default false.</summary>
-    public bool AreLimitsEnabled
-    {
-        get => _limited;
-        set
-        {
-            _limited = value;
-            Changed();
-        }
-    }
-
-    /// <summary>Smallest value of the travel of the body along the line; finite. Default 0.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public float LowerLimit
-    {
-        get => _lower;
-        set
-        {
-            _lower = Require.Finite(value, nameof(LowerLimit));
-            Changed();
-        }
-    }
-
-    /// <summary>Largest value of the travel of the body along the line; finite. Default 0.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public float UpperLimit
-    {
-        get => _upper;
-        set
-        {
-            _upper = Require.Finite(value, nameof(UpperLimit));
-            Changed();
-        }
-    }
-
-    /// <summary>True lets a motor drive the joint. Default false.</summary>
-    public bool IsMotorEnabled
-    {
-        get => _motor;
-        set
-        {
-            _motor = value;
-            Changed();
-        }
-    }
-
-    /// <summary>Wanted speed, length/s; finite. Default 0.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public float MotorSpeed
-    {
-        get => _motorSpeed;
-        set
-        {
-            _motorSpeed = Require.Finite(value, nameof(MotorSpeed));
-            Changed();
-        }
-    }
-
     /// <summary>Largest force of the motor; at least 0. Default 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float MaxMotorForce
     {
-        get => _maxMotor;
-        set
-        {
-            _maxMotor = Require.NotNegative(value, nameof(MaxMotorForce));
-            Changed();
-        }
+        get => MaxEffort;
+        set => MaxEffort = Require.NotNegative(value, nameof(MaxMotorForce));
     }
 
     /// <summary>How far the body has moved along the line.</summary>
@@ -127,6 +59,7 @@ public class FixedPrismaticJoint : WorldJoint
 
     internal override void Fill(ref JointSettings settings, ref JointFlags flags)
     {
+        base.Fill(ref settings, ref flags);
         settings.AnchorAX = _anchor.X;
         settings.AnchorAY = _anchor.Y;
         settings.AnchorBX = _x;
@@ -134,11 +67,5 @@ public class FixedPrismaticJoint : WorldJoint
         settings.AxisX = _axisX;
         settings.AxisY = _axisY;
         settings.Target = _startAngle;
-        settings.Lower = _lower;
-        settings.Upper = _upper;
-        flags |= _limited ? JointFlags.Limit : JointFlags.None;
-        settings.MotorSpeed = _motorSpeed;
-        settings.MotorLimit = Bound(_maxMotor);
-        flags |= _motor ? JointFlags.Motor : JointFlags.None;
     }
 }

@@ -9,7 +9,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A nail: a body is pinned to a point of the world about which it turns freely. <see cref="Joint.JointError"/> is the distance of the
 /// body's anchor from that point. It takes four times the share <see cref="Joint.BiasFactor"/> of its error away in an update.
 /// </summary>
-public class FixedRevoluteJoint : WorldJoint
+public class FixedRevoluteJoint : DrivenWorldJoint
 {
     /// <summary>In the original this joint alone corrected by 0.8 of its error where the manual says 0.2.</summary>
     private const double Haste = 4;
@@ -20,12 +20,6 @@ public class FixedRevoluteJoint : WorldJoint
     private double _y;
     private double _startAngle;
     private float _maxImpulse = float.MaxValue;
-    private bool _limited;
-    private float _lower;
-    private float _upper;
-    private bool _motor;
-    private float _motorSpeed;
-    private float _maxMotor;
 
     /// <summary>Makes a joint without a body: set it and the anchor before it is added.</summary>
     public FixedRevoluteJoint()
@@ -78,74 +72,12 @@ public class FixedRevoluteJoint : WorldJoint
         }
     }
 
-    /// <summary>True keeps the angle of the body since the joint was made, radians, between the limits. Default false.</summary>
-    public bool AreLimitsEnabled
-    {
-        get => _limited;
-        set
-        {
-            _limited = value;
-            Changed();
-        }
-    }
-
-    /// <summary>Smallest value of the angle of the body since the joint was made, radians; finite. Default 0.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public float LowerLimit
-    {
-        get => _lower;
-        set
-        {
-            _lower = Require.Finite(value, nameof(LowerLimit));
-            Changed();
-        }
-    }
-
-    /// <summary>Largest value of the angle of the body since the joint was made, radians; finite. Default 0.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public float UpperLimit
-    {
-        get => _upper;
-        set
-        {
-            _upper = Require.Finite(value, nameof(UpperLimit));
-            Changed();
-        }
-    }
-
-    /// <summary>True lets a motor drive the joint. Default false.</summary>
-    public bool IsMotorEnabled
-    {
-        get => _motor;
-        set
-        {
-            _motor = value;
-            Changed();
-        }
-    }
-
-    /// <summary>Wanted speed of the body, rad/s; finite. Default 0.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public float MotorSpeed
-    {
-        get => _motorSpeed;
-        set
-        {
-            _motorSpeed = Require.Finite(value, nameof(MotorSpeed));
-            Changed();
-        }
-    }
-
     /// <summary>Largest torque of the motor; at least 0. Default 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float MaxMotorTorque
     {
-        get => _maxMotor;
-        set
-        {
-            _maxMotor = Require.NotNegative(value, nameof(MaxMotorTorque));
-            Changed();
-        }
+        get => MaxEffort;
+        set => MaxEffort = Require.NotNegative(value, nameof(MaxMotorTorque));
     }
 
     /// <summary>The angle of the body since the joint was made, radians, whole turns included.</summary>
@@ -170,6 +102,7 @@ public class FixedRevoluteJoint : WorldJoint
 
     internal override void Fill(ref JointSettings settings, ref JointFlags flags)
     {
+        base.Fill(ref settings, ref flags);
         settings.AnchorAX = _anchor.X;
         settings.AnchorAY = _anchor.Y;
         settings.AnchorBX = _x;
@@ -177,12 +110,6 @@ public class FixedRevoluteJoint : WorldJoint
         settings.Target = _startAngle;
         settings.MaxImpulse = Bound(_maxImpulse);
         settings.BiasFactor = Math.Min(1, Haste * settings.BiasFactor);
-        settings.Lower = _lower;
-        settings.Upper = _upper;
-        flags |= _limited ? JointFlags.Limit : JointFlags.None;
-        settings.MotorSpeed = _motorSpeed;
-        settings.MotorLimit = Bound(_maxMotor);
-        flags |= _motor ? JointFlags.Motor : JointFlags.None;
     }
 
     private protected override void BodySet()

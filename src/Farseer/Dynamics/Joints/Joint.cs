@@ -256,7 +256,7 @@ public abstract class Joint : IDisposable, IItem
     internal void KeepError(float error) => _jointError = error;
 
     /// <summary>The largest float, and infinity, stand for no bound.</summary>
-    private protected static double Bound(float value) => value >= float.MaxValue ? double.PositiveInfinity : value;
+    internal static double Bound(float value) => value >= float.MaxValue ? double.PositiveInfinity : value;
 
     private void RaiseBroke() => Broke?.Invoke(this, EventArgs.Empty);
 }

@@ -9,10 +9,8 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A rod: keeps two anchors at a set distance, and lets the bodies turn. <see cref="Joint.JointError"/> is the distance less the wanted
 /// one.
 /// </summary>
-public class PinJoint : PairJoint
+public class PinJoint : AnchoredJoint
 {
-    private Vector2 _anchor1;
-    private Vector2 _anchor2;
     private float _targetDistance;
 
     /// <summary>Makes a joint without bodies: set them, the anchors and the distance before it is added.</summary>
@@ -29,10 +27,8 @@ public class PinJoint : PairJoint
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite.</exception>
     public PinJoint(Body body1, Vector2 anchor1, Body body2, Vector2 anchor2)
-        : base(body1, body2)
+        : base(body1, anchor1, body2, anchor2)
     {
-        _anchor1 = Require.Finite(anchor1, nameof(anchor1));
-        _anchor2 = Require.Finite(anchor2, nameof(anchor2));
         _targetDistance = AnchorDistance(anchor1, anchor2);
     }
 
@@ -48,44 +44,11 @@ public class PinJoint : PairJoint
         }
     }
 
-    /// <summary>Anchor in the coordinates of the first body; finite. Default (0, 0).</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public Vector2 Anchor1
-    {
-        get => _anchor1;
-        set
-        {
-            _anchor1 = Require.Finite(value, nameof(Anchor1));
-            Changed();
-        }
-    }
-
-    /// <summary>Anchor in the coordinates of the second body; finite. Default (0, 0).</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public Vector2 Anchor2
-    {
-        get => _anchor2;
-        set
-        {
-            _anchor2 = Require.Finite(value, nameof(Anchor2));
-            Changed();
-        }
-    }
-
-    /// <summary>The anchor of the first body in world coordinates.</summary>
-    public Vector2 WorldAnchor1 => World1(_anchor1);
-
-    /// <summary>The anchor of the second body in world coordinates.</summary>
-    public Vector2 WorldAnchor2 => World2(_anchor2);
-
     internal override JointKind? Kind => JointKind.Pin;
 
     internal override void Fill(ref JointSettings settings, ref JointFlags flags)
     {
-        settings.AnchorAX = _anchor1.X;
-        settings.AnchorAY = _anchor1.Y;
-        settings.AnchorBX = _anchor2.X;
-        settings.AnchorBY = _anchor2.Y;
+        base.Fill(ref settings, ref flags);
         settings.Target = _targetDistance;
     }
 }

@@ -9,21 +9,9 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A slide: the second body moves along an axis of the first and cannot turn against it. <see cref="Joint.JointError"/> is its distance
 /// from the axis. (An addition to the original.)
 /// </summary>
-public class PrismaticJoint : PairJoint
+public class PrismaticJoint : AxisJoint
 {
-    private readonly double _x1;
-    private readonly double _y1;
-    private readonly double _x2;
-    private readonly double _y2;
     private readonly double _startAngle;
-    private readonly double _axisX;
-    private readonly double _axisY;
-    private bool _limited;
-    private float _lower;
-    private float _upper;
-    private bool _motor;
-    private float _motorSpeed;
-    private float _maxMotor;
 
     /// <summary>Makes a joint; the travel is 0 as the bodies stand.</summary>
     /// <param name="body1">First body.</param>
@@ -34,116 +22,24 @@ public class PrismaticJoint : PairJoint
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public PrismaticJoint(Body body1, Body body2, Vector2 anchor, Vector2 axis)
-        : base(body1, body2)
+        : base(body1, body2, anchor, axis)
     {
-        Require.Finite(anchor, nameof(anchor));
-        Require.Direction(axis, nameof(axis));
-        JointAttachment.ToLocal(body1, anchor, out _x1, out _y1);
-        JointAttachment.ToLocal(body2, anchor, out _x2, out _y2);
         _startAngle = JointAttachment.Angle(body2) - JointAttachment.Angle(body1);
-        JointAttachment.ToLocalAxis(body1, axis, out _axisX, out _axisY);
-    }
-
-    /// <summary>True keeps the travel of the second body along the axis between the limits. Default false.</summary>
-    public bool AreLimitsEnabled
-    {
-        get => _limited;
-        set
-        {
-            _limited = value;
-            Changed();
-        }
-    }
-
-    /// <summary>Smallest value of the travel of the second body along the axis; finite. Default 0.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public float LowerLimit
-    {
-        get => _lower;
-        set
-        {
-            _lower = Require.Finite(value, nameof(LowerLimit));
-            Changed();
-        }
-    }
-
-    /// <summary>Largest value of the travel of the second body along the axis; finite. Default 0.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public float UpperLimit
-    {
-        get => _upper;
-        set
-        {
-            _upper = Require.Finite(value, nameof(UpperLimit));
-            Changed();
-        }
-    }
-
-    /// <summary>True lets a motor drive the joint. Default false.</summary>
-    public bool IsMotorEnabled
-    {
-        get => _motor;
-        set
-        {
-            _motor = value;
-            Changed();
-        }
-    }
-
-    /// <summary>Wanted speed, length/s; finite. Default 0.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public float MotorSpeed
-    {
-        get => _motorSpeed;
-        set
-        {
-            _motorSpeed = Require.Finite(value, nameof(MotorSpeed));
-            Changed();
-        }
     }
 
     /// <summary>Largest force of the motor; at least 0. Default 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float MaxMotorForce
     {
-        get => _maxMotor;
-        set
-        {
-            _maxMotor = Require.NotNegative(value, nameof(MaxMotorForce));
-            Changed();
-        }
+        get => MaxEffort;
+        set => MaxEffort = Require.NotNegative(value, nameof(MaxMotorForce));
     }
-
-    /// <summary>How far the second body has moved along the axis.</summary>
-    public float Travel
-    {
-        get
-        {
-            JointAttachment.ToWorld(Body2, _x2, _y2, out double x, out double y);
-            JointAttachment.ToLocal(Body1, x, y, out double alongX, out double alongY);
-            return (float)(((alongX - _x1) * _axisX) + ((alongY - _y1) * _axisY));
-        }
-    }
-
-    /// <summary>The axis as the first body has turned it, in world coordinates.</summary>
-    internal Vector2 Axis => ((float)_axisX * Body1.XVectorInWorldCoordinates) + ((float)_axisY * Body1.YVectorInWorldCoordinates);
 
     internal override JointKind? Kind => JointKind.Prismatic;
 
     internal override void Fill(ref JointSettings settings, ref JointFlags flags)
     {
-        settings.AnchorAX = _x1;
-        settings.AnchorAY = _y1;
-        settings.AnchorBX = _x2;
-        settings.AnchorBY = _y2;
-        settings.AxisX = _axisX;
-        settings.AxisY = _axisY;
+        base.Fill(ref settings, ref flags);
         settings.Target = _startAngle;
-        settings.Lower = _lower;
-        settings.Upper = _upper;
-        flags |= _limited ? JointFlags.Limit : JointFlags.None;
-        settings.MotorSpeed = _motorSpeed;
-        settings.MotorLimit = Bound(_maxMotor);
-        flags |= _motor ? JointFlags.Motor : JointFlags.None;
     }
 }

@@ -8,12 +8,10 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A rope over two fixed points: the length on the first side plus <see cref="Ratio"/> times that on the second never grows beyond what it
 /// was when the joint was made. A rope pulls and does not push. <see cref="Joint.JointError"/> is how much too long it is. (An addition to the original.)
 /// </summary>
-public class PulleyJoint : PairJoint
+public class PulleyJoint : AnchoredJoint
 {
     private readonly Vector2 _ground1;
     private readonly Vector2 _ground2;
-    private Vector2 _anchor1;
-    private Vector2 _anchor2;
     private float _ratio;
     private float _length;
 
@@ -30,12 +28,10 @@ public class PulleyJoint : PairJoint
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public PulleyJoint(
         Body body1, Vector2 groundAnchor1, Vector2 anchor1, Body body2, Vector2 groundAnchor2, Vector2 anchor2, float ratio = 1)
-        : base(body1, body2)
+        : base(body1, anchor1, body2, anchor2)
     {
         _ground1 = Require.Finite(groundAnchor1, nameof(groundAnchor1));
         _ground2 = Require.Finite(groundAnchor2, nameof(groundAnchor2));
-        _anchor1 = Require.Finite(anchor1, nameof(anchor1));
-        _anchor2 = Require.Finite(anchor2, nameof(anchor2));
         _ratio = Require.Positive(ratio, nameof(ratio));
         _length = Length1 + (ratio * Length2);
     }
@@ -70,36 +66,6 @@ public class PulleyJoint : PairJoint
         }
     }
 
-    /// <summary>Anchor in the coordinates of the first body; finite. Default (0, 0).</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public Vector2 Anchor1
-    {
-        get => _anchor1;
-        set
-        {
-            _anchor1 = Require.Finite(value, nameof(Anchor1));
-            Changed();
-        }
-    }
-
-    /// <summary>Anchor in the coordinates of the second body; finite. Default (0, 0).</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public Vector2 Anchor2
-    {
-        get => _anchor2;
-        set
-        {
-            _anchor2 = Require.Finite(value, nameof(Anchor2));
-            Changed();
-        }
-    }
-
-    /// <summary>The anchor of the first body in world coordinates.</summary>
-    public Vector2 WorldAnchor1 => World1(_anchor1);
-
-    /// <summary>The anchor of the second body in world coordinates.</summary>
-    public Vector2 WorldAnchor2 => World2(_anchor2);
-
     internal Vector2 Ground1 => _ground1;
 
     internal Vector2 Ground2 => _ground2;
@@ -108,10 +74,7 @@ public class PulleyJoint : PairJoint
 
     internal override void Fill(ref JointSettings settings, ref JointFlags flags)
     {
-        settings.AnchorAX = _anchor1.X;
-        settings.AnchorAY = _anchor1.Y;
-        settings.AnchorBX = _anchor2.X;
-        settings.AnchorBY = _anchor2.Y;
+        base.Fill(ref settings, ref flags);
         settings.GroundAX = _ground1.X;
         settings.GroundAY = _ground1.Y;
         settings.GroundBX = _ground2.X;

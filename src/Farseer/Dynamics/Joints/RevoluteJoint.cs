@@ -9,7 +9,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A hinge: two bodies share an anchor about which they turn freely. Both can still move. It is made from one point of the world, kept as
 /// a point of each body. <see cref="Joint.JointError"/> is the distance of the two points in the world.
 /// </summary>
-public class RevoluteJoint : PairJoint
+public class RevoluteJoint : DrivenPairJoint
 {
     private Vector2 _anchor;
     private bool _anchorWaits;
@@ -18,12 +18,6 @@ public class RevoluteJoint : PairJoint
     private double _x2;
     private double _y2;
     private double _startAngle;
-    private bool _limited;
-    private float _lower;
-    private float _upper;
-    private bool _motor;
-    private float _motorSpeed;
-    private float _maxMotor;
 
     /// <summary>Makes a joint without bodies: set them and the anchor before it is added.</summary>
     public RevoluteJoint()
@@ -51,74 +45,12 @@ public class RevoluteJoint : PairJoint
     /// <summary>Where the hinge is now: the anchor of the first body in world coordinates.</summary>
     public Vector2 CurrentAnchor => Body1 is null ? _anchor : At(Body1, _x1, _y1);
 
-    /// <summary>True keeps the angle of the second body relative to the first since the joint was made, radians between the limits. Default false.</summary>
-    public bool AreLimitsEnabled
-    {
-        get => _limited;
-        set
-        {
-            _limited = value;
-            Changed();
-        }
-    }
-
-    /// <summary>Smallest value of the angle of the second body relative to the first since the joint was made, radians; finite. Default 0.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public float LowerLimit
-    {
-        get => _lower;
-        set
-        {
-            _lower = Require.Finite(value, nameof(LowerLimit));
-            Changed();
-        }
-    }
-
-    /// <summary>Largest value of the angle of the second body relative to the first since the joint was made, radians; finite. Default 0.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public float UpperLimit
-    {
-        get => _upper;
-        set
-        {
-            _upper = Require.Finite(value, nameof(UpperLimit));
-            Changed();
-        }
-    }
-
-    /// <summary>True lets a motor drive the joint. Default false.</summary>
-    public bool IsMotorEnabled
-    {
-        get => _motor;
-        set
-        {
-            _motor = value;
-            Changed();
-        }
-    }
-
-    /// <summary>Wanted speed of the second body relative to the first, rad/s; finite. Default 0.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public float MotorSpeed
-    {
-        get => _motorSpeed;
-        set
-        {
-            _motorSpeed = Require.Finite(value, nameof(MotorSpeed));
-            Changed();
-        }
-    }
-
     /// <summary>Largest torque of the motor; at least 0. Default 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float MaxMotorTorque
     {
-        get => _maxMotor;
-        set
-        {
-            _maxMotor = Require.NotNegative(value, nameof(MaxMotorTorque));
-            Changed();
-        }
+        get => MaxEffort;
+        set => MaxEffort = Require.NotNegative(value, nameof(MaxMotorTorque));
     }
 
     /// <summary>The angle of the second body relative to the first since the joint was made, radians, whole turns included.</summary>
@@ -143,17 +75,12 @@ public class RevoluteJoint : PairJoint
 
     internal override void Fill(ref JointSettings settings, ref JointFlags flags)
     {
+        base.Fill(ref settings, ref flags);
         settings.AnchorAX = _x1;
         settings.AnchorAY = _y1;
         settings.AnchorBX = _x2;
         settings.AnchorBY = _y2;
         settings.Target = _startAngle;
-        settings.Lower = _lower;
-        settings.Upper = _upper;
-        flags |= _limited ? JointFlags.Limit : JointFlags.None;
-        settings.MotorSpeed = _motorSpeed;
-        settings.MotorLimit = Bound(_maxMotor);
-        flags |= _motor ? JointFlags.Motor : JointFlags.None;
     }
 
     private protected override void BodiesSet()

@@ -9,10 +9,8 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// Keeps the distance of two anchors between a smallest and a largest, as a rod that slides in a tube. <see cref="Joint.JointError"/> is
 /// how far the distance is past a limit: 0 within the slop.
 /// </summary>
-public class SliderJoint : PairJoint
+public class SliderJoint : AnchoredJoint
 {
-    private Vector2 _anchor1;
-    private Vector2 _anchor2;
     private float _min;
     private float _max;
     private float _slop = 0.01f;
@@ -33,10 +31,8 @@ public class SliderJoint : PairJoint
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite or a distance is negative.</exception>
     public SliderJoint(Body body1, Vector2 anchor1, Body body2, Vector2 anchor2, float min, float max)
-        : base(body1, body2)
+        : base(body1, anchor1, body2, anchor2)
     {
-        _anchor1 = Require.Finite(anchor1, nameof(anchor1));
-        _anchor2 = Require.Finite(anchor2, nameof(anchor2));
         _min = Require.NotNegative(min, nameof(min));
         _max = Require.NotNegative(max, nameof(max));
     }
@@ -95,36 +91,6 @@ public class SliderJoint : PairJoint
         }
     }
 
-    /// <summary>Anchor in the coordinates of the first body; finite. Default (0, 0).</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public Vector2 Anchor1
-    {
-        get => _anchor1;
-        set
-        {
-            _anchor1 = Require.Finite(value, nameof(Anchor1));
-            Changed();
-        }
-    }
-
-    /// <summary>Anchor in the coordinates of the second body; finite. Default (0, 0).</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
-    public Vector2 Anchor2
-    {
-        get => _anchor2;
-        set
-        {
-            _anchor2 = Require.Finite(value, nameof(Anchor2));
-            Changed();
-        }
-    }
-
-    /// <summary>The anchor of the first body in world coordinates.</summary>
-    public Vector2 WorldAnchor1 => World1(_anchor1);
-
-    /// <summary>The anchor of the second body in world coordinates.</summary>
-    public Vector2 WorldAnchor2 => World2(_anchor2);
-
     /// <summary>The anchor of the first body in world coordinates.</summary>
     public Vector2 CurrentAnchorPosition => WorldAnchor1;
 
@@ -132,10 +98,7 @@ public class SliderJoint : PairJoint
 
     internal override void Fill(ref JointSettings settings, ref JointFlags flags)
     {
-        settings.AnchorAX = _anchor1.X;
-        settings.AnchorAY = _anchor1.Y;
-        settings.AnchorBX = _anchor2.X;
-        settings.AnchorBY = _anchor2.Y;
+        base.Fill(ref settings, ref flags);
         settings.Lower = _min;
         settings.Upper = _max;
         settings.Slop = _slop;

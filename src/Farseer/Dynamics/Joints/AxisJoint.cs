@@ -1,0 +1,55 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Joints;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
+
+/// <summary>
+/// A joint of the library that lets a point of its second body move along an axis of the first only. <see cref="Joint.JointError"/> is the
+/// distance of that point from the axis. (An addition to the original.)
+/// </summary>
+public abstract class AxisJoint : DrivenPairJoint
+{
+    private readonly double _x1;
+    private readonly double _y1;
+    private readonly double _x2;
+    private readonly double _y2;
+    private readonly double _axisX;
+    private readonly double _axisY;
+
+    private protected AxisJoint(Body body1, Body body2, Vector2 anchor, Vector2 axis)
+        : base(body1, body2)
+    {
+        Require.Finite(anchor, nameof(anchor));
+        Require.Direction(axis, nameof(axis));
+        JointAttachment.ToLocal(body1, anchor, out _x1, out _y1);
+        JointAttachment.ToLocal(body2, anchor, out _x2, out _y2);
+        JointAttachment.ToLocalAxis(body1, axis, out _axisX, out _axisY);
+    }
+
+    /// <summary>How far the point of the second body has moved along the axis since the joint was made.</summary>
+    public float Travel
+    {
+        get
+        {
+            JointAttachment.ToWorld(Body2, _x2, _y2, out double x, out double y);
+            JointAttachment.ToLocal(Body1, x, y, out double alongX, out double alongY);
+            return (float)(((alongX - _x1) * _axisX) + ((alongY - _y1) * _axisY));
+        }
+    }
+
+    /// <summary>The axis as the first body has turned it, in world coordinates.</summary>
+    internal Vector2 Axis => ((float)_axisX * Body1.XVectorInWorldCoordinates) + ((float)_axisY * Body1.YVectorInWorldCoordinates);
+
+    internal override void Fill(ref JointSettings settings, ref JointFlags flags)
+    {
+        base.Fill(ref settings, ref flags);
+        settings.AnchorAX = _x1;
+        settings.AnchorAY = _y1;
+        settings.AnchorBX = _x2;
+        settings.AnchorBY = _y2;
+        settings.AxisX = _axisX;
+        settings.AxisY = _axisY;
+    }
+}
