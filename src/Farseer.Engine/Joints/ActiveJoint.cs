@@ -52,6 +52,10 @@ internal unsafe struct ActiveJoint
     /// <summary>Impulse on body B in the step: linear and about its centre.</summary>
     public fixed double Given[3];
 
+    /// <summary>The multipliers and that impulse before the position correction.</summary>
+    public fixed double PlainLambda[JointRows.Most];
+    public fixed double PlainGiven[3];
+
     /// <summary>Response k of a row.</summary>
     public fixed double Response[JointRows.Most];
 

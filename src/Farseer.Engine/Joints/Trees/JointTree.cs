@@ -42,6 +42,9 @@ internal struct JointTree
     /// <summary>Its correction is taken back, since a tree that it touches went astray.</summary>
     public bool Undone;
 
+    /// <summary>Its projection would have made energy: it moved the bodies, and their speeds stayed as they were.</summary>
+    public bool Gains;
+
     /// <summary>Takes part in the present round of the position correction.</summary>
     public bool Corrects;
 

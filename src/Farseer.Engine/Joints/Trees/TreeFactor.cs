@@ -112,7 +112,8 @@ internal static unsafe class TreeFactor
     }
 
     /// <summary>Makes k invertible where it is not, and leaves it exact where it is.</summary>
-    private static void MakeRegular(double* k, int n, double* own)
+    /// <returns>True if it was not.</returns>
+    private static bool MakeRegular(double* k, int n, double* own)
     {
         double scale = 1;
         for (int i = 0; i < n; i++)
@@ -122,9 +123,15 @@ internal static unsafe class TreeFactor
 
         if (SmallMatrix.Determinant(k, n) > Singular * scale)
         {
-            return;
+            return false;
         }
 
+        AddRegular(k, n, own);
+        return true;
+    }
+
+    private static void AddRegular(double* k, int n, double* own)
+    {
         for (int i = 0; i < n; i++)
         {
             k[(i * n) + i] += Regular * own[i];
@@ -171,17 +178,28 @@ internal static unsafe class TreeFactor
         double* own = stackalloc double[3] { 0, 0, 0 };
         AddOwn(node->ChildS, n, node, own);
         MakeRegular(k, n, own);
-        SmallMatrix.Invert(k, n, node->E);
-        SmallMatrix.MultiplySquare(node->E, n, sy, node->G);
         SmallMatrix.Multiply(node->ParentS, n, parent->SubtreeMass, spy);
         SmallMatrix.MultiplyTransposed(spy, node->ParentS, n, h);
         for (int i = 0; i < n * n; i++)
         {
-            k[i] += h[i];
+            h[i] += k[i];
         }
 
+        // What makes the sum regular is part of K as well: E of the way down and H of the way up would else tell the two bodies of two
+        // forces, by as much as 3 to 1 along a taut bridge.
         AddOwn(node->ParentS, n, parent, own);
-        MakeRegular(k, n, own);
+        if (MakeRegular(h, n, own))
+        {
+            AddRegular(k, n, own);
+        }
+
+        SmallMatrix.Invert(k, n, node->E);
+        SmallMatrix.MultiplySquare(node->E, n, sy, node->G);
+        for (int i = 0; i < n * n; i++)
+        {
+            k[i] = h[i];
+        }
+
         SmallMatrix.Invert(k, n, h);
         SmallMatrix.MultiplySquare(h, n, spy, node->W);
         SmallMatrix.SubtractOuter(parent->SubtreeMass, spy, node->W, n);
