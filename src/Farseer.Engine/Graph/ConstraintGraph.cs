@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Storage;
 
@@ -38,6 +39,12 @@ internal sealed unsafe class ConstraintGraph
 
     private readonly GraphColor[] _inOrder = new GraphColor[ColorCount];
 
+    // The colours that have rows: a small world has one or two, and to ask all of them in every pass was most of its step.
+    private readonly GraphColor[] _solved = new GraphColor[ColorCount];
+    private readonly GraphColor[] _used = new GraphColor[ColorCount];
+    private int _usedCount;
+    private bool _usedChanged;
+
     public ConstraintGraph()
     {
         for (int i = 0; i < ColorCount; i++)
@@ -70,6 +77,26 @@ internal sealed unsafe class ConstraintGraph
     /// <summary>The colours in the order of solving: moving pairs, their overflow, ground pairs, their overflow.</summary>
     public GraphColor[] InOrder => _inOrder;
 
+    /// <summary>The colours that have rows, in the order of solving. Valid until a row is added or removed.</summary>
+    public ReadOnlySpan<GraphColor> Solved
+    {
+        get
+        {
+            FindUsed();
+            return new ReadOnlySpan<GraphColor>(_solved, 0, _usedCount);
+        }
+    }
+
+    /// <summary>The same by their number.</summary>
+    public ReadOnlySpan<GraphColor> Used
+    {
+        get
+        {
+            FindUsed();
+            return new ReadOnlySpan<GraphColor>(_used, 0, _usedCount);
+        }
+    }
+
     public GraphColor this[int color] => _colors[color];
 
     /// <summary>Number of rows at a body.</summary>
@@ -87,6 +114,7 @@ internal sealed unsafe class ConstraintGraph
     {
         int color = Choose(record.BodyA, record.BodyB, movesA, movesB);
         GraphColor rows = _colors[color];
+        _usedChanged |= rows.RowCount == 0;
         int row = rows.AddRow();
         ContactBundle* bundle = rows.BundleOf(row);
         int lane = rows.LaneOf(row);
@@ -109,6 +137,7 @@ internal sealed unsafe class ConstraintGraph
             records[moved].Row = row;
         }
 
+        _usedChanged |= _colors[color].RowCount == 0;
         Unmark(record.BodyA, color);
         Unmark(record.BodyB, color);
         record.Color = -1;
@@ -140,6 +169,30 @@ internal sealed unsafe class ConstraintGraph
         if (moved >= 0)
         {
             records[moved].Row = row;
+        }
+    }
+
+    private void FindUsed()
+    {
+        if (!_usedChanged)
+        {
+            return;
+        }
+
+        _usedChanged = false;
+        _usedCount = 0;
+        int solved = 0;
+        for (int i = 0; i < ColorCount; i++)
+        {
+            if (_colors[i].RowCount > 0)
+            {
+                _used[_usedCount++] = _colors[i];
+            }
+
+            if (_inOrder[i].RowCount > 0)
+            {
+                _solved[solved++] = _inOrder[i];
+            }
         }
     }
 

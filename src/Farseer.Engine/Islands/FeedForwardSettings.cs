@@ -66,9 +66,8 @@ internal sealed unsafe class FeedForwardSettings
             _deep[i] = 0;
         }
 
-        for (int k = 0; k < ConstraintGraph.ColorCount; k++)
+        foreach (GraphColor color in graph.Used)
         {
-            GraphColor color = graph[k];
             CollectSag(color.Bundles, color.BundleCount, slotSag, c);
         }
     }
@@ -114,9 +113,8 @@ internal sealed unsafe class FeedForwardSettings
         float any = 0;
         float* rate = _rate.Pointer;
         float* deep = _deep.Pointer;
-        for (int k = 0; k < ConstraintGraph.ColorCount; k++)
+        foreach (GraphColor color in graph.Used)
         {
-            GraphColor color = graph[k];
             int count = color.BundleCount;
             for (ContactBundle* row = color.Bundles; count > 0; count--, row++)
             {

@@ -76,9 +76,8 @@ internal sealed unsafe class IslandStore
         start[bodyEnd] = 0;
         int queued = 0;
         int edgeCount = 0;
-        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        foreach (GraphColor color in graph.Used)
         {
-            GraphColor color = graph[c];
             int count = color.BundleCount;
             for (ContactBundle* row = color.Bundles; count > 0; count--, row++)
             {
@@ -225,9 +224,8 @@ internal sealed unsafe class IslandStore
         int* level = _level.Pointer;
         int* islandOf = _islandOf.Pointer;
         int* firstSlot = _firstSlot.Pointer;
-        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        foreach (GraphColor color in graph.Used)
         {
-            GraphColor color = graph[c];
             int count = color.BundleCount;
             for (ContactBundle* row = color.Bundles; count > 0; count--, row++)
             {

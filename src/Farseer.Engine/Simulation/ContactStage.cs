@@ -120,9 +120,8 @@ internal sealed unsafe class ContactStage
 
     private void UpdateGraph(in ContactUpdateInput input, ConstraintGraph graph)
     {
-        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        foreach (GraphColor color in graph.Used)
         {
-            GraphColor color = graph[c];
             ContactBundle* bundles = color.Bundles;
             int count = color.BundleCount;
             for (int i = 0; i < count; i++)

@@ -141,7 +141,7 @@ internal sealed partial class World
         _lists.PrepareDrives(Bodies, _lists.Solver, _lists.SolverCount, Settings.Gravity, substep);
         SolverInput input;
         input.Bodies = Bodies;
-        input.Colors = _graph.InOrder;
+        input.Colors = _graph.Solved;
         input.RowCount = _graph.RowCount;
         input.List = _lists.Solver;
         input.PaddedCount = _lists.PaddedSolverCount;
