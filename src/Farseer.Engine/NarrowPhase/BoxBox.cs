@@ -134,7 +134,10 @@ internal static class BoxBox
             _normalY = (axisX ? reference.Sin : reference.Cos) * sign;
         }
 
-        /// <summary>False if the case is not face against face.</summary>
+        /// <summary>
+        /// False if the case is not face against face. A near corner beyond the end of the reference face is still one if the
+        /// way from that end falls on the other face: boxes side by side, which have sunk by different amounts, are all like that.
+        /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool Build(in BoxFrame reference, float margin, bool flipped, ref Manifold manifold)
         {
@@ -142,7 +145,10 @@ internal static class BoxBox
             float nearY = _highY < _lowY ? _highY : _lowY;
             float lo = _lowX > -_halfLength ? _lowX : -_halfLength;
             float hi = _highX < _halfLength ? _highX : _halfLength;
-            if (hi < lo || (nearY > 0 && Abs(nearX) > _halfLength))
+            float far = _highY < _lowY ? _lowX - nearX : _highX - nearX;
+            float rise = Abs(_highY - _lowY);
+            float gap = (nearX < 0 ? -_halfLength : _halfLength) - nearX;
+            if (hi < lo || (nearY > 0 && Abs(nearX) > _halfLength && (gap * far) - (nearY * rise) <= 0))
             {
                 return false;
             }

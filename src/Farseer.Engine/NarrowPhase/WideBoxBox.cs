@@ -124,7 +124,11 @@ internal static unsafe class WideBoxBox
         WideMask highInside = highX < halfLength;
         Wide lo = Wide.Select(lowInside, lowX, end);
         Wide hi = Wide.Select(highInside, highX, halfLength);
-        WideMask corner = near & ((hi < lo) | ((nearY > Wide.Zero) & (Wide.Abs(nearX) > halfLength)));
+        Wide far = Wide.Select(highNearer, lowX, highX) - nearX;
+        Wide rise = Wide.Abs(highY - lowY);
+        Wide gap = Wide.Select(nearX < Wide.Zero, end, halfLength) - nearX;
+        WideMask aside = (nearY > Wide.Zero) & (Wide.Abs(nearX) > halfLength) & (((gap * far) - (nearY * rise)) <= Wide.Zero);
+        WideMask corner = near & ((hi < lo) | aside);
         Wide yLo = Wide.Select(lowInside, lowY, lowY - ((lowX + halfLength) * slope));
         Wide yHi = Wide.Select(highInside, highY, highY + ((halfLength - highX) * slope));
         WideMask keepLo = near & (yLo <= margin);
