@@ -153,14 +153,14 @@ internal static unsafe class BodyLanes
             Vector256<float> r2 = c;
             Vector256<float> r3 = d;
             Transpose(ref r0, ref r1, ref r2, ref r3);
-            r0.GetLower().Store(records + (index[0] * 8));
-            r1.GetLower().Store(records + (index[1] * 8));
-            r2.GetLower().Store(records + (index[2] * 8));
-            r3.GetLower().Store(records + (index[3] * 8));
-            r0.GetUpper().Store(records + (index[4] * 8));
-            r1.GetUpper().Store(records + (index[5] * 8));
-            r2.GetUpper().Store(records + (index[6] * 8));
-            r3.GetUpper().Store(records + (index[7] * 8));
+            r0.GetLower().Store(Record(records, index[0]));
+            r1.GetLower().Store(Record(records, index[1]));
+            r2.GetLower().Store(Record(records, index[2]));
+            r3.GetLower().Store(Record(records, index[3]));
+            Sse.Store(Record(records, index[4]), Avx.ExtractVector128(r0, 1));
+            Sse.Store(Record(records, index[5]), Avx.ExtractVector128(r1, 1));
+            Sse.Store(Record(records, index[6]), Avx.ExtractVector128(r2, 1));
+            Sse.Store(Record(records, index[7]), Avx.ExtractVector128(r3, 1));
             return;
         }
 #endif
@@ -217,9 +217,13 @@ internal static unsafe class BodyLanes
     }
 
 #if NET8_0_OR_GREATER
+    // An index is never negative; unsigned it needs no widening, which would be an instruction for each record and pass.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static float* Record(void* records, int index) => (float*)((byte*)records + ((ulong)(uint)index << 5));
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<float> Pair(float* records, int low, int high) =>
-        Vector256.Create(Vector128.Load(records + (low * 8)), Vector128.Load(records + (high * 8)));
+        Vector256.Create(Vector128.Load(Record(records, low)), Vector128.Load(Record(records, high)));
 
     // Two bodies' (x, y) side by side. A pose begins with x and y.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -33,8 +33,8 @@ internal static unsafe class ContactKernel
                 Wide friction = Wide.Load(row->Friction + lane);
                 Wide weight0 = fall * Wide.Load(row->InverseK11 + lane);
                 Wide weight1 = fall * Wide.Load(row->InverseK22 + lane);
-                Extrapolate(ref row->Point0, lane, friction, weight0, out Wide normal0, out Wide tangent0);
-                Extrapolate(ref row->Point1, lane, friction, weight1, out Wide normal1, out Wide tangent1);
+                Extrapolate(&row->Point0, lane, friction, weight0, out Wide normal0, out Wide tangent0);
+                Extrapolate(&row->Point1, lane, friction, weight1, out Wide normal1, out Wide tangent1);
                 ApplyNormal(row, lane, ref a, ref b, normal0, normal1);
                 ApplyTangent(row, lane, ref a, ref b, tangent0, tangent1);
                 BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
@@ -202,26 +202,23 @@ internal static unsafe class ContactKernel
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Extrapolate(
-        ref ContactPointLanes point, int lane, Wide friction, Wide weight, out Wide normal, out Wide tangent)
+        ContactPointLanes* p, int lane, Wide friction, Wide weight, out Wide normal, out Wide tangent)
     {
         Wide share = Wide.Splat(ContactCoefficients.Extrapolation);
-        fixed (ContactPointLanes* p = &point)
-        {
-            Wide oldNormal = Wide.Load(p->Normal + lane);
-            Wide oldTangent = Wide.Load(p->Tangent + lane);
-            Wide previous = Wide.Load(p->PreviousNormal + lane);
-            Wide previousTangent = Wide.Load(p->PreviousTangent + lane);
-            Wide most = Wide.Splat(ContactCoefficients.LargestGrowth) * (previous + weight);
-            WideMask impact = oldNormal > most;
-            normal = Wide.Select(impact, previous, Wide.Max(oldNormal + (share * (oldNormal - previous)), Wide.Zero));
-            tangent = Wide.Select(impact, previousTangent, oldTangent + (share * (oldTangent - previousTangent)));
-            Wide bound = friction * normal;
-            tangent = Wide.Max(Wide.Min(tangent, bound), Wide.Zero - bound);
-            Wide.Min(oldNormal, most).Store(p->PreviousNormal + lane);
-            Wide.Select(impact, tangent, oldTangent).Store(p->PreviousTangent + lane);
-            normal.Store(p->Normal + lane);
-            tangent.Store(p->Tangent + lane);
-        }
+        Wide oldNormal = Wide.Load(p->Normal + lane);
+        Wide oldTangent = Wide.Load(p->Tangent + lane);
+        Wide previous = Wide.Load(p->PreviousNormal + lane);
+        Wide previousTangent = Wide.Load(p->PreviousTangent + lane);
+        Wide most = Wide.Splat(ContactCoefficients.LargestGrowth) * (previous + weight);
+        WideMask impact = oldNormal > most;
+        normal = Wide.Select(impact, previous, Wide.Max(oldNormal + (share * (oldNormal - previous)), Wide.Zero));
+        tangent = Wide.Select(impact, previousTangent, oldTangent + (share * (oldTangent - previousTangent)));
+        Wide bound = friction * normal;
+        tangent = Wide.Max(Wide.Min(tangent, bound), Wide.Zero - bound);
+        Wide.Min(oldNormal, most).Store(p->PreviousNormal + lane);
+        Wide.Select(impact, tangent, oldTangent).Store(p->PreviousTangent + lane);
+        normal.Store(p->Normal + lane);
+        tangent.Store(p->Tangent + lane);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -236,19 +233,16 @@ internal static unsafe class ContactKernel
     private static void Separations(ContactBundle* row, int lane, in WideDelta a, in WideDelta b, out Wide s0, out Wide s1)
     {
         Wide moved = (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
-        s0 = PointSeparation(ref row->Point0, lane, a, b, moved);
-        s1 = PointSeparation(ref row->Point1, lane, a, b, moved);
+        s0 = PointSeparation(&row->Point0, lane, a, b, moved);
+        s1 = PointSeparation(&row->Point1, lane, a, b, moved);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Wide PointSeparation(ref ContactPointLanes point, int lane, in WideDelta a, in WideDelta b, Wide moved)
+    private static Wide PointSeparation(ContactPointLanes* p, int lane, in WideDelta a, in WideDelta b, Wide moved)
     {
-        fixed (ContactPointLanes* p = &point)
-        {
-            Wide turnedB = (b.Cos * Wide.Load(p->NormalArmB + lane)) + (b.Sin * Wide.Load(p->TangentArmB + lane));
-            Wide turnedA = (a.Cos * Wide.Load(p->NormalArmA + lane)) + (a.Sin * Wide.Load(p->TangentArmA + lane));
-            return (Wide.Load(p->Base + lane) + moved) + (turnedB - turnedA);
-        }
+        Wide turnedB = (b.Cos * Wide.Load(p->NormalArmB + lane)) + (b.Sin * Wide.Load(p->TangentArmB + lane));
+        Wide turnedA = (a.Cos * Wide.Load(p->NormalArmA + lane)) + (a.Sin * Wide.Load(p->TangentArmA + lane));
+        return (Wide.Load(p->Base + lane) + moved) + (turnedB - turnedA);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -270,19 +264,16 @@ internal static unsafe class ContactKernel
         ContactBundle* row, int lane, in WideVelocity a, in WideVelocity b, in WideDelta movedA, in WideDelta movedB, out Wide v0, out Wide v1)
     {
         Wide un = (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
-        v0 = un + TurnedSpin(ref row->Point0, lane, a.W, b.W, movedA, movedB);
-        v1 = un + TurnedSpin(ref row->Point1, lane, a.W, b.W, movedA, movedB);
+        v0 = un + TurnedSpin(&row->Point0, lane, a.W, b.W, movedA, movedB);
+        v1 = un + TurnedSpin(&row->Point1, lane, a.W, b.W, movedA, movedB);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Wide TurnedSpin(ref ContactPointLanes point, int lane, Wide spinA, Wide spinB, in WideDelta movedA, in WideDelta movedB)
+    private static Wide TurnedSpin(ContactPointLanes* p, int lane, Wide spinA, Wide spinB, in WideDelta movedA, in WideDelta movedB)
     {
-        fixed (ContactPointLanes* p = &point)
-        {
-            Wide armA = (movedA.Cos * Wide.Load(p->TangentArmA + lane)) - (movedA.Sin * Wide.Load(p->NormalArmA + lane));
-            Wide armB = (movedB.Cos * Wide.Load(p->TangentArmB + lane)) - (movedB.Sin * Wide.Load(p->NormalArmB + lane));
-            return (spinB * armB) - (spinA * armA);
-        }
+        Wide armA = (movedA.Cos * Wide.Load(p->TangentArmA + lane)) - (movedA.Sin * Wide.Load(p->NormalArmA + lane));
+        Wide armB = (movedB.Cos * Wide.Load(p->TangentArmB + lane)) - (movedB.Sin * Wide.Load(p->NormalArmB + lane));
+        return (spinB * armB) - (spinA * armA);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
