@@ -1,39 +1,22 @@
 using System;
+using Farseer.Engine.Constraints;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Graph;
 
 /// <summary>
-/// Colours contacts so that those of one colour can be solved side by side. A body remembers its colours in a mask; a new
-/// contact starts at a colour drawn from its pair and takes the first that neither body has. Greedy lowest-first colouring
-/// solves all contacts of one kind (left supports, right supports) together, which pushes large pyramids sideways: of 20 rows,
-/// at 5 substeps, it left 29 mm/s of sway, the drawn colours 0.2. Contacts with a static or kinematic body have colours of their own,
-/// solved last, so that the ground has the last word.
+/// Colours contacts so that those of one colour can be solved side by side; which colour a contact gets is for
+/// <see cref="BodyColors"/> to say.
 /// </summary>
 internal sealed unsafe class ConstraintGraph
 {
-    /// <summary>Colours of contacts between two bodies that can move.</summary>
-    public const int DynamicColors = 40;
-
-    /// <summary>Colours among which a new contact draws.</summary>
-    private const int DrawnColors = 8;
-
-    /// <summary>All colours but the overflow, which is the last of the array; bits of the masks.</summary>
-    public const int MaskedColors = 63;
-
-    /// <summary>Contacts between moving bodies for which no colour was free.</summary>
-    public const int DynamicOverflow = MaskedColors;
-
-    /// <summary>Contacts with the ground for which no colour was free.</summary>
-    public const int StaticOverflow = MaskedColors + 1;
-
-    public const int ColorCount = MaskedColors + 2;
+    public const int ColorCount = BodyColors.Count;
 
     /// <summary>The rows of contacts asleep, behind all colours: kept with their impulses, and solved by nobody.</summary>
     public const int Dormant = ContactRecord.DormantRow;
 
-    private readonly Column<ulong> _masks = new Column<ulong>();
+    private readonly BodyColors _bodies = new BodyColors();
     private readonly Column<int> _degree = new Column<int>();
     private readonly GraphColor[] _colors = new GraphColor[ColorCount + 1];
 
@@ -49,22 +32,14 @@ internal sealed unsafe class ConstraintGraph
     {
         for (int i = 0; i < ColorCount; i++)
         {
-            _colors[i] = new GraphColor(i >= MaskedColors);
+            _colors[i] = new GraphColor(i >= BodyColors.Masked);
         }
 
-        int next = 0;
-        for (int i = 0; i < DynamicColors; i++)
+        for (int i = 0; i < ColorCount; i++)
         {
-            _inOrder[next++] = _colors[i];
+            _inOrder[i] = _colors[BodyColors.InOrder(i)];
         }
 
-        _inOrder[next++] = _colors[DynamicOverflow];
-        for (int i = DynamicColors; i < MaskedColors; i++)
-        {
-            _inOrder[next++] = _colors[i];
-        }
-
-        _inOrder[next] = _colors[StaticOverflow];
         System.Diagnostics.Debug.Assert(Dormant == ColorCount, "the colour of those asleep is none of the others");
         _colors[Dormant] = new GraphColor();
     }
@@ -106,13 +81,13 @@ internal sealed unsafe class ConstraintGraph
 
     public void EnsureBodies(int capacity)
     {
-        _masks.EnsureCapacity(capacity);
+        _bodies.EnsureBodies(capacity);
         _degree.EnsureCapacity(capacity);
     }
 
     public void Add(int contact, ref ContactRecord record, bool movesA, bool movesB)
     {
-        int color = Choose(record.BodyA, record.BodyB, movesA, movesB);
+        int color = _bodies.Choose(record.BodyA, record.BodyB, movesA, movesB);
         GraphColor rows = _colors[color];
         _usedChanged |= rows.RowCount == 0;
         int row = rows.AddRow();
@@ -196,63 +171,15 @@ internal sealed unsafe class ConstraintGraph
         }
     }
 
-    private int Choose(int a, int b, bool movesA, bool movesB)
-    {
-        if (movesA && movesB)
-        {
-            return Draw(_masks[a] | _masks[b], a, b);
-        }
-
-        return LowestClear(movesA ? _masks[a] : _masks[b], DynamicColors, MaskedColors, StaticOverflow);
-    }
-
-    private static int Draw(ulong mask, int a, int b)
-    {
-        uint hash = ((uint)a * 73856093u) ^ ((uint)b * 19349663u);
-        hash ^= hash >> 15;
-        hash *= 0x2C1B3C6Du;
-        hash ^= hash >> 12;
-        int start = (int)(hash % DrawnColors);
-        for (int i = 0; i < DrawnColors; i++)
-        {
-            int color = (start + i) % DrawnColors;
-            if ((mask & (1UL << color)) == 0)
-            {
-                return color;
-            }
-        }
-
-        return LowestClear(mask, DrawnColors, DynamicColors, DynamicOverflow);
-    }
-
-    private static int LowestClear(ulong mask, int from, int to, int overflow)
-    {
-        for (int i = from; i < to; i++)
-        {
-            if ((mask & (1UL << i)) == 0)
-            {
-                return i;
-            }
-        }
-
-        return overflow;
-    }
-
     private void Mark(int body, int color, bool moves)
     {
         _degree[body]++;
-        if (moves && color < MaskedColors)
-        {
-            _masks[body] |= 1UL << color;
-        }
+        _bodies.Mark(body, color, moves);
     }
 
     private void Unmark(int body, int color)
     {
         _degree[body]--;
-        if (color < MaskedColors)
-        {
-            _masks[body] &= ~(1UL << color);
-        }
+        _bodies.Unmark(body, color);
     }
 }

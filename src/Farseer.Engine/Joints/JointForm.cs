@@ -13,6 +13,9 @@ internal abstract class JointForm
     /// <summary>Writes the rows at a pose; <see cref="JointFrame.SetAnchors"/> has been called.</summary>
     public abstract void Write(in JointFrame f, in JointSettings s, JointFlags flags, ref JointRows rows);
 
+    /// <summary>Its rows are the two hard ones that keep anchor A and anchor B together, and no others.</summary>
+    public virtual bool IsPivot(in JointSettings s, JointFlags flags) => false;
+
     /// <summary>
     /// The original's softness σ: dφ/dt + β·φ/dt + σ·P = 0 with the impulse P of a whole step, so that a force F holds it at
     /// φ = σ·F·dt²/β. The speed -β·φ/dt is kept for the step, and the impulses of its substeps are P·h/dt.

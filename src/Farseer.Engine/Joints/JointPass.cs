@@ -30,8 +30,8 @@ internal sealed unsafe class JointPass
     // Blocks of a net are soft, tied to the substep rate as contacts are: ωh = π/2, ζ = 2.
     private const double AngularStep = 1.5707963267948966;
     private const double NetDamping = 4 + AngularStep;
-    private const double NetProduct = AngularStep * NetDamping;
-    private const double NetBias = AngularStep / NetDamping;
+    public const double NetProduct = AngularStep * NetDamping;
+    public const double NetBias = AngularStep / NetDamping;
 
     private BodyState* _states;
     private JointForestView _view;

@@ -28,6 +28,7 @@ internal sealed unsafe partial class JointSolver
         _fineness = fineness;
         _step.Substep = substep;
         Choose(index);
+        _nets.Select(index);
         if (fineness > 1)
         {
             WriteRows(true);

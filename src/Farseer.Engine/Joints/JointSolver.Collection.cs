@@ -47,20 +47,18 @@ internal sealed unsafe partial class JointSolver
             return false;
         }
 
-        for (int i = 0; i < _count; i++)
+        CopySettings();
+        WriteAll();
+        if (BlocksChanged(out bool known))
         {
-            // A copy: a callback may change the joint while the step goes on.
-            _active[i].Settings = _store.Settings[_active[i].Joint];
-            _active[i].Flags = _store.Flags[_active[i].Joint];
-        }
+            if (known)
+            {
+                // A joint took another form: nets may have come or gone.
+                Collect();
+                CopySettings();
+                WriteAll();
+            }
 
-        Choose(All);
-        LoadMasses();
-        LoadMoves();
-        LoadPoses();
-        WriteRows(true);
-        if (BlocksChanged())
-        {
             Build();
             Choose(All);
             LoadMasses();
@@ -69,6 +67,25 @@ internal sealed unsafe partial class JointSolver
         }
 
         return true;
+    }
+
+    /// <summary>A copy: a callback may change a joint while the step goes on.</summary>
+    private void CopySettings()
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            _active[i].Settings = _store.Settings[_active[i].Joint];
+            _active[i].Flags = _store.Flags[_active[i].Joint];
+        }
+    }
+
+    private void WriteAll()
+    {
+        Choose(All);
+        LoadMasses();
+        LoadMoves();
+        LoadPoses();
+        WriteRows(true);
     }
 
     private bool Break()
@@ -112,17 +129,21 @@ internal sealed unsafe partial class JointSolver
         return false;
     }
 
-    private bool BlocksChanged()
+    /// <param name="known">The rows of a joint are others than those that it was collected with.</param>
+    private bool BlocksChanged(out bool known)
     {
+        bool changed = false;
+        known = false;
         for (int i = 0; i < _count; i++)
         {
             if (_rows[i].Hard != _active[i].BuiltHard || _rows[i].Count != _active[i].BuiltCount || IsLimited(i) != _active[i].Limited)
             {
-                return true;
+                changed = true;
+                known |= _active[i].BuiltHard >= 0;
             }
         }
 
-        return false;
+        return changed;
     }
 
     /// <summary>It has a limit that a block can hold: one without compliance.</summary>
@@ -162,13 +183,14 @@ internal sealed unsafe partial class JointSolver
         }
 
         _sort.Sort(_keys.Pointer, _order.Pointer, _collected);
+        _nets.Renew(_order.Pointer, _collected, _step.Moves, _step.Bodies.Ids.End);
         _count = 0;
         for (int i = 0; i < _collected; i++)
         {
             ref JointLink link = ref _store.Links[_order[i]];
             int moves = _step.Moves[link.BodyA] | (_step.Moves[link.BodyB] << 1);
             _builtMoves[i] = (byte)moves;
-            if (moves != 0)
+            if (moves != 0 && !_nets.Has(_order[i]))
             {
                 _active[_count] = default;
                 _active[_count].Joint = _order[i];
@@ -182,7 +204,7 @@ internal sealed unsafe partial class JointSolver
         }
 
         // The rows are not known yet: the first build makes nodes for the poses, the second the trees.
-        _forest.Build(_active.Pointer, _count, _step.Bodies.Mass.Pointer, _step.Moves, _step.Bodies.Ids.End);
+        _forest.Build(_active.Pointer, _count, _step.Bodies.Mass.Pointer, _step.Moves, _nets.Search, _step.Bodies.Ids.End);
     }
 
     private void Build()
@@ -194,7 +216,7 @@ internal sealed unsafe partial class JointSolver
             _active[i].Limited = IsLimited(i);
         }
 
-        _forest.Build(_active.Pointer, _count, _step.Bodies.Mass.Pointer, _step.Moves, _step.Bodies.Ids.End);
+        _forest.Build(_active.Pointer, _count, _step.Bodies.Mass.Pointer, _step.Moves, _nets.Search, _step.Bodies.Ids.End);
         for (int i = 0; i < _count; i++)
         {
             _active[i].BlockLimits = _active[i].Limited && _active[i].Role != JointRole.Iterated && HasRoom(i);

@@ -97,12 +97,13 @@ internal sealed unsafe partial class JointSolver
     /// <summary>The bodies of a joint that acts.</summary>
     public void GetBodies(int index, out int bodyA, out int bodyB)
     {
-        bodyA = _active[index].Ends.BodyA;
-        bodyB = _active[index].Ends.BodyB;
+        int joint = index < _count ? _active[index].Joint : _nets.Member(index - _count);
+        bodyA = _store.Links[joint].BodyA;
+        bodyB = _store.Links[joint].BodyB;
     }
 
     /// <summary>Joints that act.</summary>
-    public int Count => _count;
+    public int Count => _count + _nets.Count;
 
     private static int Doublings(double ratio)
     {

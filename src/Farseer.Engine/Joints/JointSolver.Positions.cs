@@ -60,6 +60,7 @@ internal sealed unsafe partial class JointSolver
         WriteRows(false);
         Factor();
         Kick(0.5f);
+        _nets.Moved();
     }
 
     /// <summary>Exact trees move by h·v in double; the others have been moved.</summary>

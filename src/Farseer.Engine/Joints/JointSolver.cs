@@ -1,6 +1,7 @@
 using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Storage;
 
@@ -41,16 +42,24 @@ internal sealed unsafe partial class JointSolver
     private readonly JointPass _pass = new JointPass();
     private readonly TreeContactPass _contactPass = new TreeContactPass();
     private readonly JointKinds _kinds = new JointKinds();
+    private readonly NetSolver _nets;
     private JointStep _step;
     private int _count;
 
-    public JointSolver(JointStore store) => _store = store;
+    public JointSolver(JointStore store)
+    {
+        _store = store;
+        _nets = new NetSolver(store);
+    }
 
     /// <summary>Joints act in this step.</summary>
-    public bool Any => _count > 0;
+    public bool Any => _count > 0 || _nets.Any;
+
+    /// <summary>The pivots of nets, which have rows on lanes.</summary>
+    public NetSolver Nets => _nets;
 
     /// <summary>True if the solver must move a body because of its joints.</summary>
-    public bool Holds(int body) => _forest.NodeOf(body) >= 0;
+    public bool Holds(int body) => _forest.NodeOf(body) >= 0 || _nets.Holds(body);
 
     /// <summary>Starts the substeps: contacts with trees have been taken.</summary>
     public void Start(in ContactCoefficients coefficients)
@@ -75,6 +84,7 @@ internal sealed unsafe partial class JointSolver
         MarkFree();
         LoadMoves();
         Factor();
+        _nets.Start(_step, _forest);
     }
 
     /// <summary>
@@ -121,11 +131,13 @@ internal sealed unsafe partial class JointSolver
 
         ForgetLimits();
         StoreVelocities();
+        _nets.Enter();
     }
 
     /// <summary>The biased pass: rows of errors and bias.</summary>
     public void Solve(bool again)
     {
+        _nets.SolveBiased();
         LoadVelocities();
         Run(TargetKind.Biased, Pass.Biased, again);
     }
@@ -133,6 +145,7 @@ internal sealed unsafe partial class JointSolver
     /// <summary>The relax pass at the new positions: no errors, no bias.</summary>
     public void Relax(bool again, bool rub)
     {
+        _nets.Relax(again);
         LoadVelocities();
         Run(TargetKind.Relaxed, rub ? Pass.Relaxed : Pass.RelaxedSmooth, again);
     }
@@ -161,6 +174,7 @@ internal sealed unsafe partial class JointSolver
     /// <summary>After impacts that do not see the trees: what they took out of joint is put right.</summary>
     public void Settle()
     {
+        _nets.Relax(true);
         LoadVelocities();
         SolveTrees(TargetKind.Relaxed, false);
         Sweep(Pass.Settle);

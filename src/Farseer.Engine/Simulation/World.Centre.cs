@@ -36,6 +36,8 @@ internal sealed partial class World
                 settings.AnchorBX -= x;
                 settings.AnchorBY -= y;
             }
+
+            _jointSolver.Nets.Edited(entry >> 1, afresh: false);
         }
 
         NotePlaced(body.Index);

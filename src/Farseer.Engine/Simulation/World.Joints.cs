@@ -68,6 +68,8 @@ internal sealed partial class World
             Joints.States[joint.Index] = default;
         }
 
+        _jointSolver.Nets.Edited(joint.Index, ((before ^ flags) & JointFlags.Enabled) != 0);
+
         if (((before ^ flags) & Filter) != 0)
         {
             JointLink link = Joints.Links[joint.Index];
@@ -78,6 +80,7 @@ internal sealed partial class World
     public ref JointState JointState(Handle joint)
     {
         Require(joint, Joints.Ids, nameof(joint));
+        _jointSolver.Nets.Report(joint.Index);
         return ref Joints.States[joint.Index];
     }
 
@@ -85,6 +88,7 @@ internal sealed partial class World
     public unsafe double JointRowForce(Handle joint, int row)
     {
         Require(joint, Joints.Ids, nameof(joint));
+        _jointSolver.Nets.Report(joint.Index);
         return _lastSubstep > 0 ? Joints.States[joint.Index].Impulse[row] / _lastSubstep : 0;
     }
 

@@ -97,10 +97,10 @@ internal sealed unsafe class IslandClasses
             _class[root] = (byte)Math.Max(_class[root], joints.DoublingsOf(list[i]));
         }
 
-        // Springs are fixed for the step's own substep: what they pull at keeps to it.
+        // Springs are fixed for the step's own substep: what they pull at keeps to it, and so do nets.
         for (int i = 0; i < count; i++)
         {
-            if (springs.Touches(list[i]))
+            if (springs.Touches(list[i]) || joints.Nets.Holds(list[i]))
             {
                 _class[Root(list[i])] = 0;
             }

