@@ -1,6 +1,7 @@
 using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Storage;
 using Xunit;
@@ -166,7 +167,7 @@ public unsafe class TreeMassTests
                 Active[i].BuiltHard = 2;
             }
 
-            Forest.Build(Active.Pointer, joints, _masses.Pointer, _moves.Pointer, bodies + 1);
+            Forest.Build(Active.Pointer, joints, _masses.Pointer, _moves.Pointer, new NetSearch(), bodies + 1);
             Assert.Equal(1, Forest.TreeCount);
             for (int i = 0; i < Forest.Count; i++)
             {
