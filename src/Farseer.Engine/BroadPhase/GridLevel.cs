@@ -25,8 +25,7 @@ internal sealed unsafe class GridLevel
 
     private readonly BoxRows _rows = new BoxRows();
     private readonly Column<GridEntry> _entries = new Column<GridEntry>(1);
-    private readonly Column<int> _cellOf = new Column<int>(1);
-    private readonly Column<int> _rowOf = new Column<int>(1);
+    private readonly Column<GridPlace> _places = new Column<GridPlace>(1);
     private readonly Column<int> _start = new Column<int>(1);
     private double _originX;
     private double _originY;
@@ -46,13 +45,10 @@ internal sealed unsafe class GridLevel
 
     public GridEntry* Entries => _entries.Pointer;
 
-    public Box Bounds(int index) => _rows.Wide.Get(index);
-
     /// <summary>Makes room for so many boxes, so that boxes which change their size class do not allocate in the middle of a run.</summary>
     public void Reserve(int count)
     {
-        _cellOf.EnsureCapacity(count);
-        _rowOf.EnsureCapacity(count);
+        _places.EnsureCapacity(count);
         _entries.EnsureCapacity(count);
         _start.EnsureCapacity((MostCellsABox * count) + LeastCells + 2);
         _rows.EnsureCapacity(count);
@@ -62,14 +58,12 @@ internal sealed unsafe class GridLevel
     {
         Box* boxes = proxies.Fat.Pointer;
         Measure(boxes, members, count, maxSize);
-        _cellOf.EnsureCapacity(count);
-        _rowOf.EnsureCapacity(count);
+        _places.EnsureCapacity(count);
         _entries.EnsureCapacity(count);
         _start.EnsureCapacity(_cells + 2);
         _rows.SetCount(count);
         int* start = _start.Pointer;
-        int* cellOf = _cellOf.Pointer;
-        int* rowOf = _rowOf.Pointer;
+        GridPlace* places = _places.Pointer;
         bool bounded = _inverseCell > 0;
         Unsafe.InitBlock(start, 0, (uint)(_cells + 2) * sizeof(int));
         for (int i = 0; i < count; i++)
@@ -78,73 +72,82 @@ internal sealed unsafe class GridLevel
             int column = bounded ? (int)((box->MinX - _originX) * _inverseCell) : 0;
             int row = bounded ? (int)((box->MinY - _originY) * _inverseCell) : 0;
             int cell = (int)(((uint)row * _stride) + (uint)column + 1 & _mask);
-            cellOf[i] = cell;
-            rowOf[i] = row;
+            places[i].Cell = cell;
+            places[i].Row = row;
             start[cell + 2]++;
         }
 
+        int sum = 0;
         for (int c = 2; c < _cells + 2; c++)
         {
-            start[c] += start[c - 1];
+            sum += start[c];
+            start[c] = sum;
         }
 
-        // Now start[c + 1] is where cell c begins; filling moves it to where cell c + 1 does.
-        ProxyInfo* info = proxies.Info.Pointer;
-        GridEntry* entries = _entries.Pointer;
-        WideBoxes wide = _rows.Wide;
-        int seekers = 0;
-        for (int i = 0; i < count; i++)
-        {
-            int proxy = members[i];
-            int slot = start[cellOf[i] + 1]++;
-            wide.Set(slot, boxes[proxy]);
-            entries[slot].Proxy = proxy;
-            entries[slot].Row = rowOf[i];
-            entries[slot].Info = info[proxy];
-            seekers += PairRule.Seeks(info[proxy].Flags) ? 1 : 0;
-        }
-
-        Seekers = seekers;
+        Fill(proxies, members, count);
     }
 
     /// <summary>Pairs among the boxes of this level. Each looks at the rest of its cell, the next cell, and three cells of the next row.</summary>
+    /// <remarks>
+    /// Both looks nearly always fit one test of eight boxes each, so these two are made without asking and their hits gathered in one mask: an
+    /// unforeseen branch costs as much as both tests.
+    /// </remarks>
     public void CollectWithin(PairBuffer pairs)
     {
         int* start = _start.Pointer;
         WideBoxes wide = _rows.Wide;
         GridEntry* entries = _entries.Pointer;
-        for (int c = 0; c < _cells; c++)
+        int count = Count;
+        for (int i = 0; i < count; i++)
         {
-            int begin = start[c];
-            int end = start[c + 1];
-            if (begin == end)
-            {
-                continue;
-            }
-
+            GridEntry* entry = entries + i;
+            int c = entry->Place.Cell;
             uint above = ((uint)c + _stride - 1) & _mask;
             if (_hashed && (c + 1 >= _cells || above + 3 > (uint)_cells))
             {
-                CollectAcrossEnd(c, pairs);
+                CollectAcrossEnd(i, pairs);
                 continue;
             }
 
+            int ownBegin = i + 1;
             int ownEnd = start[c + 2];
             int aboveBegin = start[above];
             int aboveEnd = start[above + 3];
-            for (int i = begin; i < end; i++)
+            var box = new SpreadBox(entry->Box);
+            uint hits = (wide.Overlaps(ownBegin, box) & WideBoxes.FirstLanes(ownEnd - ownBegin))
+                | ((wide.Overlaps(aboveBegin, box) & WideBoxes.FirstLanes(aboveEnd - aboveBegin)) << WideBoxes.Width);
+            if (hits != 0)
             {
-                var box = new SpreadBox(wide.Get(i));
-                GridEntry* entry = entries + i;
-                Scan(wide, entries, box, entry, entry->Row, i + 1, ownEnd, pairs);
-                Scan(wide, entries, box, entry, entry->Row + 1, aboveBegin, aboveEnd, pairs);
+                ulong* next = pairs.Reserve(2 * WideBoxes.Width);
+                do
+                {
+                    int lane = WideBoxes.LowestLane(hits);
+                    hits &= hits - 1;
+                    int up = lane / WideBoxes.Width;
+                    GridEntry* other = entries + (up == 0 ? ownBegin + lane : aboveBegin + lane - WideBoxes.Width);
+                    *next = PairBuffer.Pack(entry->Proxy, other->Proxy);
+                    next += (other->Place.Row == entry->Place.Row + up) & PairRule.Wants(entry->Key, other->Key) ? 1 : 0;
+                }
+                while (hits != 0);
+                pairs.SetEnd(next);
+            }
+
+            if (ownEnd - ownBegin > WideBoxes.Width)
+            {
+                Scan(wide, entries, box, entry, entry->Place.Row, ownBegin + WideBoxes.Width, ownEnd, pairs);
+            }
+
+            if (aboveEnd - aboveBegin > WideBoxes.Width)
+            {
+                Scan(wide, entries, box, entry, entry->Place.Row + 1, aboveBegin + WideBoxes.Width, aboveEnd, pairs);
             }
         }
     }
 
     /// <summary>Pairs of a box of a coarser level with the boxes of this one.</summary>
-    public void CollectAgainst(in Box box, GridEntry* entry, PairBuffer pairs)
+    public void CollectAgainst(GridEntry* entry, PairBuffer pairs)
     {
+        Box box = entry->Box;
         var spread = new SpreadBox(box);
         if (_inverseCell == 0)
         {
@@ -191,22 +194,50 @@ internal sealed unsafe class GridLevel
         }
     }
 
-    // A cell whose neighbours wrap around the end of the table: neighbours are taken one by one.
-    private void CollectAcrossEnd(int c, PairBuffer pairs)
+    // Slots by cell: start[c + 1] is where cell c begins; filling moves it to where cell c + 1 does. Each box is written to one place, and
+    // spread into the rows of bounds in a second walk: five far stores a box would each miss the cache in a large world.
+    private void Fill(ProxyStore proxies, int* members, int count)
+    {
+        Box* boxes = proxies.Fat.Pointer;
+        ProxyInfo* info = proxies.Info.Pointer;
+        int* start = _start.Pointer;
+        GridPlace* places = _places.Pointer;
+        GridEntry* entries = _entries.Pointer;
+        int seekers = 0;
+        for (int i = 0; i < count; i++)
+        {
+            int proxy = members[i];
+            GridEntry* entry = entries + start[places[i].Cell + 1]++;
+            entry->Box = boxes[proxy];
+            entry->Proxy = proxy;
+            entry->Key = PairRule.Key(info[proxy]);
+            entry->Place = places[i];
+            seekers += PairRule.Seeks(entry->Key) ? 1 : 0;
+        }
+
+        Seekers = seekers;
+        WideBoxes wide = _rows.Wide;
+        for (int slot = 0; slot < count; slot++)
+        {
+            wide.Set(slot, entries[slot].Box);
+        }
+    }
+
+    // A box whose neighbouring cells wrap around the end of the table: they are taken one by one.
+    private void CollectAcrossEnd(int i, PairBuffer pairs)
     {
         int* start = _start.Pointer;
-        uint next = ((uint)c + 1) & _mask;
-        for (int i = start[c]; i < start[c + 1]; i++)
+        GridEntry* entry = _entries.Pointer + i;
+        int row = entry->Place.Row;
+        uint c = (uint)entry->Place.Cell;
+        uint next = (c + 1) & _mask;
+        var box = new SpreadBox(entry->Box);
+        Scan(_rows.Wide, _entries.Pointer, box, entry, row, i + 1, start[c + 1], pairs);
+        Scan(_rows.Wide, _entries.Pointer, box, entry, row, start[next], start[next + 1], pairs);
+        for (uint k = 0; k < 3; k++)
         {
-            var box = new SpreadBox(_rows.Wide.Get(i));
-            GridEntry* entry = _entries.Pointer + i;
-            Scan(_rows.Wide, _entries.Pointer, box, entry, entry->Row, i + 1, start[c + 1], pairs);
-            Scan(_rows.Wide, _entries.Pointer, box, entry, entry->Row, start[next], start[next + 1], pairs);
-            for (uint k = 0; k < 3; k++)
-            {
-                uint cell = ((uint)c + _stride - 1 + k) & _mask;
-                Scan(_rows.Wide, _entries.Pointer, box, entry, entry->Row + 1, start[cell], start[cell + 1], pairs);
-            }
+            uint cell = (c + _stride - 1 + k) & _mask;
+            Scan(_rows.Wide, _entries.Pointer, box, entry, row + 1, start[cell], start[cell + 1], pairs);
         }
     }
 
@@ -217,17 +248,12 @@ internal sealed unsafe class GridLevel
     {
         for (int k = from; k < to; k += WideBoxes.Width)
         {
-            uint mask = wide.Overlaps(k, box);
-            if (to - k < WideBoxes.Width)
-            {
-                mask &= (1u << (to - k)) - 1;
-            }
-
+            uint mask = wide.Overlaps(k, box) & WideBoxes.FirstLanes(to - k);
             while (mask != 0)
             {
                 GridEntry* other = entries + k + WideBoxes.LowestLane(mask);
                 mask &= mask - 1;
-                if ((row < 0 || other->Row == row) && PairRule.Wants(entry->Info, other->Info))
+                if ((row < 0 || other->Place.Row == row) && PairRule.Wants(entry->Key, other->Key))
                 {
                     pairs.Add(entry->Proxy, other->Proxy);
                 }
@@ -289,10 +315,20 @@ internal sealed unsafe class GridLevel
     }
 }
 
-/// <summary>What a search needs of a box in a grid, beside its bounds; a copy, so that a hit does not cost a far load.</summary>
+/// <summary>What a search needs of a box in a grid; a copy of half a cache line, so that a hit does not cost a far load.</summary>
 internal struct GridEntry
 {
+    public Box Box;
     public int Proxy;
+
+    /// <summary>Body and flags, see <see cref="PairRule.Key"/>.</summary>
+    public int Key;
+    public GridPlace Place;
+}
+
+/// <summary>Where the lower corner of a box lies: the number of its cell, and its row, which the number may share with others.</summary>
+internal struct GridPlace
+{
+    public int Cell;
     public int Row;
-    public ProxyInfo Info;
 }

@@ -102,9 +102,9 @@ internal sealed unsafe class LevelGrid : IBroadPhase
 
         for (int i = 0; i < coarse.Count; i++)
         {
-            if (fine.Seekers > 0 || PairRule.Seeks(coarse.Entries[i].Info.Flags))
+            if (fine.Seekers > 0 || PairRule.Seeks(coarse.Entries[i].Key))
             {
-                fine.CollectAgainst(coarse.Bounds(i), coarse.Entries + i, pairs);
+                fine.CollectAgainst(coarse.Entries + i, pairs);
             }
         }
     }

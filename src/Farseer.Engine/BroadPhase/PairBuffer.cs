@@ -25,6 +25,36 @@ internal sealed class PairBuffer
         _pairs[Count++] = Pack(a, b);
     }
 
+    /// <summary>Room for <paramref name="most"/> pairs behind those that are there; <see cref="SetEnd"/> tells how far it was filled.</summary>
+    public unsafe ulong* Reserve(int most)
+    {
+        if (Count + most > _pairs.Capacity)
+        {
+            _pairs.EnsureCapacity(Count + most);
+        }
+
+        return _pairs.Pointer + Count;
+    }
+
+    public unsafe void SetEnd(ulong* end) => Count = (int)(end - _pairs.Pointer);
+
+    /// <summary>Drops the pairs that a map has; most pairs of a world are old ones, and need not be sorted.</summary>
+    public unsafe void RemoveThoseOf(PairMap map)
+    {
+        ulong* pairs = _pairs.Pointer;
+        int kept = 0;
+        for (int i = 0; i < Count; i++)
+        {
+            ulong pair = pairs[i];
+            if (!map.Contains(pair))
+            {
+                pairs[kept++] = pair;
+            }
+        }
+
+        Count = kept;
+    }
+
     public static ulong Pack(int a, int b) => a < b ? ((ulong)(uint)a << 32) | (uint)b : ((ulong)(uint)b << 32) | (uint)a;
 
     public static int Lower(ulong pair) => (int)(pair >> 32);

@@ -68,6 +68,10 @@ internal unsafe struct WideBoxes
     public readonly void SetEmpty(int index) =>
         Set(index, new Box(float.PositiveInfinity, float.PositiveInfinity, float.NegativeInfinity, float.NegativeInfinity));
 
+    /// <summary>A mask of the first <paramref name="count"/> lanes, of all if there are more; at least 0.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static uint FirstLanes(int count) => count >= Width ? (1u << Width) - 1 : (1u << count) - 1;
+
     /// <summary>The index of the lowest set bit of a mask that is not zero.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int LowestLane(uint mask)

@@ -93,13 +93,14 @@ internal sealed partial class World
         }
 
         BroadPhase.Collect(Proxies, _pairs);
+        _pairs.RemoveThoseOf(_contacts.Map);
         _pairSort.Sort(_pairs.Pointer, _pairs.Count);
         for (int i = 0; i < _pairs.Count; i++)
         {
-            ulong key = _pairs[i];
-            if (!_contacts.Map.Contains(key))
+            // A user's search may name a pair twice.
+            if (!_contacts.Map.Contains(_pairs[i]))
             {
-                TryCreatePair(key);
+                TryCreatePair(_pairs[i]);
             }
         }
     }
