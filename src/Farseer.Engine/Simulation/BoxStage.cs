@@ -19,6 +19,9 @@ internal sealed unsafe class BoxStage
     private const float MarginShare = 0.2f;
     private const float MotionShare = 2f;
 
+    /// <summary>A margin this many times what a new box would get is given up.</summary>
+    private const float Looseness = 2f;
+
     /// <summary>Contacts are kept up to this share of the extent apart; boxes must overlap before that.</summary>
     private const float SkinShare = 0.02f;
 
@@ -60,7 +63,7 @@ internal sealed unsafe class BoxStage
             else if (moves)
             {
                 float motion = Motion(bodies.State[body], _fits[body].Reach, dt, pull);
-                if (HasLeft(bodies, body, motion))
+                if (HasLeft(bodies, body, motion) || IsLoose(bodies, body, motion))
                 {
                     Fit(world, body, dt, pull);
                 }
@@ -87,6 +90,13 @@ internal sealed unsafe class BoxStage
         float travel = (float)(Math.Abs(pose.X - fit.X) + Math.Abs(pose.Y - fit.Y) + (Math.Abs(pose.Angle - fit.Angle) * fit.Reach));
         return !(travel + motion <= fit.Margin);
     }
+
+    /// <summary>
+    /// A body that was fast when it got its boxes and rests now would never leave them, and be paired with all around it for as long:
+    /// pentagons that had fallen ten metres lay with twenty pairs each, of which two had points.
+    /// </summary>
+    private bool IsLoose(BodyStore bodies, int body, float motion) =>
+        _fits[body].Margin > Looseness * (((MarginShare - SkinShare) * bodies.Size[body].Extent) + (MotionShare * motion));
 
     private static float Motion(in BodyState state, float reach, float dt, float pull) =>
         (Math.Abs(state.LinearVelocity.X) + Math.Abs(state.LinearVelocity.Y) + pull + (Math.Abs(state.AngularVelocity) * reach)) * dt;
