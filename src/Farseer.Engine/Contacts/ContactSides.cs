@@ -132,6 +132,11 @@ internal sealed unsafe class ContactSides
             return flags;
         }
 
+        if (piece->Flags == PieceFlags.None && piece->VertexCount > 1 && piece->VertexCount <= HullLanes.MostCorners)
+        {
+            flags |= SideFlags.Hull;
+        }
+
         return piece->Kind == ShapeKind.Box ? flags | SideFlags.Box : piece->Kind == ShapeKind.Circle ? flags | SideFlags.Circle : flags;
     }
 }

@@ -19,6 +19,13 @@ internal struct PairBits
     public int Heard;
     public int Boxes;
     public int Circles;
+
+    /// <summary>Two hulls that lanes can do, boxes included.</summary>
+    public int Hulls;
+
+    /// <summary>Such a hull and a circle, and those whose circle is A.</summary>
+    public int CircleHulls;
+    public int CircleFirst;
     public int NewBox;
 
     /// <summary>A body of the pair is fast.</summary>
@@ -88,6 +95,11 @@ internal static unsafe class PairStage
             bits.Heard |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.Heard)) << lane;
             bits.Boxes |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Box)) << lane;
             bits.Circles |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Circle)) << lane;
+            bits.Hulls |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Hull)) << lane;
+            WideMask circleFirst = WideLanes.Has(flagsA, (int)SideFlags.Circle) & WideLanes.Has(flagsB, (int)SideFlags.Hull);
+            WideMask circleSecond = WideLanes.Has(flagsB, (int)SideFlags.Circle) & WideLanes.Has(flagsA, (int)SideFlags.Hull);
+            bits.CircleFirst |= WideLanes.Bits(circleFirst) << lane;
+            bits.CircleHulls |= WideLanes.Bits(circleFirst | circleSecond) << lane;
             bits.NewBox |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.NewBox)) << lane;
             bits.Fast |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.Fast)) << lane;
         }
@@ -99,16 +111,37 @@ internal static unsafe class PairStage
     public static void Collide(in ContactUpdateInput input, ContactBundle* row, in PairBits bits)
     {
         int left = bits.Exists;
-        if ((bits.Boxes & bits.Exists) != 0)
+        int hulls = bits.Hulls & left;
+        if ((bits.Boxes & left) != 0)
         {
             int corners = WideBoxBox.Collide(input.Pairs);
             left &= ~bits.Boxes | corners;
+            hulls &= left;
         }
 
-        if ((bits.Circles & bits.Exists) != 0)
+        if ((bits.Circles & left) != 0)
         {
             WideCircleCircle.Collide(input.Pairs);
             left &= ~bits.Circles;
+        }
+
+        if (hulls != 0)
+        {
+            NameHulls(input, &input.Pairs->Hulls.A, hulls, row->PieceA, row->BodyA);
+            NameHulls(input, &input.Pairs->Hulls.B, hulls, row->PieceB, row->BodyB);
+            WideConvex.Collide(input.Pairs, hulls, input.Shapes.Vertices.Pointer, input.Shapes.Normals.Pointer);
+            left &= ~hulls;
+        }
+
+        int circleHulls = bits.CircleHulls & left;
+        if (circleHulls != 0)
+        {
+            HullLanes* named = &input.Pairs->Hulls.A;
+            NameHulls(input, named, circleHulls & ~bits.CircleFirst, row->PieceA, row->BodyA);
+            AddHulls(input, named, circleHulls & bits.CircleFirst, row->PieceB, row->BodyB);
+            WideCircleHull.Collide(
+                input.Pairs, circleHulls, bits.CircleFirst, input.Shapes.Vertices.Pointer, input.Shapes.Normals.Pointer);
+            left &= ~circleHulls;
         }
 
         for (int lane = 0; left != 0; lane++, left >>= 1)
@@ -210,6 +243,29 @@ internal static unsafe class PairStage
         Wide closing = speed + (Wide.Load(pairs->B.AngularVelocity + lane) * armB) - (Wide.Load(pairs->A.AngularVelocity + lane) * armA);
         Wide separation = Wide.Load(point->Separation + lane);
         return (separation <= reach) | (separation + ((closing + gain) * dt) <= Wide.Zero);
+    }
+
+    /// <summary>Names the hulls of some lanes and clears the others.</summary>
+    private static void NameHulls(in ContactUpdateInput input, HullLanes* hulls, int lanes, int* piece, int* body)
+    {
+        for (int lane = 0; lane < PairLanes.Lanes; lane++)
+        {
+            HullLanes.Clear(hulls, lane);
+        }
+
+        AddHulls(input, hulls, lanes, piece, body);
+    }
+
+    private static void AddHulls(in ContactUpdateInput input, HullLanes* hulls, int lanes, int* piece, int* body)
+    {
+        for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
+        {
+            if ((lanes & 1) != 0)
+            {
+                BodyPose* pose = input.Bodies.Pose.Pointer + body[lane];
+                HullLanes.Set(hulls, lane, input.Shapes.Pieces.Pointer[piece[lane]], new Rotation(pose->Cos, pose->Sin));
+            }
+        }
     }
 
     private static void CollideLane(in ContactUpdateInput input, ContactBundle* row, int lane)

@@ -41,9 +41,11 @@ internal unsafe struct AxisQuery
     }
 
     /// <summary>
-    /// Every vertex of the other hull bounds the separation of every edge from above. So the search starts with the edge that
-    /// faces the other's centre, and an edge is measured in full only if the vertex nearest to the best edge does not already
-    /// rule it out: for small polygons mostly one edge or two.
+    /// The first of the edges with the greatest separation, and the first of the vertices lowest over it: a choice that does not
+    /// depend on the way of the search, so that lanes, which measure every edge, make the same. Here every vertex of the other hull
+    /// bounds the separation of every edge from above, rounding included. So the search starts with the edge that faces the other's
+    /// centre, and an edge is measured in full only if the vertex nearest to the best edge does not already rule it out: for small
+    /// polygons mostly one edge or two.
     /// </summary>
     private void FindPlain(in Hull reference, in Hull other, in Placement placement, Vector2 center)
     {
@@ -62,33 +64,25 @@ internal unsafe struct AxisQuery
             }
         }
 
-        Vector2 last = normals[start];
-        float lowest = Lowest(other.Vertices, other.Count, q.InverseRotate(last), out int support);
-        float best = lowest + Base(placement.Offset, vertices[start], last);
+        float best = Lowest(other.Vertices, other.Count, q.InverseRotate(normals[start]), out int bestSupport)
+            + Base(placement.Offset, vertices[start], normals[start]);
         int bestEdge = start;
-        int bestSupport = support;
-        Vector2 nearest = placement.Apply(other.Vertices[support]);
-        int edge = start;
-        for (int i = 1; i < reference.Count; i++)
+        for (int edge = 0; edge < reference.Count; edge++)
         {
-            edge = edge + 1 == reference.Count ? 0 : edge + 1;
-            Vector2 normal = normals[edge];
-            if (((nearest.X - vertices[edge].X) * normal.X) + ((nearest.Y - vertices[edge].Y) * normal.Y) <= best)
+            Vector2 d = q.InverseRotate(normals[edge]);
+            float base0 = Base(placement.Offset, vertices[edge], normals[edge]);
+            Vector2 near = other.Vertices[bestSupport];
+            if (edge == start || !IsBetter(((d.X * near.X) + (d.Y * near.Y)) + base0, edge, best, bestEdge))
             {
                 continue;
             }
 
-            Vector2 d = q.InverseRotate(normal);
-            bool fresh = IsFar(last, normal);
-            lowest = fresh ? Lowest(other.Vertices, other.Count, d, out support) : Walk(other.Vertices, other.Count, d, ref support);
-            last = normal;
-            float separation = lowest + Base(placement.Offset, vertices[edge], normal);
-            if (separation > best)
+            float separation = Lowest(other.Vertices, other.Count, d, out int support) + base0;
+            if (IsBetter(separation, edge, best, bestEdge))
             {
                 best = separation;
                 bestEdge = edge;
                 bestSupport = support;
-                nearest = placement.Apply(other.Vertices[support]);
             }
         }
 
@@ -97,6 +91,10 @@ internal unsafe struct AxisQuery
         Separation = best;
         Greatest = best;
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsBetter(float separation, int edge, float best, int bestEdge) =>
+        separation > best || (separation == best && edge < bestEdge);
 
     private void FindSeamed(in Hull reference, in Hull other, in Placement placement)
     {

@@ -6,6 +6,9 @@ namespace Farseer.Engine.NarrowPhase;
 /// <summary>Builds the points of a contact once the reference edge is known, in the reference hull's frame.</summary>
 internal static class EdgeContact
 {
+    /// <summary>Below this share of the extent the line between two vertices is too short to give a direction.</summary>
+    public const float ShortestArm = 1e-6f;
+
     public static unsafe void Build(
         in Hull reference, in Hull other, in Placement placement, in AxisQuery axis, float margin, float scale, ref Manifold manifold, bool flipped)
     {
@@ -172,9 +175,6 @@ internal readonly struct PointFrame
 /// <summary>Contact of two vertices, given along the reference edge's tangent and normal from its first vertex.</summary>
 internal readonly struct Corner
 {
-    /// <summary>Below this share of the extent the line between the vertices is too short to give a direction.</summary>
-    private const float ShortestArm = 1e-6f;
-
     private readonly int _referenceVertex;
     private readonly int _otherVertex;
     private readonly Vector2 _place;
@@ -201,7 +201,7 @@ internal readonly struct Corner
         }
 
         Vector2 arm = (tangent * x) + (edgeNormal * y);
-        Vector2 normal = distance > ShortestArm * scale ? arm / distance : edgeNormal;
+        Vector2 normal = distance > EdgeContact.ShortestArm * scale ? arm / distance : edgeNormal;
         if (!reference.Admits(_referenceVertex, ref normal))
         {
             return;

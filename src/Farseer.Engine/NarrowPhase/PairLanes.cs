@@ -1,5 +1,9 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Farseer.Engine.NarrowPhase;
 
@@ -38,6 +42,9 @@ internal enum SideFlags : int
 
     /// <summary>The body is foreseen to move by more than its own size in this step.</summary>
     Fast = 512,
+
+    /// <summary>A hull without seams, of two to <see cref="HullLanes.MostCorners"/> corners: the kernels of hulls can do it.</summary>
+    Hull = 1024,
 }
 
 /// <summary>One side of each pair of a bundle: shape, motion and material, as the record it was gathered from has them.</summary>
@@ -71,6 +78,14 @@ internal unsafe struct SideLanes
     public fixed float InverseInertia[Lanes];
     public fixed float Friction[Lanes];
     public fixed float Restitution[Lanes];
+
+    /// <summary>Rounding radii: a box has none, and its half sides where others have theirs.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Wide Radius(SideLanes* side, int lane)
+    {
+        WideMask box = WideLanes.Has(Wide.Load((float*)side->Flags + lane), (int)SideFlags.Box);
+        return Wide.Select(box, Wide.Zero, Wide.Load(side->HalfX + lane));
+    }
 }
 
 /// <summary>One point of each pair's manifold, as <see cref="ManifoldPoint"/>, and its arms in the contact frame.</summary>
@@ -118,6 +133,9 @@ internal unsafe struct PairLanes
 
     public PointLanes Point0;
     public PointLanes Point1;
+
+    /// <summary>Corners of the pieces, gathered only for pairs that need them.</summary>
+    public HullPairLanes Hulls;
 
     public static void Write(PairLanes* pairs, int lane, in Manifold manifold)
     {

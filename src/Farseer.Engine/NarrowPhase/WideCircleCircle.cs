@@ -30,16 +30,13 @@ internal static unsafe class WideCircleCircle
             Wide nx = Wide.Select(apart, x / distance, Wide.Zero);
             Wide ny = Wide.Select(apart, y / distance, Wide.One);
             Wide reach = radius + (Wide.Splat(0.5f) * separation);
-            Replace(circles, Wide.Keep(near, Wide.One), pairs->Count + lane);
-            Replace(circles, nx, pairs->NormalX + lane);
-            Replace(circles, ny, pairs->NormalY + lane);
-            Replace(circles, ax + (nx * reach), pairs->Point0.X + lane);
-            Replace(circles, ay + (ny * reach), pairs->Point0.Y + lane);
-            Replace(circles, separation, pairs->Point0.Separation + lane);
-            Replace(circles, Wide.FromBits((int)CirclePairs.Id), (float*)pairs->Point0.Id + lane);
+            WideLanes.Replace(circles, Wide.Keep(near, Wide.One), pairs->Count + lane);
+            WideLanes.Replace(circles, nx, pairs->NormalX + lane);
+            WideLanes.Replace(circles, ny, pairs->NormalY + lane);
+            WideLanes.Replace(circles, ax + (nx * reach), pairs->Point0.X + lane);
+            WideLanes.Replace(circles, ay + (ny * reach), pairs->Point0.Y + lane);
+            WideLanes.Replace(circles, separation, pairs->Point0.Separation + lane);
+            WideLanes.Replace(circles, Wide.FromBits((int)CirclePairs.Id), (float*)pairs->Point0.Id + lane);
         }
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Replace(WideMask mask, Wide value, float* target) => Wide.Select(mask, value, Wide.Load(target)).Store(target);
 }

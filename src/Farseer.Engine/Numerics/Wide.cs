@@ -136,6 +136,10 @@ internal static unsafe class WideLanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WideMask Has(Wide value, int bits) => Wide.SameBits(value & Wide.FromBits(bits), Wide.FromBits(bits));
 
+    /// <summary>Stores the lanes where the mask is set and leaves the others in memory as they are.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Replace(WideMask mask, Wide value, float* target) => Wide.Select(mask, value, Wide.Load(target)).Store(target);
+
 #if NET8_0_OR_GREATER
     /// <summary>Bit i is set where lane i of the mask is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -10,10 +10,17 @@ namespace Farseer.Engine.Tests.NarrowPhase;
 internal sealed unsafe class PairFixture
 {
     public PairFixture(ShapeGeometry a, ShapeGeometry b)
+        : this(new ShapeStore(), a, b)
     {
-        Store = new ShapeStore();
-        FirstA = Store.AttachPieces(a, 0, 0, Vector2.Zero, Rotation.Identity);
-        FirstB = Store.AttachPieces(b, 1, 1, Vector2.Zero, Rotation.Identity);
+    }
+
+    /// <summary>Two more shapes in a store; what was read from its pools before may have moved.</summary>
+    public PairFixture(ShapeStore store, ShapeGeometry a, ShapeGeometry b)
+    {
+        Store = store;
+        int body = store.PieceIds.End;
+        FirstA = Store.AttachPieces(a, body, body, Vector2.Zero, Rotation.Identity);
+        FirstB = Store.AttachPieces(b, body + 1, body + 1, Vector2.Zero, Rotation.Identity);
     }
 
     public ShapeStore Store { get; }

@@ -1,0 +1,142 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Farseer.Engine.NarrowPhase;
+
+/// <summary>
+/// The hulls of one side of a bundle's pairs, corner by corner. A hull with fewer corners than another repeats its last one: it is
+/// never chosen, because the first of equals is.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct HullLanes
+{
+    public const int Lanes = WideLanes.BundleLanes;
+
+    /// <summary>Hulls with more corners are left to the code for one pair.</summary>
+    public const int MostCorners = 8;
+
+    /// <summary>Corner i of all lanes stands at i·<see cref="Lanes"/>, likewise the outward normal of the edge that starts there.</summary>
+    public fixed float VertexX[MostCorners * Lanes];
+    public fixed float VertexY[MostCorners * Lanes];
+    public fixed float NormalX[MostCorners * Lanes];
+    public fixed float NormalY[MostCorners * Lanes];
+
+    /// <summary>Where the hull's corners begin in the pools, and the number of its last one.</summary>
+    public fixed int Start[Lanes];
+    public fixed int Last[Lanes];
+
+    /// <summary>The body's rotation.</summary>
+    public fixed float Cos[Lanes];
+    public fixed float Sin[Lanes];
+
+    /// <summary>Names the hull of a lane.</summary>
+    public static void Set(HullLanes* hulls, int lane, in Piece piece, Rotation rotation)
+    {
+        hulls->Start[lane] = piece.VertexStart;
+        hulls->Last[lane] = piece.VertexCount - 1;
+        hulls->Cos[lane] = rotation.Cos;
+        hulls->Sin[lane] = rotation.Sin;
+    }
+
+    /// <summary>A lane without a hull that counts: it repeats the first point of the pool.</summary>
+    public static void Clear(HullLanes* hulls, int lane)
+    {
+        hulls->Start[lane] = 0;
+        hulls->Last[lane] = 0;
+    }
+
+    /// <summary>Reads the corners of all lanes from the pools and returns how many the largest hull has.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static int Gather(HullLanes* hulls, Vector2* vertices, Vector2* normals)
+    {
+        int most = 0;
+        for (int lane = 0; lane < Lanes; lane++)
+        {
+            most = hulls->Last[lane] > most ? hulls->Last[lane] : most;
+        }
+
+        int* index = stackalloc int[Lanes];
+        for (int corner = 0; corner <= most; corner++)
+        {
+            Place(hulls, corner, index);
+            for (int lane = 0; lane < Lanes; lane += Wide.Count)
+            {
+                int at = (corner * Lanes) + lane;
+                WidePoints.Gather(vertices, index + lane, out Wide x, out Wide y);
+                x.Store(hulls->VertexX + at);
+                y.Store(hulls->VertexY + at);
+                WidePoints.Gather(normals, index + lane, out x, out y);
+                x.Store(hulls->NormalX + at);
+                y.Store(hulls->NormalY + at);
+            }
+        }
+
+        return most + 1;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Place(HullLanes* hulls, int corner, int* index)
+    {
+#if NET8_0_OR_GREATER
+        (Vector256.Load(hulls->Start) + Vector256.Min(Vector256.Load(hulls->Last), Vector256.Create(corner))).Store(index);
+#else
+        for (int lane = 0; lane < Lanes; lane++)
+        {
+            index[lane] = hulls->Start[lane] + (corner < hulls->Last[lane] ? corner : hulls->Last[lane]);
+        }
+#endif
+    }
+}
+
+/// <summary>The best separating axis of each lane among the edges of one side, as <see cref="AxisQuery"/>.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct AxisLanes
+{
+    public const int Lanes = WideLanes.BundleLanes;
+
+    /// <summary>Numbers of an edge and of the other hull's vertex nearest to it, held as floats.</summary>
+    public fixed float Edge[Lanes];
+    public fixed float Support[Lanes];
+    public fixed float Separation[Lanes];
+}
+
+/// <summary>A corner or an edge of each lane's hull: its place in the pools, and its part of the name of a point.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct FeatureLanes
+{
+    public const int Lanes = WideLanes.BundleLanes;
+
+    public fixed int Place[Lanes];
+    public fixed int Name[Lanes];
+}
+
+/// <summary>What the kernels of hulls hold of the pairs of a bundle besides <see cref="PairLanes"/>.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct HullPairLanes
+{
+    public const int Lanes = WideLanes.BundleLanes;
+
+    public HullLanes A;
+    public HullLanes B;
+    public AxisLanes FromA;
+    public AxisLanes FromB;
+
+    /// <summary>All bits set in the lanes that a kernel is to write.</summary>
+    public fixed int Active[Lanes];
+
+    /// <summary>All bits set in the lanes whose reference edge is one of B's.</summary>
+    public fixed int Flipped[Lanes];
+
+    /// <summary>The ends of the reference edge, and of the other hull the support vertex and its neighbours.</summary>
+    public FeatureLanes Edge;
+    public FeatureLanes End;
+    public FeatureLanes Before;
+    public FeatureLanes Support;
+    public FeatureLanes After;
+}

@@ -1,0 +1,220 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Farseer.Engine.NarrowPhase;
+
+/// <summary>
+/// <see cref="ConvexConvex"/> on lanes, for hulls without seams (polygons, boxes, capsules, segments, rounded or not): the same
+/// formulas in the same order, every branch a selection, so the same bits.
+/// </summary>
+internal static unsafe class WideConvex
+{
+    /// <summary>Finds the manifolds of the given lanes, whose hulls are named, and leaves the others alone.</summary>
+    /// <param name="pairs">The pairs; both sides of <see cref="PairLanes.Hulls"/> are named.</param>
+    /// <param name="lanes">The lanes to do, a bit each.</param>
+    /// <param name="vertices">Pool of corners.</param>
+    /// <param name="normals">Pool of edge normals.</param>
+    public static void Collide(PairLanes* pairs, int lanes, Vector2* vertices, Vector2* normals)
+    {
+        HullPairLanes* hulls = &pairs->Hulls;
+        int cornersA = HullLanes.Gather(&hulls->A, vertices, normals);
+        int cornersB = HullLanes.Gather(&hulls->B, vertices, normals);
+        int near = 0;
+        int flipped = 0;
+        for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
+        {
+            near |= FindAxes(pairs, lanes >> lane, cornersA, cornersB, lane, out int turned) << lane;
+            flipped |= turned << lane;
+        }
+
+        near &= lanes;
+        for (int lane = 0; lane < PairLanes.Lanes; lane++)
+        {
+            if ((lanes & (1 << lane)) != 0)
+            {
+                pairs->Count[lane] = 0;
+            }
+
+            hulls->Active[lane] = -((near >> lane) & 1);
+            hulls->Flipped[lane] = -((flipped >> lane) & 1);
+        }
+
+        if (near == 0)
+        {
+            return;
+        }
+
+        FindFeatures(hulls, near, flipped);
+        for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
+        {
+            Build(pairs, lane, vertices, normals);
+        }
+    }
+
+    /// <summary>How B lies in A's frame.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WidePlacement PlaceB(PairLanes* pairs, int lane)
+    {
+        Wide aCos = Wide.Load(pairs->Hulls.A.Cos + lane);
+        Wide aSin = Wide.Load(pairs->Hulls.A.Sin + lane);
+        Wide bCos = Wide.Load(pairs->Hulls.B.Cos + lane);
+        Wide bSin = Wide.Load(pairs->Hulls.B.Sin + lane);
+        Wide x = Wide.Load(pairs->OffsetX + lane);
+        Wide y = Wide.Load(pairs->OffsetY + lane);
+        WidePlacement placement;
+        placement.Cos = (aCos * bCos) + (aSin * bSin);
+        placement.Sin = (aCos * bSin) - (aSin * bCos);
+        placement.X = (aCos * x) + (aSin * y);
+        placement.Y = (aCos * y) - (aSin * x);
+        return placement;
+    }
+
+    /// <summary>How A lies in B's frame, when the turn between them is known.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WidePlacement PlaceA(PairLanes* pairs, int lane, in WidePlacement turn)
+    {
+        Wide bCos = Wide.Load(pairs->Hulls.B.Cos + lane);
+        Wide bSin = Wide.Load(pairs->Hulls.B.Sin + lane);
+        Wide x = Wide.Zero - Wide.Load(pairs->OffsetX + lane);
+        Wide y = Wide.Zero - Wide.Load(pairs->OffsetY + lane);
+        WidePlacement placement;
+        placement.Cos = turn.Cos;
+        placement.Sin = Wide.Zero - turn.Sin;
+        placement.X = (bCos * x) + (bSin * y);
+        placement.Y = (bCos * y) - (bSin * x);
+        return placement;
+    }
+
+    /// <summary>The lanes (a bit each) that no axis separates by more than the margin, and those whose reference is B.</summary>
+    private static int FindAxes(PairLanes* pairs, int lanes, int cornersA, int cornersB, int lane, out int flipped)
+    {
+        HullPairLanes* hulls = &pairs->Hulls;
+        WidePlacement placement = PlaceB(pairs, lane);
+        Wide limit = (Wide.Load(pairs->Margin + lane) + SideLanes.Radius(&pairs->A, lane)) + SideLanes.Radius(&pairs->B, lane);
+        WideAxisQuery.Find(&hulls->A, cornersA, &hulls->B, cornersB, placement, lane, &hulls->FromA);
+        Wide fromA = Wide.Load(hulls->FromA.Separation + lane);
+        int near = ~WideLanes.Bits(fromA > limit) & ((1 << Wide.Count) - 1);
+        flipped = 0;
+        if ((near & lanes) == 0)
+        {
+            return 0;
+        }
+
+        placement = PlaceA(pairs, lane, placement);
+        WideAxisQuery.Find(&hulls->B, cornersB, &hulls->A, cornersA, placement, lane, &hulls->FromB);
+        Wide fromB = Wide.Load(hulls->FromB.Separation + lane);
+        Wide scale = Wide.Min(Wide.Load(pairs->A.Extent + lane), Wide.Load(pairs->B.Extent + lane));
+        flipped = WideLanes.Bits(fromB > fromA + (Wide.Splat(ConvexConvex.ReferenceBias) * scale));
+        return near & ~WideLanes.Bits(fromB > limit);
+    }
+
+    /// <summary>Looks up where the features lie that the contact can be made of.</summary>
+    private static void FindFeatures(HullPairLanes* hulls, int near, int flipped)
+    {
+        for (int lane = 0; lane < HullPairLanes.Lanes; lane++)
+        {
+            bool turned = ((flipped >> lane) & 1) != 0;
+            bool counts = ((near >> lane) & 1) != 0;
+            HullLanes* reference = turned ? &hulls->B : &hulls->A;
+            HullLanes* other = turned ? &hulls->A : &hulls->B;
+            AxisLanes* axis = turned ? &hulls->FromB : &hulls->FromA;
+            int edge = counts ? (int)axis->Edge[lane] : 0;
+            int support = counts ? (int)axis->Support[lane] : 0;
+            int last = other->Last[lane];
+            int start = reference->Start[lane];
+            int shift = turned ? 1 : 16;
+            Set(&hulls->Edge, lane, start, edge, shift);
+            Set(&hulls->End, lane, start, edge == reference->Last[lane] ? 0 : edge + 1, shift);
+            start = other->Start[lane];
+            shift = 17 - shift;
+            Set(&hulls->Before, lane, start, support == 0 ? last : support - 1, shift);
+            Set(&hulls->Support, lane, start, support, shift);
+            Set(&hulls->After, lane, start, support == last ? 0 : support + 1, shift);
+        }
+    }
+
+    // A name is EdgeContact.Id, of which each feature gives its half.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Set(FeatureLanes* feature, int lane, int start, int number, int shift)
+    {
+        feature->Place[lane] = start + number;
+        feature->Name[lane] = (number << shift) | 1;
+    }
+
+    [MethodImpl(KernelMethod.Optimized)]
+    private static void Build(PairLanes* pairs, int lane, Vector2* vertices, Vector2* normals)
+    {
+        HullPairLanes* hulls = &pairs->Hulls;
+        WideMask flipped = WideLanes.Has(Wide.Load((float*)hulls->Flipped + lane), -1);
+        WidePlacement placement = PlaceB(pairs, lane);
+        WidePlacement placeA = PlaceA(pairs, lane, placement);
+        placement.Sin = Wide.Select(flipped, placeA.Sin, placement.Sin);
+        placement.X = Wide.Select(flipped, placeA.X, placement.X);
+        placement.Y = Wide.Select(flipped, placeA.Y, placement.Y);
+
+        WideEdgeContact contact = default;
+        WidePoints.Gather(vertices, hulls->Edge.Place + lane, out contact.X, out contact.Y);
+        WidePoints.Gather(normals, hulls->Edge.Place + lane, out contact.NormalX, out contact.NormalY);
+        WidePoints.Gather(vertices, hulls->End.Place + lane, out contact.EndX, out contact.EndY);
+        contact.Length = contact.Along(contact.EndX - contact.X, contact.EndY - contact.Y);
+
+        // Of the two edges at the support vertex the one that faces the reference edge more.
+        placement.TurnBack(contact.NormalX, contact.NormalY, out Wide mx, out Wide my);
+        WidePoints.Gather(normals, hulls->Before.Place + lane, out Wide x, out Wide y);
+        Wide facing = (x * mx) + (y * my);
+        WidePoints.Gather(normals, hulls->Support.Place + lane, out x, out y);
+        WideMask before = facing < (x * mx) + (y * my);
+        contact.SupportIsHigh = ~before;
+        WidePoints.Gather(vertices, hulls->Support.Place + lane, out x, out y);
+        contact.See(placement, x, y, out contact.NearX, out contact.NearY);
+        WidePoints.Gather(vertices, hulls->Before.Place + lane, out mx, out my);
+        WidePoints.Gather(vertices, hulls->After.Place + lane, out x, out y);
+        contact.See(placement, Wide.Select(before, mx, x), Wide.Select(before, my, y), out contact.FarX, out contact.FarY);
+        contact.NearName = Wide.Load((float*)hulls->Support.Name + lane);
+        contact.FarName = Wide.Select(before, Wide.Load((float*)hulls->Before.Name + lane), Wide.Load((float*)hulls->After.Name + lane));
+        contact.EdgeName = Wide.Load((float*)hulls->Edge.Name + lane);
+        contact.EndName = Wide.Load((float*)hulls->End.Name + lane);
+
+        Wide radiusA = SideLanes.Radius(&pairs->A, lane);
+        Wide radiusB = SideLanes.Radius(&pairs->B, lane);
+        contact.Radius = Wide.Select(flipped, radiusB, radiusA);
+        contact.Sum = contact.Radius + Wide.Select(flipped, radiusA, radiusB);
+        contact.Margin = Wide.Load(pairs->Margin + lane);
+        contact.Scale = Wide.Min(Wide.Load(pairs->A.Extent + lane), Wide.Load(pairs->B.Extent + lane));
+        contact.Flipped = flipped;
+        WideMask active = WideLanes.Has(Wide.Load((float*)hulls->Active + lane), -1);
+        contact.Build(active, out WideManifold manifold);
+        Write(pairs, lane, active, flipped, manifold);
+    }
+
+    /// <summary>Turns the manifold from the reference hull's frame to world axes about A's centre, its normal leading from A to B.</summary>
+    private static void Write(PairLanes* pairs, int lane, WideMask active, WideMask flipped, in WideManifold manifold)
+    {
+        WidePlacement frame;
+        frame.Cos = Wide.Select(flipped, Wide.Load(pairs->Hulls.B.Cos + lane), Wide.Load(pairs->Hulls.A.Cos + lane));
+        frame.Sin = Wide.Select(flipped, Wide.Load(pairs->Hulls.B.Sin + lane), Wide.Load(pairs->Hulls.A.Sin + lane));
+        frame.X = Wide.Keep(flipped, Wide.Load(pairs->OffsetX + lane));
+        frame.Y = Wide.Keep(flipped, Wide.Load(pairs->OffsetY + lane));
+        Wide nx = (frame.Cos * manifold.NormalX) - (frame.Sin * manifold.NormalY);
+        Wide ny = (frame.Sin * manifold.NormalX) + (frame.Cos * manifold.NormalY);
+        WideLanes.Replace(active, Wide.Select(flipped, Wide.Zero - nx, nx), pairs->NormalX + lane);
+        WideLanes.Replace(active, Wide.Select(flipped, Wide.Zero - ny, ny), pairs->NormalY + lane);
+        WideLanes.Replace(active, manifold.Count, pairs->Count + lane);
+        Write(&pairs->Point0, lane, active, frame, manifold.Point0);
+        Write(&pairs->Point1, lane, active, frame, manifold.Point1);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Write(PointLanes* point, int lane, WideMask active, in WidePlacement frame, in WideManifoldPoint source)
+    {
+        frame.Apply(source.X, source.Y, out Wide x, out Wide y);
+        WideLanes.Replace(active, x, point->X + lane);
+        WideLanes.Replace(active, y, point->Y + lane);
+        WideLanes.Replace(active, source.Separation, point->Separation + lane);
+        WideLanes.Replace(active, source.Name, (float*)point->Id + lane);
+    }
+}
