@@ -2,7 +2,6 @@ using System;
 using System.Numerics;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Shapes;
-using Farseer.Engine.Storage;
 using Xunit;
 
 namespace Farseer.Engine.Tests.NarrowPhase;
@@ -13,7 +12,7 @@ public unsafe class WideCircleCircleTests
     public void Collide_RandomCircles_GivesTheBitsOfTheScalarCode()
     {
         var random = new Random(12);
-        var pairs = new Column<PairLanes>(1);
+        var lanes = new LanesFixture();
         var expected = new Manifold[PairLanes.Lanes];
         int touching = 0;
         for (int i = 0; i < 2000; i++)
@@ -26,31 +25,17 @@ public unsafe class WideCircleCircleTests
                 Vector2 offset = random.Next(20) == 0 ? Vector2.Zero : 1.6f * RandomShape.Point(random);
                 PairInput input = pair.Input(pair.FirstA, pair.FirstB, random.NextDouble(), random.NextDouble(), offset, 0.1f);
                 CirclePairs.CircleCircle(input, out expected[lane]);
-                Set(&pairs.Pointer->A, lane, input.A, input.RotationA);
-                Set(&pairs.Pointer->B, lane, input.B, input.RotationB);
-                pairs.Pointer->OffsetX[lane] = offset.X;
-                pairs.Pointer->OffsetY[lane] = offset.Y;
-                pairs.Pointer->Margin[lane] = input.Margin;
+                lanes.Set(lane, input);
             }
 
-            WideCircleCircle.Collide(pairs.Pointer);
+            WideCircleCircle.Collide(lanes.Pairs);
             for (int lane = 0; lane < PairLanes.Lanes; lane++)
             {
-                Manifold found = PairLanes.Read(pairs.Pointer, lane);
-                Assert.Equal(expected[lane], found);
-                touching += found.Count;
+                lanes.AssertSame(lane, expected[lane]);
+                touching += expected[lane].Count;
             }
         }
 
         Assert.InRange(touching, 4000, 15000);
-    }
-
-    private static void Set(SideLanes* side, int lane, in Piece piece, Engine.Numerics.Rotation rotation)
-    {
-        Vector2 center = rotation.Rotate(piece.Center);
-        side->X[lane] = center.X;
-        side->Y[lane] = center.Y;
-        side->HalfX[lane] = piece.Half.X;
-        side->Flags[lane] = (int)SideFlags.Circle;
     }
 }
