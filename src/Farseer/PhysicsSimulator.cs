@@ -14,8 +14,8 @@ using FarseerGames.FarseerPhysics.Interfaces;
 namespace FarseerGames.FarseerPhysics;
 
 /// <summary>
-/// The world that bodies and geoms are added to and that is updated each frame. It holds no unmanaged resources: disposing it is
-/// optional. A simulator is not safe for use by several threads at once; several simulators are independent of each other.
+/// The world that bodies and geoms are added to and that is updated each frame. Disposing it is optional: it holds no unmanaged
+/// resources, and threads of <see cref="WorkerCount"/> end with it in any case. A simulator is not safe for use by several threads at once; several simulators are independent of each other.
 /// </summary>
 public partial class PhysicsSimulator : IDisposable
 {
@@ -277,6 +277,7 @@ public partial class PhysicsSimulator : IDisposable
         {
             Clear();
             _isDisposed = true;
+            World.Dispose();
         }
 
         GC.SuppressFinalize(this);

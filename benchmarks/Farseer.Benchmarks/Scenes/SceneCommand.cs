@@ -9,7 +9,7 @@ namespace Farseer.Benchmarks.Scenes;
 /// <summary>The verb <c>scenes</c>: times whole steps of the performance scenes.</summary>
 internal static class SceneCommand
 {
-    public const string Usage = "scenes [--scene NAME[=SIZE]] [--runs N] [--steps N] [--csv FILE]";
+    public const string Usage = "scenes [--scene NAME[=SIZE]] [--workers N] [--runs N] [--steps N] [--csv FILE]";
     private const int Misused = 2;
 
     public static int Run(ReadOnlySpan<string> args, TextWriter output, TextWriter errors)
@@ -31,6 +31,7 @@ internal static class SceneCommand
         var chosen = new List<(PerformanceScene Scene, int Size)>();
         int runs = 5;
         int steps = 0;
+        int workers = 1;
         string? csvPath = null;
         for (int i = 0; i < args.Length; i += 2)
         {
@@ -45,6 +46,9 @@ internal static class SceneCommand
                     break;
                 case "--steps":
                     steps = WholeNumber(args[i], value, 2, 1_000_000);
+                    break;
+                case "--workers":
+                    workers = WholeNumber(args[i], value, 0, 1000);
                     break;
                 case "--csv":
                     csvPath = value.Length > 0 ? value : throw new FormatException("--csv needs a file name.");
@@ -64,10 +68,10 @@ internal static class SceneCommand
 
         using StreamWriter? csv = csvPath is null ? null : new StreamWriter(csvPath);
         csv?.WriteLine(SceneTiming.CsvHeader);
-        output.WriteLine($"{Asset.Framework}, {Asset.Lanes} lanes, 1 worker, {runs} runs; the first step of a run is not timed");
+        output.WriteLine($"{Asset.Framework}, {Asset.Lanes} lanes, {Workers(workers)}, {runs} runs; the first step of a run is not timed");
         foreach ((PerformanceScene scene, int size) in chosen)
         {
-            var timing = new SceneTiming(scene, size, steps == 0 ? scene.Steps : steps);
+            var timing = new SceneTiming(scene, size, steps == 0 ? scene.Steps : steps, workers);
             timing.Run(runs);
             Print(output, $"{scene.Name}={size}", timing);
             csv?.WriteLine(timing.ToCsv());
@@ -102,6 +106,13 @@ internal static class SceneCommand
         int size = parts.Length == 1 ? scene.DefaultSize : WholeNumber($"{scene.Name} ({scene.SizeMeaning})", parts[1], 1, scene.LargestSize);
         return (scene, size);
     }
+
+    private static string Workers(int count) => count switch
+    {
+        0 => "all workers",
+        1 => "1 worker",
+        _ => $"{count} workers",
+    };
 
     private static string Names()
     {

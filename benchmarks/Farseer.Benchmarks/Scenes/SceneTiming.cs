@@ -19,13 +19,15 @@ internal sealed class SceneTiming
     private readonly PerformanceScene _scene;
     private readonly int _size;
     private readonly int _steps;
+    private readonly int _workers;
     private readonly List<double> _milliseconds = [];
 
-    public SceneTiming(PerformanceScene scene, int size, int steps)
+    public SceneTiming(PerformanceScene scene, int size, int steps, int workers)
     {
         _scene = scene;
         _size = size;
         _steps = steps;
+        _workers = workers;
     }
 
     public int TimedSteps => _steps - 1;
@@ -69,11 +71,11 @@ internal sealed class SceneTiming
 
     public string ToCsv() => string.Create(
         CultureInfo.InvariantCulture,
-        $"{_scene.Name},{_size},{DynamicBodies},{Contacts},{Joints},1,{Asset.Framework},{Asset.Lanes},{_steps},{LeastMilliseconds:F4},{MedianMilliseconds:F4},{MedianTotal:F1},{NanosecondsPerBodyStep:F1},{BytesPerStep:F1},{StateHash:x16},{LargestPenetration:G4},{LargestSeparation:G4}");
+        $"{_scene.Name},{_size},{DynamicBodies},{Contacts},{Joints},{_workers},{Asset.Framework},{Asset.Lanes},{_steps},{LeastMilliseconds:F4},{MedianMilliseconds:F4},{MedianTotal:F1},{NanosecondsPerBodyStep:F1},{BytesPerStep:F1},{StateHash:x16},{LargestPenetration:G4},{LargestSeparation:G4}");
 
     private PhysicsSimulator Start()
     {
-        var simulator = new PhysicsSimulator();
+        var simulator = new PhysicsSimulator { WorkerCount = _workers };
         _scene.Build(simulator, _size);
         _scene.Drive(0);
         simulator.Update(_scene.Dt);
@@ -83,7 +85,7 @@ internal sealed class SceneTiming
     private void Time()
     {
         using PhysicsSimulator simulator = Start();
-        long bytes = GC.GetAllocatedBytesForCurrentThread();
+        long bytes = GC.GetTotalAllocatedBytes(precise: true);
         long start = Stopwatch.GetTimestamp();
         for (int i = 0; i < TimedSteps; i++)
         {
@@ -92,7 +94,7 @@ internal sealed class SceneTiming
         }
 
         _milliseconds.Add(Stopwatch.GetElapsedTime(start).TotalMilliseconds);
-        BytesPerStep = (GC.GetAllocatedBytesForCurrentThread() - bytes) / (double)TimedSteps;
+        BytesPerStep = (GC.GetTotalAllocatedBytes(precise: true) - bytes) / (double)TimedSteps;
         DynamicBodies = 0;
         foreach (Body body in simulator.BodyList)
         {

@@ -23,6 +23,9 @@ internal static class Require
     public static int Positive(int value, string name) =>
         value > 0 ? value : throw new ArgumentOutOfRangeException(name, value, "The value must be above 0.");
 
+    public static int NotNegative(int value, string name) =>
+        value >= 0 ? value : throw new ArgumentOutOfRangeException(name, value, "The value must be at least 0.");
+
     /// <summary>Not null, and a place or velocity that the engine can hold.</summary>
     public static b2Vec2 Vector(b2Vec2? value, string name)
     {

@@ -75,6 +75,16 @@ public partial class b2World
     /// <param name="flag">False switches it off.</param>
     public void SetContinuousPhysics(bool flag) => Engine.SetContinuous(flag);
 
+    /// <summary>
+    /// How many threads share the work of a step, the calling one included. The motion is the same, bit for bit, whatever the number, and
+    /// listeners are told on the calling thread alone. Only large steps wake the other threads, which sleep between steps and end
+    /// when the world is dropped. Default 1: no threads. (An addition to the original.)
+    /// </summary>
+    /// <param name="count">At least 1, or 0 for as many as there are processors, more than which are not used.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="count"/> is negative.</exception>
+    public void SetWorkerCount(int count) =>
+        Engine.World.SetWorkers(Require.NotNegative(count, nameof(count)), Environment.ProcessorCount, null);
+
     private void FreezeOutside()
     {
         for (b2Body? b = _bodies; b is not null; b = b.Next)

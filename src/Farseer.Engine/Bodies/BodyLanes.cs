@@ -49,6 +49,21 @@ internal static unsafe class BodyLanes
         Scatter((float*)bodies, index, v.X, v.Y, v.W, v.Spare);
     }
 
+    /// <summary>As <see cref="ScatterVelocity"/>, but leaves out the lanes whose inverse mass and inertia are both 0.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void ScatterMoving(BodyState* bodies, int* index, in WideVelocity v, float* mass, float* inertia)
+    {
+        int moving = WideLanes.Bits((Wide.Load(mass) > Wide.Zero) | (Wide.Load(inertia) > Wide.Zero));
+        if (moving == (1 << Wide.Count) - 1)
+        {
+            ScatterVelocity(bodies, index, v);
+        }
+        else if (moving != 0)
+        {
+            ScatterSome(bodies, index, v, moving);
+        }
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void ScatterDelta(BodyState* bodies, int* index, in WideDelta d)
     {
@@ -213,6 +228,26 @@ internal static unsafe class BodyLanes
             r[1] = t[i + 8];
             r[2] = t[i + 16];
             r[3] = t[i + 24];
+        }
+    }
+
+    private static void ScatterSome(BodyState* bodies, int* index, in WideVelocity v, int lanes)
+    {
+        float* t = stackalloc float[4 * WideLanes.BundleLanes];
+        v.X.Store(t);
+        v.Y.Store(t + 8);
+        v.W.Store(t + 16);
+        v.Spare.Store(t + 24);
+        for (int i = 0; lanes != 0; i++, lanes >>= 1)
+        {
+            if ((lanes & 1) != 0)
+            {
+                float* r = (float*)(bodies + index[i]);
+                r[0] = t[i];
+                r[1] = t[i + 8];
+                r[2] = t[i + 16];
+                r[3] = t[i + 24];
+            }
         }
     }
 

@@ -35,6 +35,9 @@ internal sealed class BodyColors
         ? position
         : position == Dynamic ? DynamicOverflow : position == Count - 1 ? StaticOverflow : position - 1;
 
+    /// <summary>One body of each row of the colour cannot move, and several rows may share it.</summary>
+    public static bool IsGrounded(int color) => color >= Dynamic && color != DynamicOverflow;
+
     public void EnsureBodies(int capacity) => _masks.EnsureCapacity(capacity);
 
     public int Choose(int a, int b, bool movesA, bool movesB)

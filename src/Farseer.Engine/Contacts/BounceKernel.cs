@@ -54,7 +54,7 @@ internal static unsafe class BounceKernel
 
     /// <summary>One sweep; the last one also lets go of the impulses of the points that bounced, which are not to be repeated.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Apply(ContactBundle* bundles, int count, BodyState* bodies, bool last)
+    public static void Apply(ContactBundle* bundles, int count, BodyState* bodies, bool grounded, bool last)
     {
         for (int i = 0; i < count; i++)
         {
@@ -87,8 +87,7 @@ internal static unsafe class BounceKernel
 
                 // The impact presses harder than the stop alone: friction may use all of it, so a grazing ball takes its full spin.
                 ContactKernel.SolveFriction(row, lane, ref a, ref b, movedA, movedB, x0, x1, any);
-                BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
-                BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
+                ContactKernel.StoreVelocities(row, lane, bodies, a, b, grounded);
                 x0.Store(row->Point0.Normal + lane);
                 x1.Store(row->Point1.Normal + lane);
                 if (last)

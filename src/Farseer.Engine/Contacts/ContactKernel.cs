@@ -20,7 +20,7 @@ internal static unsafe class ContactKernel
     /// block solver), friction kept within its cone.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void WarmStart(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c)
+    public static void WarmStart(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool grounded)
     {
         Wide fall = Wide.Splat(c.Gravity * c.Substep);
         for (int i = 0; i < count; i++)
@@ -37,8 +37,7 @@ internal static unsafe class ContactKernel
                 Extrapolate(&row->Point1, lane, friction, weight1, out Wide normal1, out Wide tangent1);
                 ApplyNormal(row, lane, ref a, ref b, normal0, normal1);
                 ApplyTangent(row, lane, ref a, ref b, tangent0, tangent1);
-                BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
-                BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
+                StoreVelocities(row, lane, bodies, a, b, grounded);
             }
         }
     }
@@ -50,7 +49,7 @@ internal static unsafe class ContactKernel
     /// their overlap goes in <see cref="PushOut"/>.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void SolveBiased(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
+    public static void SolveBiased(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool grounded, bool anyDeep)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide biasRate = Wide.Splat(c.BiasRate * ContactCoefficients.MassScale);
@@ -102,8 +101,7 @@ internal static unsafe class ContactKernel
                 x0.Store(row->Point0.Normal + lane);
                 x1.Store(row->Point1.Normal + lane);
                 ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
-                BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
-                BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
+                StoreVelocities(row, lane, bodies, a, b, grounded);
             }
         }
     }
@@ -113,7 +111,7 @@ internal static unsafe class ContactKernel
     /// the impulses, so that a deep overlap never becomes speed.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void PushOut(ContactBundle* bundles, int count, BodyState* bodies, float recoveryRate, in ContactCoefficients c)
+    public static void PushOut(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool grounded, float recoveryRate)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rate = Wide.Splat(recoveryRate);
@@ -135,8 +133,7 @@ internal static unsafe class ContactKernel
                 Wide push0 = Wide.Select(deep, x0 - lambda0, Wide.Zero);
                 Wide push1 = Wide.Select(deep, x1 - lambda1, Wide.Zero);
                 ApplyNormal(row, lane, ref a, ref b, push0, push1);
-                BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
-                BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
+                StoreVelocities(row, lane, bodies, a, b, grounded);
             }
         }
     }
@@ -148,7 +145,7 @@ internal static unsafe class ContactKernel
     /// into spin. (To leave every open surface to the next substep cured that as well, but cost a tipping box 9e-4 rad/s.)
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Relax(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool rub)
+    public static void Relax(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool grounded, bool rub)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rest = Wide.Splat(c.Rest);
@@ -183,8 +180,7 @@ internal static unsafe class ContactKernel
                     SolveFriction(row, lane, ref a, ref b, movedA, movedB, x0, x1, WideLanes.AllSet);
                 }
 
-                BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
-                BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
+                StoreVelocities(row, lane, bodies, a, b, grounded);
 
                 // Only the load common to both points is fed forward: with each point's own, random piles creep.
                 Wide single = Wide.Load(row->Single + lane);
@@ -197,6 +193,26 @@ internal static unsafe class ContactKernel
                 Wide.Min(x0, feed0 + (feedRate * (target - feed0))).Store(row->Point0.Feed + lane);
                 Wide.Min(x1, feed1 + (feedRate * (target - feed1))).Store(row->Point1.Feed + lane);
             }
+        }
+    }
+
+    /// <summary>
+    /// Gives the bodies their new velocities. In the colours of the ground (<paramref name="grounded"/>) what does not move is not
+    /// written: several rows of a colour share it, and other workers read it meanwhile.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void StoreVelocities(
+        ContactBundle* row, int lane, BodyState* bodies, in WideVelocity a, in WideVelocity b, bool grounded)
+    {
+        if (grounded)
+        {
+            BodyLanes.ScatterMoving(bodies, row->BodyA + lane, a, row->MassA + lane, row->InertiaA + lane);
+            BodyLanes.ScatterMoving(bodies, row->BodyB + lane, b, row->MassB + lane, row->InertiaB + lane);
+        }
+        else
+        {
+            BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
+            BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
         }
     }
 

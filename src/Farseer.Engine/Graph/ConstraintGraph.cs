@@ -32,7 +32,7 @@ internal sealed unsafe class ConstraintGraph
     {
         for (int i = 0; i < ColorCount; i++)
         {
-            _colors[i] = new GraphColor(i >= BodyColors.Masked);
+            _colors[i] = new GraphColor(i >= BodyColors.Masked, BodyColors.IsGrounded(i));
         }
 
         for (int i = 0; i < ColorCount; i++)

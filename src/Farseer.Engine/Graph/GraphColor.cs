@@ -11,12 +11,17 @@ internal sealed unsafe class GraphColor
     private readonly int _lanesUsed;
 
     /// <param name="sequential">True for the overflow, whose contacts may share bodies: one filled lane a bundle.</param>
+    /// <param name="grounded">True for a colour of contacts with the ground.</param>
     /// <param name="source">Of a copy: the colour whose rows it borrows.</param>
-    public GraphColor(bool sequential = false, int source = -1)
+    public GraphColor(bool sequential = false, bool grounded = false, int source = -1)
     {
         _lanesUsed = sequential ? 1 : WideLanes.BundleLanes;
+        IsGrounded = grounded;
         Source = source;
     }
+
+    /// <summary>One body of each contact does not move, and several contacts may share it.</summary>
+    public bool IsGrounded { get; }
 
     /// <summary>Place of the colour whose rows this one borrows; -1 if they are its own.</summary>
     public int Source { get; }

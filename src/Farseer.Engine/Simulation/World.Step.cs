@@ -140,6 +140,7 @@ internal sealed partial class World
         JointSolver? joints = anyJoints ? _jointSolver : null;
         _lists.PrepareDrives(Bodies, _lists.Solver, _lists.SolverCount, Settings.Gravity, substep);
         SolverInput input;
+        input.Runner = _runner;
         input.Bodies = Bodies;
         input.Colors = _graph.Solved;
         input.RowCount = _graph.RowCount;

@@ -114,13 +114,17 @@ internal sealed partial class World
         IsStepping = true;
         try
         {
+            BeginWork();
             RunStages(dt);
         }
         finally
         {
+            _runner.End();
             _lists.Fast.Begin(0);
             IsStepping = false;
             Queries.Version++;
         }
+
+        _runner.ThrowSchedulerError();
     }
 }

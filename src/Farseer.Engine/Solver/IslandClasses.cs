@@ -296,7 +296,8 @@ internal sealed unsafe class IslandClasses
     /// <summary>The class's own copy of a colour, empty.</summary>
     private GraphColor Take(int index, int color)
     {
-        GraphColor copy = _pool[index][color] ??= new GraphColor(_graph.InOrder[color].IsSequential, color);
+        GraphColor source = _graph.InOrder[color];
+        GraphColor copy = _pool[index][color] ??= new GraphColor(source.IsSequential, source.IsGrounded, color);
         copy.Clear();
         return copy;
     }

@@ -5,6 +5,7 @@ using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Springs;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Solver;
@@ -12,6 +13,7 @@ namespace Farseer.Engine.Solver;
 /// <summary>What the solver works on in one step.</summary>
 internal unsafe ref struct SolverInput
 {
+    public StageRunner Runner;
     public BodyStore Bodies;
 
     /// <summary>Rows by colour, in the order of solving, and how many there are.</summary>
@@ -64,17 +66,15 @@ internal sealed unsafe class SubstepSolver
     private const int FewRows = 64;
     private const int FewRowsSweeps = 16;
 
-    private readonly Column<BodyState> _saved = new Column<BodyState>();
+    private readonly BodyPasses _bodies = new BodyPasses();
+    private readonly ContactPasses _passes = new ContactPasses();
     private readonly UserJointPass _userJoints = new UserJointPass();
 
     public void Solve(in SolverInput input)
     {
-        // Room for all bodies from the first step on, so that a late overlap does not allocate.
-        _saved.EnsureCapacity(input.Bodies.State.Capacity + WideLanes.BundleLanes);
-        BodyState* states = input.Bodies.State.Pointer;
-        BodyMotion* motions = input.Bodies.Motion.Pointer;
-        BodyDrive* drives = input.Bodies.Drive.Pointer;
         ContactCoefficients coefficients = input.Coefficients;
+        _bodies.Begin(input.Runner, input.Bodies, input.List, input.PaddedCount, input.Substep);
+        _passes.Begin(input.Runner, input.Bodies, coefficients);
         double recovery = input.AnyDeep ? RecoveryRate(input.Recovery, input.Substeps) : 0;
         if (input.Joints != null)
         {
@@ -87,22 +87,23 @@ internal sealed unsafe class SubstepSolver
         {
             if (input.AnyBounce)
             {
-                PrepareBounce(input, states, coefficients);
+                _passes.PrepareBounce(input.Colors);
                 input.Joints?.PrepareBounce();
             }
 
+            input.Runner.Call();
             input.Audit?.BeginSubstep();
-            Integrator.IntegrateVelocities(input.List, input.PaddedCount, states, motions, drives);
+            _bodies.IntegrateVelocities();
             input.Audit?.Book(SolverPart.Drive);
             input.Springs?.Apply(input.Bodies, input.Substep);
             input.Audit?.Book(SolverPart.Springs);
             input.Joints?.Enter();
             input.Audit?.Book(SolverPart.Joints);
-            WarmStart(input.Colors, states, coefficients);
+            _passes.WarmStart(input.Colors);
             input.Audit?.Book(SolverPart.Contacts);
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
-                SolveBiased(input.Colors, states, coefficients, input.AnyDeep);
+                _passes.SolveBiased(input.Colors, input.AnyDeep);
                 input.Audit?.Book(SolverPart.Contacts);
                 input.Joints?.Solve(sweep > 0);
                 input.Audit?.Book(SolverPart.Joints);
@@ -116,11 +117,11 @@ internal sealed unsafe class SubstepSolver
 
             if (input.AnyDeep)
             {
-                PushOutAndMove(input, states, motions, (float)recovery, coefficients);
+                PushOutAndMove(input.Colors, (float)recovery * coefficients.InverseSubstep);
             }
             else
             {
-                Integrator.IntegratePositions(input.List, input.PaddedCount, states, motions, input.Substep);
+                _bodies.IntegratePositions();
             }
 
             input.Joints?.CorrectPositions(recovery);
@@ -130,7 +131,7 @@ internal sealed unsafe class SubstepSolver
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
                 bool rub = sweep * 2 >= sweeps - 1;
-                Relax(input.Colors, states, coefficients, rub);
+                _passes.Relax(input.Colors, rub);
                 input.Audit?.Book(SolverPart.Contacts);
                 input.Joints?.Relax(sweep > 0, rub);
                 input.Audit?.Book(SolverPart.Joints);
@@ -138,7 +139,7 @@ internal sealed unsafe class SubstepSolver
 
             if (input.AnyBounce)
             {
-                Bounce(input.Colors, states, input.Joints);
+                Bounce(input.Colors, input.Joints);
                 input.Audit?.Book(SolverPart.Impacts);
                 input.Joints?.Settle();
                 input.Audit?.Book(SolverPart.Joints);
@@ -159,79 +160,22 @@ internal sealed unsafe class SubstepSolver
         }
     }
 
-    private static void WarmStart(ReadOnlySpan<GraphColor> colors, BodyState* states, in ContactCoefficients c)
-    {
-        for (int i = 0; i < colors.Length; i++)
-        {
-            GraphColor color = colors[i];
-            ContactKernel.WarmStart(color.Bundles, color.BundleCount, states, c);
-        }
-    }
-
-    private static void SolveBiased(ReadOnlySpan<GraphColor> colors, BodyState* states, in ContactCoefficients c, bool anyDeep)
-    {
-        for (int i = 0; i < colors.Length; i++)
-        {
-            GraphColor color = colors[i];
-            ContactKernel.SolveBiased(color.Bundles, color.BundleCount, states, c, anyDeep);
-        }
-    }
-
-    private static void Relax(ReadOnlySpan<GraphColor> colors, BodyState* states, in ContactCoefficients c, bool rub)
-    {
-        for (int i = 0; i < colors.Length; i++)
-        {
-            GraphColor color = colors[i];
-            ContactKernel.Relax(color.Bundles, color.BundleCount, states, c, rub);
-        }
-    }
-
-    private static void PrepareBounce(in SolverInput input, BodyState* states, in ContactCoefficients c)
-    {
-        for (int i = 0; i < input.Colors.Length; i++)
-        {
-            GraphColor color = input.Colors[i];
-            BounceKernel.Prepare(color.Bundles, color.BundleCount, states, input.Bodies.Drive.Pointer, c);
-        }
-    }
-
-    private static void Bounce(ReadOnlySpan<GraphColor> colors, BodyState* states, JointSolver? joints)
+    private void Bounce(ReadOnlySpan<GraphColor> colors, JointSolver? joints)
     {
         for (int sweep = 0; sweep < BounceSweeps; sweep++)
         {
-            for (int i = 0; i < colors.Length; i++)
-            {
-                GraphColor color = colors[i];
-                BounceKernel.Apply(color.Bundles, color.BundleCount, states, sweep == BounceSweeps - 1);
-            }
-
+            _passes.Bounce(colors, sweep == BounceSweeps - 1);
             joints?.Bounce(sweep == BounceSweeps - 1);
         }
     }
 
     /// <summary>Moves everything with the velocities that push deep islands apart, and then forgets these velocities.</summary>
-    private void PushOutAndMove(in SolverInput input, BodyState* states, BodyMotion* motions, float recovery, in ContactCoefficients c)
+    private void PushOutAndMove(ReadOnlySpan<GraphColor> colors, float rate)
     {
-        BodyState* saved = _saved.Pointer;
-        for (int i = 0; i < input.PaddedCount; i++)
-        {
-            saved[i] = states[input.List[i]];
-        }
-
-        float rate = recovery * c.InverseSubstep;
-        for (int i = 0; i < input.Colors.Length; i++)
-        {
-            GraphColor color = input.Colors[i];
-            ContactKernel.PushOut(color.Bundles, color.BundleCount, states, rate, c);
-        }
-
-        Integrator.IntegratePositions(input.List, input.PaddedCount, states, motions, input.Substep);
-        for (int i = 0; i < input.PaddedCount; i++)
-        {
-            BodyState* state = states + input.List[i];
-            state->LinearVelocity = saved[i].LinearVelocity;
-            state->AngularVelocity = saved[i].AngularVelocity;
-        }
+        _bodies.SaveVelocities();
+        _passes.PushOut(colors, rate);
+        _bodies.IntegratePositions();
+        _bodies.RestoreVelocities();
     }
 
     /// <summary>Share r a substep with which n substeps remove the share of a step: 1 - (1 - r)^n = share, by bisection.</summary>

@@ -1,0 +1,95 @@
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Stepping;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Solver;
+
+/// <summary>The passes over the solver's bodies, cut into ranges of whole bundles for the workers. The list holds each body once.</summary>
+internal sealed unsafe class BodyPasses : IStageWork
+{
+    /// <summary>Bundles that are worth another worker's while, some 0.5 µs of a pass.</summary>
+    private const int LeastBundles = 32;
+
+    private readonly Column<BodyState> _saved = new Column<BodyState>();
+    private StageRunner _runner = null!;
+    private BodyState* _states;
+    private BodyMotion* _motions;
+    private BodyDrive* _drives;
+    private int* _list;
+    private int _bundles;
+    private float _substep;
+    private Pass _pass;
+
+    private enum Pass
+    {
+        Velocities,
+        Positions,
+        Save,
+        Restore,
+    }
+
+    /// <param name="runner">Who shares the passes out.</param>
+    /// <param name="bodies">The store.</param>
+    /// <param name="list">The solver's bodies, padded to whole bundles.</param>
+    /// <param name="paddedCount">How many.</param>
+    /// <param name="substep">Seconds.</param>
+    public void Begin(StageRunner runner, BodyStore bodies, int* list, int paddedCount, float substep)
+    {
+        // Room for all bodies from the first step on, so that a late overlap does not allocate.
+        _saved.EnsureCapacity(bodies.State.Capacity + WideLanes.BundleLanes);
+        _runner = runner;
+        _states = bodies.State.Pointer;
+        _motions = bodies.Motion.Pointer;
+        _drives = bodies.Drive.Pointer;
+        _list = list;
+        _bundles = paddedCount / WideLanes.BundleLanes;
+        _substep = substep;
+    }
+
+    public void IntegrateVelocities() => Run(Pass.Velocities);
+
+    public void IntegratePositions() => Run(Pass.Positions);
+
+    /// <summary>Keeps the velocities for <see cref="RestoreVelocities"/>.</summary>
+    public void SaveVelocities() => Run(Pass.Save);
+
+    public void RestoreVelocities() => Run(Pass.Restore);
+
+    void IStageWork.Run(int worker, int from, int to)
+    {
+        int first = from * WideLanes.BundleLanes;
+        int end = to * WideLanes.BundleLanes;
+        switch (_pass)
+        {
+            case Pass.Velocities:
+                Integrator.IntegrateVelocities(_list + first, end - first, _states, _motions, _drives);
+                break;
+            case Pass.Positions:
+                Integrator.IntegratePositions(_list + first, end - first, _states, _motions, _substep);
+                break;
+            case Pass.Save:
+                for (int i = first; i < end; i++)
+                {
+                    _saved[i] = _states[_list[i]];
+                }
+
+                break;
+            case Pass.Restore:
+                for (int i = first; i < end; i++)
+                {
+                    BodyState* state = _states + _list[i];
+                    state->LinearVelocity = _saved[i].LinearVelocity;
+                    state->AngularVelocity = _saved[i].AngularVelocity;
+                }
+
+                break;
+        }
+    }
+
+    private void Run(Pass pass)
+    {
+        _pass = pass;
+        _runner.Run(this, _bundles, LeastBundles);
+    }
+}

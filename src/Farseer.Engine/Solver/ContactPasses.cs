@@ -1,0 +1,101 @@
+using System;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Stepping;
+
+namespace Farseer.Engine.Solver;
+
+/// <summary>
+/// The passes over the contact rows, colour by colour: the rows of one colour share no body that moves, so they are cut into ranges for
+/// the workers. Rows of the overflow may share bodies and are done by one.
+/// </summary>
+internal sealed unsafe class ContactPasses : IStageWork
+{
+    /// <summary>Bundles that are worth another worker's while, some 0.5 µs of a pass.</summary>
+    private const int LeastBundles = 8;
+
+    private StageRunner _runner = null!;
+    private BodyState* _states;
+    private BodyDrive* _drives;
+    private ContactCoefficients _coefficients;
+    private Pass _pass;
+    private bool _flag;
+    private float _rate;
+    private ContactBundle* _bundles;
+    private bool _grounded;
+
+    private enum Pass
+    {
+        WarmStart,
+        Biased,
+        PushOut,
+        Relax,
+        PrepareBounce,
+        Bounce,
+    }
+
+    public void Begin(StageRunner runner, BodyStore bodies, in ContactCoefficients coefficients)
+    {
+        _runner = runner;
+        _states = bodies.State.Pointer;
+        _drives = bodies.Drive.Pointer;
+        _coefficients = coefficients;
+    }
+
+    public void WarmStart(ReadOnlySpan<GraphColor> colors) => Run(colors, Pass.WarmStart, false);
+
+    public void SolveBiased(ReadOnlySpan<GraphColor> colors, bool anyDeep) => Run(colors, Pass.Biased, anyDeep);
+
+    public void Relax(ReadOnlySpan<GraphColor> colors, bool rub) => Run(colors, Pass.Relax, rub);
+
+    public void PrepareBounce(ReadOnlySpan<GraphColor> colors) => Run(colors, Pass.PrepareBounce, false);
+
+    public void Bounce(ReadOnlySpan<GraphColor> colors, bool last) => Run(colors, Pass.Bounce, last);
+
+    public void PushOut(ReadOnlySpan<GraphColor> colors, float rate)
+    {
+        _rate = rate;
+        Run(colors, Pass.PushOut, false);
+    }
+
+    void IStageWork.Run(int worker, int from, int to)
+    {
+        ContactBundle* bundles = _bundles + from;
+        int count = to - from;
+        switch (_pass)
+        {
+            case Pass.WarmStart:
+                ContactKernel.WarmStart(bundles, count, _states, _coefficients, _grounded);
+                break;
+            case Pass.Biased:
+                ContactKernel.SolveBiased(bundles, count, _states, _coefficients, _grounded, _flag);
+                break;
+            case Pass.PushOut:
+                ContactKernel.PushOut(bundles, count, _states, _coefficients, _grounded, _rate);
+                break;
+            case Pass.Relax:
+                ContactKernel.Relax(bundles, count, _states, _coefficients, _grounded, _flag);
+                break;
+            case Pass.PrepareBounce:
+                BounceKernel.Prepare(bundles, count, _states, _drives, _coefficients);
+                break;
+            case Pass.Bounce:
+                BounceKernel.Apply(bundles, count, _states, _grounded, _flag);
+                break;
+        }
+    }
+
+    private void Run(ReadOnlySpan<GraphColor> colors, Pass pass, bool flag)
+    {
+        _pass = pass;
+        _flag = flag;
+        for (int i = 0; i < colors.Length; i++)
+        {
+            GraphColor color = colors[i];
+            _bundles = color.Bundles;
+            _grounded = color.IsGrounded;
+            _runner.Run(this, color.BundleCount, color.IsSequential ? int.MaxValue : LeastBundles);
+        }
+    }
+}

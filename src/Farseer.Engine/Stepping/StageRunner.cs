@@ -1,0 +1,379 @@
+using System;
+using System.Runtime.ExceptionServices;
+using System.Threading;
+
+namespace Farseer.Engine.Stepping;
+
+/// <summary>
+/// Shares the phases of a step among workers. The thread that steps is worker 0; the others help while the step is open, and the step
+/// never waits for one that has not come: a phase is cut into blocks, each worker begins with a share of its own, and whoever is
+/// done takes blocks from the ends of the others' shares. So a helper that wakes late, or that the system holds back, costs no more
+/// than the block that it has in hand. Which worker did what is never visible: see <see cref="IStageWork"/>.
+/// </summary>
+/// <remarks>
+/// A share is one word: the number of the phase, the next block, one past the last. Taking a block is one compare-and-swap, and the
+/// number keeps a worker that looks at an old phase from taking a block of a new one. What a phase consists of is read after a block of
+/// it has been taken: until that is reported as done the phase cannot end.
+/// Tried and left: fixed halves with a counter to spin on, which is 0.1 µs a phase faster on idle cores and loses all of it, and
+/// more, whenever something else runs on one of them.
+/// </remarks>
+internal sealed partial class StageRunner : IDisposable
+{
+    /// <summary>Most workers: a bit for each in <see cref="CrewPlace"/>, and one for "open".</summary>
+    public const int MostWorkers = 62;
+
+    /// <summary>Blocks that a worker's own share of a phase is cut into: what is left of the last one is what a phase waits for.</summary>
+    private const int BlocksAShare = 4;
+
+    /// <summary>A helper that has found nothing to do for so many looks goes to sleep, some 120 µs.</summary>
+    private const int MostIdleLooks = 4000;
+
+    /// <summary>Looks at a counter after which a waiting thread lets others run: what it waits for has been held back by the system.</summary>
+    private const int PatientLooks = 2000;
+
+    /// <summary>
+    /// A step that takes one worker less than this, in nanoseconds as estimated from counts, wakes nobody: waking costs 50 to 100 µs.
+    /// </summary>
+    private const double LeastCost = 2e5;
+
+    private const long Open = 1;
+
+    /// <summary>Longs from one word that threads write to the next: two cache lines, which processors fetch together.</summary>
+    private const int Spread = 16;
+
+    /// <summary>Places of words in <see cref="_words"/>; the shares of the workers stand behind them.</summary>
+    private const int PhasePlace = Spread;
+    private const int DonePlace = 2 * Spread;
+    private const int CrewPlace = 3 * Spread;
+    private const int CamePlace = 4 * Spread;
+    private const int FirstShare = 5 * Spread;
+
+    private readonly Action _help;
+    private readonly long[] _words;
+    private readonly Action<int, Action>? _scheduler;
+    private volatile bool _stopped;
+    private bool _isOpen;
+    private long _asked;
+    private uint _number;
+    private IStageWork? _work;
+    private int _count;
+    private int _blocks;
+    private Exception? _error;
+    private Exception? _schedulerError;
+
+    /// <param name="workers">From 1 to <see cref="MostWorkers"/>.</param>
+    /// <param name="scheduler">
+    /// Starts so many calls of the action on other threads and returns; null: the runner has threads of its own, which sleep between steps.
+    /// </param>
+    public StageRunner(int workers, Action<int, Action>? scheduler)
+    {
+        Workers = workers;
+        _scheduler = scheduler;
+        _words = new long[FirstShare + ((workers + 1) * Spread)];
+        _help = Help;
+    }
+
+    /// <summary>Stops the threads of a runner that was dropped.</summary>
+    ~StageRunner() => StopThreads(false);
+
+    /// <summary>The thread that steps, and those that may help it.</summary>
+    public int Workers { get; }
+
+    /// <summary>Who starts the helpers; null: the runner has threads of its own.</summary>
+    public Action<int, Action>? Scheduler => _scheduler;
+
+    /// <summary>Starts a step.</summary>
+    /// <param name="cost">What it would take one worker, nanoseconds.</param>
+    public void Begin(double cost)
+    {
+        if (Workers > 1 && cost >= LeastCost && !_stopped)
+        {
+            _isOpen = true;
+            Volatile.Write(ref _words[CrewPlace], Open);
+            Call();
+        }
+    }
+
+    /// <summary>Calls the helpers that have gone to sleep since the step began, because phases for all follow.</summary>
+    public void Call()
+    {
+        if (!_isOpen)
+        {
+            return;
+        }
+
+        int missing = Workers - 1 - HelpersHere();
+        if (missing == 0)
+        {
+            return;
+        }
+
+        if (_scheduler == null)
+        {
+            WakeThreads();
+            return;
+        }
+
+        // Those that were asked for and have not come yet are not asked for again.
+        missing -= (int)(_asked - Volatile.Read(ref _words[CamePlace]));
+        if (missing <= 0)
+        {
+            return;
+        }
+
+        try
+        {
+            _asked += missing;
+            _scheduler(missing, _help);
+        }
+        catch (Exception exception)
+        {
+            _schedulerError ??= exception;
+        }
+    }
+
+    /// <summary>Ends the step: the helpers have left when it returns.</summary>
+    public void End()
+    {
+        if (!_isOpen)
+        {
+            return;
+        }
+
+        _isOpen = false;
+        long crew = Volatile.Read(ref _words[CrewPlace]);
+        while (!Replace(ref crew, crew & ~Open))
+        {
+        }
+
+        for (int looks = 0; Volatile.Read(ref _words[CrewPlace]) != 0; looks++)
+        {
+            Wait(looks);
+        }
+    }
+
+    /// <summary>What a host's scheduler threw comes out of here, after the step.</summary>
+    public void ThrowSchedulerError() => Rethrow(ref _schedulerError);
+
+    /// <summary>Does a phase and returns when all of it is done.</summary>
+    /// <param name="work">The phase.</param>
+    /// <param name="count">Its items.</param>
+    /// <param name="least">Items that are worth being done by another thread.</param>
+    public void Run(IStageWork work, int count, int least)
+    {
+        int blocks = _isOpen ? Math.Min(count / least, BlocksAShare * Workers) : 1;
+        if (blocks < 2 || HelpersHere() == 0)
+        {
+            if (count > 0)
+            {
+                work.Run(0, 0, count);
+            }
+
+            return;
+        }
+
+        Publish(work, count, blocks);
+        int done = Take(0, _number);
+        for (int looks = 0; done + (int)Volatile.Read(ref _words[DonePlace]) < blocks; looks++)
+        {
+            Wait(looks);
+        }
+
+        _work = null;
+        Rethrow(ref _error);
+    }
+
+    /// <summary>Ends the threads. Within a step it goes on alone.</summary>
+    public void Dispose()
+    {
+        StopThreads(true);
+        GC.SuppressFinalize(this);
+    }
+
+    private static void Wait(int looks)
+    {
+        if (looks < PatientLooks)
+        {
+            Thread.SpinWait(1);
+        }
+        else
+        {
+            Thread.Yield();
+        }
+    }
+
+    private static long Share(uint number, int next, int end) => ((long)number << 32) | ((long)next << 16) | (uint)end;
+
+    private void Publish(IStageWork work, int count, int blocks)
+    {
+        long[] words = _words;
+        _number++;
+        _work = work;
+        _count = count;
+        _blocks = blocks;
+        words[DonePlace] = 0;
+        for (int worker = 0; worker < Workers; worker++)
+        {
+            int from = blocks * worker / Workers;
+            int to = blocks * (worker + 1) / Workers;
+            Volatile.Write(ref words[FirstShare + (worker * Spread)], Share(_number, from, to));
+        }
+
+        Volatile.Write(ref words[PhasePlace], _number);
+    }
+
+    /// <summary>Does blocks of a phase, its own first, as long as there are any.</summary>
+    /// <returns>How many it did.</returns>
+    private int Take(int worker, uint number)
+    {
+        int done = 0;
+        for (int i = 0; i < Workers; i++)
+        {
+            int owner = worker + i;
+            owner = owner < Workers ? owner : owner - Workers;
+            int block;
+            while ((block = TakeBlock(owner, number, fromEnd: i > 0)) >= 0)
+            {
+                RunBlock(worker, block);
+                done++;
+            }
+        }
+
+        return done;
+    }
+
+    private int TakeBlock(int owner, uint number, bool fromEnd)
+    {
+        ref long share = ref _words[FirstShare + (owner * Spread)];
+        long seen = Volatile.Read(ref share);
+        while (true)
+        {
+            int next = (int)(seen >> 16) & 0xFFFF;
+            int end = (int)seen & 0xFFFF;
+            if ((uint)(seen >> 32) != number || next >= end)
+            {
+                return -1;
+            }
+
+            long left = fromEnd ? Share(number, next, end - 1) : Share(number, next + 1, end);
+            long before = Interlocked.CompareExchange(ref share, left, seen);
+            if (before == seen)
+            {
+                return fromEnd ? end - 1 : next;
+            }
+
+            seen = before;
+        }
+    }
+
+    private void RunBlock(int worker, int block)
+    {
+        try
+        {
+            int from = (int)((long)_count * block / _blocks);
+            int to = (int)((long)_count * (block + 1) / _blocks);
+            _work!.Run(worker, from, to);
+        }
+        catch (Exception exception)
+        {
+            Interlocked.CompareExchange(ref _error, exception, null);
+        }
+    }
+
+    /// <summary>What a helper does while the step is open. Called too late, too often or on a wrong thread it does no harm.</summary>
+    private void Help()
+    {
+        Interlocked.Increment(ref _words[CamePlace]);
+        int worker = Enter();
+        if (worker < 0)
+        {
+            return;
+        }
+
+        long seen = 0;
+        for (int looks = 0; looks < MostIdleLooks && !_stopped && (Volatile.Read(ref _words[CrewPlace]) & Open) != 0; looks++)
+        {
+            long phase = Volatile.Read(ref _words[PhasePlace]);
+            if (phase == seen)
+            {
+                Thread.SpinWait(1);
+                continue;
+            }
+
+            seen = phase;
+            int done = Take(worker, (uint)phase);
+            if (done > 0)
+            {
+                Interlocked.Add(ref _words[DonePlace], done);
+                looks = 0;
+            }
+        }
+
+        Leave(worker);
+    }
+
+    /// <returns>The place of a helper, or -1: no step is open, or all places are taken.</returns>
+    private int Enter()
+    {
+        long crew = Volatile.Read(ref _words[CrewPlace]);
+        while ((crew & Open) != 0)
+        {
+            int worker = 1;
+            while (worker < Workers && (crew & (1L << worker)) != 0)
+            {
+                worker++;
+            }
+
+            if (worker >= Workers)
+            {
+                return -1;
+            }
+
+            if (Replace(ref crew, crew | (1L << worker)))
+            {
+                return worker;
+            }
+        }
+
+        return -1;
+    }
+
+    private void Leave(int worker)
+    {
+        long crew = Volatile.Read(ref _words[CrewPlace]);
+        while (!Replace(ref crew, crew & ~(1L << worker)))
+        {
+        }
+    }
+
+    /// <returns>False if another thread was faster; <paramref name="seen"/> is then what it left.</returns>
+    private bool Replace(ref long seen, long value)
+    {
+        long before = Interlocked.CompareExchange(ref _words[CrewPlace], value, seen);
+        bool replaced = before == seen;
+        seen = before;
+        return replaced;
+    }
+
+    private int HelpersHere()
+    {
+        long crew = Volatile.Read(ref _words[CrewPlace]) & ~Open;
+        int here = 0;
+        for (; crew != 0; crew &= crew - 1)
+        {
+            here++;
+        }
+
+        return here;
+    }
+
+    private static void Rethrow(ref Exception? error)
+    {
+        if (error != null)
+        {
+            ExceptionDispatchInfo thrown = ExceptionDispatchInfo.Capture(error);
+            error = null;
+            thrown.Throw();
+        }
+    }
+}

@@ -1,0 +1,46 @@
+using System;
+using FarseerGames.FarseerPhysics.Interfaces;
+
+namespace FarseerGames.FarseerPhysics;
+
+/// <content>The threads that share an update. (Additions to the original.)</content>
+public partial class PhysicsSimulator
+{
+    private int _workerCount = 1;
+    private IStepScheduler? _stepScheduler;
+
+    /// <summary>
+    /// How many threads share the work of an update, the calling one included: at least 1, or 0 for as many as there are processors.
+    /// The motion is the same, bit for bit, whatever the number. Handlers, controllers and all other code of the user run on the
+    /// calling thread alone. Only updates that take more than some tenths of a millisecond wake the other threads, which sleep between
+    /// updates and end with the simulator; of these there are never more than processors. Default 1: no threads. From within a
+    /// handler it takes effect with the next update. Where many simulators are updated at once, one worker each is best.
+    /// (An addition to the original.)
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative.</exception>
+    public int WorkerCount
+    {
+        get => _workerCount;
+        set
+        {
+            _workerCount = Require.AtLeast(value, 0, nameof(WorkerCount));
+            SetWorkers();
+        }
+    }
+
+    /// <summary>
+    /// Whose threads help if <see cref="WorkerCount"/> is not 1; null, the default: threads of the simulator's own. With a scheduler
+    /// <see cref="WorkerCount"/> may be more than there are processors. (An addition to the original.)
+    /// </summary>
+    public IStepScheduler? StepScheduler
+    {
+        get => _stepScheduler;
+        set
+        {
+            _stepScheduler = value;
+            SetWorkers();
+        }
+    }
+
+    private void SetWorkers() => World.SetWorkers(_workerCount, Environment.ProcessorCount, _stepScheduler is null ? null : _stepScheduler.Start);
+}
