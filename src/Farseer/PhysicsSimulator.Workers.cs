@@ -10,7 +10,7 @@ public partial class PhysicsSimulator
     private IStepScheduler? _stepScheduler;
 
     /// <summary>
-    /// How many threads share the work of an update, the calling one included: at least 1, or 0 for as many as there are processors.
+    /// How many threads share the work of an update, the calling one included: at least 0, which stands for as many as there are processors.
     /// The motion is the same, bit for bit, whatever the number. Handlers, controllers and all other code of the user run on the
     /// calling thread alone. Only updates that take more than some tenths of a millisecond wake the other threads, which sleep between
     /// updates and end with the simulator; of these there are never more than processors. Default 1: no threads. From within a

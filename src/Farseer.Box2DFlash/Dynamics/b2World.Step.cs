@@ -80,7 +80,7 @@ public partial class b2World
     /// listeners are told on the calling thread alone. Only large steps wake the other threads, which sleep between steps and end
     /// when the world is dropped. Default 1: no threads. (An addition to the original.)
     /// </summary>
-    /// <param name="count">At least 1, or 0 for as many as there are processors, more than which are not used.</param>
+    /// <param name="count">At least 0, which stands for as many as there are processors; more are not used.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="count"/> is negative.</exception>
     public void SetWorkerCount(int count) =>
         Engine.World.SetWorkers(Require.NotNegative(count, nameof(count)), Environment.ProcessorCount, null);

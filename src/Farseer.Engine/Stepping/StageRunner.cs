@@ -89,6 +89,7 @@ internal sealed partial class StageRunner : IDisposable
         if (Workers > 1 && cost >= LeastCost && !_stopped)
         {
             _isOpen = true;
+            _asked = Volatile.Read(ref _words[CamePlace]);
             Volatile.Write(ref _words[CrewPlace], Open);
             Call();
         }
@@ -114,7 +115,7 @@ internal sealed partial class StageRunner : IDisposable
             return;
         }
 
-        // Those that were asked for and have not come yet are not asked for again.
+        // Those that were asked for in this step and have not come yet are not asked for again.
         missing -= (int)(_asked - Volatile.Read(ref _words[CamePlace]));
         if (missing <= 0)
         {
@@ -128,6 +129,7 @@ internal sealed partial class StageRunner : IDisposable
         }
         catch (Exception exception)
         {
+            _asked -= missing;
             _schedulerError ??= exception;
         }
     }

@@ -130,6 +130,8 @@ public class WorkerTests
     {
         PhysicsSimulator simulator = Pile("boxes", out _);
         PhysicsSimulator twin = Pile("boxes", out _);
+        Sandbox.Run(simulator, 20);
+        Sandbox.Run(twin, 20);
         simulator.WorkerCount = 3;
         simulator.StepScheduler = new Scheduler((_, _) => throw new FormatException("mine"));
         for (int i = 0; i < 10; i++)

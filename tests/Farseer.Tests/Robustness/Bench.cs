@@ -185,6 +185,7 @@ internal sealed class Bench
             nameof(Spring) => new FixedLinearSpring(),
             nameof(Path) => Chain(),
             nameof(CurveKey) => new CurveKey(1, 2),
+            nameof(IStepScheduler) => new Behavior.HostThreads(0),
             nameof(IDebugDraw) => Picture(),
             nameof(Controller) => new ExplosionController(),
             _ => null,

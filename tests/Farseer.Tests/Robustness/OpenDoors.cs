@@ -48,6 +48,7 @@ internal static class OpenDoors
         ["GeomList.Removed"] = NoHandler,
         ["Geom.OnCollision"] = NoHandler,
         ["Geom.OnSeparation"] = NoHandler,
+        ["PhysicsSimulator.StepScheduler"] = "null stands for threads of the simulator's own",
         ["Geom.Tag"] = "the user's own",
         ["Joint.Tag"] = "the user's own",
         ["Geom.Collide(point)"] = Question,
