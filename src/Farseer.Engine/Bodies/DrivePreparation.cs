@@ -7,15 +7,22 @@ internal static unsafe class DrivePreparation
 {
     /// <summary>
     /// A body that forces drive out of range, or that a callback set out of it, stands still in this step, so that it does not drag
-    /// along what it touches; it is put into <paramref name="outcasts"/>.
+    /// along what it touches; it is marked.
     /// </summary>
-    /// <returns>How many there are.</returns>
-    public static int Prepare(BodyStore bodies, int* list, int count, Vector2 gravity, double substep, int* outcasts)
+    /// <param name="bodies">The store.</param>
+    /// <param name="list">Bodies.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="gravity">Acceleration.</param>
+    /// <param name="substep">Seconds.</param>
+    /// <param name="marks">Gets 1 for each body of the list that is out of range, 0 for the others.</param>
+    /// <returns>True if there is one.</returns>
+    public static bool Prepare(BodyStore bodies, int* list, int count, Vector2 gravity, double substep, byte* marks)
     {
-        int found = 0;
+        bool found = false;
         for (int i = 0; i < count; i++)
         {
             int body = list[i];
+            marks[i] = 0;
             ref BodyDrive drive = ref bodies.Drive[body];
             BodyFlags flags = bodies.Flags[body];
             if ((flags & (BodyFlags.Static | BodyFlags.Kinematic)) != 0)
@@ -23,7 +30,8 @@ internal static unsafe class DrivePreparation
                 Rest(ref drive);
                 if (!StateRange.Holds(bodies.State[body]))
                 {
-                    outcasts[found++] = body;
+                    marks[i] = 1;
+                    found = true;
                     Stop(ref bodies.State[body]);
                 }
 
@@ -63,7 +71,8 @@ internal static unsafe class DrivePreparation
 
             if (!StateRange.Holds(state) | !StateRange.Holds(drive.X, drive.Y, drive.W))
             {
-                outcasts[found++] = body;
+                marks[i] = 1;
+                found = true;
                 Stop(ref state);
                 Rest(ref drive);
             }

@@ -17,6 +17,19 @@ internal static unsafe class BounceKernel
     /// <summary>Impacts slower than this many substeps of outside acceleration are rest, not impact.</summary>
     public const float RestSubsteps = 4f;
 
+    /// <summary>A contact of the bundle can bounce.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool Bounces(ContactBundle* row)
+    {
+        int bits = 0;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            bits |= WideLanes.Bits(Wide.Load(row->Restitution + lane) > Wide.Zero);
+        }
+
+        return bits != 0;
+    }
+
     [MethodImpl(KernelMethod.Optimized)]
     public static void Prepare(ContactBundle* bundles, int count, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
     {
@@ -108,19 +121,6 @@ internal static unsafe class BounceKernel
         Wide speed = Wide.Sqrt(Wide.Max(square, Wide.Zero));
         WideMask impact = (v < (Wide.Zero - slow)) & (s < Wide.Splat(ContactBundle.NoPoint * 0.5f)) & (restitution > Wide.Zero);
         return Wide.Select(impact, restitution * speed, Wide.Zero);
-    }
-
-    private static bool Bounces(ContactBundle* row)
-    {
-        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
-        {
-            if (row->Restitution[lane] > 0)
-            {
-                return true;
-            }
-        }
-
-        return false;
     }
 
     private static void Release(ref ContactPointLanes point, int lane, WideMask hit)

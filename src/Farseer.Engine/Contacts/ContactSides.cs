@@ -49,24 +49,27 @@ internal sealed unsafe class ContactSides
     /// <summary>The side of piece 0; that of <see cref="NoPiece"/> stands before it.</summary>
     public ContactSide* Pointer => _sides.Pointer + 1;
 
-    /// <summary>Writes the sides of all pieces but those asleep, which have not changed.</summary>
-    public void Prepare(ShapeStore shapes, BodyStore bodies, ProxyInfo* proxies, byte* moves)
+    /// <summary>Makes room for the sides of all pieces.</summary>
+    public void Begin(ShapeStore shapes)
     {
-        int end = shapes.PieceIds.End;
-        _sides.EnsureCapacity(end + 1);
+        _sides.EnsureCapacity(shapes.PieceIds.End + 1);
         _sides[0] = new ContactSide { Cos = 1, HalfX = 1, HalfY = 1, Flags = SideFlags.Box };
+    }
+
+    /// <summary>Writes the sides of pieces in a row, but for those asleep, which have not changed. The first begins a word of bits.</summary>
+    public void Write(ShapeStore shapes, BodyStore bodies, ProxyInfo* proxies, byte* moves, int first, int end)
+    {
         ulong* visited = shapes.VisitedPieces.Words;
-        int first = 0;
         while (first < end)
         {
             int last = first;
-            while (last < end && visited[last >> 6] != 0)
+            while (last < end && visited[last / BitSet.WordBits] != 0)
             {
-                last = Math.Min((last | 63) + 1, end);
+                last = Math.Min((last | (BitSet.WordBits - 1)) + 1, end);
             }
 
             Prepare(shapes, bodies, proxies, moves, first, last);
-            first = (last | 63) + 1;
+            first = (last | (BitSet.WordBits - 1)) + 1;
         }
     }
 

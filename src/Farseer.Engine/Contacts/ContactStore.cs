@@ -94,6 +94,9 @@ internal sealed class ContactStore
 
     public int Idle(int position) => _idle[position];
 
+    /// <summary>The pairs without a row.</summary>
+    public unsafe int* IdleList => _idle.Pointer;
+
     /// <summary>Takes a pair out of the idle list, to sleep.</summary>
     public void LayDown(int index)
     {

@@ -9,7 +9,7 @@ using Farseer.Engine.Shapes;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>What the update of contacts reads: columns and the numbers of this step.</summary>
-internal unsafe ref struct ContactUpdateInput
+internal unsafe struct ContactUpdateInput
 {
     public ShapeStore Shapes;
     public BodyStore Bodies;

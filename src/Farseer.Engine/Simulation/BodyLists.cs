@@ -5,6 +5,7 @@ using Farseer.Engine.Joints;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Solver;
 using Farseer.Engine.Springs;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
@@ -18,7 +19,7 @@ internal sealed unsafe class BodyLists
     private readonly IndexList _driven = new IndexList();
     private readonly Column<int> _solver = new Column<int>();
     private readonly Column<int> _free = new Column<int>();
-    private readonly Column<int> _outOfRange = new Column<int>();
+    private readonly BodyWork _work = new BodyWork();
     private readonly Column<QuarantineRecord> _outcasts = new Column<QuarantineRecord>();
 
     /// <summary>1 for each body that forces and contacts may move.</summary>
@@ -171,7 +172,8 @@ internal sealed unsafe class BodyLists
     }
 
     /// <summary>Foresees where the bodies will have turned by the middle of the step.</summary>
-    public void Foresee(BodyStore bodies, float dt) => Foresight.Begin(bodies, _active.Pointer, ActiveCount, dt);
+    public void Foresee(StageRunner runner, BodyStore bodies, float dt) =>
+        _work.Foresee(runner, bodies, _active.Pointer, ActiveCount, dt);
 
     /// <summary>Bodies with rows, springs or joints go to the solver; the others fly free and cost nothing there.</summary>
     public void Split(BodyStore bodies, ConstraintGraph graph, SpringStore springs, JointSolver? joints, bool all)
@@ -222,19 +224,34 @@ internal sealed unsafe class BodyLists
         }
     }
 
-    public void PrepareDrives(BodyStore bodies, int* list, int listCount, Vector2 gravity, float substep)
+    public void PrepareDrives(StageRunner runner, BodyStore bodies, int* list, int listCount, Vector2 gravity, float substep)
     {
-        _outOfRange.EnsureCapacity(listCount);
-        int count = DrivePreparation.Prepare(bodies, list, listCount, gravity, substep, _outOfRange.Pointer);
-        CastOutAll(bodies, count, QuarantineCause.Forces);
+        if (_work.PrepareDrives(runner, bodies, list, listCount, gravity, substep))
+        {
+            for (int i = 0; i < listCount; i++)
+            {
+                if (_work.Marks[i] != 0)
+                {
+                    CastOut(bodies, list[i], QuarantineCause.Forces);
+                }
+            }
+        }
     }
 
     /// <summary>Takes over the solver's displacements.</summary>
-    public void Finish(BodyStore bodies)
+    public void Finish(StageRunner runner, BodyStore bodies)
     {
-        _outOfRange.EnsureCapacity(SolverCount);
-        int count = FinishBodies.Run(bodies, _solver.Pointer, SolverCount, _outOfRange.Pointer, Fast);
-        CastOutAll(bodies, count, QuarantineCause.Solver);
+        if (_work.Finish(runner, bodies, _solver.Pointer, SolverCount))
+        {
+            for (int i = 0; i < SolverCount; i++)
+            {
+                if (_work.Marks[i] != 0 && !FinishBodies.RunMarked(bodies, _solver[i], Fast))
+                {
+                    CastOut(bodies, _solver[i], QuarantineCause.Solver);
+                }
+            }
+        }
+
         for (int i = 0; i < FreeCount; i++)
         {
             FinishBodies.UpdateRotor(ref bodies.Pose[_free[i]]);
@@ -260,14 +277,6 @@ internal sealed unsafe class BodyLists
     }
 
     private static bool IsDriven(in BodyState state) => state.LinearVelocity != Vector2.Zero || state.AngularVelocity != 0;
-
-    private void CastOutAll(BodyStore bodies, int count, QuarantineCause cause)
-    {
-        for (int i = 0; i < count; i++)
-        {
-            CastOut(bodies, _outOfRange[i], cause);
-        }
-    }
 
     /// <summary>The first cause that is found for a body counts.</summary>
     private void CastOut(BodyStore bodies, int body, QuarantineCause cause)

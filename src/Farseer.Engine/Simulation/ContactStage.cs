@@ -1,7 +1,7 @@
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
-using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
@@ -18,8 +18,9 @@ internal sealed unsafe class ContactStage
     private readonly ContactSides _sides = new ContactSides();
     private readonly FastPairStage _fast = new FastPairStage();
 
-    /// <summary>Pairs on their way through the narrow phase, and a bundle for those that have none.</summary>
-    private readonly Column<PairLanes> _pairs = new Column<PairLanes>();
+    private readonly ContactWork _work = new ContactWork();
+
+    /// <summary>A bundle for pairs that have none.</summary>
     private readonly Column<ContactBundle> _bundle = new Column<ContactBundle>();
     private int _lostCount;
     private int _droppedCount;
@@ -39,17 +40,18 @@ internal sealed unsafe class ContactStage
     /// <summary>A pair has a listener.</summary>
     public bool AnyHeard { get; private set; }
 
+    /// <param name="runner">Who shares the work out.</param>
     /// <param name="world">Its bodies may sleep.</param>
     /// <param name="input">Columns and numbers of this step.</param>
     /// <param name="graph">The rows.</param>
     /// <param name="joints">What holds bodies besides rows.</param>
     /// <param name="allHeld">Every body is in the solver's hands.</param>
-    public void Update(World world, ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
+    public void Update(StageRunner runner, World world, ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
     {
         ContactStore contacts = input.Contacts;
-        _sides.Prepare(input.Shapes, input.Bodies, input.Proxies, input.Moves);
+        _work.WriteSides(runner, input, _sides);
         input.Sides = _sides.Pointer;
-        input.Pairs = _pairs.Pointer;
+        input.Pairs = _work.Pairs;
         AnyBounce = false;
         AnyHeard = false;
         _lostCount = 0;
@@ -62,8 +64,8 @@ internal sealed unsafe class ContactStage
         _gained.EnsureCapacity(contacts.Records.Capacity);
         _gainKeys.EnsureCapacity(contacts.Records.Capacity);
         _fast.Begin(contacts.Records.Capacity);
-        UpdateGraph(input, graph);
-        UpdateIdle(input);
+        UpdateGraph(runner, input, graph);
+        UpdateIdle(runner, input);
         if (world.AsleepCount > 0)
         {
             WakeGained(world, contacts);
@@ -118,19 +120,21 @@ internal sealed unsafe class ContactStage
         _gainedCount = kept;
     }
 
-    private void UpdateGraph(in ContactUpdateInput input, ConstraintGraph graph)
+    private void UpdateGraph(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
     {
-        foreach (GraphColor color in graph.Used)
+        _work.UpdateRows(runner, input, graph);
+        BundleOutcome* outcome = _work.Outcomes;
+        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
         {
-            ContactBundle* bundles = color.Bundles;
+            GraphColor color = graph[c];
+            ContactBundle* bundle = color.Bundles;
             int count = color.BundleCount;
-            for (int i = 0; i < count; i++)
+            for (; count > 0; count--, bundle++, outcome++)
             {
-                ContactBundle* bundle = bundles + i;
-                ContactFates fates = ContactUpdate.UpdateRows(input, bundle);
+                ref ContactFates fates = ref outcome->Fates;
                 Count(fates);
-                AnyBounce = AnyBounce || Bounces(bundle);
-                DeferAll(input.Contacts, bundle, fates.Deferred);
+                AnyBounce |= outcome->Bounces;
+                DeferAll(input.Contacts, bundle->Contact, fates.Deferred);
                 int leaving = fates.Idle | fates.Dropped;
                 for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
                 {
@@ -152,33 +156,21 @@ internal sealed unsafe class ContactStage
         }
     }
 
-    /// <summary>The pairs without a row, eight at a time in a bundle of their own, which has never held an impulse.</summary>
-    private void UpdateIdle(in ContactUpdateInput input)
+    private void UpdateIdle(StageRunner runner, in ContactUpdateInput input)
     {
         ContactStore contacts = input.Contacts;
-        ContactBundle* bundle = _bundle.Pointer;
-        for (int i = 0; i < contacts.IdleCount; i += ContactBundle.Lanes)
+        _work.UpdateIdle(runner, input);
+        BundleOutcome* outcome = _work.Outcomes;
+        for (int first = 0; first < contacts.IdleCount; first += ContactBundle.Lanes, outcome++)
         {
-            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
-            {
-                if (i + lane < contacts.IdleCount)
-                {
-                    int index = contacts.Idle(i + lane);
-                    ContactRowWriter.Name(bundle, lane, index, contacts.Records[index]);
-                }
-                else
-                {
-                    ContactRowWriter.Unname(bundle, lane);
-                }
-            }
-
-            ContactFates fates = ContactUpdate.UpdateIdle(input, bundle);
+            ref ContactFates fates = ref outcome->Fates;
+            int* pairs = contacts.IdleList + first;
             Count(fates);
-            DeferAll(contacts, bundle, fates.Deferred);
+            DeferAll(contacts, pairs, fates.Deferred);
             int leaving = fates.Solid | fates.Dropped;
             for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
             {
-                int index = bundle->Contact[lane];
+                int index = pairs[lane];
                 if ((fates.Dropped & (1 << lane)) != 0)
                 {
                     _dropped[_droppedCount++] = index;
@@ -192,13 +184,13 @@ internal sealed unsafe class ContactStage
         }
     }
 
-    private void DeferAll(ContactStore contacts, ContactBundle* bundle, int lanes)
+    private void DeferAll(ContactStore contacts, int* pairs, int lanes)
     {
         for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
         {
             if ((lanes & 1) != 0)
             {
-                _fast.Defer(contacts, bundle->Contact[lane]);
+                _fast.Defer(contacts, pairs[lane]);
             }
         }
     }
@@ -208,19 +200,6 @@ internal sealed unsafe class ContactStage
         _touching += BitSet.CountBits((uint)fates.Touching);
         _touchingNow += BitSet.CountBits((uint)fates.TouchingNow);
         AnyHeard |= fates.Heard != 0;
-    }
-
-    private static bool Bounces(ContactBundle* bundle)
-    {
-        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
-        {
-            if (bundle->Restitution[lane] > 0)
-            {
-                return true;
-            }
-        }
-
-        return false;
     }
 
     private void Take(ContactStore contacts, ConstraintGraph graph)
@@ -260,7 +239,7 @@ internal sealed unsafe class ContactStage
             }
 
             ContactUpdate.FillRows(input, bundle);
-            AnyBounce = AnyBounce || Bounces(bundle);
+            AnyBounce = AnyBounce || BounceKernel.Bounces(bundle);
             for (int lane = 0; lane < count; lane++)
             {
                 ref ContactRecord record = ref contacts.Records[_gained[i + lane]];

@@ -39,6 +39,9 @@ internal sealed partial class World
         }
     }
 
+    /// <summary>A piece has a new box already: it looks for pairs.</summary>
+    internal void NoteMoved(int piece) => _movedProxies.Add(piece);
+
     /// <summary>After a change of a collider's filter: its pairs are judged anew in the next step.</summary>
     public void Refilter(Handle collider)
     {

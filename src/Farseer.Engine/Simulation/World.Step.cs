@@ -19,17 +19,18 @@ internal sealed partial class World
         WakeWhatChanged(dt);
         CollectBodies();
         WakeByDriven();
-        _lists.Foresee(Bodies, dt);
+        _lists.Foresee(_runner, Bodies, dt);
         Profile.End(StepStage.DeferredChanges);
 
         ForgetMoves();
-        _boxes.Update(this, dt);
+        _boxes.Update(this, _runner, dt);
         FindPairs();
         Profile.End(StepStage.BroadPhase);
 
         float substep = dt / _substeps;
+        _runner.Call();
         ContactUpdateInput contacts = ContactInput(dt, substep);
-        _contactStage.Update(this, contacts, _graph, Joints, UserJoints != null && UserJoints.Any);
+        _contactStage.Update(_runner, this, contacts, _graph, Joints, UserJoints != null && UserJoints.Any);
         _events.Raise(this, _contacts, _graph, _contactStage.AnyHeard);
         Profile.End(StepStage.NarrowPhase);
 
@@ -138,7 +139,7 @@ internal sealed partial class World
         }
 
         JointSolver? joints = anyJoints ? _jointSolver : null;
-        _lists.PrepareDrives(Bodies, _lists.Solver, _lists.SolverCount, Settings.Gravity, substep);
+        _lists.PrepareDrives(_runner, Bodies, _lists.Solver, _lists.SolverCount, Settings.Gravity, substep);
         SolverInput input;
         input.Runner = _runner;
         input.Bodies = Bodies;
@@ -204,7 +205,7 @@ internal sealed partial class World
             int fineness = 1 << index;
             float substep = dt / (_substeps * fineness);
             _classes.RewindKinematic(index, Bodies, dt);
-            _lists.PrepareDrives(Bodies, _classes.List(index), _classes.BodyCount(index), Settings.Gravity, substep);
+            _lists.PrepareDrives(_runner, Bodies, _classes.List(index), _classes.BodyCount(index), Settings.Gravity, substep);
             input.List = _classes.List(index);
             input.PaddedCount = _classes.PaddedCount(index);
             input.Colors = _classes.Colors(index);

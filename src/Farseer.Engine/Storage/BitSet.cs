@@ -5,6 +5,8 @@ namespace Farseer.Engine.Storage;
 /// <summary>A growable set of small numbers, one bit each. Members are visited in ascending order, whatever order they came in.</summary>
 internal sealed unsafe class BitSet
 {
+    public const int WordBits = 64;
+
     private readonly Column<ulong> _words = new Column<ulong>(1);
     private int _wordCount;
 

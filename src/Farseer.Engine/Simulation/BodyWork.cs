@@ -1,0 +1,85 @@
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Solver;
+using Farseer.Engine.Stepping;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>
+/// What a step does to each body by itself, in ranges of a list. Bodies that need more than that are marked, and seen to
+/// afterwards by one thread in the order of the list.
+/// </summary>
+internal sealed unsafe class BodyWork : IStageWork
+{
+    /// <summary>Bodies that are worth another worker's while, some 1 µs.</summary>
+    private const int LeastBodies = 128;
+
+    private readonly Column<byte> _marks = new Column<byte>();
+    private BodyStore _bodies = null!;
+    private int* _list;
+    private Part _part;
+    private Vector2 _gravity;
+    private float _time;
+    private bool _found;
+
+    private enum Part
+    {
+        Foresee,
+        PrepareDrives,
+        Finish,
+    }
+
+    /// <summary>1 for each place of the list whose body was marked, else 0.</summary>
+    public byte* Marks => _marks.Pointer;
+
+    public void Foresee(StageRunner runner, BodyStore bodies, int* list, int count, float dt) =>
+        Run(runner, bodies, list, count, Part.Foresee, dt);
+
+    /// <returns>True if bodies were marked.</returns>
+    public bool PrepareDrives(StageRunner runner, BodyStore bodies, int* list, int count, Vector2 gravity, float substep)
+    {
+        _gravity = gravity;
+        return Run(runner, bodies, list, count, Part.PrepareDrives, substep);
+    }
+
+    /// <returns>True if bodies were marked.</returns>
+    public bool Finish(StageRunner runner, BodyStore bodies, int* list, int count) =>
+        Run(runner, bodies, list, count, Part.Finish, 0);
+
+    void IStageWork.Run(int worker, int from, int to)
+    {
+        int* list = _list + from;
+        byte* marks = _marks.Pointer + from;
+        bool found = false;
+        switch (_part)
+        {
+            case Part.Foresee:
+                Foresight.Begin(_bodies, list, to - from, _time);
+                break;
+            case Part.PrepareDrives:
+                found = DrivePreparation.Prepare(_bodies, list, to - from, _gravity, _time, marks);
+                break;
+            case Part.Finish:
+                found = FinishBodies.Run(_bodies, list, to - from, marks);
+                break;
+        }
+
+        if (found)
+        {
+            _found = true;
+        }
+    }
+
+    private bool Run(StageRunner runner, BodyStore bodies, int* list, int count, Part part, float time)
+    {
+        _marks.EnsureCapacity(count);
+        _bodies = bodies;
+        _list = list;
+        _part = part;
+        _time = time;
+        _found = false;
+        runner.Run(this, count, LeastBodies);
+        return _found;
+    }
+}

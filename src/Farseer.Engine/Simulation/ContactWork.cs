@@ -1,0 +1,154 @@
+using System;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Stepping;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>What the update of a bundle found.</summary>
+internal struct BundleOutcome
+{
+    public ContactFates Fates;
+
+    /// <summary>A contact of the bundle can bounce.</summary>
+    public bool Bounces;
+}
+
+/// <summary>
+/// The parts of the narrow phase that workers share: the sides of the pieces, then bundles of pairs. A bundle writes its rows, the flags
+/// and manifolds of its pairs, and its outcome; what follows from the outcomes is done afterwards, by one thread, in the order of
+/// the bundles.
+/// </summary>
+internal sealed unsafe class ContactWork : IStageWork
+{
+    /// <summary>Pieces that are worth another worker's while, some 2 µs, and bundles, some 0.5 µs.</summary>
+    private const int LeastPieces = 256;
+    private const int LeastBundles = 8;
+
+    private readonly Column<PairLanes> _pairs = new Column<PairLanes>();
+    private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
+    private readonly Column<BundleOutcome> _outcomes = new Column<BundleOutcome>();
+    private readonly int[] _firstOfColor = new int[ConstraintGraph.ColorCount + 1];
+    private ContactUpdateInput _input;
+    private ContactSides _sides = null!;
+    private ConstraintGraph _graph = null!;
+    private Part _part;
+
+    private enum Part
+    {
+        Sides,
+        Rows,
+        Idle,
+    }
+
+    /// <summary>Where pairs pass through that the calling thread works on alone.</summary>
+    public PairLanes* Pairs => _pairs.Pointer;
+
+    /// <summary>Outcomes of the last update, in the order of its bundles.</summary>
+    public BundleOutcome* Outcomes => _outcomes.Pointer;
+
+    /// <summary>Writes the sides of all pieces.</summary>
+    public void WriteSides(StageRunner runner, in ContactUpdateInput input, ContactSides sides)
+    {
+        _pairs.EnsureCapacity(runner.Workers);
+        _bundles.EnsureCapacity(runner.Workers);
+        sides.Begin(input.Shapes);
+        _input = input;
+        _sides = sides;
+        _part = Part.Sides;
+        int words = (input.Shapes.PieceIds.End + BitSet.WordBits - 1) / BitSet.WordBits;
+        runner.Run(this, words, LeastPieces / BitSet.WordBits);
+    }
+
+    /// <summary>Updates the pairs that have rows, colour by colour.</summary>
+    public void UpdateRows(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
+    {
+        int count = 0;
+        for (int color = 0; color < ConstraintGraph.ColorCount; color++)
+        {
+            _firstOfColor[color] = count;
+            count += graph[color].BundleCount;
+        }
+
+        _firstOfColor[ConstraintGraph.ColorCount] = count;
+        _graph = graph;
+        Run(runner, input, Part.Rows, count);
+    }
+
+    /// <summary>Updates the pairs without a row, eight at a time in a bundle of the worker's own, which has never held an impulse.</summary>
+    public void UpdateIdle(StageRunner runner, in ContactUpdateInput input) =>
+        Run(runner, input, Part.Idle, (input.Contacts.IdleCount + ContactBundle.Lanes - 1) / ContactBundle.Lanes);
+
+    void IStageWork.Run(int worker, int from, int to)
+    {
+        ContactUpdateInput input = _input;
+        input.Pairs = _pairs.Pointer + worker;
+        switch (_part)
+        {
+            case Part.Sides:
+                int end = Math.Min(to * BitSet.WordBits, input.Shapes.PieceIds.End);
+                _sides.Write(input.Shapes, input.Bodies, input.Proxies, input.Moves, from * BitSet.WordBits, end);
+                break;
+            case Part.Rows:
+                UpdateRows(input, from, to);
+                break;
+            case Part.Idle:
+                UpdateIdle(input, _bundles.Pointer + worker, from, to);
+                break;
+        }
+    }
+
+    private void Run(StageRunner runner, in ContactUpdateInput input, Part part, int count)
+    {
+        _input = input;
+        _part = part;
+        _outcomes.EnsureCapacity(count);
+        runner.Run(this, count, LeastBundles);
+    }
+
+    private void UpdateRows(in ContactUpdateInput input, int from, int to)
+    {
+        BundleOutcome* outcomes = _outcomes.Pointer;
+        int color = 0;
+        while (from < to)
+        {
+            while (_firstOfColor[color + 1] <= from)
+            {
+                color++;
+            }
+
+            ContactBundle* bundle = _graph[color].Bundles + (from - _firstOfColor[color]);
+            int end = Math.Min(to, _firstOfColor[color + 1]);
+            for (; from < end; from++, bundle++)
+            {
+                outcomes[from].Fates = ContactUpdate.UpdateRows(input, bundle);
+                outcomes[from].Bounces = BounceKernel.Bounces(bundle);
+            }
+        }
+    }
+
+    private void UpdateIdle(in ContactUpdateInput input, ContactBundle* bundle, int from, int to)
+    {
+        ContactStore contacts = input.Contacts;
+        for (int i = from; i < to; i++)
+        {
+            int first = i * ContactBundle.Lanes;
+            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            {
+                if (first + lane < contacts.IdleCount)
+                {
+                    int index = contacts.Idle(first + lane);
+                    ContactRowWriter.Name(bundle, lane, index, contacts.Records[index]);
+                }
+                else
+                {
+                    ContactRowWriter.Unname(bundle, lane);
+                }
+            }
+
+            _outcomes[i].Fates = ContactUpdate.UpdateIdle(input, bundle);
+        }
+    }
+}
