@@ -3,6 +3,7 @@ using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints;
@@ -10,6 +11,7 @@ namespace Farseer.Engine.Joints;
 /// <summary>What the joints see of a step.</summary>
 internal unsafe struct JointStep
 {
+    public StageRunner Runner;
     public BodyStore Bodies;
 
     /// <summary>1 for a body that the solver may move.</summary>

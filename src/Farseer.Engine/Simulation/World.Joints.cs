@@ -134,6 +134,7 @@ internal sealed partial class World
         }
 
         JointStep step;
+        step.Runner = _runner;
         step.Bodies = Bodies;
         step.Moves = _lists.Moves;
         step.Touches = _graph.Degrees;

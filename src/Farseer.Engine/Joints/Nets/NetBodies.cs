@@ -38,6 +38,9 @@ internal sealed unsafe class NetBodies
 
     public bool Holds(int body) => body < _end && _degree[body] > 0;
 
+    /// <summary>Bodies, filled up to whole bundles with body 0.</summary>
+    public int PaddedCount => (_count + WideLanes.BundleLanes - 1) / WideLanes.BundleLanes * WideLanes.BundleLanes;
+
     public void EnsureBodies(int end)
     {
         _degree.EnsureCapacity(end);
@@ -69,9 +72,9 @@ internal sealed unsafe class NetBodies
     }
 
     /// <summary>Places at the start of the step, and which bodies take half of their forces before they move; see the joint solver.</summary>
-    public void Start(in JointStep step, JointForest forest)
+    public void Start(in JointStep step, JointForest forest, int from, int to)
     {
-        for (int i = 0; i < _count; i++)
+        for (int i = from; i < Math.Min(to, _count); i++)
         {
             int body = _list[i];
             bool moves = step.Moves[body] != 0;
@@ -95,11 +98,11 @@ internal sealed unsafe class NetBodies
     /// what gravity and forces gave them, until they have moved. See <see cref="JointSolver"/>.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public void Enter(BodyStore bodies)
+    public void Enter(BodyStore bodies, int from, int to)
     {
         BodyState* states = bodies.State.Pointer;
         float* motions = (float*)bodies.Motion.Pointer;
-        for (int i = 0; i < _count; i += Wide.Count)
+        for (int i = from; i < to; i += Wide.Count)
         {
             int* index = _list.Pointer + i;
             BodyLanes.Scatter(motions + 4, index, Wide.Zero, Wide.Zero, Wide.Zero, Wide.Zero);
@@ -109,11 +112,11 @@ internal sealed unsafe class NetBodies
 
     /// <summary>The other half; and bodies that turned further than the integrator follows for the sake of contacts are turned in full.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public void Moved(BodyStore bodies)
+    public void Moved(BodyStore bodies, int from, int to)
     {
         BodyState* states = bodies.State.Pointer;
         Wide most = Wide.Splat(Integrator.LargestTurn);
-        for (int i = 0; i < _count; i += Wide.Count)
+        for (int i = from; i < to; i += Wide.Count)
         {
             int* index = _list.Pointer + i;
             Kick(states, bodies.Drive.Pointer, index, Wide.Load(_kicks.Pointer + i));

@@ -21,6 +21,8 @@ internal sealed unsafe class NetColor
 
     public NetBundle* BundleOf(int row) => _bundles.Pointer + (row / _lanesUsed);
 
+    public int FirstRowOf(int bundle) => bundle * _lanesUsed;
+
     public int LaneOf(int row) => row % _lanesUsed;
 
     public ref NetAnchors AnchorsOf(int row) => ref _anchors[row];

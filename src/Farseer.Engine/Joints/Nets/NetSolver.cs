@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Constraints;
 using Farseer.Engine.Joints.Trees;
@@ -15,12 +16,14 @@ internal sealed unsafe partial class NetSolver
     private readonly BodyColors _bodyColors = new BodyColors();
     private readonly NetColor[] _colors = new NetColor[BodyColors.Count];
     private readonly NetBodies _bodies = new NetBodies();
+    private readonly NetWork _work;
     private JointStep _step;
     private bool _runs;
 
     public NetSolver(JointStore store)
     {
         _store = store;
+        _work = new NetWork(this, _bodies);
         for (int i = 0; i < _colors.Length; i++)
         {
             _colors[i] = new NetColor(i >= BodyColors.Masked);
@@ -49,18 +52,9 @@ internal sealed unsafe partial class NetSolver
         }
 
         _step = step;
-        _bodies.Start(step, forest);
-        BodyState* states = step.Bodies.State.Pointer;
-        for (int k = 0; k < _colors.Length; k++)
-        {
-            NetColor color = _colors[BodyColors.InOrder(k)];
-            for (int row = 0; row < color.RowCount; row++)
-            {
-                Place(color.BundleOf(row), color.LaneOf(row), color.AnchorsOf(row), (float)step.ImpulseScale);
-            }
-
-            NetKernel.Begin(color.Bundles, color.BundleCount, states);
-        }
+        _work.Begin(step, forest);
+        _work.Run(NetWork.Pass.StartBodies);
+        Sweep(NetWork.Pass.Start, NetSoftness.Hard);
     }
 
     /// <summary>After the velocities took gravity and forces: bodies move by h·v from here on, and the last impulses act again.</summary>
@@ -68,52 +62,41 @@ internal sealed unsafe partial class NetSolver
     {
         if (_runs)
         {
-            _bodies.Enter(_step.Bodies);
-            for (int k = 0; k < _colors.Length; k++)
-            {
-                NetColor color = _colors[BodyColors.InOrder(k)];
-                NetKernel.WarmStart(color.Bundles, color.BundleCount, _step.Bodies.State.Pointer);
-            }
+            _work.Run(NetWork.Pass.EnterBodies);
+            Sweep(NetWork.Pass.WarmStart, NetSoftness.Hard);
         }
     }
 
-    public void SolveBiased() => Sweep(NetSoftness.Soft(_step.Substep));
+    public void SolveBiased() => Sweep(NetWork.Pass.Solve, NetSoftness.Soft(_step.Substep));
 
     /// <summary>After the positions moved.</summary>
     public void Moved()
     {
         if (_runs)
         {
-            _bodies.Moved(_step.Bodies);
+            _work.Run(NetWork.Pass.MoveBodies);
         }
     }
 
     /// <param name="again">The arms have been turned in this substep.</param>
-    public void Relax(bool again)
+    public void Relax(bool again) => Sweep(again ? NetWork.Pass.Solve : NetWork.Pass.TurnAndRelax, NetSoftness.Hard);
+
+    /// <summary>Arms, errors and masses of the rows of some bundles at the start of the step.</summary>
+    internal void Place(NetColor color, int from, int to)
     {
-        if (again)
+        int end = Math.Min(color.FirstRowOf(to), color.RowCount);
+        for (int row = color.FirstRowOf(from); row < end; row++)
         {
-            Sweep(NetSoftness.Hard);
-        }
-        else if (_runs)
-        {
-            for (int k = 0; k < _colors.Length; k++)
-            {
-                NetColor color = _colors[BodyColors.InOrder(k)];
-                NetKernel.TurnAndRelax(color.Bundles, color.BundleCount, _step.Bodies.State.Pointer);
-            }
+            Place(color.BundleOf(row), color.LaneOf(row), color.AnchorsOf(row), (float)_step.ImpulseScale);
         }
     }
 
-    private void Sweep(in NetSoftness softness)
+    private void Sweep(NetWork.Pass pass, in NetSoftness softness)
     {
-        if (_runs)
+        for (int k = 0; _runs && k < _colors.Length; k++)
         {
-            for (int k = 0; k < _colors.Length; k++)
-            {
-                NetColor color = _colors[BodyColors.InOrder(k)];
-                NetKernel.Solve(color.Bundles, color.BundleCount, _step.Bodies.State.Pointer, softness);
-            }
+            int color = BodyColors.InOrder(k);
+            _work.Run(pass, _colors[color], color < BodyColors.Dynamic, softness);
         }
     }
 
