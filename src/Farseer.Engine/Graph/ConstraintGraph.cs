@@ -16,6 +16,10 @@ internal sealed unsafe class ConstraintGraph
     /// <summary>The rows of contacts asleep, behind all colours: kept with their impulses, and solved by nobody.</summary>
     public const int Dormant = ContactRecord.DormantRow;
 
+    /// <summary>Changes remembered between two searches for islands: looking at one costs some ten rows of a search.</summary>
+    private const int MostChanges = 1024;
+
+    private readonly Column<GraphChange> _changes = new Column<GraphChange>();
     private readonly BodyColors _bodies = new BodyColors();
     private readonly Column<int> _degree = new Column<int>();
     private readonly GraphColor[] _colors = new GraphColor[ColorCount + 1];
@@ -30,6 +34,7 @@ internal sealed unsafe class ConstraintGraph
 
     public ConstraintGraph()
     {
+        _changes.EnsureCapacity(MostChanges);
         for (int i = 0; i < ColorCount; i++)
         {
             _colors[i] = new GraphColor(i >= BodyColors.Masked, BodyColors.IsGrounded(i));
@@ -46,8 +51,15 @@ internal sealed unsafe class ConstraintGraph
 
     public int RowCount { get; private set; }
 
-    /// <summary>Rows were added or removed since the islands were last built.</summary>
-    public bool Changed { get; set; }
+    /// <summary>Rows were added or removed since the islands were last brought up to date.</summary>
+    public bool Changed { get; private set; }
+
+    /// <summary>What came and went since then, unless there was too much of it to look at one by one.</summary>
+    public GraphChange* Changes => _changes.Pointer;
+
+    public int ChangeCount { get; private set; }
+
+    public bool ChangesAreKnown => ChangeCount <= Math.Min(MostChanges, (RowCount / 4) + 1);
 
     /// <summary>The colours in the order of solving: moving pairs, their overflow, ground pairs, their overflow.</summary>
     public GraphColor[] InOrder => _inOrder;
@@ -99,7 +111,7 @@ internal sealed unsafe class ConstraintGraph
         Mark(record.BodyA, color, movesA);
         Mark(record.BodyB, color, movesB);
         RowCount++;
-        Changed = true;
+        Note(record, contact);
     }
 
     public void Remove(ref ContactRecord record, Column<ContactRecord> records)
@@ -117,7 +129,7 @@ internal sealed unsafe class ConstraintGraph
         Unmark(record.BodyB, color);
         record.Color = -1;
         RowCount--;
-        Changed = true;
+        Note(record, GraphChange.Gone);
     }
 
     /// <summary>Lays a row to rest as it is.</summary>
@@ -145,6 +157,24 @@ internal sealed unsafe class ConstraintGraph
         {
             records[moved].Row = row;
         }
+    }
+
+    /// <summary>The islands are up to date.</summary>
+    public void ForgetChanges()
+    {
+        Changed = false;
+        ChangeCount = 0;
+    }
+
+    private void Note(in ContactRecord record, int contact)
+    {
+        Changed = true;
+        if (ChangeCount < MostChanges)
+        {
+            _changes[ChangeCount] = new GraphChange { BodyA = record.BodyA, BodyB = record.BodyB, Contact = contact };
+        }
+
+        ChangeCount = Math.Min(ChangeCount + 1, MostChanges + 1);
     }
 
     private void FindUsed()

@@ -10,7 +10,7 @@ namespace Farseer.Engine.Islands;
 /// Groups of bodies that touch, and in each the support levels: how many contacts away the ground is. They are found anew
 /// only when rows came or went. A level's slot collects the largest sag of its contacts; their sum is the island's.
 /// </summary>
-internal sealed unsafe class IslandStore
+internal sealed unsafe partial class IslandStore
 {
     private readonly Column<int> _level = new Column<int>();
     private readonly Column<int> _start = new Column<int>();
@@ -43,6 +43,7 @@ internal sealed unsafe class IslandStore
     public void Build(ConstraintGraph graph, int bodyEnd, byte* moves)
     {
         EnsureBodies(bodyEnd, graph.RowCount);
+        _bodyEnd = bodyEnd;
         int queued = CollectEdges(graph, bodyEnd, moves);
         FindLevels(bodyEnd, queued);
         NumberIslands(bodyEnd, moves);
@@ -221,9 +222,6 @@ internal sealed unsafe class IslandStore
 
     private void WriteRows(ConstraintGraph graph, byte* moves)
     {
-        int* level = _level.Pointer;
-        int* islandOf = _islandOf.Pointer;
-        int* firstSlot = _firstSlot.Pointer;
         foreach (GraphColor color in graph.Used)
         {
             int count = color.BundleCount;
@@ -231,31 +229,37 @@ internal sealed unsafe class IslandStore
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    int a = row->BodyA[lane];
-                    int b = row->BodyB[lane];
-                    if (a == b)
+                    if (row->BodyA[lane] != row->BodyB[lane])
                     {
-                        continue;
+                        WriteLane(row, lane, moves);
                     }
-
-                    // Both were taken out of motion since the step began: the row goes at the start of the next.
-                    if ((moves[a] | moves[b]) == 0)
-                    {
-                        row->Island[lane] = 0;
-                        row->Level[lane] = 0;
-                        continue;
-                    }
-
-                    // A contact belongs to the level of its upper body; the ground carries level 0.
-                    int body = moves[a] != 0 ? a : b;
-                    int other = moves[b] != 0 ? b : body;
-                    int height = Math.Max(0, Math.Max(level[body], level[other]));
-                    int island = islandOf[body];
-                    row->Island[lane] = island;
-                    row->Level[lane] = firstSlot[island] + height;
                 }
             }
         }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void WriteLane(ContactBundle* row, int lane, byte* moves)
+    {
+        int a = row->BodyA[lane];
+        int b = row->BodyB[lane];
+
+        // Both were taken out of motion since the step began: the row goes at the start of the next.
+        if ((moves[a] | moves[b]) == 0)
+        {
+            row->Island[lane] = 0;
+            row->Level[lane] = 0;
+            return;
+        }
+
+        // A contact belongs to the level of its upper body; the ground carries level 0.
+        int* level = _level.Pointer;
+        int body = moves[a] != 0 ? a : b;
+        int other = moves[b] != 0 ? b : body;
+        int height = Math.Max(0, Math.Max(level[body], level[other]));
+        int island = _islandOf[body];
+        row->Island[lane] = island;
+        row->Level[lane] = _firstSlot[island] + height;
     }
 
     private struct Edge

@@ -116,8 +116,12 @@ internal sealed partial class World
 
         if (_graph.Changed)
         {
-            _islands.Build(_graph, Bodies.Ids.End, _lists.Moves);
-            _graph.Changed = false;
+            if (!_islands.Keep(_graph, _contacts.Records, _lists.Moves))
+            {
+                _islands.Build(_graph, Bodies.Ids.End, _lists.Moves);
+            }
+
+            _graph.ForgetChanges();
             _groupsChanged = true;
         }
 
