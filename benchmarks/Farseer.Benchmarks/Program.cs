@@ -3,6 +3,8 @@ using Farseer.Benchmarks.Pairs;
 using Farseer.Benchmarks.Queries;
 using Farseer.Benchmarks.Scenes;
 using Farseer.Benchmarks.Sleeping;
+using Farseer.Benchmarks.Suites;
+using Farseer.Benchmarks.Unused;
 
 switch (args.Length > 0 ? args[0] : "")
 {
@@ -14,6 +16,12 @@ switch (args.Length > 0 ? args[0] : "")
         return SleepTiming.Run();
     case "scenes":
         return SceneCommand.Run(args.AsSpan(1), Console.Out, Console.Error);
+    case "compare":
+        return ResultComparison.Run(args.AsSpan(1), Console.Out, Console.Error);
+    case "bdn":
+        return SuiteCommand.Run(args[1..], Console.Out);
+    case "unused":
+        return UnusedFeatures.Run(Console.Out);
     default:
         Console.WriteLine("usage: Farseer.Benchmarks <verb>");
         Console.WriteLine("  pairs   time of each pair finder, ns a body");
@@ -21,5 +29,10 @@ switch (args.Length > 0 ? args[0] : "")
         Console.WriteLine("  sleeping time of steps of worlds asleep and awake, and of allowing sleep where nothing rests");
         Console.WriteLine($"  {SceneCommand.Usage}");
         Console.WriteLine("          whole steps of the performance scenes");
+        Console.WriteLine($"  {ResultComparison.Usage}");
+        Console.WriteLine("          two result files of scenes --csv side by side; one: beside a run made now");
+        Console.WriteLine($"  {SuiteCommand.Usage}");
+        Console.WriteLine("          the suites of BenchmarkDotNet: kernels, pairs, joints, whole scenes; FILE takes the figures as CSV");
+        Console.WriteLine("  unused  time and bits of features that have nothing to do");
         return 0;
 }

@@ -1,0 +1,94 @@
+using System.Numerics;
+using BenchmarkDotNet.Attributes;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Benchmarks.Suites;
+
+/// <summary>The kernels of a contact alone, ns a contact: rows of two points between boxes one upon the other, each body in one row.</summary>
+public unsafe class KernelSuite
+{
+    private const int Contacts = 4096;
+    private const int Bundles = Contacts / ContactBundle.Lanes;
+    private readonly Column<ContactBundle> _rows = new Column<ContactBundle>(Bundles);
+    private readonly Column<BodyState> _states = new Column<BodyState>((2 * Contacts) + 1);
+    private readonly Column<PairLanes> _pairs = new Column<PairLanes>(1);
+    private ContactCoefficients _coefficients;
+
+    [GlobalSetup]
+    public void Setup()
+    {
+        _coefficients = new ContactCoefficients(1f / 240, 10, 0.005f, 1);
+        for (int i = 0; i < _states.Capacity; i++)
+        {
+            _states[i] = new BodyState { LinearVelocity = new Vector2(0.01f * (i % 7), 0.01f * (i % 5)), DeltaCos = 1 };
+        }
+
+        for (int i = 0; i < Contacts; i++)
+        {
+            ContactBundle* row = _rows.Pointer + (i / ContactBundle.Lanes);
+            int lane = i % ContactBundle.Lanes;
+            ContactRowWriter.ClearLane(row, lane);
+            row->BodyA[lane] = 1 + (2 * i);
+            row->BodyB[lane] = 2 + (2 * i);
+            row->NormalY[lane] = 1;
+
+            // The bodies of no mass keep their speed: those of any would come to rest, and the passes on the smallest of numbers are slow.
+            row->K11[lane] = row->K22[lane] = 5;
+            row->K12[lane] = -1;
+            row->InverseK11[lane] = row->InverseK22[lane] = 0.2f;
+            row->InverseDeterminant[lane] = 1f / 24;
+            row->TangentMass0[lane] = row->TangentMass1[lane] = 0.2f;
+            row->Friction[lane] = 0.6f;
+            SetPoint(&row->Point0, lane, 0.5f);
+            SetPoint(&row->Point1, lane, -0.5f);
+        }
+
+        SetSide(&_pairs.Pointer->A, 0);
+        SetSide(&_pairs.Pointer->B, 0.999f);
+        for (int lane = 0; lane < PairLanes.Lanes; lane++)
+        {
+            _pairs.Pointer->Margin[lane] = 0.02f;
+        }
+    }
+
+    [Benchmark(OperationsPerInvoke = Contacts)]
+    public void WarmStart() => ContactKernel.WarmStart(_rows.Pointer, Bundles, _states.Pointer, _coefficients, grounded: false);
+
+    [Benchmark(OperationsPerInvoke = Contacts)]
+    public void SolveBiased() => ContactKernel.SolveBiased(_rows.Pointer, Bundles, _states.Pointer, _coefficients, anyDeep: false, grounded: false);
+
+    [Benchmark(OperationsPerInvoke = Contacts)]
+    public void Relax() => ContactKernel.Relax(_rows.Pointer, Bundles, _states.Pointer, _coefficients, rub: true, grounded: false);
+
+    [Benchmark(OperationsPerInvoke = PairLanes.Lanes)]
+    public int BoxBox() => WideBoxBox.Collide(_pairs.Pointer);
+
+    [Benchmark(OperationsPerInvoke = PairLanes.Lanes)]
+    public void CircleCircle() => WideCircleCircle.Collide(_pairs.Pointer);
+
+    private static void SetPoint(ContactPointLanes* point, int lane, float arm)
+    {
+        point->TangentArmA[lane] = arm;
+        point->TangentArmB[lane] = arm;
+        point->NormalArmA[lane] = 0.5f;
+        point->NormalArmB[lane] = -0.5f;
+        point->Base[lane] = 1;
+    }
+
+    private static void SetSide(SideLanes* side, float height)
+    {
+        for (int lane = 0; lane < PairLanes.Lanes; lane++)
+        {
+            side->X[lane] = 0.1f * lane * height;
+            side->Y[lane] = height;
+            side->Cos[lane] = 1;
+            side->Sin[lane] = 0;
+            side->HalfX[lane] = 0.5f;
+            side->HalfY[lane] = 0.5f;
+            side->Extent[lane] = 0.5f;
+        }
+    }
+}
