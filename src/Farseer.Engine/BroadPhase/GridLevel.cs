@@ -87,18 +87,17 @@ internal sealed unsafe class GridLevel
         Fill(proxies, members, count);
     }
 
-    /// <summary>Pairs among the boxes of this level. Each looks at the rest of its cell, the next cell, and three cells of the next row.</summary>
+    /// <summary>Pairs of a range of the boxes of this level with those behind them. Each looks at the rest of its cell, the next cell, and three cells of the next row.</summary>
     /// <remarks>
     /// Both looks nearly always fit one test of eight boxes each, so these two are made without asking and their hits gathered in one mask: an
     /// unforeseen branch costs as much as both tests.
     /// </remarks>
-    public void CollectWithin(PairBuffer pairs)
+    public void CollectWithin(PairBuffer pairs, int from, int to)
     {
         int* start = _start.Pointer;
         WideBoxes wide = _rows.Wide;
         GridEntry* entries = _entries.Pointer;
-        int count = Count;
-        for (int i = 0; i < count; i++)
+        for (int i = from; i < to; i++)
         {
             GridEntry* entry = entries + i;
             int c = entry->Place.Cell;

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.BroadPhase;
@@ -15,13 +16,16 @@ namespace Farseer.Engine.BroadPhase;
 /// A box is put into the tree when keeping it in the grids has cost as much as rebuilding the tree: at worst twice the cost of knowing
 /// in advance. The rule counts boxes, not time, so runs repeat exactly.
 /// </remarks>
-internal sealed unsafe class LevelGrid : IBroadPhase
+internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
 {
     // Collects without motion after which a box is thought to rest.
     private const int RestAfter = 16;
 
     // The cost of building one box into the tree, in boxes sorted into a grid.
     private const int BuildCost = 4;
+
+    // Boxes that are worth another worker's while, some 2 µs.
+    private const int LeastBoxes = 128;
 
     private const int NotInTree = -1;
 
@@ -30,9 +34,16 @@ internal sealed unsafe class LevelGrid : IBroadPhase
     private readonly PackedTree _tree = new PackedTree();
     private readonly IndexList _active = new IndexList();
     private readonly IndexList _resting = new IndexList();
-    private readonly IndexList _hits = new IndexList();
+    private IndexList[] _hits = { new IndexList() };
+    private PairBuffer[] _found = { new PairBuffer() };
+    private StageRunner? _runner;
+    private PairMap? _known;
     private readonly Column<Residence> _residence = new Column<Residence>(1);
-    private int _known;
+    private ProxyStore _proxies = null!;
+    private PairBuffer _pairs = null!;
+    private GridLevel? _coarse;
+    private GridLevel? _fine;
+    private int _end;
     private int _reserved;
     private long _debt;
 
@@ -46,6 +57,13 @@ internal sealed unsafe class LevelGrid : IBroadPhase
     {
         Know(proxy + 1);
         Leave(proxy);
+    }
+
+    /// <summary>From now on workers share the search, and it leaves out pairs that are known.</summary>
+    public void Share(StageRunner runner, PairMap known)
+    {
+        _runner = runner;
+        _known = known;
     }
 
     public void Collect(ProxyStore proxies, PairBuffer pairs)
@@ -64,9 +82,15 @@ internal sealed unsafe class LevelGrid : IBroadPhase
             return;
         }
 
-        AskTree(proxies, pairs);
-        Box* boxes = proxies.Fat.Pointer;
-        _levels.Assign(boxes, _active.Pointer, _active.Count);
+        _proxies = proxies;
+        _pairs = pairs;
+        BeginSearch();
+        if (_tree.Count > 0)
+        {
+            Search(null, null, _active.Count);
+        }
+
+        _levels.Assign(proxies.Fat.Pointer, _active.Pointer, _active.Count);
         while (_grids.Count < _levels.Count)
         {
             _grids.Add(new GridLevel());
@@ -83,29 +107,102 @@ internal sealed unsafe class LevelGrid : IBroadPhase
             GridLevel grid = _grids[coarse];
             if (grid.Seekers > 0)
             {
-                grid.CollectWithin(pairs);
+                Search(grid, null, grid.Count);
             }
 
             for (int fine = 0; fine < coarse; fine++)
             {
-                AskFiner(grid, _grids[fine], pairs);
+                if (grid.Seekers + _grids[fine].Seekers > 0)
+                {
+                    Search(grid, _grids[fine], grid.Count);
+                }
             }
+        }
+
+        EndSearch();
+    }
+
+    /// <summary>A range of the active boxes asks the tree, or one of a level the level itself or a finer one.</summary>
+    void IStageWork.Run(int worker, int from, int to)
+    {
+        PairBuffer pairs = worker == 0 ? _pairs : _found[worker];
+        int before = pairs.Count;
+        if (_coarse == null)
+        {
+            AskTree(pairs, _hits[worker], from, to);
+        }
+        else if (_fine == null)
+        {
+            _coarse.CollectWithin(pairs, from, to);
+        }
+        else
+        {
+            AskFiner(_coarse, _fine, pairs, from, to);
+        }
+
+        if (_known != null)
+        {
+            pairs.RemoveThoseOf(_known, before);
         }
     }
 
-    private static void AskFiner(GridLevel coarse, GridLevel fine, PairBuffer pairs)
+    private static void AskFiner(GridLevel coarse, GridLevel fine, PairBuffer pairs, int from, int to)
     {
-        if (coarse.Seekers + fine.Seekers == 0)
-        {
-            return;
-        }
-
-        for (int i = 0; i < coarse.Count; i++)
+        for (int i = from; i < to; i++)
         {
             if (fine.Seekers > 0 || PairRule.Seeks(coarse.Entries[i].Key))
             {
                 fine.CollectAgainst(coarse.Entries + i, pairs);
             }
+        }
+    }
+
+    private void BeginSearch()
+    {
+        int workers = _runner == null ? 1 : _runner.Workers;
+        int had = _found.Length;
+        if (workers > had)
+        {
+            System.Array.Resize(ref _found, workers);
+            System.Array.Resize(ref _hits, workers);
+            for (int i = had; i < workers; i++)
+            {
+                _found[i] = new PairBuffer();
+                _hits[i] = new IndexList();
+            }
+        }
+    }
+
+    private void Search(GridLevel? coarse, GridLevel? fine, int count)
+    {
+        _coarse = coarse;
+        _fine = fine;
+        if (_runner == null)
+        {
+            ((IStageWork)this).Run(0, 0, count);
+        }
+        else
+        {
+            _runner.Run(this, count, LeastBoxes);
+        }
+    }
+
+    // Who found which pairs changes from run to run: all get the room that one of them needed.
+    private void EndSearch()
+    {
+        int pairs = 0;
+        int hits = 0;
+        for (int i = 0; i < _found.Length; i++)
+        {
+            _pairs.Take(_found[i]);
+            pairs = System.Math.Max(pairs, _found[i].Capacity);
+            hits = System.Math.Max(hits, _hits[i].Capacity);
+        }
+
+        for (int i = 0; i < _found.Length; i++)
+        {
+            _found[i].Reserve(pairs);
+            _hits[i].Reserve(hits);
         }
     }
 
@@ -177,16 +274,11 @@ internal sealed unsafe class LevelGrid : IBroadPhase
         _debt = 0;
     }
 
-    private void AskTree(ProxyStore proxies, PairBuffer pairs)
+    private void AskTree(PairBuffer pairs, IndexList hits, int from, int to)
     {
-        if (_tree.Count == 0)
-        {
-            return;
-        }
-
-        Box* boxes = proxies.Fat.Pointer;
-        ProxyInfo* info = proxies.Info.Pointer;
-        for (int i = 0; i < _active.Count; i++)
+        Box* boxes = _proxies.Fat.Pointer;
+        ProxyInfo* info = _proxies.Info.Pointer;
+        for (int i = from; i < to; i++)
         {
             int proxy = _active.Pointer[i];
             if (!PairRule.Seeks(info[proxy].Flags))
@@ -194,11 +286,11 @@ internal sealed unsafe class LevelGrid : IBroadPhase
                 continue;
             }
 
-            _hits.Clear();
-            _tree.Overlap(boxes[proxy], _hits);
-            for (int k = 0; k < _hits.Count; k++)
+            hits.Clear();
+            _tree.Overlap(boxes[proxy], hits);
+            for (int k = 0; k < hits.Count; k++)
             {
-                int other = _hits.Pointer[k];
+                int other = hits.Pointer[k];
                 if ((info[other].Flags & ProxyFlags.Alive) != 0 && PairRule.Wants(info[proxy], info[other]))
                 {
                     pairs.Add(proxy, other);
@@ -224,15 +316,15 @@ internal sealed unsafe class LevelGrid : IBroadPhase
 
     private void Know(int end)
     {
-        if (end > _known)
+        if (end > _end)
         {
             _residence.EnsureCapacity(end);
-            for (int i = _known; i < end; i++)
+            for (int i = _end; i < end; i++)
             {
                 _residence.Pointer[i].TreeSlot = NotInTree;
             }
 
-            _known = end;
+            _end = end;
         }
     }
 

@@ -38,12 +38,12 @@ internal sealed class PairBuffer
 
     public unsafe void SetEnd(ulong* end) => Count = (int)(end - _pairs.Pointer);
 
-    /// <summary>Drops the pairs that a map has; most pairs of a world are old ones, and need not be sorted.</summary>
-    public unsafe void RemoveThoseOf(PairMap map)
+    /// <summary>Drops the pairs from a place on that a map has; most pairs of a world are old ones, and need not be sorted.</summary>
+    public unsafe void RemoveThoseOf(PairMap map, int from = 0)
     {
         ulong* pairs = _pairs.Pointer;
-        int kept = 0;
-        for (int i = 0; i < Count; i++)
+        int kept = from;
+        for (int i = from; i < Count; i++)
         {
             ulong pair = pairs[i];
             if (!map.Contains(pair))
@@ -54,6 +54,22 @@ internal sealed class PairBuffer
 
         Count = kept;
     }
+
+    /// <summary>Moves all pairs of another buffer behind those of this one.</summary>
+    public unsafe void Take(PairBuffer other)
+    {
+        ulong* next = Reserve(other.Count);
+        for (int i = 0; i < other.Count; i++)
+        {
+            *next++ = other[i];
+        }
+
+        SetEnd(next);
+        other.Clear();
+    }
+
+    /// <summary>How many pairs fit.</summary>
+    public int Capacity => _pairs.Capacity;
 
     public static ulong Pack(int a, int b) => a < b ? ((ulong)(uint)a << 32) | (uint)b : ((ulong)(uint)b << 32) | (uint)a;
 

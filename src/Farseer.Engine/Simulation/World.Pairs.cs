@@ -95,6 +95,7 @@ internal sealed partial class World
             return;
         }
 
+        (BroadPhase as LevelGrid)?.Share(_runner, _contacts.Map);
         BroadPhase.Collect(Proxies, _pairs);
         _pairs.RemoveThoseOf(_contacts.Map);
         _pairSort.Sort(_pairs.Pointer, _pairs.Count);

@@ -11,6 +11,8 @@ internal sealed unsafe class IndexList
 
     public int* Pointer => _items.Pointer;
 
+    public int Capacity => _items.Capacity;
+
     public int this[int position] => _items[position];
 
     public void Clear() => Count = 0;
@@ -25,6 +27,9 @@ internal sealed unsafe class IndexList
 
         _items.Pointer[Count++] = index;
     }
+
+    /// <summary>Makes room for so many.</summary>
+    public void Reserve(int count) => _items.EnsureCapacity(count);
 
     /// <summary>Sets the length; what lies beyond the old one is undefined until written.</summary>
     public void SetCount(int count)
