@@ -20,7 +20,7 @@ internal sealed class FastList
     }
 
     /// <summary>For a body that has flown: foreseen to be fast, or fast by what came since.</summary>
-    public bool IsFast(BodyStore bodies, int body, in BodyPose before)
+    public static bool IsFast(BodyStore bodies, int body, in BodyPose before)
     {
         if ((bodies.Flags[body] & BodyFlags.Fast) != 0)
         {

@@ -203,23 +203,30 @@ internal sealed unsafe class BodyLists
         }
     }
 
-    public void FlyFree(BodyStore bodies, Vector2 gravity, float dt, float substep)
+    public void FlyFree(StageRunner runner, BodyStore bodies, Vector2 gravity, float dt, float substep)
     {
+        if (!_work.FlyFree(runner, bodies, _free.Pointer, FreeCount, gravity, dt, substep))
+        {
+            return;
+        }
+
         for (int i = 0; i < FreeCount; i++)
         {
             int body = _free[i];
-            bool pulled = (bodies.Flags[body] & (BodyFlags.IgnoreGravity | BodyFlags.Kinematic)) == 0;
-            BodyPose before = bodies.Pose[body];
-            BodyState old = bodies.State[body];
-            FreeFlight.Advance(bodies, body, pulled ? gravity : Vector2.Zero, dt, substep);
+            if (_work.Marks[i] == 0)
+            {
+                continue;
+            }
+
+            ref FlightStart start = ref _work.Starts[i];
             if (!StateRange.Holds(bodies.State[body], bodies.Pose[body]))
             {
-                bodies.Pose[body] = before;
+                bodies.Pose[body] = start.Pose;
                 CastOut(bodies, body, QuarantineCause.Forces);
             }
-            else if (Fast.IsFast(bodies, body, before))
+            else
             {
-                Fast.Add(bodies, body, before, old, isFree: true);
+                Fast.Add(bodies, body, start.Pose, start.State, isFree: true);
             }
         }
     }
@@ -252,11 +259,7 @@ internal sealed unsafe class BodyLists
             }
         }
 
-        for (int i = 0; i < FreeCount; i++)
-        {
-            FinishBodies.UpdateRotor(ref bodies.Pose[_free[i]]);
-            FinishBodies.ForgetTurn(bodies, _free[i]);
-        }
+        _work.FinishFree(runner, bodies, _free.Pointer, FreeCount);
     }
 
     public static void UseUpForces(BodyStore bodies)

@@ -19,9 +19,6 @@ internal sealed unsafe class ContactStage
     private readonly FastPairStage _fast = new FastPairStage();
 
     private readonly ContactWork _work = new ContactWork();
-
-    /// <summary>A bundle for pairs that have none.</summary>
-    private readonly Column<ContactBundle> _bundle = new Column<ContactBundle>();
     private int _lostCount;
     private int _droppedCount;
     private int _gainedCount;
@@ -73,7 +70,7 @@ internal sealed unsafe class ContactStage
         }
 
         Take(contacts, graph);
-        Give(input, graph);
+        Give(runner, input, graph);
         _fast.Decide(input, graph, joints, allHeld);
         AnyBounce = AnyBounce || _fast.AnyBounce;
         _touching += _fast.Given;
@@ -218,35 +215,21 @@ internal sealed unsafe class ContactStage
 
     /// <summary>
     /// New rows are coloured in a shuffled order: in creation order a stack gets all left supports in one colour and all right
-    /// ones in another, and drifts sideways. Their constraints are written eight at a time and moved to their places.
+    /// ones in another, and drifts sideways. Their constraints are written afterwards.
     /// </summary>
-    private void Give(in ContactUpdateInput input, ConstraintGraph graph)
+    private void Give(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
     {
         ContactStore contacts = input.Contacts;
-        ContactBundle* bundle = _bundle.Pointer;
         _sort.Sort(_gainKeys.Pointer, _gained.Pointer, _gainedCount);
-        for (int i = 0; i < _gainedCount; i += ContactBundle.Lanes)
+        for (int i = 0; i < _gainedCount; i++)
         {
-            int count = System.Math.Min(ContactBundle.Lanes, _gainedCount - i);
-            ContactRowWriter.ClearForWrite(bundle);
-            for (int lane = 0; lane < count; lane++)
-            {
-                int index = _gained[i + lane];
-                ref ContactRecord record = ref contacts.Records[index];
-                contacts.RemoveIdle(index);
-                graph.Add(index, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
-                ContactRowWriter.Name(bundle, lane, index, record);
-            }
-
-            ContactUpdate.FillRows(input, bundle);
-            AnyBounce = AnyBounce || BounceKernel.Bounces(bundle);
-            for (int lane = 0; lane < count; lane++)
-            {
-                ref ContactRecord record = ref contacts.Records[_gained[i + lane]];
-                GraphColor color = graph[record.Color];
-                ContactRowWriter.MoveLane(bundle, lane, color.BundleOf(record.Row), color.LaneOf(record.Row));
-            }
+            int index = _gained[i];
+            ref ContactRecord record = ref contacts.Records[index];
+            contacts.RemoveIdle(index);
+            graph.Add(index, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
         }
+
+        AnyBounce |= _work.FillRows(runner, input, graph, _gained.Pointer, _gainedCount);
     }
 
     // A fixed mixing of the bits (the finaliser of MurmurHash3); distinct keys stay distinct.

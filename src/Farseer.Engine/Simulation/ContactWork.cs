@@ -34,6 +34,8 @@ internal sealed unsafe class ContactWork : IStageWork
     private ContactUpdateInput _input;
     private ContactSides _sides = null!;
     private ConstraintGraph _graph = null!;
+    private int* _gained;
+    private int _gainedCount;
     private Part _part;
 
     private enum Part
@@ -41,6 +43,7 @@ internal sealed unsafe class ContactWork : IStageWork
         Sides,
         Rows,
         Idle,
+        Given,
     }
 
     /// <summary>Where pairs pass through that the calling thread works on alone.</summary>
@@ -81,6 +84,24 @@ internal sealed unsafe class ContactWork : IStageWork
     public void UpdateIdle(StageRunner runner, in ContactUpdateInput input) =>
         Run(runner, input, Part.Idle, (input.Contacts.IdleCount + ContactBundle.Lanes - 1) / ContactBundle.Lanes);
 
+    /// <summary>Writes the constraints of pairs that have just been given rows, eight at a time, and moves them to their places.</summary>
+    /// <returns>True if one of them can bounce.</returns>
+    public bool FillRows(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph, int* gained, int count)
+    {
+        _graph = graph;
+        _gained = gained;
+        _gainedCount = count;
+        int bundles = (count + ContactBundle.Lanes - 1) / ContactBundle.Lanes;
+        Run(runner, input, Part.Given, bundles);
+        bool bounces = false;
+        for (int i = 0; i < bundles; i++)
+        {
+            bounces |= _outcomes[i].Bounces;
+        }
+
+        return bounces;
+    }
+
     void IStageWork.Run(int worker, int from, int to)
     {
         ContactUpdateInput input = _input;
@@ -96,6 +117,9 @@ internal sealed unsafe class ContactWork : IStageWork
                 break;
             case Part.Idle:
                 UpdateIdle(input, _bundles.Pointer + worker, from, to);
+                break;
+            case Part.Given:
+                FillRows(input, _bundles.Pointer + worker, from, to);
                 break;
         }
     }
@@ -149,6 +173,31 @@ internal sealed unsafe class ContactWork : IStageWork
             }
 
             _outcomes[i].Fates = ContactUpdate.UpdateIdle(input, bundle);
+        }
+    }
+
+    // Two bundles of new rows may write different lanes of the same bundle of a colour: those are different places of memory.
+    private void FillRows(in ContactUpdateInput input, ContactBundle* bundle, int from, int to)
+    {
+        Column<ContactRecord> records = input.Contacts.Records;
+        for (int i = from; i < to; i++)
+        {
+            int* gained = _gained + (i * ContactBundle.Lanes);
+            int count = Math.Min(ContactBundle.Lanes, _gainedCount - (i * ContactBundle.Lanes));
+            ContactRowWriter.ClearForWrite(bundle);
+            for (int lane = 0; lane < count; lane++)
+            {
+                ContactRowWriter.Name(bundle, lane, gained[lane], records[gained[lane]]);
+            }
+
+            ContactUpdate.FillRows(input, bundle);
+            _outcomes[i].Bounces = BounceKernel.Bounces(bundle);
+            for (int lane = 0; lane < count; lane++)
+            {
+                ref ContactRecord record = ref records[gained[lane]];
+                GraphColor color = _graph[record.Color];
+                ContactRowWriter.MoveLane(bundle, lane, color.BundleOf(record.Row), color.LaneOf(record.Row));
+            }
         }
     }
 }
