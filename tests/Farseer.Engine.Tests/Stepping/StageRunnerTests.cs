@@ -1,0 +1,185 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Farseer.Engine.Stepping;
+using Xunit;
+
+namespace Farseer.Engine.Tests.Stepping;
+
+public class StageRunnerTests
+{
+    // A step that is worth waking anybody, nanoseconds.
+    private const double Large = 1e9;
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(8)]
+    [InlineData(StageRunner.MostWorkers)]
+    public void Run_DoesEveryItemOnce_InEachOfManyPhases(int workers)
+    {
+        using StageRunner runner = new(workers, null);
+        Counting work = new(1000);
+        for (int step = 0; step < 20; step++)
+        {
+            runner.Begin(Large);
+            for (int phase = 0; phase < 50; phase++)
+            {
+                runner.Run(work, 1 + ((phase * 41) % 1000), 1 + (phase % 7));
+            }
+
+            runner.End();
+        }
+
+        int[] expected = new int[1000];
+        for (int phase = 0; phase < 50; phase++)
+        {
+            for (int i = 0; i < 1 + ((phase * 41) % 1000); i++)
+            {
+                expected[i] += 20;
+            }
+        }
+
+        Assert.Equal(expected, work.Counts);
+        Assert.True(work.HighestWorker < workers);
+        Assert.False(work.Shared, "Two calls at a time had the same worker.");
+    }
+
+    [Fact]
+    public void Run_WithHelpers_LetsThemWork()
+    {
+        using StageRunner runner = new(2, null);
+        Meeting work = new();
+        runner.Begin(Large);
+        for (int i = 0; i < 10_000 && work.Threads.Count < 2; i++)
+        {
+            runner.Run(work, 64, 1);
+        }
+
+        runner.End();
+        Assert.Equal(2, work.Threads.Count);
+    }
+
+    [Fact]
+    public void SmallStep_WakesNobody()
+    {
+        int asked = 0;
+        using StageRunner runner = new(4, (count, _) => asked += count);
+        runner.Begin(1000);
+        runner.Call();
+        runner.Run(new Counting(10), 10, 1);
+        runner.End();
+
+        Assert.Equal(0, asked);
+    }
+
+    [Fact]
+    public void Run_OfNoItems_DoesNothing()
+    {
+        using StageRunner runner = new(2, null);
+        runner.Begin(Large);
+        runner.Run(new Failing(), 0, 1);
+        runner.End();
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(4)]
+    public void ExceptionOfAnItem_ComesOutOnTheCallingThread_AndTheRunnerGoesOn(int workers)
+    {
+        using StageRunner runner = new(workers, null);
+        Counting work = new(1000);
+        runner.Begin(Large);
+        for (int i = 0; i < 100; i++)
+        {
+            Assert.Equal("item", Assert.Throws<FormatException>(() => runner.Run(new Failing(), 1000, 1)).Message);
+            runner.Run(work, 1000, 1);
+        }
+
+        runner.End();
+        runner.ThrowSchedulerError();
+        Assert.All(work.Counts, c => Assert.Equal(100, c));
+    }
+
+    [Fact]
+    public void HelpOutsideOfSteps_ReturnsAtOnce()
+    {
+        List<Action> calls = [];
+        using StageRunner runner = new(3, (_, help) => calls.Add(help));
+        Counting work = new(100);
+        for (int i = 0; i < 3; i++)
+        {
+            runner.Begin(Large);
+            runner.Run(work, 100, 1);
+            runner.End();
+            calls.ForEach(help => help());
+        }
+
+        Assert.Equal(3, calls.Count);
+        Assert.All(work.Counts, c => Assert.Equal(3, c));
+    }
+
+    [Fact]
+    public void Disposed_WithinAStep_GoesOnAlone()
+    {
+        StageRunner runner = new(4, null);
+        Counting work = new(1000);
+        runner.Begin(Large);
+        runner.Run(work, 1000, 1);
+        runner.Dispose();
+        runner.Run(work, 1000, 1);
+        runner.End();
+        runner.Begin(Large);
+        runner.Run(work, 1000, 1);
+        runner.End();
+        runner.Dispose();
+
+        Assert.All(work.Counts, c => Assert.Equal(3, c));
+    }
+
+    private sealed class Counting(int count) : IStageWork
+    {
+        private readonly int[] _busy = new int[StageRunner.MostWorkers];
+        private int _highest;
+
+        public int[] Counts { get; } = new int[count];
+
+        public int HighestWorker => _highest;
+
+        public bool Shared { get; private set; }
+
+        public void Run(int worker, int from, int to)
+        {
+            Shared |= Interlocked.Increment(ref _busy[worker]) != 1;
+            _highest = Math.Max(_highest, worker);
+            for (int i = from; i < to; i++)
+            {
+                Counts[i]++;
+            }
+
+            Interlocked.Decrement(ref _busy[worker]);
+        }
+    }
+
+    /// <summary>Items that wait a little, so that a helper finds some.</summary>
+    private sealed class Meeting : IStageWork
+    {
+        public HashSet<int> Threads { get; } = [];
+
+        public void Run(int worker, int from, int to)
+        {
+            lock (Threads)
+            {
+                Threads.Add(Environment.CurrentManagedThreadId);
+            }
+
+            Thread.Sleep(from < 8 ? 1 : 0);
+        }
+    }
+
+    private sealed class Failing : IStageWork
+    {
+        public void Run(int worker, int from, int to) => throw new FormatException("item");
+    }
+}
