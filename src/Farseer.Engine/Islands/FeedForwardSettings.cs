@@ -3,6 +3,7 @@ using System.Runtime.CompilerServices;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
@@ -16,20 +17,31 @@ namespace Farseer.Engine.Islands;
 /// static sag, g/Δ estimates the square of that mode's frequency; τ = 16·√(Δ/g) stood in every scene, below 8 tall stacks
 /// swing themselves up.
 /// </summary>
-internal sealed unsafe class FeedForwardSettings
+internal sealed unsafe class FeedForwardSettings : IStageWork
 {
     private const float TimeFactor = 16f;
     private const float ShortestTime = 0.05f;
     private const float LongestTime = 20f;
 
+    /// <summary>Bundles that are worth another worker's while, some 0.5 µs.</summary>
+    private const int LeastBundles = 32;
+
+    private readonly ColorRanges _ranges = new ColorRanges();
+    private readonly Column<float> _sags = new Column<float>();
     private readonly Column<float> _rate = new Column<float>();
     private readonly Column<float> _deep = new Column<float>();
 
+    private ContactCoefficients _coefficients;
+    private int _slots;
+    private bool _writes;
+    private bool _anyDeep;
+
     /// <summary>Writes rate and deepness into every row.</summary>
     /// <returns>True if any island is deep.</returns>
-    public bool Apply(IslandStore islands, ConstraintGraph graph, in ContactCoefficients c)
+    public bool Apply(StageRunner runner, IslandStore islands, ConstraintGraph graph, in ContactCoefficients c)
     {
-        CollectSag(islands, graph, c);
+        _ranges.Find(graph.Used);
+        CollectSag(runner, islands, c);
         _rate.EnsureCapacity(islands.Count);
         for (int i = 0; i < islands.Count; i++)
         {
@@ -49,15 +61,39 @@ internal sealed unsafe class FeedForwardSettings
             _rate[i] = Math.Min(1f, c.Substep / time);
         }
 
-        return WriteRows(graph);
+        _writes = true;
+        _anyDeep = false;
+        runner.Run(this, _ranges.Count, LeastBundles);
+        return _anyDeep;
     }
 
-    private void CollectSag(IslandStore islands, ConstraintGraph graph, in ContactCoefficients c)
+    void IStageWork.Run(int worker, int from, int to)
     {
-        float* slotSag = islands.SlotSag;
-        for (int i = 0; i < islands.SlotCount; i++)
+        while (from < to)
         {
-            slotSag[i] = 0;
+            ContactBundle* rows = _ranges.From(from, to, out int end);
+            if (_writes)
+            {
+                WriteRows(rows, end - from);
+            }
+            else
+            {
+                CollectSag(rows, end - from, _sags.Pointer + ((long)worker * _slots), _coefficients);
+            }
+
+            from = end;
+        }
+    }
+
+    /// <summary>Each worker finds the largest sags of its rows; the largest of these are those of all rows, in any order.</summary>
+    private void CollectSag(StageRunner runner, IslandStore islands, in ContactCoefficients c)
+    {
+        _slots = islands.SlotCount;
+        int workers = runner.IsShared(_ranges.Count, LeastBundles) ? runner.Workers : 1;
+        _sags.EnsureCapacity(Math.Max(1, workers * _slots));
+        for (int i = 0; i < workers * _slots; i++)
+        {
+            _sags[i] = 0;
         }
 
         _deep.EnsureCapacity(Math.Max(islands.Count, 1));
@@ -66,9 +102,19 @@ internal sealed unsafe class FeedForwardSettings
             _deep[i] = 0;
         }
 
-        foreach (GraphColor color in graph.Used)
+        _coefficients = c;
+        _writes = false;
+        runner.Run(this, _ranges.Count, LeastBundles);
+        float* slotSag = islands.SlotSag;
+        for (int i = 0; i < _slots; i++)
         {
-            CollectSag(color.Bundles, color.BundleCount, slotSag, c);
+            float sag = _sags[i];
+            for (int k = i + _slots; k < workers * _slots; k += _slots)
+            {
+                sag = Math.Max(sag, _sags[k]);
+            }
+
+            slotSag[i] = sag;
         }
     }
 
@@ -108,26 +154,25 @@ internal sealed unsafe class FeedForwardSettings
         }
     }
 
-    private bool WriteRows(ConstraintGraph graph)
+    private void WriteRows(ContactBundle* row, int count)
     {
         float any = 0;
         float* rate = _rate.Pointer;
         float* deep = _deep.Pointer;
-        foreach (GraphColor color in graph.Used)
+        for (; count > 0; count--, row++)
         {
-            int count = color.BundleCount;
-            for (ContactBundle* row = color.Bundles; count > 0; count--, row++)
+            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
             {
-                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
-                {
-                    int island = row->Island[lane];
-                    row->FeedRate[lane] = rate[island];
-                    row->Deep[lane] = deep[island];
-                    any = Math.Max(any, deep[island]);
-                }
+                int island = row->Island[lane];
+                row->FeedRate[lane] = rate[island];
+                row->Deep[lane] = deep[island];
+                any = Math.Max(any, deep[island]);
             }
         }
 
-        return any > 0;
+        if (any > 0)
+        {
+            _anyDeep = true;
+        }
     }
 }

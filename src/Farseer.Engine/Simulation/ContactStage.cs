@@ -121,9 +121,8 @@ internal sealed unsafe class ContactStage
     {
         _work.UpdateRows(runner, input, graph);
         BundleOutcome* outcome = _work.Outcomes;
-        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        foreach (GraphColor color in graph.Used)
         {
-            GraphColor color = graph[c];
             ContactBundle* bundle = color.Bundles;
             int count = color.BundleCount;
             for (; count > 0; count--, bundle++, outcome++)

@@ -30,7 +30,7 @@ internal sealed unsafe class ContactWork : IStageWork
     private readonly Column<PairLanes> _pairs = new Column<PairLanes>();
     private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
     private readonly Column<BundleOutcome> _outcomes = new Column<BundleOutcome>();
-    private readonly int[] _firstOfColor = new int[ConstraintGraph.ColorCount + 1];
+    private readonly ColorRanges _ranges = new ColorRanges();
     private ContactUpdateInput _input;
     private ContactSides _sides = null!;
     private ConstraintGraph _graph = null!;
@@ -68,16 +68,8 @@ internal sealed unsafe class ContactWork : IStageWork
     /// <summary>Updates the pairs that have rows, colour by colour.</summary>
     public void UpdateRows(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
     {
-        int count = 0;
-        for (int color = 0; color < ConstraintGraph.ColorCount; color++)
-        {
-            _firstOfColor[color] = count;
-            count += graph[color].BundleCount;
-        }
-
-        _firstOfColor[ConstraintGraph.ColorCount] = count;
-        _graph = graph;
-        Run(runner, input, Part.Rows, count);
+        _ranges.Find(graph.Used);
+        Run(runner, input, Part.Rows, _ranges.Count);
     }
 
     /// <summary>Updates the pairs without a row, eight at a time in a bundle of the worker's own, which has never held an impulse.</summary>
@@ -135,16 +127,9 @@ internal sealed unsafe class ContactWork : IStageWork
     private void UpdateRows(in ContactUpdateInput input, int from, int to)
     {
         BundleOutcome* outcomes = _outcomes.Pointer;
-        int color = 0;
         while (from < to)
         {
-            while (_firstOfColor[color + 1] <= from)
-            {
-                color++;
-            }
-
-            ContactBundle* bundle = _graph[color].Bundles + (from - _firstOfColor[color]);
-            int end = Math.Min(to, _firstOfColor[color + 1]);
+            ContactBundle* bundle = _ranges.From(from, to, out int end);
             for (; from < end; from++, bundle++)
             {
                 outcomes[from].Fates = ContactUpdate.UpdateRows(input, bundle);

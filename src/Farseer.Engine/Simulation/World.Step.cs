@@ -125,7 +125,7 @@ internal sealed partial class World
             _groupsChanged = true;
         }
 
-        return _feedForward.Apply(_islands, _graph, coefficients);
+        return _feedForward.Apply(_runner, _islands, _graph, coefficients);
     }
 
     private unsafe void Solve(float dt, bool anyDeep, in ContactCoefficients coefficients)

@@ -157,6 +157,9 @@ internal sealed partial class StageRunner : IDisposable
     /// <summary>What a host's scheduler threw comes out of here, after the step.</summary>
     public void ThrowSchedulerError() => Rethrow(ref _schedulerError);
 
+    /// <summary>Whether a phase of so many items may be shared: if not, it is all done by worker 0.</summary>
+    public bool IsShared(int count, int least) => _isOpen && count / least > 1;
+
     /// <summary>Does a phase and returns when all of it is done.</summary>
     /// <param name="work">The phase.</param>
     /// <param name="count">Its items.</param>

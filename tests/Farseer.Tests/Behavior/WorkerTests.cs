@@ -21,7 +21,7 @@ public class WorkerTests
     private const int Rows = 14;
     private const int Steps = 120;
 
-    public static TheoryData<string> Kinds => new() { "boxes", "mixed", "bouncing", "deep", "fast", "jointed", "sleeping", "fine" };
+    public static TheoryData<string> Kinds => new() { "boxes", "mixed", "bouncing", "deep", "fast", "jointed", "net", "sleeping", "fine", "sizes" };
 
     [Theory]
     [MemberData(nameof(Kinds))]
@@ -312,6 +312,11 @@ public class WorkerTests
     {
         PhysicsSimulator simulator = new(new Vector2(0, 100)) { AllowSleep = kind == "sleeping" };
         simulator.Iterations = kind == "fine" ? 11 : simulator.Iterations;
+        if (kind != "mixed")
+        {
+            simulator.BroadPhaseCollider = new GridCollider(simulator);
+        }
+
         geoms = [];
         Body ground = BodyFactory.Instance.CreateRectangleBody(simulator, 4000, 40, 1);
         ground.IsStatic = true;
@@ -324,12 +329,13 @@ public class WorkerTests
             {
                 int number = (row * Columns) + column;
                 var place = new Vector2((column - (Columns / 2)) * 22 * gap, -10 - (20 * gap * row));
+                float size = kind == "sizes" && number % 17 == 0 ? 70 : 20;
                 Geom geom = (kind == "boxes" || kind == "sleeping" ? 0 : number % 4) switch
                 {
                     1 => Sandbox.Ball(simulator, place, 9),
                     2 => Sandbox.Box(simulator, place, 12, 19),
                     3 => Sandbox.Ball(simulator, place, 8, 2, 5),
-                    _ => Sandbox.Box(simulator, place),
+                    _ => Sandbox.Box(simulator, place, size, size),
                 };
                 geom.RestitutionCoefficient = kind == "bouncing" ? 0.6f : 0;
                 geom.Body.AngularVelocity = kind == "boxes" || kind == "sleeping" ? 0 : (number % 5) - 2;
@@ -344,7 +350,23 @@ public class WorkerTests
             JointFactory.Instance.CreateRevoluteJoint(simulator, left, geoms[i + 1].Body, left.Position + new Vector2(11, 0));
         }
 
+        // Every body holds its neighbours at the side and above: a net.
+        for (int i = 0; kind == "net" && i < geoms.Count; i++)
+        {
+            Pin(simulator, geoms, i, (i + 1) % Columns == 0 ? geoms.Count : i + 1);
+            Pin(simulator, geoms, i, i + Columns);
+        }
+
         return simulator;
+    }
+
+    private static void Pin(PhysicsSimulator simulator, List<Geom> geoms, int i, int k)
+    {
+        if (k < geoms.Count)
+        {
+            Body body = geoms[i].Body;
+            JointFactory.Instance.CreateRevoluteJoint(simulator, body, geoms[k].Body, (body.Position + geoms[k].Body.Position) / 2);
+        }
     }
 
     private sealed class Scheduler(Action<int, Action> start) : IStepScheduler
