@@ -53,50 +53,35 @@ internal sealed unsafe class BodyLists
     public void ForgetOutcasts() => OutcastCount = 0;
 
     /// <summary>Sorts the bodies; those whose state is out of range are left out and become outcasts.</summary>
-    public void Collect(BodyStore bodies)
+    public void Collect(StageRunner runner, BodyStore bodies)
     {
         int end = bodies.Ids.End;
         _moves.EnsureCapacity(end);
         _active.EnsureCapacity(end);
-        byte* moves = _moves.Pointer;
-        BodyFlags* flags = bodies.Flags.Pointer;
-        ulong* visited = bodies.Visited.Words;
+        int words = _work.Sort(runner, bodies, _moves.Pointer);
         ActiveCount = 0;
         _driven.Clear();
-        for (int i = 0; i < end; i++)
+        for (int word = 0; word < words; word++)
         {
-            // Those asleep do not move, as when they fell asleep.
-            if (visited[i >> 6] == 0)
+            BodySorts sorts = _work.Sorts[word];
+            int first = word * BitSet.WordBits;
+            for (ulong active = sorts.Active; active != 0; active &= active - 1)
             {
-                i |= 63;
-                continue;
+                _active[ActiveCount++] = first + BitSet.LowestBit(active);
             }
 
-            BodyFlags f = flags[i];
-            moves[i] = 0;
-            if ((f & (BodyFlags.Alive | BodyFlags.Enabled | BodyFlags.Asleep)) != (BodyFlags.Alive | BodyFlags.Enabled))
+            for (ulong special = sorts.Special; special != 0; special &= special - 1)
             {
-                continue;
+                int body = first + BitSet.LowestBit(special);
+                if (!StateRange.Holds(bodies.State[body], bodies.Pose[body]))
+                {
+                    CastOut(bodies, body, QuarantineCause.SetFromOutside);
+                }
+                else
+                {
+                    _driven.Add(body);
+                }
             }
-
-            if (!StateRange.Holds(bodies.State[i], bodies.Pose[i]))
-            {
-                CastOut(bodies, i, QuarantineCause.SetFromOutside);
-                continue;
-            }
-
-            if ((f & (BodyFlags.Static | BodyFlags.Kinematic)) != 0 && IsDriven(bodies.State[i]))
-            {
-                _driven.Add(i);
-            }
-
-            if ((f & BodyFlags.Static) != 0)
-            {
-                continue;
-            }
-
-            _active[ActiveCount++] = i;
-            moves[i] = (f & BodyFlags.Kinematic) == 0 ? (byte)1 : (byte)0;
         }
     }
 
@@ -117,7 +102,7 @@ internal sealed unsafe class BodyLists
     }
 
     /// <summary>Sorts the bodies anew within a step: those that were not foreseen at its start are foreseen now.</summary>
-    public void CollectAgain(BodyStore bodies, float dt)
+    public void CollectAgain(StageRunner runner, BodyStore bodies, float dt)
     {
         _wasActive.EnsureCapacity(bodies.Ids.End);
         for (int i = 0; i < bodies.Ids.End; i++)
@@ -130,7 +115,7 @@ internal sealed unsafe class BodyLists
             _wasActive[_active[i]] = 1;
         }
 
-        Collect(bodies);
+        Collect(runner, bodies);
         for (int i = 0; i < ActiveCount; i++)
         {
             if (_wasActive[_active[i]] == 0)
@@ -262,24 +247,7 @@ internal sealed unsafe class BodyLists
         _work.FinishFree(runner, bodies, _free.Pointer, FreeCount);
     }
 
-    public static void UseUpForces(BodyStore bodies)
-    {
-        BodyForce* force = bodies.Force.Pointer;
-        ulong* visited = bodies.Visited.Words;
-        int end = bodies.Ids.End;
-        for (int i = 0; i < end; i++)
-        {
-            if (visited[i >> 6] == 0)
-            {
-                i |= 63;
-                continue;
-            }
-
-            force[i] = default;
-        }
-    }
-
-    private static bool IsDriven(in BodyState state) => state.LinearVelocity != Vector2.Zero || state.AngularVelocity != 0;
+    public void UseUpForces(StageRunner runner, BodyStore bodies) => _work.UseUpForces(runner, bodies);
 
     /// <summary>The first cause that is found for a body counts.</summary>
     private void CastOut(BodyStore bodies, int body, QuarantineCause cause)

@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Solver;
@@ -13,6 +14,16 @@ internal struct FlightStart
     public BodyState State;
 }
 
+/// <summary>What 64 bodies are, a bit each.</summary>
+internal struct BodySorts
+{
+    /// <summary>Can move.</summary>
+    public ulong Active;
+
+    /// <summary>Out of range, or driven.</summary>
+    public ulong Special;
+}
+
 /// <summary>
 /// What a step does to each body by itself, in ranges of a list. Bodies that need more than that are marked, and seen to
 /// afterwards by one thread in the order of the list.
@@ -22,10 +33,15 @@ internal sealed unsafe class BodyWork : IStageWork
     /// <summary>Bodies that are worth another worker's while, some 1 µs.</summary>
     private const int LeastBodies = 128;
 
+    /// <summary>Words of 64 bodies that are, some 1 µs.</summary>
+    private const int LeastWords = 4;
+
+    private readonly Column<BodySorts> _sorts = new Column<BodySorts>();
     private readonly Column<byte> _marks = new Column<byte>();
     private readonly Column<FlightStart> _starts = new Column<FlightStart>();
     private BodyStore _bodies = null!;
     private int* _list;
+    private byte* _moves;
     private Part _part;
     private Vector2 _gravity;
     private float _time;
@@ -34,11 +50,13 @@ internal sealed unsafe class BodyWork : IStageWork
 
     private enum Part
     {
+        Sort,
         Foresee,
         FlyFree,
         PrepareDrives,
         Finish,
         FinishFree,
+        UseUpForces,
     }
 
     /// <summary>1 for each place of the list whose body was marked, else 0.</summary>
@@ -46,6 +64,23 @@ internal sealed unsafe class BodyWork : IStageWork
 
     /// <summary>For each marked place of bodies that flew.</summary>
     public FlightStart* Starts => _starts.Pointer;
+
+    /// <summary>For each word of bodies after <see cref="Sort(StageRunner, BodyStore, byte*)"/>.</summary>
+    public BodySorts* Sorts => _sorts.Pointer;
+
+    /// <summary>Sorts the bodies, and writes down which of them contacts and joints may move.</summary>
+    /// <returns>How many words of them there are.</returns>
+    public int Sort(StageRunner runner, BodyStore bodies, byte* moves)
+    {
+        int words = (bodies.Ids.End + BitSet.WordBits - 1) / BitSet.WordBits;
+        _sorts.EnsureCapacity(words);
+        _moves = moves;
+        RunWords(runner, bodies, words, Part.Sort);
+        return words;
+    }
+
+    public void UseUpForces(StageRunner runner, BodyStore bodies) =>
+        RunWords(runner, bodies, (bodies.Ids.End + BitSet.WordBits - 1) / BitSet.WordBits, Part.UseUpForces);
 
     public void Foresee(StageRunner runner, BodyStore bodies, int* list, int count, float dt) =>
         Run(runner, bodies, list, count, Part.Foresee, dt);
@@ -75,6 +110,18 @@ internal sealed unsafe class BodyWork : IStageWork
 
     void IStageWork.Run(int worker, int from, int to)
     {
+        if (_part == Part.Sort || _part == Part.UseUpForces)
+        {
+            ulong* visited = _bodies.Visited.Words;
+            for (int word = from; word < to; word++)
+            {
+                int end = visited[word] == 0 ? 0 : Math.Min((word + 1) * BitSet.WordBits, _bodies.Ids.End);
+                RunWord(word, end);
+            }
+
+            return;
+        }
+
         int* list = _list + from;
         byte* marks = _marks.Pointer + from;
         bool found = false;
@@ -102,6 +149,49 @@ internal sealed unsafe class BodyWork : IStageWork
             _found = true;
         }
     }
+
+    /// <summary>The bodies of a word below <paramref name="end"/>; none of those asleep, which do not move, as when they fell asleep.</summary>
+    private void RunWord(int word, int end)
+    {
+        if (_part == Part.UseUpForces)
+        {
+            for (int body = word * BitSet.WordBits; body < end; body++)
+            {
+                _bodies.Force.Pointer[body] = default;
+            }
+
+            return;
+        }
+
+        BodySorts sorts = default;
+        for (int body = word * BitSet.WordBits; body < end; body++)
+        {
+            BodyFlags f = _bodies.Flags.Pointer[body];
+            _moves[body] = 0;
+            if ((f & (BodyFlags.Alive | BodyFlags.Enabled | BodyFlags.Asleep)) != (BodyFlags.Alive | BodyFlags.Enabled))
+            {
+                continue;
+            }
+
+            ulong bit = 1UL << body;
+            if (!StateRange.Holds(_bodies.State[body], _bodies.Pose[body]))
+            {
+                sorts.Special |= bit;
+                continue;
+            }
+
+            sorts.Special |= (f & (BodyFlags.Static | BodyFlags.Kinematic)) != 0 && IsDriven(_bodies.State[body]) ? bit : 0;
+            if ((f & BodyFlags.Static) == 0)
+            {
+                sorts.Active |= bit;
+                _moves[body] = (f & BodyFlags.Kinematic) == 0 ? (byte)1 : (byte)0;
+            }
+        }
+
+        _sorts[word] = sorts;
+    }
+
+    private static bool IsDriven(in BodyState state) => state.LinearVelocity != Vector2.Zero || state.AngularVelocity != 0;
 
     private bool FlyFree(int* list, int count, byte* marks, FlightStart* starts)
     {
@@ -133,6 +223,13 @@ internal sealed unsafe class BodyWork : IStageWork
             FinishBodies.UpdateRotor(ref _bodies.Pose[list[i]]);
             FinishBodies.ForgetTurn(_bodies, list[i]);
         }
+    }
+
+    private void RunWords(StageRunner runner, BodyStore bodies, int words, Part part)
+    {
+        _bodies = bodies;
+        _part = part;
+        runner.Run(this, words, LeastWords);
     }
 
     private bool Run(StageRunner runner, BodyStore bodies, int* list, int count, Part part, float time)

@@ -18,7 +18,7 @@ internal sealed partial class World
     private void CollectBodies()
     {
         _lists.ForgetOutcasts();
-        _lists.Collect(Bodies);
+        _lists.Collect(_runner, Bodies);
         if (_lists.OutcastCount > 0)
         {
             Isolate();

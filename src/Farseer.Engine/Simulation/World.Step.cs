@@ -66,7 +66,7 @@ internal sealed partial class World
         Profile.End(StepStage.Continuous);
 
         FallAsleep(dt);
-        BodyLists.UseUpForces(Bodies);
+        _lists.UseUpForces(_runner, Bodies);
         Profile.End(StepStage.Sleep);
     }
 
@@ -79,7 +79,7 @@ internal sealed partial class World
         {
             // A body that was enabled, disabled or made static by a hook moves, or stays, from this step on.
             int before = _lists.OutcastCount;
-            _lists.CollectAgain(Bodies, dt);
+            _lists.CollectAgain(_runner, Bodies, dt);
             if (_lists.OutcastCount > before)
             {
                 Isolate();

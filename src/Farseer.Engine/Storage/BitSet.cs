@@ -88,8 +88,11 @@ internal sealed unsafe class BitSet
             bits = _words.Pointer[word];
         }
 
-        return (word << 6) + CountBits((bits & (0 - bits)) - 1);
+        return (word << 6) + LowestBit(bits);
     }
+
+    /// <summary>The lowest bit that is set; there must be one.</summary>
+    public static int LowestBit(ulong bits) => CountBits((bits & (0 - bits)) - 1);
 
     public static int CountBits(ulong bits)
     {
