@@ -73,12 +73,12 @@ internal static class SceneCommand
         {
             var timing = new SceneTiming(scene, size, steps == 0 ? scene.Steps : steps, workers);
             timing.Run(runs);
-            Print(output, $"{scene.Name}={size}", timing);
+            Print(output, $"{scene.Name}={size}", timing, workers);
             csv?.WriteLine(timing.ToCsv());
         }
     }
 
-    private static void Print(TextWriter output, string name, SceneTiming timing)
+    private static void Print(TextWriter output, string name, SceneTiming timing, int workers)
     {
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
@@ -89,6 +89,13 @@ internal static class SceneCommand
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
             $"  {timing.BytesPerStep:F1} bytes a step, hash {timing.StateHash:x16}, largest penetration {timing.LargestPenetration:G4}, largest joint error {timing.LargestSeparation:G4}"));
+        if (workers != 1)
+        {
+            output.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"  of the time of one worker, in turns: {timing.BesideOneWorker.Run:F3} (best runs), {timing.BesideOneWorker.Steps:F3} (best of each step)"));
+        }
+
         var parts = new List<string>();
         foreach ((string phase, double milliseconds) in timing.Phases)
         {

@@ -20,7 +20,8 @@ internal sealed class SceneTiming
     private readonly int _size;
     private readonly int _steps;
     private readonly int _workers;
-    private readonly List<double> _milliseconds = [];
+    private readonly StepTimes _times;
+    private readonly StepTimes _alone;
 
     public SceneTiming(PerformanceScene scene, int size, int steps, int workers)
     {
@@ -28,15 +29,20 @@ internal sealed class SceneTiming
         _size = size;
         _steps = steps;
         _workers = workers;
+        _times = new StepTimes(TimedSteps);
+        _alone = new StepTimes(TimedSteps);
     }
 
     public int TimedSteps => _steps - 1;
 
-    public double LeastMilliseconds => _milliseconds[0] / TimedSteps;
+    public double LeastMilliseconds => _times.LeastRun / TimedSteps;
 
-    public double MedianTotal => _milliseconds[_milliseconds.Count / 2];
+    public double MedianTotal => _times.MedianRun;
 
     public double MedianMilliseconds => MedianTotal / TimedSteps;
+
+    /// <summary>With several workers each run is followed by one with one worker. Ratio of the best runs; of the best of each step.</summary>
+    public (double Run, double Steps) BesideOneWorker => (_times.LeastRun / _alone.LeastRun, _times.Quiet / _alone.Quiet);
 
     public double NanosecondsPerBodyStep => 1e6 * MedianMilliseconds / DynamicBodies;
 
@@ -62,10 +68,18 @@ internal sealed class SceneTiming
     {
         for (int i = 0; i < runs; i++)
         {
-            Time();
+            Time(_times, _workers);
+            if (_workers != 1)
+            {
+                ulong hash = StateHash;
+                Time(_alone, 1);
+                if (hash != StateHash)
+                {
+                    throw new InvalidOperationException($"{_scene.Name}: {_workers} workers end at {hash:x16}, one at {StateHash:x16}.");
+                }
+            }
         }
 
-        _milliseconds.Sort();
         Profile();
     }
 
@@ -73,27 +87,28 @@ internal sealed class SceneTiming
         CultureInfo.InvariantCulture,
         $"{_scene.Name},{_size},{DynamicBodies},{Contacts},{Joints},{_workers},{Asset.Framework},{Asset.Lanes},{_steps},{LeastMilliseconds:F4},{MedianMilliseconds:F4},{MedianTotal:F1},{NanosecondsPerBodyStep:F1},{BytesPerStep:F1},{StateHash:x16},{LargestPenetration:G4},{LargestSeparation:G4}");
 
-    private PhysicsSimulator Start()
+    private PhysicsSimulator Start(int workers)
     {
-        var simulator = new PhysicsSimulator { WorkerCount = _workers };
+        var simulator = new PhysicsSimulator { WorkerCount = workers };
         _scene.Build(simulator, _size);
         _scene.Drive(0);
         simulator.Update(_scene.Dt);
         return simulator;
     }
 
-    private void Time()
+    private void Time(StepTimes times, int workers)
     {
-        using PhysicsSimulator simulator = Start();
+        using PhysicsSimulator simulator = Start(workers);
         long bytes = GC.GetTotalAllocatedBytes(precise: true);
-        long start = Stopwatch.GetTimestamp();
         for (int i = 0; i < TimedSteps; i++)
         {
+            long start = Stopwatch.GetTimestamp();
             _scene.Drive(i + 1);
             simulator.Update(_scene.Dt);
+            times.Add(i, Stopwatch.GetElapsedTime(start).TotalMilliseconds);
         }
 
-        _milliseconds.Add(Stopwatch.GetElapsedTime(start).TotalMilliseconds);
+        times.EndRun();
         BytesPerStep = (GC.GetTotalAllocatedBytes(precise: true) - bytes) / (double)TimedSteps;
         DynamicBodies = 0;
         foreach (Body body in simulator.BodyList)
@@ -115,7 +130,7 @@ internal sealed class SceneTiming
 
     private void Profile()
     {
-        using PhysicsSimulator simulator = Start();
+        using PhysicsSimulator simulator = Start(_workers);
         simulator.EnableDiagnostics = true;
         double cleanUp = 0;
         double broadPhase = 0;
