@@ -109,7 +109,11 @@ internal sealed class SceneTiming
         }
 
         times.EndRun();
-        BytesPerStep = (GC.GetTotalAllocatedBytes(precise: true) - bytes) / (double)TimedSteps;
+        if (workers == _workers)
+        {
+            BytesPerStep = (GC.GetTotalAllocatedBytes(precise: true) - bytes) / (double)TimedSteps;
+        }
+
         DynamicBodies = 0;
         foreach (Body body in simulator.BodyList)
         {
