@@ -54,6 +54,7 @@ public class StageRunnerTests
         runner.Begin(Large);
         for (int i = 0; i < 10_000 && work.Threads.Count < 2; i++)
         {
+            runner.Call();
             runner.Run(work, 64, 1);
         }
 
