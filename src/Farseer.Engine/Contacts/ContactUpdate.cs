@@ -129,13 +129,11 @@ internal static unsafe class ContactUpdate
     {
         ContactFates fates;
         fates.Dropped = (bits.NewBox & bits.Exists) == 0 ? 0 : FindDropped(input, row, bits.NewBox & bits.Exists);
+        int fast = bits.Fast & bits.Exists & ~fates.Dropped;
+        SweepBits sweep = fast == 0 ? default : FastPairs.Look(input, fast);
         PairStage.Collide(input, row, bits);
         TouchBits touch = PairStage.Touch(input, row);
-        fates.Deferred = 0;
-        if ((bits.Fast & bits.Exists) != 0)
-        {
-            fates.Deferred = FastPairs.Defer(input, row, bits.Fast & bits.Exists & ~fates.Dropped, ref touch);
-        }
+        fates.Deferred = fast == 0 ? 0 : FastPairs.Defer(input, row, fast, sweep, ref touch);
 
         int fresh = kept & touch.Hit & bits.Exists & ~fates.Dropped;
         if (fresh != 0)

@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.NarrowPhase;
 
@@ -28,11 +29,33 @@ internal static unsafe class FastPairs
     /// <summary>Of the depth of rest, which a body that slides has, the same.</summary>
     private const float GlanceRests = 1.25f;
 
+    /// <summary>Gap in extents up to which two that fly side by side are kept from running into each other: a body's whole thickness.</summary>
+    private const float RoomShare = 1f;
+
     /// <summary>Share of the extent to which a time of impact is found.</summary>
     private const float ToleranceShare = 1e-3f;
 
+    /// <summary>
+    /// Looks where the pairs go, and widens the margin of those that fly side by side: if something stops one of them, the other
+    /// runs into it within the step.
+    /// </summary>
+    public static SweepBits Look(in ContactUpdateInput input, int lanes)
+    {
+        PairLanes* pairs = input.Pairs;
+        SweepBits sweep = WideSweep.Look(pairs, input.Dt, Pull(input));
+        for (int side = lanes & ~sweep.Fast & sweep.BothMove, lane = 0; side != 0; lane++, side >>= 1)
+        {
+            if ((side & 1) != 0)
+            {
+                pairs->Margin[lane] += Widening(pairs, lane, input.Dt);
+            }
+        }
+
+        return sweep;
+    }
+
     /// <summary>Takes the points of the fast lanes that have no lasting contact, and says which of them to look after.</summary>
-    public static int Defer(in ContactUpdateInput input, ContactBundle* row, int lanes, ref TouchBits touch)
+    public static int Defer(in ContactUpdateInput input, ContactBundle* row, int lanes, in SweepBits sweep, ref TouchBits touch)
     {
         int deferred = 0;
         PairLanes* pairs = input.Pairs;
@@ -43,18 +66,30 @@ internal static unsafe class FastPairs
                 continue;
             }
 
+            int bit = 1 << lane;
+            bool bothMove = (sweep.BothMove & bit) != 0;
+            if ((sweep.Fast & bit) == 0)
+            {
+                if (bothMove && (touch.Hit & bit) != 0 && !WouldMeet(input, lane))
+                {
+                    Forget(bit, ref touch);
+                }
+
+                continue;
+            }
+
             bool discrete = !input.Settings.Continuous
                 || (IsDiscrete(input.Bodies, row->BodyA[lane]) && IsDiscrete(input.Bodies, row->BodyB[lane]));
-            if (IsNear(pairs, lane) && (discrete || !(Tumbles(&pairs->A, lane, input.Dt) || Tumbles(&pairs->B, lane, input.Dt))))
+            float deepest = Deepest(pairs, lane);
+            float size = Math.Min(pairs->A.Extent[lane], pairs->B.Extent[lane]);
+            if (deepest <= PairStage.SkinShare * size
+                && (discrete || (bothMove && deepest < 0) || !(Tumbles(&pairs->A, lane, input.Dt) || Tumbles(&pairs->B, lane, input.Dt))))
             {
                 continue;
             }
 
-            int bit = 1 << lane;
-            touch.Touching &= ~bit;
-            touch.Hit &= ~bit;
-            touch.Same &= ~bit;
-            deferred |= discrete ? 0 : bit;
+            Forget(bit, ref touch);
+            deferred |= discrete ? 0 : bit & sweep.Meets;
         }
 
         return deferred;
@@ -79,12 +114,42 @@ internal static unsafe class FastPairs
     private static bool IsDiscrete(BodyStore bodies, int body) =>
         (bodies.Flags[body] & (BodyFlags.Fast | BodyFlags.Discrete)) != BodyFlags.Fast;
 
-    private static bool IsNear(PairLanes* pairs, int lane)
+    private static void Forget(int bit, ref TouchBits touch)
     {
-        float size = pairs->A.Extent[lane] < pairs->B.Extent[lane] ? pairs->A.Extent[lane] : pairs->B.Extent[lane];
-        float skin = PairStage.SkinShare * size;
-        return (pairs->Count[lane] > 0 && pairs->Point0.Separation[lane] <= skin)
-            || (pairs->Count[lane] > 1 && pairs->Point1.Separation[lane] <= skin);
+        touch.Touching &= ~bit;
+        touch.Hit &= ~bit;
+        touch.Same &= ~bit;
+    }
+
+    private static float Pull(in ContactUpdateInput input) =>
+        (Math.Abs(input.Settings.Gravity.X) + Math.Abs(input.Settings.Gravity.Y)) * input.Dt;
+
+    /// <summary>A wider gap than this has room for a third body, which would be met first.</summary>
+    private static float Room(PairLanes* pairs, int lane) => RoomShare * Math.Min(pairs->A.Extent[lane], pairs->B.Extent[lane]);
+
+    private static float Widening(PairLanes* pairs, int lane, float dt) =>
+        Math.Min(Room(pairs, lane), dt * Math.Max(Speed(&pairs->A, lane), Speed(&pairs->B, lane)));
+
+    private static float Speed(SideLanes* side, int lane) => Math.Abs(side->VelocityX[lane]) + Math.Abs(side->VelocityY[lane]);
+
+    /// <summary>Whether the pair can touch in this step, as the two move or if one of them is stopped.</summary>
+    private static bool WouldMeet(in ContactUpdateInput input, int lane)
+    {
+        PairLanes* pairs = input.Pairs;
+        float nx = pairs->NormalX[lane];
+        float ny = pairs->NormalY[lane];
+        float a = (pairs->A.VelocityX[lane] * nx) + (pairs->A.VelocityY[lane] * ny);
+        float b = (pairs->B.VelocityX[lane] * nx) + (pairs->B.VelocityY[lane] * ny);
+        float closing = Math.Max(a, -b);
+        float narrow = pairs->Margin[lane] - Widening(pairs, lane, input.Dt);
+        return Deepest(pairs, lane) <= narrow + Math.Min(Room(pairs, lane), input.Dt * Math.Max(0, closing));
+    }
+
+    /// <summary>The least separation of the points; the largest number if there are none.</summary>
+    private static float Deepest(PairLanes* pairs, int lane)
+    {
+        float first = pairs->Count[lane] > 0 ? pairs->Point0.Separation[lane] : float.MaxValue;
+        return pairs->Count[lane] > 1 ? Math.Min(first, pairs->Point1.Separation[lane]) : first;
     }
 
     private static bool Tumbles(SideLanes* side, int lane, float dt)

@@ -21,7 +21,7 @@ internal unsafe struct ForeseenImpact
     /// <param name="time">Share of the way at the impact.</param>
     /// <param name="radiusA">Rounding radius of A, along which a contact does not turn with it.</param>
     /// <param name="radiusB">Rounding radius of B.</param>
-    /// <returns>False if no point is a gap at the start: a row would then push at once.</returns>
+    /// <returns>False if no point is a gap at the start, though the pair meets later: a row would then push at once.</returns>
     public bool Set(in Manifold impact, in BodyPath a, in BodyPath b, double time, double radiusA, double radiusB)
     {
         Manifold = default;
@@ -30,7 +30,7 @@ internal unsafe struct ForeseenImpact
         {
             ManifoldPoint point = k == 0 ? impact.Point0 : impact.Point1;
             ImpactArms arms = Arms(point, impact.Normal, a, b, time, radiusA, radiusB, out double gap);
-            if (gap < 0)
+            if (gap < 0 && time > 0)
             {
                 continue;
             }

@@ -49,11 +49,6 @@ internal sealed class FastBodySweep
     /// <summary>Sweeps one body against the candidates added.</summary>
     public void Run(in SweepInput input, in FastMotion motion)
     {
-        if (_count == 0)
-        {
-            return;
-        }
-
         if (motion.Free != 0)
         {
             Fly(input, motion);
@@ -111,6 +106,7 @@ internal sealed class FastBodySweep
             }
 
             path = Onward(input.Bodies, body, gainX, gainY, gainW, left);
+            input.Listener.OnWay(body, path);
         }
     }
 
@@ -300,6 +296,7 @@ internal sealed class FastBodySweep
         path.VelocityX = end.X - motion.X;
         path.VelocityY = end.Y - motion.Y;
         path.Spin = end.Angle - motion.Angle;
+        input.Listener.OnWay(body, path);
         for (int i = 0; i < _count; i++)
         {
             NoteTouching(input, body, path, ref _candidates[i]);

@@ -16,6 +16,11 @@ internal interface IImpactListener
     /// <param name="manifold">Points from the centre of its body A.</param>
     /// <returns>False if a handler cancelled the response.</returns>
     bool OnImpact(int contact, in Manifold manifold);
+
+    /// <summary>
+    /// A body is to be followed along a way that may lead beyond its boxes: what it may meet there is added to the sweep.
+    /// </summary>
+    void OnWay(int body, in BodyPath way);
 }
 
 /// <summary>What the sweep of a step works on.</summary>

@@ -99,9 +99,22 @@ internal static unsafe class PieceBaker
             Flags = (source.OutlineNormalBefore != null ? PieceFlags.Seamed : PieceFlags.None)
                 | (source.OneSided ? PieceFlags.OneSided : PieceFlags.None),
             Center = (min + max) * 0.5f,
-            Half = box ? HalfSides(range.Vertices, axis) : new Vector2(source.Radius, source.Radius),
+            Half = box ? HalfSides(range.Vertices, axis) : new Vector2(source.Radius, Around(range, (min + max) * 0.5f, source.Radius)),
             Axis = axis,
         };
+    }
+
+    private static float Around(PieceRange range, Vector2 center, float radius)
+    {
+        double farthest = 0;
+        for (int i = 0; i < range.Count; i++)
+        {
+            double x = (double)range.Vertices[i].X - center.X;
+            double y = (double)range.Vertices[i].Y - center.Y;
+            farthest = Math.Max(farthest, Math.Sqrt((x * x) + (y * y)));
+        }
+
+        return FloatBits.RoundUp(farthest + radius);
     }
 
     private static Vector2 HalfSides(Vector2* v, Vector2 axis) => new Vector2(

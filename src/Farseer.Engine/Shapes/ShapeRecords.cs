@@ -39,7 +39,10 @@ internal struct Piece
     /// <summary>Centre of the local bounds, in body coordinates.</summary>
     public Vector2 Center;
 
-    /// <summary>A box's half sides along <see cref="Axis"/> and across it; the radius for other kinds.</summary>
+    /// <summary>
+    /// A box's half sides along <see cref="Axis"/> and across it; for other kinds the rounding radius, and the radius of a circle about
+    /// <see cref="Center"/> that holds the piece.
+    /// </summary>
     public Vector2 Half;
 
     /// <summary>A box's own x axis, the normal of its edge 1, in body coordinates.</summary>

@@ -15,11 +15,15 @@ namespace Farseer.Engine.Simulation;
 /// </summary>
 internal sealed unsafe class BoxStage : IStageWork
 {
-    /// <summary>A fat box is larger than the tight one by this share of the piece's extent, and by twice the step's motion.</summary>
+    /// <summary>
+    /// A fat box is larger than the tight one by this share of the piece's extent all around, and reaches ahead by so many steps of
+    /// the present motion. What is fast gets a new one in each step in any case.
+    /// </summary>
     private const float MarginShare = 0.2f;
-    private const float MotionShare = 2f;
+    private const float StepsAhead = 2f;
+    private const float FastStepsAhead = 1f;
 
-    /// <summary>A margin this many times what a new box would get is given up.</summary>
+    /// <summary>Margins this many times what a new box would get are given up.</summary>
     private const float Looseness = 2f;
 
     /// <summary>Contacts are kept up to this share of the extent apart; boxes must overlap before that.</summary>
@@ -86,14 +90,13 @@ internal sealed unsafe class BoxStage : IStageWork
                 }
                 else if (Moves(flags))
                 {
-                    float motion = Motion(bodies.State[body], _fits[body].Reach);
-                    if (HasLeft(bodies, body, motion) || IsLoose(bodies, body, motion))
+                    if (HasLeft(bodies, body) || IsLoose(bodies, body))
                     {
                         Refit(body);
                         left |= 1UL << body;
                     }
 
-                    NoteSpeed(bodies, body, motion);
+                    NoteSpeed(bodies, body, Motion(bodies.State[body], _fits[body].Reach));
                 }
             }
 
@@ -142,20 +145,46 @@ internal sealed unsafe class BoxStage : IStageWork
         }
     }
 
-    private bool HasLeft(BodyStore bodies, int body, float motion)
+    /// <summary>Whether the fat boxes of a body hold it wherever it gets to from <paramref name="pose"/>.</summary>
+    public bool Hold(in BodyPose pose, int body, in BodyReach reach)
+    {
+        ref FitRecord fit = ref _fits[body];
+        double x = pose.X - fit.X;
+        double y = pose.Y - fit.Y;
+        double around = (Math.Abs(pose.Angle - fit.Angle) + reach.Turn) * fit.Reach;
+        return around - (x + reach.MinX) <= fit.Left && around + x + reach.MaxX <= fit.Right
+            && around - (y + reach.MinY) <= fit.Down && around + y + reach.MaxY <= fit.Up;
+    }
+
+    private bool HasLeft(BodyStore bodies, int body)
     {
         ref FitRecord fit = ref _fits[body];
         ref BodyPose pose = ref bodies.Pose[body];
-        float travel = (float)(Math.Abs(pose.X - fit.X) + Math.Abs(pose.Y - fit.Y) + (Math.Abs(pose.Angle - fit.Angle) * fit.Reach));
-        return !(travel + motion <= fit.Margin);
+        ref BodyState state = ref bodies.State[body];
+        float fromX = (float)(pose.X - fit.X);
+        float fromY = (float)(pose.Y - fit.Y);
+        float toX = fromX + (state.LinearVelocity.X * _dt);
+        float toY = fromY + (state.LinearVelocity.Y * _dt);
+        float around = ((float)Math.Abs(pose.Angle - fit.Angle) * fit.Reach) + Swing(state, fit.Reach);
+        return !(around - Math.Min(fromX, toX) <= fit.Left && around + Math.Max(fromX, toX) <= fit.Right
+            && around - Math.Min(fromY, toY) <= fit.Down && around + Math.Max(fromY, toY) <= fit.Up);
     }
 
     /// <summary>
     /// A body that was fast when it got its boxes and rests now would never leave them, and be paired with all around it for as long:
     /// pentagons that had fallen ten metres lay with twenty pairs each, of which two had points.
     /// </summary>
-    private bool IsLoose(BodyStore bodies, int body, float motion) =>
-        _fits[body].Margin > Looseness * (((MarginShare - SkinShare) * bodies.Size[body].Extent) + (MotionShare * motion));
+    private bool IsLoose(BodyStore bodies, int body)
+    {
+        ref FitRecord fit = ref _fits[body];
+        ref BodyState state = ref bodies.State[body];
+        float around = ((MarginShare - SkinShare) * bodies.Size[body].Extent) + (StepsAhead * Swing(state, fit.Reach));
+        float ahead = StepsAhead * _dt * (Math.Abs(state.LinearVelocity.X) + Math.Abs(state.LinearVelocity.Y));
+        return fit.Left + fit.Right + fit.Down + fit.Up > Looseness * ((4 * around) + ahead);
+    }
+
+    /// <summary>What turning and gravity may add to the motion of a step, in any direction.</summary>
+    private float Swing(in BodyState state, float reach) => (_pull + (Math.Abs(state.AngularVelocity) * reach)) * _dt;
 
     private float Motion(in BodyState state, float reach) =>
         (Math.Abs(state.LinearVelocity.X) + Math.Abs(state.LinearVelocity.Y) + _pull + (Math.Abs(state.AngularVelocity) * reach)) * _dt;
@@ -205,26 +234,59 @@ internal sealed unsafe class BoxStage : IStageWork
         _fits[body] = fit;
     }
 
-    private static FitRecord Begin(in BodyPose pose) =>
-        new FitRecord { X = pose.X, Y = pose.Y, Angle = pose.Angle, Margin = float.MaxValue };
+    private static FitRecord Begin(in BodyPose pose) => new FitRecord
+    {
+        X = pose.X,
+        Y = pose.Y,
+        Angle = pose.Angle,
+        Left = float.MaxValue,
+        Right = float.MaxValue,
+        Down = float.MaxValue,
+        Up = float.MaxValue,
+    };
 
     private Box FatBox(World world, int body, int piece, bool isStatic, ref FitRecord fit)
     {
         float reach = world.Shapes.Pieces[piece].Reach;
-        float motion = isStatic ? 0 : Motion(world.Bodies.State[body], reach);
         float size = world.Shapes.Pieces[piece].Extent;
-        float spare = isStatic ? SkinShare * size : (MarginShare * size) + (MotionShare * motion);
-        Box fat = world.Shapes.TightBox(piece, world.Bodies.Pose[body]);
-        spare = Math.Min(spare, Farthest);
-        Expand(ref fat, spare);
-        fit.Margin = Math.Min(fit.Margin, spare - (SkinShare * size));
+        float skin = SkinShare * size;
+        Spare spare = isStatic ? new Spare(skin) : Ahead(world.Bodies.State[body], size, reach);
+        fit.Left = Math.Min(fit.Left, spare.Left - skin);
+        fit.Right = Math.Min(fit.Right, spare.Right - skin);
+        fit.Down = Math.Min(fit.Down, spare.Down - skin);
+        fit.Up = Math.Min(fit.Up, spare.Up - skin);
         fit.Reach = Math.Max(fit.Reach, reach);
-        return fat;
+        return spare.Around(world.Shapes.TightBox(piece, world.Bodies.Pose[body]));
     }
 
-    private static void Expand(ref Box box, float spare)
+    private Spare Ahead(in BodyState state, float size, float reach)
     {
-        box = Box.FromDouble((double)box.MinX - spare, (double)box.MinY - spare, (double)box.MaxX + spare, (double)box.MaxY + spare);
+        float steps = Motion(state, reach) > FastShare * size ? FastStepsAhead : StepsAhead;
+        float x = steps * _dt * state.LinearVelocity.X;
+        float y = steps * _dt * state.LinearVelocity.Y;
+        Spare spare = new Spare((MarginShare * size) + (steps * Swing(state, reach)));
+        spare.Left += Math.Max(0, -x);
+        spare.Right += Math.Max(0, x);
+        spare.Down += Math.Max(0, -y);
+        spare.Up += Math.Max(0, y);
+        return spare;
+    }
+
+    /// <summary>By how much a fat box is larger than the tight one.</summary>
+    private struct Spare
+    {
+        public float Left;
+        public float Right;
+        public float Down;
+        public float Up;
+
+        public Spare(float all) => Left = Right = Down = Up = all;
+
+        public readonly Box Around(in Box box) => Box.FromDouble(
+            (double)box.MinX - Math.Min(Left, Farthest),
+            (double)box.MinY - Math.Min(Down, Farthest),
+            (double)box.MaxX + Math.Min(Right, Farthest),
+            (double)box.MaxY + Math.Min(Up, Farthest));
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -234,6 +296,21 @@ internal sealed unsafe class BoxStage : IStageWork
         public double Y;
         public double Angle;
         public float Reach;
-        public float Margin;
+
+        /// <summary>How far the boxes may move each way until a piece may leave its fat box.</summary>
+        public float Left;
+        public float Right;
+        public float Down;
+        public float Up;
     }
+}
+
+/// <summary>Where a body gets to: ranges of displacements from a pose, and the greatest turn, radians.</summary>
+internal struct BodyReach
+{
+    public double MinX;
+    public double MinY;
+    public double MaxX;
+    public double MaxY;
+    public double Turn;
 }

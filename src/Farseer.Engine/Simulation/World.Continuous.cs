@@ -29,10 +29,11 @@ internal sealed partial class World : IImpactListener
         input.Listener = this;
         input.Dt = dt;
         input.Substep = substep;
+        ForgetBeyond();
         FastList fast = _lists.Fast;
         int count = GatherSweepPairs(fast);
         int next = 0;
-        for (int i = 0; i < fast.Count && next < count; i++)
+        for (int i = 0; i < fast.Count; i++)
         {
             _sweep.Begin();
             for (; next < count && (int)(_sweepKeys[next] >> 32) == i; next++)

@@ -1,0 +1,139 @@
+using System;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Queries;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>
+/// What a fast body may meet beyond the boxes around its foreseen way: after a bounce it flies where nothing foresaw it, and the
+/// solver may have thrown it there. Only then is the world asked for it.
+/// </summary>
+internal sealed partial class World
+{
+    /// <summary>More immovable boxes than this are not looked at one by one.</summary>
+    private const int MostInARow = 2048;
+
+    private readonly LooseBoxes _immovable = new LooseBoxes();
+    private readonly IndexList _beyond = new IndexList();
+    private bool _immovableListed;
+    private bool _queriesSeeStep;
+
+    void Continuous.IImpactListener.OnWay(int body, in BodyPath way)
+    {
+        BodyPose pose = Bodies.Pose[body];
+        double endX = way.XAt(1) - pose.X;
+        double endY = way.YAt(1) - pose.Y;
+
+        // An arc leaves its chord by an eighth of the acceleration.
+        double bendX = Math.Abs(way.AccelerationX) / 8;
+        double bendY = Math.Abs(way.AccelerationY) / 8;
+        BodyReach reach;
+        reach.MinX = Math.Min(way.X - pose.X, endX) - bendX;
+        reach.MinY = Math.Min(way.Y - pose.Y, endY) - bendY;
+        reach.MaxX = Math.Max(way.X - pose.X, endX) + bendX;
+        reach.MaxY = Math.Max(way.Y - pose.Y, endY) + bendY;
+        reach.Turn = Math.Abs(way.Angle - pose.Angle) + Math.Abs(way.Spin) + (0.5 * Math.Abs(way.SpinGain));
+        if (_boxes.Hold(pose, body, reach))
+        {
+            return;
+        }
+
+        for (int collider = FirstCollider(body); collider >= 0; collider = NextCollider(collider))
+        {
+            for (int piece = Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
+            {
+                Box box = Shapes.TightBox(piece, pose);
+                double swing = reach.Turn * Shapes.Pieces[piece].Reach;
+                SeekPairs(body, piece, Box.FromDouble(
+                    box.MinX + reach.MinX - swing,
+                    box.MinY + reach.MinY - swing,
+                    box.MaxX + reach.MaxX + swing,
+                    box.MaxY + reach.MaxY + swing));
+            }
+        }
+    }
+
+    private void ForgetBeyond()
+    {
+        _immovableListed = false;
+        _queriesSeeStep = false;
+    }
+
+    /// <summary>Makes the pairs of a piece with what lies in a box and must not be passed, and has the sweep look at them.</summary>
+    private void SeekPairs(int body, int piece, in Box box)
+    {
+        ListImmovable();
+        if (IsBullet(body) || _immovable.Count > MostInARow)
+        {
+            AskForPairs(body, piece, box);
+            return;
+        }
+
+        var spread = new SpreadBox(box);
+        for (int first = 0; first < _immovable.Count; first += WideBoxes.Width)
+        {
+            for (uint mask = _immovable.Boxes.Overlaps(first, spread); mask != 0; mask &= mask - 1)
+            {
+                SeekPair(piece, _immovable.Proxy(first + WideBoxes.LowestLane(mask)), moves: false);
+            }
+        }
+    }
+
+    private void ListImmovable()
+    {
+        if (_immovableListed)
+        {
+            return;
+        }
+
+        _immovableListed = true;
+        _immovable.Clear();
+        for (int piece = 0; piece < Proxies.End; piece++)
+        {
+            ref ProxyInfo info = ref Proxies.Info[piece];
+            if ((info.Flags & ProxyFlags.Alive) != 0 && !IsMovable(info.Body))
+            {
+                _immovable.Add(piece, Proxies.Fat[piece]);
+            }
+        }
+    }
+
+    private void AskForPairs(int body, int piece, in Box box)
+    {
+        if (!_queriesSeeStep)
+        {
+            _queriesSeeStep = true;
+            Queries.Version++;
+        }
+
+        QueryFilter filter = QueryFilter.All;
+        filter.IgnoredBody = body;
+        Queries.FindInBox(box, filter, _beyond);
+        for (int i = 0; i < _beyond.Count; i++)
+        {
+            bool moves = IsMovable(Shapes.Colliders[_beyond[i]].Body);
+            for (int other = Shapes.Colliders[_beyond[i]].FirstPiece; other >= 0 && (!moves || IsBullet(body)); other = Shapes.NextPiece[other])
+            {
+                SeekPair(piece, other, moves);
+            }
+        }
+    }
+
+    private void SeekPair(int piece, int other, bool moves)
+    {
+        ulong key = PairBuffer.Pack(piece, other);
+        if (_contacts.Map.Contains(key))
+        {
+            return;
+        }
+
+        TryCreatePair(key);
+        if (_contacts.Map.TryGet(key, out int contact) && Responds(_contacts.Records[contact]))
+        {
+            _sweep.Add(contact, moves);
+        }
+    }
+}
