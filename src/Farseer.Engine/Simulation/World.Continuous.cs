@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Continuous;
@@ -13,6 +14,7 @@ internal sealed partial class World : IImpactListener
     private readonly FastBodySweep _sweep = new FastBodySweep();
     private readonly RadixSort _sweepSort = new RadixSort();
     private readonly Column<int> _sweepPlace = new Column<int>();
+    private readonly Column<SweepRoles> _sweepRoles = new Column<SweepRoles>();
     private readonly Column<ulong> _sweepKeys = new Column<ulong>();
 
     bool IImpactListener.OnImpact(int contact, in Manifold manifold) =>
@@ -55,46 +57,54 @@ internal sealed partial class World : IImpactListener
     /// <summary>The pairs of fast bodies with what they are looked after against, by body.</summary>
     private unsafe int GatherSweepPairs(FastList fast)
     {
-        _sweepPlace.EnsureCapacity(Bodies.Ids.End);
-        _sweepKeys.EnsureCapacity(2 * _contacts.Records.Capacity);
-        _sweepSort.Reserve(2 * _contacts.Records.Capacity);
-        for (int i = 0; i < Bodies.Ids.End; i++)
+        int end = Bodies.Ids.End;
+        _sweepPlace.EnsureCapacity(end);
+        _sweepRoles.EnsureCapacity(end);
+        SweepRoles* roles = _sweepRoles.Pointer;
+        for (int i = 0; i < end; i++)
         {
-            _sweepPlace[i] = -1;
+            roles[i] = IsMovable(i) ? SweepRoles.None : SweepRoles.Wall;
         }
 
         for (int i = 0; i < fast.Count; i++)
         {
-            _sweepPlace[fast[i].Body] = i;
+            int body = fast[i].Body;
+            _sweepPlace[body] = i;
+            roles[body] |= IsBullet(body) ? SweepRoles.Fast | SweepRoles.Bullet : SweepRoles.Fast;
         }
 
         int count = 0;
+        ContactRecord* records = _contacts.Records.Pointer;
         for (int i = 0; i < _contacts.End; i++)
         {
-            ref ContactRecord record = ref _contacts.Records[i];
-            if (record.PieceA < 0)
+            ContactRecord* record = records + i;
+            if (record->PieceA < 0)
             {
                 continue;
             }
 
-            int placeA = _sweepPlace[record.BodyA];
-            int placeB = _sweepPlace[record.BodyB];
-            if ((placeA < 0 && placeB < 0) || !Responds(record))
+            SweepRoles a = roles[record->BodyA];
+            SweepRoles b = roles[record->BodyB];
+            bool forA = (a & SweepRoles.Bullet) != 0 || ((a & SweepRoles.Fast) != 0 && (b & SweepRoles.Wall) != 0);
+            bool forB = (b & SweepRoles.Bullet) != 0 || ((b & SweepRoles.Fast) != 0 && (a & SweepRoles.Wall) != 0);
+            if (!(forA || forB) || !Responds(*record))
             {
                 continue;
             }
 
-            if (placeA >= 0 && (!IsMovable(record.BodyB) || IsBullet(record.BodyA)))
+            _sweepKeys.EnsureCapacity(count + 2);
+            if (forA)
             {
-                _sweepKeys[count++] = ((ulong)(uint)placeA << 32) | (uint)i;
+                _sweepKeys[count++] = ((ulong)(uint)_sweepPlace[record->BodyA] << 32) | (uint)i;
             }
 
-            if (placeB >= 0 && (!IsMovable(record.BodyA) || IsBullet(record.BodyB)))
+            if (forB)
             {
-                _sweepKeys[count++] = ((ulong)(uint)placeB << 32) | (uint)i;
+                _sweepKeys[count++] = ((ulong)(uint)_sweepPlace[record->BodyB] << 32) | (uint)i;
             }
         }
 
+        _sweepSort.Reserve(count);
         _sweepSort.Sort(_sweepKeys.Pointer, count);
         return count;
     }
@@ -107,5 +117,19 @@ internal sealed partial class World : IImpactListener
     {
         ColliderFlags both = Shapes.Colliders[record.ColliderA].Flags & Shapes.Colliders[record.ColliderB].Flags;
         return (both & (ColliderFlags.Alive | ColliderFlags.ResponseEnabled)) == (ColliderFlags.Alive | ColliderFlags.ResponseEnabled);
+    }
+
+    /// <summary>What a body is in the sweep.</summary>
+    [Flags]
+    private enum SweepRoles : byte
+    {
+        None = 0,
+
+        /// <summary>Must not be passed.</summary>
+        Wall = 1,
+        Fast = 2,
+
+        /// <summary>Fast, and must pass nothing.</summary>
+        Bullet = 4,
     }
 }
