@@ -63,11 +63,12 @@ public partial class PhysicsSimulator
 
     private void RemoveWaiting()
     {
-        MarkLeaving(_geomsOut);
-        MarkLeaving(_geomsDisposed);
+        // What a handler disposes meanwhile is not marked and waits for the next update.
+        int geoms = MarkLeaving(_geomsOut);
+        int lost = MarkLeaving(_geomsDisposed);
         bool removed = _geomsOut.Count > 0;
         bool disposed = _geomsDisposed.Count > 0;
-        TakeOut(_geomsOut);
+        TakeOut(_geomsOut, geoms);
         int bodies = _bodiesOut.Count;
         for (int i = 0; i < bodies; i++)
         {
@@ -78,7 +79,7 @@ public partial class PhysicsSimulator
         }
 
         _bodiesOut.RemoveRange(0, bodies);
-        TakeOut(_geomsDisposed);
+        TakeOut(_geomsDisposed, lost);
         bodies = _bodiesDisposed.Count;
         for (int i = 0; i < bodies; i++)
         {
@@ -98,12 +99,14 @@ public partial class PhysicsSimulator
         }
     }
 
-    private static void MarkLeaving(List<Geom> geoms)
+    private static int MarkLeaving(List<Geom> geoms)
     {
         for (int i = 0; i < geoms.Count; i++)
         {
             geoms[i].IsLeaving = geoms[i].Membership == Membership.RemoveQueued || geoms[i].IsDisposed;
         }
+
+        return geoms.Count;
     }
 
     private void TakeIn(Geom geom)
@@ -145,9 +148,8 @@ public partial class PhysicsSimulator
         BodyList.TakeIn(body);
     }
 
-    private void TakeOut(List<Geom> geoms)
+    private void TakeOut(List<Geom> geoms, int count)
     {
-        int count = geoms.Count;
         for (int i = 0; i < count; i++)
         {
             Geom geom = geoms[i];
