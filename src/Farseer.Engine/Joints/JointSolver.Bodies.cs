@@ -23,13 +23,13 @@ internal sealed unsafe partial class JointSolver
         node->InverseInertia = mass.InverseInertia;
     }
 
-    /// <summary>Trees that touch nothing are free.</summary>
+    /// <summary>Trees that touch nothing and that no spring pulls at are free.</summary>
     private void MarkFree()
     {
         for (int at = 0; at < _treeCount; at++)
         {
             int i = _trees[at];
-            _forest.Trees[i].Free = true;
+            _forest.Trees[i].Free = !_forest.Trees[i].Pulled;
         }
 
         for (int at = 0; at < _nodeCount; at++)

@@ -29,6 +29,11 @@ internal sealed unsafe partial class JointSolver
         BrokenCount = 0;
         _contactCount = 0;
         _forest.ClearGuests();
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            _forest.Trees[i].Pulled = false;
+        }
+
         if (Look() && Break() && !step.BreaksLate)
         {
             Look();

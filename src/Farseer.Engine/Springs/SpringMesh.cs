@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Springs;
@@ -12,8 +13,11 @@ namespace Farseer.Engine.Springs;
 /// swings that a substep cannot show. Both are stable at any constant and rest where the forces balance. The matrix is symmetric
 /// and positive definite: conjugate gradients need at most as many rounds as the mesh has degrees of freedom, few if it is loose.
 /// Sweeping over the springs instead would leave stiff chains too long, and a warm start of such sweeps is unstable.
+/// <para>Where joints hold bodies in trees, M is that of the trees: vθ is sought among the velocities that the joints allow, and a
+/// residual is turned into a velocity by the tree's own response. With the mass of a nailed body alone a spring would pull as if
+/// that could fall for a substep, and stretch by (g + F/m)·θh² too far.</para>
 /// </summary>
-internal sealed unsafe class SpringMesh
+internal sealed unsafe partial class SpringMesh
 {
     /// <summary>Ratio of the squared residuals at which a solution is good: 1e-7 in the velocities, what a float holds.</summary>
     private const double Tolerance = 1e-14;
@@ -31,11 +35,15 @@ internal sealed unsafe class SpringMesh
     private readonly Column<double> _direction = new Column<double>();
     private readonly Column<double> _image = new Column<double>();
     private readonly Column<double> _diagonal = new Column<double>();
+    private readonly Column<double> _scaled = new Column<double>();
     private int _count;
+    private int _nextSlot;
 
-    public void Begin(int rows, int bodies)
+    public void Begin(int rows, int bodies, JointSolver? joints)
     {
+        _joints = joints;
         _count = 0;
+        _treeCount = 0;
         _rows.EnsureCapacity(rows);
         _slots.EnsureCapacity(bodies);
     }
@@ -52,8 +60,8 @@ internal sealed unsafe class SpringMesh
     public void Count(int mesh, in SpringRow row)
     {
         _meshes[mesh].RowCount++;
-        _slots[row.Def.BodyA] = -1;
-        _slots[row.Def.BodyB] = -1;
+        Forget(row.Def.BodyA);
+        Forget(row.Def.BodyB);
     }
 
     /// <summary>Lays the meshes out one after the other.</summary>
@@ -67,7 +75,10 @@ internal sealed unsafe class SpringMesh
             _meshes[i].RowCount = 0;
         }
 
-        int size = Math.Max(1, 6 * next);
+        _nextSlot = 0;
+        int size = Math.Max(1, (6 * next) + (3 * (_joints?.TreeBodies ?? 0)));
+        _trees.EnsureCapacity(Math.Max(1, 2 * next));
+        _scaled.EnsureCapacity(size);
         _bodies.EnsureCapacity(size);
         _held.EnsureCapacity(size);
         _mass.EnsureCapacity(size);
@@ -104,8 +115,13 @@ internal sealed unsafe class SpringMesh
             ref SpringRow row = ref rows[_rows[mesh.FirstRow + i]];
             EndState a = EndState.Read(bodies, row.Def.BodyA, row.MovesA, row.ActsA);
             EndState b = EndState.Read(bodies, row.Def.BodyB, row.MovesB, row.ActsB);
-            row.Stretch = SpringKernel.FormJacobian(ref row, a, b, ahead);
+            bool plain = IsPlain(row.Def.BodyA, row.MovesA) || IsPlain(row.Def.BodyB, row.MovesB);
+            row.Stretch = SpringKernel.FormJacobian(ref row, a, b, plain ? 0 : ahead);
             row.Saturated = 0;
+            if (plain && mesh.Theta < 1)
+            {
+                row.Stretch -= h * mesh.Theta * PlainSpeed(row, a, b);
+            }
         }
 
         // A torque limit that is reached turns a spring into a given torque; the others are then solved again beside it.
@@ -115,6 +131,12 @@ internal sealed unsafe class SpringMesh
         }
         while (MarkSaturated(mesh, rows, bodies, h));
 
+        if (mesh.TreeCount > 0)
+        {
+            PushByImpulses(mesh, rows, bodies, h);
+            return;
+        }
+
         for (int i = 0; i < mesh.SlotCount; i++)
         {
             int body = _bodies[mesh.FirstSlot + i];
@@ -123,19 +145,24 @@ internal sealed unsafe class SpringMesh
             double x = ((v[0] - end.VX) / mesh.Theta) - end.DriveX;
             double y = ((v[1] - end.VY) / mesh.Theta) - end.DriveY;
             double w = ((v[2] - end.W) / mesh.Theta) - end.DriveW;
-            int held = _held[mesh.FirstSlot + i];
-            EndState.Push(bodies, body, held, x, y, w);
-            if (held == 0 && mesh.Theta < 1)
-            {
-                double back = (mesh.Theta - 1) * h;
-                EndState.Shift(bodies, body, back * x, back * y, back * w);
-            }
+            Push(mesh, mesh.FirstSlot + i, bodies, x, y, w, h);
+        }
+    }
+
+    private void Push(in Mesh mesh, int slot, BodyStore bodies, double x, double y, double w, double h)
+    {
+        EndState.Push(bodies, _bodies[slot], _held[slot], x, y, w);
+        if (_held[slot] == 0 && mesh.Theta < 1)
+        {
+            double back = (mesh.Theta - 1) * h;
+            EndState.Shift(bodies, _bodies[slot], back * x, back * y, back * w);
         }
     }
 
     private void Enlist(ref Mesh mesh, SpringRow* rows, BodyStore bodies)
     {
-        mesh.FirstSlot = 2 * mesh.FirstRow;
+        mesh.FirstSlot = _nextSlot;
+        mesh.FirstTree = _treeCount;
         for (int i = 0; i < mesh.RowCount; i++)
         {
             ref SpringRow row = ref rows[_rows[mesh.FirstRow + i]];
@@ -151,7 +178,25 @@ internal sealed unsafe class SpringMesh
             return;
         }
 
-        int slot = mesh.FirstSlot + mesh.SlotCount++;
+        int tree = _joints?.TreeOf(body) ?? -1;
+        if (tree < 0)
+        {
+            AddSlot(ref mesh, body, held, bodies);
+            return;
+        }
+
+        _trees[_treeCount++] = new TreeSlots { Tree = tree, FirstSlot = _nextSlot };
+        mesh.TreeCount++;
+        for (int i = 0; i < _joints!.SizeOf(tree); i++)
+        {
+            AddSlot(ref mesh, _joints.BodyOf(tree, i), InTree, bodies);
+        }
+    }
+
+    private void AddSlot(ref Mesh mesh, int body, int held, BodyStore bodies)
+    {
+        int slot = _nextSlot++;
+        mesh.SlotCount++;
         _slots[body] = slot;
         _bodies[slot] = body;
         _held[slot] = held;
@@ -169,13 +214,12 @@ internal sealed unsafe class SpringMesh
         double* r = _residual.Pointer + first;
         double* p = _direction.Pointer + first;
         double* q = _image.Pointer + first;
-        double* d = _diagonal.Pointer + first;
+        double* z = _scaled.Pointer + first;
         Start(mesh, rows, bodies, h);
-        double rz = 0;
+        double rz = Scale(mesh);
         for (int i = 0; i < size; i++)
         {
-            p[i] = r[i] / d[i];
-            rz += r[i] * p[i];
+            p[i] = z[i];
         }
 
         double goal = rz * Tolerance;
@@ -190,21 +234,48 @@ internal sealed unsafe class SpringMesh
             }
 
             double step = rz / pq;
-            double next = 0;
             for (int i = 0; i < size; i++)
             {
                 v[i] += step * p[i];
                 r[i] -= step * q[i];
-                next += r[i] * r[i] / d[i];
             }
 
+            double next = Scale(mesh);
             double keep = next / rz;
             rz = next;
             for (int i = 0; i < size; i++)
             {
-                p[i] = (r[i] / d[i]) + (keep * p[i]);
+                p[i] = z[i] + (keep * p[i]);
             }
         }
+    }
+
+    /// <summary>Velocities from the residual: by the diagonal, or as a tree answers.</summary>
+    /// <returns>Their product with the residual.</returns>
+    private double Scale(in Mesh mesh)
+    {
+        double* r = _residual.Pointer;
+        double* z = _scaled.Pointer;
+        int first = 3 * mesh.FirstSlot;
+        int end = first + (3 * mesh.SlotCount);
+        for (int i = first; i < end; i++)
+        {
+            z[i] = r[i] / _diagonal[i];
+        }
+
+        for (int i = mesh.FirstTree; i < mesh.FirstTree + mesh.TreeCount; i++)
+        {
+            int slot = 3 * _trees[i].FirstSlot;
+            _joints!.Respond(_trees[i].Tree, r + slot, z + slot);
+        }
+
+        double sum = 0;
+        for (int i = first; i < end; i++)
+        {
+            sum += r[i] * z[i];
+        }
+
+        return sum;
     }
 
     /// <summary>The first guess, its residual, which is what the springs give at it, and the diagonal.</summary>
@@ -222,6 +293,11 @@ internal sealed unsafe class SpringMesh
                 _residual[k] = 0;
                 _diagonal[k] = _mass[k];
             }
+        }
+
+        for (int i = mesh.FirstTree; i < mesh.FirstTree + mesh.TreeCount; i++)
+        {
+            StartTree(mesh, _trees[i], bodies);
         }
 
         for (int i = 0; i < mesh.RowCount; i++)
@@ -400,5 +476,7 @@ internal sealed unsafe class SpringMesh
         public int RowCount;
         public int FirstSlot;
         public int SlotCount;
+        public int FirstTree;
+        public int TreeCount;
     }
 }

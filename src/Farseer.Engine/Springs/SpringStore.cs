@@ -23,6 +23,7 @@ internal sealed unsafe class SpringStore
 
     private readonly Column<SpringRow> _rows = new Column<SpringRow>();
     private readonly Column<BodyRecord> _records = new Column<BodyRecord>();
+    private readonly Column<int> _treeBodies = new Column<int>();
     private readonly SpringMesh _mesh = new SpringMesh();
 
     public int Count { get; private set; }
@@ -82,14 +83,14 @@ internal sealed unsafe class SpringStore
             Note(row.Def.BodyB, row.MovesB, row.Def, SpringKernel.InverseMassB(row), h);
         }
 
-        JoinMeshes();
+        JoinMeshes(joints);
         for (int i = 0; i < Count; i++)
         {
             _rows[i].Form = Choose(_rows[i], h);
             _rows[i].LawMass = -1;
         }
 
-        _mesh.Begin(Count, bodies.Ids.End);
+        _mesh.Begin(Count, bodies.Ids.End, joints);
         for (int i = 0; i < Count; i++)
         {
             ref SpringRow row = ref _rows[i];
@@ -185,22 +186,30 @@ internal sealed unsafe class SpringStore
     }
 
     /// <summary>
-    /// Finds what hangs together by springs. The root of a mesh then holds its number of springs and its largest load, the others
+    /// Finds what hangs together by springs and trees of joints. The root of a mesh then holds its number of springs and its largest load, the others
     /// keep the mark that they are touched.
     /// </summary>
-    private void JoinMeshes()
+    private void JoinMeshes(JointSolver? joints)
     {
+        int trees = joints?.TreeCount ?? 0;
+        _treeBodies.EnsureCapacity(trees);
+        for (int i = 0; i < trees; i++)
+        {
+            _treeBodies[i] = -1;
+        }
+
         for (int i = 0; i < Count; i++)
         {
             ref SpringRow row = ref _rows[i];
             if (row.MovesA != 0 && row.MovesB != 0)
             {
-                int a = Find(row.Def.BodyA);
-                int b = Find(row.Def.BodyB);
-                if (a != b)
-                {
-                    _records[b].Root = a;
-                }
+                Join(row.Def.BodyA, row.Def.BodyB);
+            }
+
+            if (joints != null)
+            {
+                JoinByTree(joints, row.Def.BodyA, row.MovesA);
+                JoinByTree(joints, row.Def.BodyB, row.MovesB);
             }
         }
 
@@ -215,6 +224,30 @@ internal sealed unsafe class SpringStore
                 root.Load = Math.Max(root.Load, loadA + loadB);
                 root.Rows++;
             }
+        }
+    }
+
+    private void Join(int first, int second)
+    {
+        int a = Find(first);
+        int b = Find(second);
+        if (a != b)
+        {
+            _records[b].Root = a;
+        }
+    }
+
+    /// <summary>Springs at one tree of joints pull at each other through it.</summary>
+    private void JoinByTree(JointSolver joints, int body, int moves)
+    {
+        int tree = moves != 0 ? joints.TreeOf(body) : -1;
+        if (tree >= 0 && _treeBodies[tree] < 0)
+        {
+            _treeBodies[tree] = body;
+        }
+        else if (tree >= 0)
+        {
+            Join(_treeBodies[tree], body);
         }
     }
 

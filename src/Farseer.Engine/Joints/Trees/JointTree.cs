@@ -31,6 +31,9 @@ internal struct JointTree
     /// <summary>Nothing touches it and no row pushes at it.</summary>
     public bool Free;
 
+    /// <summary>Springs pull at it in this step.</summary>
+    public bool Pulled;
+
     /// <summary>An error that was put there from outside waits to be taken out; the correction went astray; its limits changed.</summary>
     public bool Disturbed;
     public bool Astray;
