@@ -309,7 +309,7 @@ internal sealed unsafe partial class JointSolver
     {
         double gap = rows->Error[row];
         double h = _step.Substep;
-        if (kind == TargetKind.Correction || kind == TargetKind.Projection)
+        if (IsDisplacement(kind))
         {
             return (joint->Goal[row] - gap) / h;
         }

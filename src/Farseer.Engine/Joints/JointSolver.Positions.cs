@@ -14,9 +14,8 @@ internal sealed unsafe partial class JointSolver
 {
     private const int Corrections = 4;
 
-    /// <summary>Sweeps over loops and contacts in a correction, and over deep contacts when they are pushed apart.</summary>
+    /// <summary>Sweeps over loops and contacts in a correction.</summary>
     private const int CorrectionSweeps = 2;
-    private const int PushOutSweeps = 4;
 
     /// <summary>Errors in terms of the joint's size: none, good enough to stay with, and too large after all corrections.</summary>
     private const double Tolerance = 1e-8;
@@ -26,8 +25,6 @@ internal sealed unsafe partial class JointSolver
     /// <summary>A correction that does not shrink the error to this share goes astray; so does one that turns a body further.</summary>
     private const double Shrink = 0.7;
     private const double LargestBend = 0.3;
-
-    private double _pushRate;
 
     /// <summary>After the positions moved: what is left of the errors is taken out of positions and velocities alike.</summary>
     /// <param name="pushRate">Share of a deep overlap that goes in this substep.</param>
@@ -55,6 +52,7 @@ internal sealed unsafe partial class JointSolver
         }
 
         Project();
+        PullTogether();
         PushOut(pushRate);
         LoadPoses();
         WriteRows(false);
@@ -220,89 +218,6 @@ internal sealed unsafe partial class JointSolver
             bool stuck = tree->Worst > Loose && tree->Worst > Shrink * tree->Before;
             tree->Astray |= bent > LargestBend || stuck || (last && tree->Worst > Failed) || !FloatBits.IsFinite(tree->Worst);
             tree->Before = tree->Worst;
-        }
-    }
-
-    /// <summary>Moves deep overlaps with trees apart; the velocities that do it are forgotten.</summary>
-    private void PushOut(double rate)
-    {
-        bool any = false;
-        for (int i = 0; i < _contactCount; i++)
-        {
-            any |= _contacts[i].Deep;
-        }
-
-        if (!any)
-        {
-            return;
-        }
-
-        double h = _step.Substep;
-        _pushRate = rate / h;
-        for (int at = 0; at < _treeCount; at++)
-        {
-            int i = _trees[at];
-            if (_forest.Trees[i].HasRows)
-            {
-                Save(_forest.Trees + i);
-                Clear(_forest.Trees + i);
-            }
-        }
-
-        for (int sweep = 0; sweep < PushOutSweeps; sweep++)
-        {
-            Sweep(Pass.PushOut);
-        }
-
-        for (int at = 0; at < _nodeCount; at++)
-        {
-            int i = _nodes[at];
-            TreeNode* node = _forest.Nodes + i;
-            if (_forest.Trees[node->Tree].HasRows)
-            {
-                double* v = node->Velocity;
-                for (int k = 0; k < 3; k++)
-                {
-                    node->PlainMove[k] = node->Move[k];
-                }
-
-                SetMove(node, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), node->Move[2] + (h * v[2]));
-                v[0] = node->Saved[0];
-                v[1] = node->Saved[1];
-                v[2] = node->Saved[2];
-            }
-        }
-
-        TakeBackPushes();
-    }
-
-    /// <summary>
-    /// A push goes along the joints' directions at its start. Where that leaves a tree out of joint it is taken back: a taut chain answers
-    /// a push across with a wide bend, and to put its joints right again would throw off what lies on it.
-    /// </summary>
-    private void TakeBackPushes()
-    {
-        LoadPoses();
-        WriteErrors();
-        for (int at = 0; at < _treeCount; at++)
-        {
-            JointTree* tree = _forest.Trees + _trees[at];
-            if (!tree->HasRows || !tree->Eliminates)
-            {
-                continue;
-            }
-
-            SetTargets(tree, TargetKind.Projection);
-            if (!(tree->Worst > Failed))
-            {
-                continue;
-            }
-
-            for (int i = tree->First; i < tree->End; i++)
-            {
-                TreeNode* node = _forest.Nodes + i;
-                SetMove(node, node->PlainMove[0], node->PlainMove[1], node->PlainMove[2]);
-            }
         }
     }
 }

@@ -19,6 +19,9 @@ internal enum TargetKind
 
     /// <summary>Standstill.</summary>
     Relaxed,
+
+    /// <summary>The displacements, as velocities, that take away errors put there from outside at the rate of the bias factor.</summary>
+    Pull,
 }
 
 /// <content>Rows and targets.</content>
@@ -191,7 +194,7 @@ internal sealed unsafe partial class JointSolver
             {
                 int row = anchor->RowIndex[r];
                 double target = Target(joint, rows, row, kind, tree);
-                if (kind != TargetKind.Correction && kind != TargetKind.Projection)
+                if (!IsDisplacement(kind))
                 {
                     // What cannot be moved may yet be moving: a kinematic body.
                     double* j = (movesA ? rows->B : rows->A) + (row * 3);
@@ -203,9 +206,12 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
+    private static bool IsDisplacement(TargetKind kind) => kind == TargetKind.Correction || kind == TargetKind.Projection || kind == TargetKind.Pull;
+
     /// <summary>
     /// An error up to the share <see cref="Small"/> of the joint's size comes from the motion and is taken out at once. What is
-    /// beyond it was put there from outside (a body moved by hand, another length) and goes at the rate of the bias factor.
+    /// beyond it was put there from outside (a body moved by hand or exchanged, another length) and goes at the rate of the bias factor,
+    /// by displacements alone.
     /// </summary>
     private double Target(ActiveJoint* joint, JointRows* rows, int r, TargetKind kind, JointTree* tree)
     {
@@ -214,7 +220,7 @@ internal sealed unsafe partial class JointSolver
             return LimitTarget(joint, rows, r, kind);
         }
 
-        bool positions = kind == TargetKind.Correction || kind == TargetKind.Projection;
+        bool positions = IsDisplacement(kind);
         if (rows->Type[r] == (byte)RowType.Servo || kind == TargetKind.Relaxed)
         {
             return positions ? 0 : rows->Speed[r];
@@ -230,12 +236,17 @@ internal sealed unsafe partial class JointSolver
         double small = Small * size;
         double magnitude = Math.Abs(error);
         tree->Worst = Math.Max(tree->Worst, size > 0 ? magnitude / size : 0);
-        if (positions || magnitude <= small)
+        if ((positions && kind != TargetKind.Pull) || magnitude <= small)
         {
             return -error / _step.Substep;
         }
 
-        tree->Disturbed = true;
+        if (kind == TargetKind.Biased)
+        {
+            tree->Disturbed = true;
+            return 0;
+        }
+
         double rest = (magnitude - small) * Math.Min(1, rows->Bias * _step.Substep / _step.Dt);
         return -(error < 0 ? -1 : 1) * (small + rest) / _step.Substep;
     }

@@ -222,6 +222,7 @@ internal sealed unsafe partial class JointSolver
         Settle,
         Correction,
         PushOut,
+        Pull,
     }
 
     /// <summary>
@@ -278,7 +279,7 @@ internal sealed unsafe partial class JointSolver
             if (tree->HasRows && tree->Carries)
             {
                 TreeWalk.End(view, tree);
-                if (pass != Pass.PushOut)
+                if (pass < Pass.PushOut)
                 {
                     TreeReactions.OfWalk(_forest, tree);
                     TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
@@ -307,6 +308,9 @@ internal sealed unsafe partial class JointSolver
                 break;
             case Pass.PushOut:
                 _contactPass.PushOut(contact, _pushRate);
+                break;
+            case Pass.Pull:
+                _contactPass.Block(contact);
                 break;
         }
     }

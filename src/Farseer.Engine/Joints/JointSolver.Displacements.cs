@@ -1,0 +1,155 @@
+using System;
+using Farseer.Engine.Joints.Trees;
+
+namespace Farseer.Engine.Joints;
+
+/// <content>
+/// Displacements that are no motion: errors that were put into joints from outside, and deep overlaps with trees. The velocities that take
+/// them out move the bodies and are forgotten.
+/// </content>
+internal sealed unsafe partial class JointSolver
+{
+    private const int PullSweeps = 4;
+    private const int PushOutSweeps = 4;
+
+    private double _pushRate;
+
+    /// <summary>
+    /// Pulls the bodies of disturbed trees together at the rate of the bias factor. Surfaces that are in the way stop them, by impulses
+    /// of which nothing is kept. As velocities of the biased pass such pulls pressed on surfaces with what one relaxing sweep did not take
+    /// back: bodies that a joint was given from afar were shot off at thousands of sizes a second.
+    /// </summary>
+    private void PullTogether()
+    {
+        bool any = false;
+        for (int at = 0; at < _treeCount; at++)
+        {
+            any |= _forest.Trees[_trees[at]].Disturbed;
+        }
+
+        if (!any)
+        {
+            return;
+        }
+
+        PutVelocitiesAside();
+        for (int at = 0; at < _treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            if (tree->Disturbed)
+            {
+                SetTargets(tree, TargetKind.Pull);
+                TreeSolve.Run(_forest, tree);
+            }
+        }
+
+        for (int i = 0; i < _contactCount; i++)
+        {
+            _contacts[i].Point0.Plain = 0;
+            _contacts[i].Point1.Plain = 0;
+        }
+
+        for (int sweep = 0; sweep < PullSweeps; sweep++)
+        {
+            Sweep(Pass.Pull);
+        }
+
+        MoveAndForget();
+        LoadPoses();
+        WriteErrors();
+    }
+
+    /// <summary>Moves deep overlaps with trees apart; the velocities that do it are forgotten.</summary>
+    private void PushOut(double rate)
+    {
+        bool any = false;
+        for (int i = 0; i < _contactCount; i++)
+        {
+            any |= _contacts[i].Deep;
+        }
+
+        if (!any)
+        {
+            return;
+        }
+
+        _pushRate = rate / _step.Substep;
+        PutVelocitiesAside();
+        for (int sweep = 0; sweep < PushOutSweeps; sweep++)
+        {
+            Sweep(Pass.PushOut);
+        }
+
+        MoveAndForget();
+        TakeBackPushes();
+    }
+
+    private static bool Yields(JointTree* tree) => tree->HasRows || tree->Disturbed;
+
+    private void PutVelocitiesAside()
+    {
+        for (int at = 0; at < _treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            if (Yields(tree))
+            {
+                Save(tree);
+                Clear(tree);
+            }
+        }
+    }
+
+    /// <summary>The present velocities move the bodies and are forgotten for those put aside.</summary>
+    private void MoveAndForget()
+    {
+        double h = _step.Substep;
+        for (int at = 0; at < _nodeCount; at++)
+        {
+            TreeNode* node = _forest.Nodes + _nodes[at];
+            if (Yields(_forest.Trees + node->Tree))
+            {
+                double* v = node->Velocity;
+                for (int k = 0; k < 3; k++)
+                {
+                    node->PlainMove[k] = node->Move[k];
+                }
+
+                double turn = Math.Max(-1, Math.Min(1, h * v[2]));
+                SetMove(node, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), node->Move[2] + turn);
+                v[0] = node->Saved[0];
+                v[1] = node->Saved[1];
+                v[2] = node->Saved[2];
+            }
+        }
+    }
+
+    /// <summary>
+    /// A push goes along the joints' directions at its start. Where that leaves a tree out of joint it is taken back: a taut chain answers
+    /// a push across with a wide bend, and to put its joints right again would throw off what lies on it.
+    /// </summary>
+    private void TakeBackPushes()
+    {
+        LoadPoses();
+        WriteErrors();
+        for (int at = 0; at < _treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            if (!tree->HasRows || !tree->Eliminates || tree->Disturbed)
+            {
+                continue;
+            }
+
+            SetTargets(tree, TargetKind.Projection);
+            if (!(tree->Worst > Failed))
+            {
+                continue;
+            }
+
+            for (int i = tree->First; i < tree->End; i++)
+            {
+                TreeNode* node = _forest.Nodes + i;
+                SetMove(node, node->PlainMove[0], node->PlainMove[1], node->PlainMove[2]);
+            }
+        }
+    }
+}
