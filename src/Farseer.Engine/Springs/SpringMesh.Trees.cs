@@ -17,6 +17,19 @@ internal sealed unsafe partial class SpringMesh
     /// <summary>A tree moves its bodies by h·v₁ and nothing else.</summary>
     private bool IsPlain(int body, int moves) => moves != 0 && _held[_slots[body]] == InTree;
 
+    /// <summary>The end as the line to it is reckoned: that of a plain one stays where it is.</summary>
+    private EndState Seen(EndState end, int body, int moves)
+    {
+        if (IsPlain(body, moves))
+        {
+            end.VX = 0;
+            end.VY = 0;
+            end.W = 0;
+        }
+
+        return end;
+    }
+
     /// <summary>
     /// Of a body that moves by h·v₁ a force at x + θh·vθ would take energy, for it moves half a substep further than the midpoint rule has
     /// it. Its velocities are those in the middle of the ways, so that θh(vθ - v) is what belongs there: it keeps the energy at every

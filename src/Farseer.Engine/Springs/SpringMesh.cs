@@ -115,13 +115,10 @@ internal sealed unsafe partial class SpringMesh
             ref SpringRow row = ref rows[_rows[mesh.FirstRow + i]];
             EndState a = EndState.Read(bodies, row.Def.BodyA, row.MovesA, row.ActsA);
             EndState b = EndState.Read(bodies, row.Def.BodyB, row.MovesB, row.ActsB);
-            bool plain = IsPlain(row.Def.BodyA, row.MovesA) || IsPlain(row.Def.BodyB, row.MovesB);
-            row.Stretch = SpringKernel.FormJacobian(ref row, a, b, plain ? 0 : ahead);
+            EndState seenA = Seen(a, row.Def.BodyA, row.MovesA);
+            EndState seenB = Seen(b, row.Def.BodyB, row.MovesB);
+            row.Stretch = SpringKernel.FormJacobian(ref row, seenA, seenB, ahead) - (ahead * PlainSpeed(row, a, b));
             row.Saturated = 0;
-            if (plain && mesh.Theta < 1)
-            {
-                row.Stretch -= h * mesh.Theta * PlainSpeed(row, a, b);
-            }
         }
 
         // A torque limit that is reached turns a spring into a given torque; the others are then solved again beside it.
