@@ -85,6 +85,13 @@ internal static unsafe class BounceKernel
                 Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
                 WideMask hit0 = (target0 > Wide.Zero) & (lambda0 > Wide.Zero);
                 WideMask hit1 = (target1 > Wide.Zero) & (lambda1 > Wide.Zero);
+                WideMask any = hit0 | hit1;
+                if (WideLanes.Bits(any) == 0)
+                {
+                    // Most of what can bounce lies still: nothing below would change.
+                    continue;
+                }
+
                 target0 = Wide.Select(hit0, target0, Wide.Zero);
                 target1 = Wide.Select(hit1, target1, Wide.Zero);
                 BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
@@ -93,7 +100,6 @@ internal static unsafe class BounceKernel
                 BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
                 ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
                 ContactKernel.SolveBlock(row, lane, lambda0, lambda1, v0 - target0, v1 - target1, out Wide x0, out Wide x1);
-                WideMask any = hit0 | hit1;
                 x0 = Wide.Select(any, x0, lambda0);
                 x1 = Wide.Select(any, x1, lambda1);
                 ContactKernel.ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);

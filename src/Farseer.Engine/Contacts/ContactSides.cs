@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
@@ -45,14 +46,19 @@ internal sealed unsafe class ContactSides
     public const int NoPiece = -1;
 
     private readonly Column<ContactSide> _sides = new Column<ContactSide>();
+    private readonly Column<int> _hulls = new Column<int>();
 
     /// <summary>The side of piece 0; that of <see cref="NoPiece"/> stands before it.</summary>
     public ContactSide* Pointer => _sides.Pointer + 1;
+
+    /// <summary>Where the corners of each piece are, as <see cref="HullLanes.Pack"/> gives it: all that the kernels of hulls need besides.</summary>
+    public int* Hulls => _hulls.Pointer;
 
     /// <summary>Makes room for the sides of all pieces.</summary>
     public void Begin(ShapeStore shapes)
     {
         _sides.EnsureCapacity(shapes.PieceIds.End + 1);
+        _hulls.EnsureCapacity(shapes.PieceIds.End);
         _sides[0] = new ContactSide { Cos = 1, HalfX = 1, HalfY = 1, Flags = SideFlags.Box };
     }
 
@@ -78,6 +84,7 @@ internal sealed unsafe class ContactSides
     public void Prepare(ShapeStore shapes, BodyStore bodies, ProxyInfo* proxies, byte* moves, int first, int end)
     {
         ContactSide* sides = Pointer;
+        int* hulls = Hulls;
         Piece* pieces = shapes.Pieces.Pointer;
         ColliderInfo* colliders = shapes.Colliders.Pointer;
         BodyPose* poses = bodies.Pose.Pointer;
@@ -97,10 +104,11 @@ internal sealed unsafe class ContactSides
             BodyPose* pose = poses + body;
             float cos = pose->Cos;
             float sin = pose->Sin;
+            Vector2 axis = piece->Kind == ShapeKind.Box ? piece->Axis : Vector2.UnitX;
             side->X = (cos * piece->Center.X) - (sin * piece->Center.Y);
             side->Y = (sin * piece->Center.X) + (cos * piece->Center.Y);
-            side->Cos = (cos * piece->Axis.X) - (sin * piece->Axis.Y);
-            side->Sin = (sin * piece->Axis.X) + (cos * piece->Axis.Y);
+            side->Cos = (cos * axis.X) - (sin * axis.Y);
+            side->Sin = (sin * axis.X) + (cos * axis.Y);
             side->HalfY = piece->Half.Y;
             side->Extent = piece->Extent;
             side->Reach = piece->Reach;
@@ -115,6 +123,7 @@ internal sealed unsafe class ContactSides
             SideFlags now = (proxies[i].Flags & ProxyFlags.Moved) != 0 ? SideFlags.NewBox : SideFlags.None;
             side->Flags = now | Describe(piece, collider->Flags, flags[body], moving);
             side->HalfX = (side->Flags & SideFlags.Box) != 0 ? piece->Half.X : piece->Radius;
+            hulls[i] = HullLanes.Pack(piece->VertexStart, piece->VertexCount);
             side->InverseMass = moving ? masses[body].InverseMass : 0;
             side->InverseInertia = moving ? masses[body].InverseInertia : 0;
             side->Friction = collider->Friction;

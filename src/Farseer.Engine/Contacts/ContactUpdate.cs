@@ -20,6 +20,9 @@ internal unsafe struct ContactUpdateInput
     /// <summary>The sides of all pieces, by piece.</summary>
     public ContactSide* Sides;
 
+    /// <summary>Where the corners of all pieces are, by piece.</summary>
+    public int* Hulls;
+
     /// <summary>Where the pairs of one bundle pass through.</summary>
     public PairLanes* Pairs;
 

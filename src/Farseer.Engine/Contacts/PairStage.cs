@@ -127,8 +127,8 @@ internal static unsafe class PairStage
 
         if (hulls != 0)
         {
-            NameHulls(input, &input.Pairs->Hulls.A, hulls, row->PieceA, row->BodyA);
-            NameHulls(input, &input.Pairs->Hulls.B, hulls, row->PieceB, row->BodyB);
+            NameHulls(input, &input.Pairs->Hulls.A, &input.Pairs->A, hulls, row->PieceA, row->BodyA);
+            NameHulls(input, &input.Pairs->Hulls.B, &input.Pairs->B, hulls, row->PieceB, row->BodyB);
             WideConvex.Collide(input.Pairs, hulls, input.Shapes.Vertices.Pointer, input.Shapes.Normals.Pointer);
             left &= ~hulls;
         }
@@ -137,8 +137,8 @@ internal static unsafe class PairStage
         if (circleHulls != 0)
         {
             HullLanes* named = &input.Pairs->Hulls.A;
-            NameHulls(input, named, circleHulls & ~bits.CircleFirst, row->PieceA, row->BodyA);
-            AddHulls(input, named, circleHulls & bits.CircleFirst, row->PieceB, row->BodyB);
+            NameHulls(input, named, &input.Pairs->A, circleHulls & ~bits.CircleFirst, row->PieceA, row->BodyA);
+            AddHulls(input, named, &input.Pairs->B, circleHulls & bits.CircleFirst, row->PieceB, row->BodyB);
             WideCircleHull.Collide(
                 input.Pairs, circleHulls, bits.CircleFirst, input.Shapes.Vertices.Pointer, input.Shapes.Normals.Pointer);
             left &= ~circleHulls;
@@ -246,25 +246,34 @@ internal static unsafe class PairStage
     }
 
     /// <summary>Names the hulls of some lanes and clears the others.</summary>
-    private static void NameHulls(in ContactUpdateInput input, HullLanes* hulls, int lanes, int* piece, int* body)
+    private static void NameHulls(in ContactUpdateInput input, HullLanes* hulls, SideLanes* side, int lanes, int* piece, int* body)
     {
         for (int lane = 0; lane < PairLanes.Lanes; lane++)
         {
             HullLanes.Clear(hulls, lane);
         }
 
-        AddHulls(input, hulls, lanes, piece, body);
+        AddHulls(input, hulls, side, lanes, piece, body);
     }
 
-    private static void AddHulls(in ContactUpdateInput input, HullLanes* hulls, int lanes, int* piece, int* body)
+    private static void AddHulls(in ContactUpdateInput input, HullLanes* hulls, SideLanes* side, int lanes, int* piece, int* body)
     {
         for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
         {
-            if ((lanes & 1) != 0)
+            if ((lanes & 1) == 0)
             {
-                BodyPose* pose = input.Bodies.Pose.Pointer + body[lane];
-                HullLanes.Set(hulls, lane, input.Shapes.Pieces.Pointer[piece[lane]], new Rotation(pose->Cos, pose->Sin));
+                continue;
             }
+
+            if ((side->Flags[lane] & (int)SideFlags.Box) == 0)
+            {
+                HullLanes.Set(hulls, lane, side, input.Hulls[piece[lane]]);
+                continue;
+            }
+
+            // Sides know boxes by their centres and axes.
+            BodyPose* pose = input.Bodies.Pose.Pointer + body[lane];
+            HullLanes.Set(hulls, lane, input.Shapes.Pieces.Pointer[piece[lane]], new Rotation(pose->Cos, pose->Sin));
         }
     }
 

@@ -35,6 +35,20 @@ internal unsafe struct HullLanes
     public fixed float Cos[Lanes];
     public fixed float Sin[Lanes];
 
+    private const int CornerBits = 3;
+
+    /// <summary>Start and number of corners, of 1 to <see cref="MostCorners"/>, in one number.</summary>
+    public static int Pack(int start, int count) => (start << CornerBits) | ((count - 1) & (MostCorners - 1));
+
+    /// <summary>Names the hull of a lane, which is no box, from what its side knows and <see cref="Pack"/> told.</summary>
+    public static void Set(HullLanes* hulls, int lane, SideLanes* side, int packed)
+    {
+        hulls->Start[lane] = packed >> CornerBits;
+        hulls->Last[lane] = packed & (MostCorners - 1);
+        hulls->Cos[lane] = side->Cos[lane];
+        hulls->Sin[lane] = side->Sin[lane];
+    }
+
     /// <summary>Names the hull of a lane.</summary>
     public static void Set(HullLanes* hulls, int lane, in Piece piece, Rotation rotation)
     {

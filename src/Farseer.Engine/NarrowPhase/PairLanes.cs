@@ -57,7 +57,7 @@ internal unsafe struct SideLanes
     public fixed float X[Lanes];
     public fixed float Y[Lanes];
 
-    /// <summary>Direction of a box's own x axis in world axes.</summary>
+    /// <summary>Direction of a box's own x axis in world axes; of other pieces that of their body.</summary>
     public fixed float Cos[Lanes];
     public fixed float Sin[Lanes];
 

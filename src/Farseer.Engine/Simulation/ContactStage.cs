@@ -48,6 +48,7 @@ internal sealed unsafe class ContactStage
         ContactStore contacts = input.Contacts;
         _work.WriteSides(runner, input, _sides);
         input.Sides = _sides.Pointer;
+        input.Hulls = _sides.Hulls;
         input.Pairs = _work.Pairs;
         AnyBounce = false;
         AnyHeard = false;

@@ -96,6 +96,7 @@ internal sealed partial class World
         input.Fat = Proxies.Fat.Pointer;
         input.Proxies = Proxies.Info.Pointer;
         input.Sides = null;
+        input.Hulls = null;
         input.Pairs = null;
         input.Moves = _lists.Moves;
         input.Settings = Settings;
