@@ -31,7 +31,7 @@ internal static unsafe class BounceKernel
     }
 
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Prepare(ContactBundle* bundles, int count, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
+    public static void Prepare(ContactBundle* bundles, byte* impacts, int count, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide slowest = Wide.Splat(RestSubsteps);
@@ -40,10 +40,13 @@ internal static unsafe class BounceKernel
         for (int i = 0; i < count; i++)
         {
             ContactBundle* row = bundles + i;
+            impacts[i] = 0;
             if (!Bounces(row))
             {
                 continue;
             }
+
+            int any = 0;
 
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
@@ -59,24 +62,33 @@ internal static unsafe class BounceKernel
                 Wide drive = (nx * (driveBX - driveAX)) + (ny * (driveBY - driveAY));
                 Wide slow = slowest * Wide.Max(Wide.Abs((nx * driveAX) + (ny * driveAY)), Wide.Abs((nx * driveBX) + (ny * driveBY)));
                 slow = Wide.Max(slow, threshold);
-                Target(v0, s0 - rest, drive * inverseSubstep, slow, restitution).Store(row->Point0.Bounce + lane);
-                Target(v1, s1 - rest, drive * inverseSubstep, slow, restitution).Store(row->Point1.Bounce + lane);
+                Wide target0 = Target(v0, s0 - rest, drive * inverseSubstep, slow, restitution);
+                Wide target1 = Target(v1, s1 - rest, drive * inverseSubstep, slow, restitution);
+                target0.Store(row->Point0.Bounce + lane);
+                target1.Store(row->Point1.Bounce + lane);
+                any |= WideLanes.Bits((target0 > Wide.Zero) | (target1 > Wide.Zero));
             }
+
+            impacts[i] = any != 0 ? (byte)1 : (byte)0;
         }
     }
 
-    /// <summary>One sweep; the last one also lets go of the impulses of the points that bounced, which are not to be repeated.</summary>
+    /// <summary>
+    /// One sweep over the bundles that have an impact, as <see cref="Prepare"/> or the sweep before noted; the last one also lets go
+    /// of the impulses of the points that bounced, which are not to be repeated.
+    /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Apply(ContactBundle* bundles, int count, BodyState* bodies, bool grounded, bool last)
+    public static void Apply(ContactBundle* bundles, byte* impacts, int count, BodyState* bodies, bool grounded, bool last)
     {
         for (int i = 0; i < count; i++)
         {
-            ContactBundle* row = bundles + i;
-            if (!Bounces(row))
+            if (impacts[i] == 0)
             {
                 continue;
             }
 
+            ContactBundle* row = bundles + i;
+            impacts[i] = 0;
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Wide target0 = Wide.Load(row->Point0.Bounce + lane);
@@ -88,9 +100,11 @@ internal static unsafe class BounceKernel
                 WideMask any = hit0 | hit1;
                 if (WideLanes.Bits(any) == 0)
                 {
-                    // Most of what can bounce lies still: nothing below would change.
+                    // What is about to strike has not done so: nothing below would change, in this sweep or another.
                     continue;
                 }
+
+                impacts[i] = 1;
 
                 target0 = Wide.Select(hit0, target0, Wide.Zero);
                 target1 = Wide.Select(hit1, target1, Wide.Zero);

@@ -23,6 +23,7 @@ internal sealed unsafe class ContactPasses : IStageWork
     private bool _flag;
     private float _rate;
     private ContactBundle* _bundles;
+    private byte* _impacts;
     private bool _grounded;
 
     private enum Pass
@@ -78,10 +79,10 @@ internal sealed unsafe class ContactPasses : IStageWork
                 ContactKernel.Relax(bundles, count, _states, _coefficients, _grounded, _flag);
                 break;
             case Pass.PrepareBounce:
-                BounceKernel.Prepare(bundles, count, _states, _drives, _coefficients);
+                BounceKernel.Prepare(bundles, _impacts + from, count, _states, _drives, _coefficients);
                 break;
             case Pass.Bounce:
-                BounceKernel.Apply(bundles, count, _states, _grounded, _flag);
+                BounceKernel.Apply(bundles, _impacts + from, count, _states, _grounded, _flag);
                 break;
         }
     }
@@ -94,6 +95,7 @@ internal sealed unsafe class ContactPasses : IStageWork
         {
             GraphColor color = colors[i];
             _bundles = color.Bundles;
+            _impacts = color.Impacts;
             _grounded = color.IsGrounded;
             _runner.Run(this, color.BundleCount, color.IsSequential ? int.MaxValue : LeastBundles);
         }
