@@ -26,7 +26,7 @@ internal static class SuiteCommand
             .WithOptions(ConfigOptions.DisableLogFile | ConfigOptions.JoinSummary)
             .WithArtifactsPath(Path.Combine(Path.GetTempPath(), "Farseer.Benchmarks"));
         string wanted = args.Length > 1 ? args[1] : string.Empty;
-        Type[] suites = [typeof(KernelSuite), typeof(PairSuite), typeof(JointSuite), typeof(SceneSuite)];
+        Type[] suites = [typeof(KernelSuite), typeof(HullSuite), typeof(PairSuite), typeof(JointSuite), typeof(SceneSuite)];
         Summary[] summaries = BenchmarkRunner.Run(Array.FindAll(suites, suite => suite.Name.Contains(wanted, StringComparison.OrdinalIgnoreCase)), config);
         if (args.Length > 0)
         {
