@@ -5,6 +5,7 @@ using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Settings;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Islands;
@@ -31,16 +32,21 @@ internal unsafe struct RestInput
 /// nothing of its velocity, which trembles, and lets no slow but steady motion pass. Under gravity the share is also one of the
 /// way that a body falls in the time to sleep: at the top of its flight it is in no case long enough within that, however large it is.
 /// </summary>
-internal sealed unsafe class RestJudge
+internal sealed unsafe class RestJudge : IStageWork
 {
     /// <summary>A body flying freely goes through at least 1/8 of g·T² in the time to sleep; it rests within this share of it.</summary>
     private const float FallShare = 1f / 1024;
+
+    /// <summary>Bodies that are worth another worker's while, some 1 µs.</summary>
+    private const int LeastBodies = 128;
 
     private readonly Column<RestRecord> _records = new Column<RestRecord>();
     private readonly Column<int> _parent = new Column<int>();
     private readonly Column<int> _firstOfIsland = new Column<int>();
     private readonly Column<float> _least = new Column<float>();
     private readonly IndexList _resting = new IndexList();
+    private RestInput _input;
+    private bool _anyReady;
 
     /// <summary>What may fall asleep, after <see cref="Close"/>.</summary>
     public IndexList Resting => _resting;
@@ -72,25 +78,34 @@ internal sealed unsafe class RestJudge
 
     /// <summary>Follows the bodies of a step.</summary>
     /// <returns>True if one of them has, in this step, rested long enough: a group can be ready only then, or if it has changed.</returns>
-    [MethodImpl(KernelMethod.Optimized)]
-    public bool Watch(in RestInput input)
+    public bool Watch(StageRunner runner, in RestInput input)
     {
+        _records.EnsureCapacity(input.Bodies.Ids.End);
+        _input = input;
+        _anyReady = false;
+        AnyRested = false;
+        runner.Run(this, input.ActiveCount, LeastBodies);
+        return _anyReady;
+    }
+
+    [MethodImpl(KernelMethod.Optimized)]
+    void IStageWork.Run(int worker, int from, int to)
+    {
+        RestInput input = _input;
         BodyStore bodies = input.Bodies;
-        _records.EnsureCapacity(bodies.Ids.End);
         Vector2 g = input.Settings.Gravity;
         float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
         float time = input.Settings.TimeToSleep;
         float fall = FallShare * gravity * time * time;
         float share = input.Settings.RestShare;
         float dt = input.Dt;
-        bool any = false;
-        AnyRested = false;
+        bool anyReady = false;
+        bool anyRested = false;
         int* active = input.Active;
-        int count = input.ActiveCount;
         byte* moves = input.Moves;
         RestRecord* records = _records.Pointer;
         BodyPose* poses = bodies.Pose.Pointer;
-        for (int i = 0; i < count; i++)
+        for (int i = from; i < to; i++)
         {
             int body = active[i];
             RestRecord* record = records + body;
@@ -121,11 +136,19 @@ internal sealed unsafe class RestJudge
             float before = record->Time;
             record->Time = before + dt;
             bool rested = record->Time >= time;
-            AnyRested |= rested;
-            any |= rested && before < time;
+            anyRested |= rested;
+            anyReady |= rested && before < time;
         }
 
-        return any;
+        if (anyRested)
+        {
+            AnyRested = true;
+        }
+
+        if (anyReady)
+        {
+            _anyReady = true;
+        }
     }
 
     /// <summary>Forms the groups of bodies in contact; what else hangs together is joined afterwards.</summary>

@@ -136,7 +136,7 @@ internal sealed partial class World
             input.Degrees = _graph.Degrees;
             input.Islands = _islands;
             input.Dt = dt;
-            bool isDue = _rest.Watch(input);
+            bool isDue = _rest.Watch(_runner, input);
             if (_rest.AnyRested && (!_graph.Changed || _graph.RowCount == 0) && (isDue || _groupsChanged || ++_stepsUngrouped >= MostStepsUngrouped))
             {
                 _groupsChanged = false;

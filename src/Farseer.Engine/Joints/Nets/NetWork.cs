@@ -12,7 +12,7 @@ namespace Farseer.Engine.Joints.Nets;
 internal sealed unsafe class NetWork : IStageWork
 {
     /// <summary>Bundles, of rows or of bodies, that are worth another worker's while, some 0.5 µs.</summary>
-    private const int LeastBundles = 8;
+    private const int LeastBundles = 16;
 
     private readonly NetSolver _solver;
     private readonly NetBodies _bodies;
