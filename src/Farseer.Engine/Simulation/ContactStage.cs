@@ -72,7 +72,7 @@ internal sealed unsafe class ContactStage
 
         Take(contacts, graph);
         Give(runner, input, graph);
-        _fast.Decide(input, graph, joints, allHeld);
+        _fast.Decide(runner, input, graph, joints, allHeld);
         AnyBounce = AnyBounce || _fast.AnyBounce;
         _touching += _fast.Given;
         _touchingNow += _fast.Given;

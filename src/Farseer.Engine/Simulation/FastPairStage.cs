@@ -6,6 +6,7 @@ using Farseer.Engine.Joints;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Shapes;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
@@ -14,12 +15,21 @@ namespace Farseer.Engine.Simulation;
 /// Decides on the pairs that <see cref="FastPairs"/> deferred. What can be left to the sweep after the flight is left to it: a fast
 /// body that nothing holds, against what cannot move. The others get a row made at the impact that the present velocities lead to.
 /// </summary>
-internal sealed unsafe class FastPairStage
+internal sealed unsafe class FastPairStage : IStageWork
 {
+    /// <summary>Pairs that are worth another worker's while, some 2 µs.</summary>
+    private const int LeastPairs = 4;
+
     private readonly RadixSort _sort = new RadixSort();
     private readonly Column<ulong> _keys = new Column<ulong>();
     private readonly Column<int> _contacts = new Column<int>();
     private readonly Column<ContactBundle> _bundle = new Column<ContactBundle>();
+    private readonly Column<Outlook> _found = new Column<Outlook>();
+    private ContactUpdateInput _input;
+    private ConstraintGraph _graph = null!;
+    private JointStore _joints = null!;
+    private bool _allHeld;
+    private bool _ofMovers;
     private int _count;
 
     /// <summary>Rows given in this step.</summary>
@@ -53,46 +63,106 @@ internal sealed unsafe class FastPairStage
         }
     }
 
-    public void Decide(in ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
+    public void Decide(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
     {
         _sort.Sort(_keys.Pointer, _contacts.Pointer, _count);
+        _found.EnsureCapacity(_count);
+        _input = input;
+        _graph = graph;
+        _joints = joints;
+        _allHeld = allHeld;
+        _ofMovers = true;
+        runner.Run(this, _count, LeastPairs);
         for (int i = 0; i < _count; i++)
         {
-            ref ContactRecord record = ref input.Contacts.Records[_contacts[i]];
-            if (input.Moves[record.BodyA] != 0 && input.Moves[record.BodyB] != 0)
+            if (OfMovers(input, input.Contacts.Records[_contacts[i]]))
             {
-                Foresee(input, graph, _contacts[i]);
+                Take(input, graph, i);
             }
         }
 
         // Bodies that got rows above are held now.
+        _ofMovers = false;
+        runner.Run(this, _count, LeastPairs);
         for (int i = 0; i < _count; i++)
         {
             ref ContactRecord record = ref input.Contacts.Records[_contacts[i]];
-            if (input.Moves[record.BodyA] != 0 && input.Moves[record.BodyB] != 0)
+            if (!OfMovers(input, record) && IsLeftToRows(input, graph, joints, record))
             {
-                continue;
-            }
-
-            int mover = input.Moves[record.BodyA] != 0 ? record.BodyA : record.BodyB;
-            bool held = allHeld || graph.Degree(mover) > 0 || joints.Degree(mover) > 0;
-            bool swept = (input.Bodies.Flags[mover] & (BodyFlags.Fast | BodyFlags.Discrete)) == BodyFlags.Fast;
-            if (held || !swept || !IsSolid(input, record))
-            {
-                Foresee(input, graph, _contacts[i]);
+                Take(input, graph, i);
             }
         }
+    }
+
+    /// <summary>Looks ahead for a range of the pairs, as the graph is now: see <see cref="Take"/>.</summary>
+    void IStageWork.Run(int worker, int from, int to)
+    {
+        for (int i = from; i < to; i++)
+        {
+            ref ContactRecord record = ref _input.Contacts.Records[_contacts[i]];
+            bool movers = OfMovers(_input, record);
+            _found[i].IsKnown = movers == _ofMovers && (movers || IsLeftToRows(_input, _graph, _joints, record));
+            if (_found[i].IsKnown)
+            {
+                Foresee(_input, _graph, record, ref _found[i]);
+            }
+        }
+    }
+
+    private static bool OfMovers(in ContactUpdateInput input, in ContactRecord record) =>
+        input.Moves[record.BodyA] != 0 && input.Moves[record.BodyB] != 0;
+
+    /// <summary>Of a pair of which one side cannot move: whether the sweep after the flight does not look after it.</summary>
+    private bool IsLeftToRows(in ContactUpdateInput input, ConstraintGraph graph, JointStore joints, in ContactRecord record)
+    {
+        int mover = input.Moves[record.BodyA] != 0 ? record.BodyA : record.BodyB;
+        bool held = _allHeld || graph.Degree(mover) > 0 || joints.Degree(mover) > 0;
+        bool swept = (input.Bodies.Flags[mover] & (BodyFlags.Fast | BodyFlags.Discrete)) == BodyFlags.Fast;
+        return held || !swept || !IsSolid(input, record);
     }
 
     private static bool IsSolid(in ContactUpdateInput input, in ContactRecord record) =>
         (input.Shapes.Colliders[record.ColliderA].Flags & input.Shapes.Colliders[record.ColliderB].Flags & ColliderFlags.ResponseEnabled) != 0
         && (input.Moves[record.BodyA] | input.Moves[record.BodyB]) != 0;
 
-    private void Foresee(in ContactUpdateInput input, ConstraintGraph graph, int contact)
+    /// <summary>
+    /// Gives a pair its row if there is an impact ahead. What was found by looking ahead for all pairs at once stands unless a row that was
+    /// given since then holds one of the bodies, which were free.
+    /// </summary>
+    private void Take(in ContactUpdateInput input, ConstraintGraph graph, int position)
     {
+        int contact = _contacts[position];
         ref ContactRecord record = ref input.Contacts.Records[contact];
-        BodyPath a = Path(input, graph, record.BodyA);
-        BodyPath b = Path(input, graph, record.BodyB);
+        ref Outlook found = ref _found[position];
+        if (!found.IsKnown || found.FreeA != IsFree(input, graph, record.BodyA) || found.FreeB != IsFree(input, graph, record.BodyB))
+        {
+            Foresee(input, graph, record, ref found);
+        }
+
+        if (!found.Meets)
+        {
+            return;
+        }
+
+        bool solid = IsSolid(input, record);
+        bool heard = (record.Flags & ContactFlags.Heard) != 0;
+        record.Flags |= ContactFlags.Touching | (heard ? ContactFlags.Due : ContactFlags.None);
+        input.Contacts.Manifolds[contact] = found.Impact.Manifold;
+        if (solid)
+        {
+            Give(input, graph, contact, found.Impact);
+        }
+    }
+
+    /// <summary>Looks along the ways of both for their impact.</summary>
+    private static void Foresee(in ContactUpdateInput input, ConstraintGraph graph, in ContactRecord record, ref Outlook found)
+    {
+        found.FreeA = IsFree(input, graph, record.BodyA);
+        found.FreeB = IsFree(input, graph, record.BodyB);
+        found.Meets = false;
+        found.Impact = default;
+        BodyPath a = Path(input, record.BodyA, found.FreeA);
+        BodyPath b = Path(input, record.BodyB, found.FreeB);
         ref Piece pieceA = ref input.Shapes.Pieces[record.PieceA];
         ref Piece pieceB = ref input.Shapes.Pieces[record.PieceB];
         float extent = FastPairs.Extent(pieceA, pieceB, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
@@ -111,20 +181,7 @@ internal sealed unsafe class FastPairStage
         TimeOfImpact.Find(input.Shapes, record.PieceA, a, record.PieceB, b, query, out double time, out _);
         PairInput pair = ImpactPose.Pair(input.Shapes, record.PieceA, record.PieceB, a, b, time, (float)(4 * query.Tolerance));
         Collision.Collide(pair, out Manifold manifold);
-        ForeseenImpact impact = default;
-        if (manifold.Count == 0 || !impact.Set(manifold, a, b, time, pieceA.Radius, pieceB.Radius))
-        {
-            return;
-        }
-
-        bool solid = IsSolid(input, record);
-        bool heard = (record.Flags & ContactFlags.Heard) != 0;
-        record.Flags |= ContactFlags.Touching | (heard ? ContactFlags.Due : ContactFlags.None);
-        input.Contacts.Manifolds[contact] = impact.Manifold;
-        if (solid)
-        {
-            Give(input, graph, contact, impact);
-        }
+        found.Meets = manifold.Count > 0 && found.Impact.Set(manifold, a, b, time, pieceA.Radius, pieceB.Radius);
     }
 
     private void Give(in ContactUpdateInput input, ConstraintGraph graph, int contact, in ForeseenImpact impact)
@@ -142,8 +199,11 @@ internal sealed unsafe class FastPairStage
         Given++;
     }
 
+    private static bool IsFree(in ContactUpdateInput input, ConstraintGraph graph, int body) =>
+        input.Moves[body] != 0 && graph.Degree(body) == 0;
+
     /// <summary>Where the present velocity leads. What touches something is held up against gravity by it.</summary>
-    private static BodyPath Path(in ContactUpdateInput input, ConstraintGraph graph, int body)
+    private static BodyPath Path(in ContactUpdateInput input, int body, bool isFree)
     {
         BodyPath path = BodyPath.Resting(input.Bodies.Pose[body]);
         BodyFlags flags = input.Bodies.Flags[body];
@@ -157,7 +217,7 @@ internal sealed unsafe class FastPairStage
         path.VelocityX = state.LinearVelocity.X * dt;
         path.VelocityY = state.LinearVelocity.Y * dt;
         path.Spin = state.AngularVelocity * dt;
-        if (input.Moves[body] != 0 && (flags & BodyFlags.IgnoreGravity) == 0 && graph.Degree(body) == 0)
+        if (isFree && (flags & BodyFlags.IgnoreGravity) == 0)
         {
             Vector2 gravity = input.Settings.Gravity;
             path.AccelerationX = gravity.X * dt * dt;
@@ -165,5 +225,17 @@ internal sealed unsafe class FastPairStage
         }
 
         return path;
+    }
+
+    /// <summary>What looking ahead told of a pair.</summary>
+    private struct Outlook
+    {
+        public bool IsKnown;
+        public bool Meets;
+
+        /// <summary>Nothing held the bodies when it was looked for.</summary>
+        public bool FreeA;
+        public bool FreeB;
+        public ForeseenImpact Impact;
     }
 }
