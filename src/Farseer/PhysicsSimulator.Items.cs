@@ -192,7 +192,11 @@ public partial class PhysicsSimulator
         _arbiters.IsStale = false;
     }
 
-    internal void NoteDisposed(Body body) => _bodiesDisposed.Add(body);
+    internal void NoteDisposed(Body body)
+    {
+        _bodiesDisposed.Add(body);
+        _jointBodiesChanged = true;
+    }
 
     internal void NoteDisposed(Geom geom) => _geomsDisposed.Add(geom);
 

@@ -15,6 +15,7 @@ public partial class PhysicsSimulator
     private readonly List<Joint> _jointsDisposed = new List<Joint>();
     private readonly List<Joint> _jointsChanged = new List<Joint>();
     private readonly JointRelay _jointRelay;
+    private bool _jointBodiesChanged;
 
     /// <summary>The joints in the simulator: a view; see <see cref="Dynamics.Joints.JointList"/>.</summary>
     public JointList JointList { get; }
@@ -55,7 +56,11 @@ public partial class PhysicsSimulator
 
     internal void NoteDisposed(Joint joint) => _jointsDisposed.Add(joint);
 
-    internal void NoteChanged(Joint joint) => _jointsChanged.Add(joint);
+    internal void NoteChanged(Joint joint)
+    {
+        _jointsChanged.Add(joint);
+        _jointBodiesChanged = true;
+    }
 
     internal void HoldBody(Body body)
     {
@@ -78,6 +83,7 @@ public partial class PhysicsSimulator
         }
 
         JointList.TakeIn(joint);
+        _jointBodiesChanged = true;
     }
 
     private void TakeOut(Joint joint)
@@ -94,11 +100,14 @@ public partial class PhysicsSimulator
 
     private void SweepJoints()
     {
-        for (int i = 0; i < JointList.Count; i++)
+        // The joints of this library ask for disposed bodies only, so without one they need not be asked: a net has thousands.
+        List<Joint> asked = _jointBodiesChanged ? JointList : _jointRelay.Written;
+        _jointBodiesChanged = false;
+        for (int i = 0; i < asked.Count; i++)
         {
             try
             {
-                JointList[i].Validate();
+                asked[i].Validate();
             }
             catch (Exception exception)
             {

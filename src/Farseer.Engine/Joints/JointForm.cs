@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Joints.Nets;
 
 namespace Farseer.Engine.Joints;
 
@@ -13,8 +14,8 @@ internal abstract class JointForm
     /// <summary>Writes the rows at a pose; <see cref="JointFrame.SetAnchors"/> has been called.</summary>
     public abstract void Write(in JointFrame f, in JointSettings s, JointFlags flags, ref JointRows rows);
 
-    /// <summary>Its rows are the two hard ones that keep anchor A and anchor B together, and no others.</summary>
-    public virtual bool IsPivot(in JointSettings s, JointFlags flags) => false;
+    /// <summary>The form in which nets have it on lanes: hard rows of that form and no others.</summary>
+    public virtual NetForm NetFormOf(in JointSettings s, JointFlags flags) => NetForm.None;
 
     /// <summary>
     /// The original's softness σ: dφ/dt + β·φ/dt + σ·P = 0 with the impulse P of a whole step, so that a force F holds it at

@@ -1,4 +1,5 @@
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 
@@ -23,9 +24,12 @@ internal sealed unsafe partial class JointSolver
         node->InverseInertia = mass.InverseInertia;
     }
 
-    /// <summary>Trees that touch nothing and that no spring pulls at are free.</summary>
+    /// <summary>
+    /// Trees that touch nothing and that no spring pulls at are free; the bodies of nets are for <see cref="NetBodies"/> to see to.
+    /// </summary>
     private void MarkFree()
     {
+        _nets.Release();
         for (int at = 0; at < _treeCount; at++)
         {
             int i = _trees[at];
@@ -35,7 +39,8 @@ internal sealed unsafe partial class JointSolver
         for (int at = 0; at < _nodeCount; at++)
         {
             int i = _nodes[at];
-            if (_step.Touches[_forest.Nodes[i].Body] > 0)
+            int body = _forest.Nodes[i].Body;
+            if (_step.Touches[body] > 0 || _nets.Search.IsNet(body))
             {
                 Bind(i);
             }
@@ -48,6 +53,8 @@ internal sealed unsafe partial class JointSolver
             {
                 Bind(_active[i].Ends.NodeA);
                 Bind(_active[i].Ends.NodeB);
+                _nets.Bind(_active[i].Ends.BodyA);
+                _nets.Bind(_active[i].Ends.BodyB);
             }
         }
     }

@@ -86,7 +86,7 @@ internal sealed unsafe partial class JointSolver
         MarkFree();
         LoadMoves();
         Factor();
-        _nets.Start(_step, _forest);
+        _nets.Start(_step);
     }
 
     /// <summary>

@@ -1,3 +1,5 @@
+using Farseer.Engine.Joints.Nets;
+
 namespace Farseer.Engine.Joints.Kinds;
 
 /// <summary>
@@ -21,4 +23,7 @@ internal sealed class DistanceForm : JointForm
         rows.Size += s.Target;
         rows.JointError = length - s.Target;
     }
+
+    public override NetForm NetFormOf(in JointSettings s, JointFlags flags) =>
+        (flags & JointFlags.Spring) == 0 && s.Target > 0 ? NetForm.Rod : NetForm.None;
 }

@@ -1,3 +1,5 @@
+using Farseer.Engine.Joints.Nets;
+
 namespace Farseer.Engine.Joints.Kinds;
 
 /// <summary>
@@ -28,5 +30,6 @@ internal sealed class PinForm : JointForm
         rows.JointError = length - s.Target;
     }
 
-    public override bool IsPivot(in JointSettings s, JointFlags flags) => !(s.Target > 0) && !(s.Softness > 0);
+    public override NetForm NetFormOf(in JointSettings s, JointFlags flags) =>
+        s.Softness > 0 ? NetForm.None : s.Target > 0 ? NetForm.Rod : NetForm.Pivot;
 }

@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Joints.Nets;
 
 namespace Farseer.Engine.Joints.Kinds;
 
@@ -39,8 +40,8 @@ internal sealed class RevoluteForm : JointForm
         rows.JointError = Math.Sqrt((f.DX * f.DX) + (f.DY * f.DY));
     }
 
-    public override bool IsPivot(in JointSettings s, JointFlags flags) =>
-        IsRigid(s) && (flags & (JointFlags.Limit | JointFlags.Motor)) == 0;
+    public override NetForm NetFormOf(in JointSettings s, JointFlags flags) =>
+        IsRigid(s) && (flags & (JointFlags.Limit | JointFlags.Motor)) == 0 ? NetForm.Pivot : NetForm.None;
 
     private static bool IsRigid(in JointSettings s) => s.Softness == 0 && double.IsInfinity(s.MaxImpulse);
 }

@@ -1,3 +1,5 @@
+using Farseer.Engine.Joints.Nets;
+
 namespace Farseer.Engine.Joints.Kinds;
 
 /// <summary>
@@ -14,4 +16,7 @@ internal sealed class WeldForm : JointForm
         rows.SetSpring(row, AngularFrequency(s), s.DampingRatio);
         rows.JointError = Distance(f);
     }
+
+    public override NetForm NetFormOf(in JointSettings s, JointFlags flags) =>
+        (flags & JointFlags.Spring) == 0 ? NetForm.Weld : NetForm.None;
 }

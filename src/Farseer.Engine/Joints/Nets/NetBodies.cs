@@ -2,7 +2,6 @@ using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
-using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 #if NET8_0_OR_GREATER
@@ -17,26 +16,34 @@ internal struct NetPose
 {
     public double X;
     public double Y;
+
+    /// <summary>Where it is foreseen to have turned to in the middle of the step.</summary>
+    public double Angle;
     public double Cos;
     public double Sin;
     public float InverseMass;
     public float InverseInertia;
 }
 
-/// <summary>The bodies that have pivots on lanes.</summary>
+/// <summary>The bodies of nets, and what their joints on lanes hold on to.</summary>
 internal sealed unsafe class NetBodies
 {
     private readonly Column<int> _degree = new Column<int>();
     private readonly Column<int> _list = new Column<int>();
     private readonly Column<float> _kicks = new Column<float>();
     private readonly Column<NetPose> _poses = new Column<NetPose>();
+    private readonly Column<byte> _listed = new Column<byte>();
+    private readonly Column<byte> _bound = new Column<byte>();
+    private NetSearch _nets = new NetSearch();
     private int _end;
     private int _count;
 
-    /// <summary>By body; valid for the ends of pivots, within a step.</summary>
+    /// <summary>By body; valid for the bodies of nets and the ends of their joints, within a step.</summary>
     public NetPose* Poses => _poses.Pointer;
 
-    public bool Holds(int body) => body < _end && _degree[body] > 0;
+    public bool Any => _count > 0;
+
+    public bool Holds(int body) => body < _end && _listed[body] != 0;
 
     /// <summary>Bodies, filled up to whole bundles with body 0.</summary>
     public int PaddedCount => (_count + WideLanes.BundleLanes - 1) / WideLanes.BundleLanes * WideLanes.BundleLanes;
@@ -45,20 +52,25 @@ internal sealed unsafe class NetBodies
     {
         _degree.EnsureCapacity(end);
         _poses.EnsureCapacity(end);
+        _listed.EnsureCapacity(end);
+        _bound.EnsureCapacity(end);
         _end = Math.Max(_end, end);
     }
 
     public void Count(int body, int change) => _degree[body] += change;
 
-    /// <summary>Lists the bodies anew: pivots came or went.</summary>
-    public void List()
+    /// <summary>Lists the bodies anew: joints came or went.</summary>
+    public void List(NetSearch nets)
     {
+        _nets = nets;
         _list.EnsureCapacity(_end + WideLanes.BundleLanes);
         _kicks.EnsureCapacity(_end + WideLanes.BundleLanes);
         _count = 0;
         for (int i = 0; i < _end; i++)
         {
-            if (_degree[i] > 0)
+            bool listed = _degree[i] > 0 || nets.IsNet(i);
+            _listed[i] = listed ? (byte)1 : (byte)0;
+            if (listed)
             {
                 _list[_count++] = i;
             }
@@ -71,14 +83,48 @@ internal sealed unsafe class NetBodies
         }
     }
 
-    /// <summary>Places at the start of the step, and which bodies take half of their forces before they move; see the joint solver.</summary>
-    public void Start(in JointStep step, JointForest forest, int from, int to)
+    /// <summary>All nets are free, until something binds them.</summary>
+    public void Release()
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            _bound[_list[i]] = 0;
+        }
+    }
+
+    /// <summary>Something acts on the body's net in this step.</summary>
+    public void Bind(int body)
+    {
+        if (_nets.IsNet(body))
+        {
+            _bound[_nets.RootOf(body)] = 1;
+        }
+    }
+
+    /// <summary>Binds the nets of which a body touches something.</summary>
+    public void BindTouched(int* touches)
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            if (touches[_list[i]] > 0)
+            {
+                Bind(_list[i]);
+            }
+        }
+    }
+
+    /// <summary>
+    /// Places at the start of the step, and which bodies take half of gravity and forces before they move and half after, as free
+    /// trees do: those of nets that fly, as a whole. What a net hangs by would feel the halves in turn, one joint further away with
+    /// each sweep, and all of it would show half of g·h as a speed at rest.
+    /// </summary>
+    public void Start(in JointStep step, int from, int to)
     {
         for (int i = from; i < Math.Min(to, _count); i++)
         {
             int body = _list[i];
             bool moves = step.Moves[body] != 0;
-            bool free = moves && step.Touches[body] == 0 && forest.NodeOf(body) < 0;
+            bool free = moves && _nets.IsNet(body) && !_nets.IsAnchored(body) && _bound[_nets.RootOf(body)] == 0;
             _kicks[i] = free ? 0.5f : 0;
             ref BodyPose pose = ref step.Bodies.Pose[body];
             ref BodyState state = ref step.Bodies.State[body];
@@ -87,6 +133,7 @@ internal sealed unsafe class NetBodies
             place->Y = pose.Y;
             bool still = (step.Bodies.Flags[body] & (BodyFlags.Enabled | BodyFlags.Kinematic)) != (BodyFlags.Enabled | BodyFlags.Kinematic);
             double angle = moves || !still ? pose.Angle + step.Bodies.Drive[body].Lead : pose.Angle;
+            place->Angle = angle;
             StableMath.SinCos(angle, out place->Sin, out place->Cos);
             place->InverseMass = moves ? step.Bodies.Mass[body].InverseMass : 0;
             place->InverseInertia = moves ? step.Bodies.Mass[body].InverseInertia : 0;
@@ -94,8 +141,8 @@ internal sealed unsafe class NetBodies
     }
 
     /// <summary>
-    /// The noted change of velocity is dropped, so that positions move by plain h·v; and bodies that nothing touches give back half of
-    /// what gravity and forces gave them, until they have moved. See <see cref="JointSolver"/>.
+    /// The noted change of velocity is dropped, so that positions move by plain h·v; and the bodies of free nets give back half of
+    /// what gravity and forces gave them, until they have moved.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
     public void Enter(BodyStore bodies, int from, int to)

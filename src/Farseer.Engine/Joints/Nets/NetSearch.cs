@@ -16,15 +16,19 @@ internal sealed unsafe class NetSearch
     private readonly Column<int> _bodies = new Column<int>();
     private readonly Column<int> _edges = new Column<int>();
     private readonly Column<byte> _marks = new Column<byte>();
+    private readonly Column<byte> _anchored = new Column<byte>();
     private int _end;
 
     /// <summary>A body of a net was found.</summary>
     public bool Any { get; private set; }
 
-    /// <summary>1 for each body of a net.</summary>
-    public byte* Marks => _marks.Pointer;
-
     public bool IsNet(int body) => body < _end && _marks[body] != 0;
+
+    /// <summary>The body that stands for a body's net.</summary>
+    public int RootOf(int body) => _parent[body];
+
+    /// <summary>A joint ties the body's net to something that cannot move.</summary>
+    public bool IsAnchored(int body) => _anchored[_parent[body]] != 0;
 
     /// <summary>Forgets all ties.</summary>
     public void Begin(int bodyEnd)
@@ -33,6 +37,7 @@ internal sealed unsafe class NetSearch
         _bodies.EnsureCapacity(bodyEnd);
         _edges.EnsureCapacity(bodyEnd);
         _marks.EnsureCapacity(bodyEnd);
+        _anchored.EnsureCapacity(bodyEnd);
         _end = bodyEnd;
         Any = false;
         for (int i = 0; i < bodyEnd; i++)
@@ -40,6 +45,7 @@ internal sealed unsafe class NetSearch
             _parent[i] = i;
             _bodies[i] = 1;
             _edges[i] = 0;
+            _anchored[i] = 0;
         }
     }
 
@@ -59,12 +65,17 @@ internal sealed unsafe class NetSearch
         }
     }
 
+    /// <summary>A joint ties a body that moves to something that cannot.</summary>
+    public void Anchor(int body) => _anchored[body] = 1;
+
     /// <summary>All ties are known.</summary>
     public void End()
     {
         for (int i = 0; i < _end; i++)
         {
             int root = Root(i);
+            _parent[i] = root;
+            _anchored[root] |= _anchored[i];
             int loops = _edges[root] - (_bodies[root] - 1);
             bool net = loops > FewLoops && loops * NetShare > _bodies[root];
             _marks[i] = net ? (byte)1 : (byte)0;

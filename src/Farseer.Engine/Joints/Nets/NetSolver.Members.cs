@@ -1,6 +1,5 @@
 using System;
 using System.Runtime.InteropServices;
-using Farseer.Engine.Constraints;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Nets;
@@ -32,7 +31,7 @@ internal sealed unsafe partial class NetSolver
     public void Renew(int* order, int count, byte* moves, int bodyEnd)
     {
         FindNets(order, count, moves, bodyEnd);
-        if (!_search.Any && _members.Count == 0)
+        if (!_search.Any && !_bodies.Any)
         {
             return;
         }
@@ -55,7 +54,7 @@ internal sealed unsafe partial class NetSolver
 
         for (int joint = 0; joint < _end; joint++)
         {
-            if (_places[joint].Held && (_places[joint].Moves != _wanted[joint] || _places[joint].Order != _store.Links[joint].Order))
+            if (_places[joint].Held && (_places[joint].Wanted != _wanted[joint] || _places[joint].Order != _store.Links[joint].Order))
             {
                 Remove(joint);
             }
@@ -75,7 +74,8 @@ internal sealed unsafe partial class NetSolver
             }
         }
 
-        _bodies.List();
+        _bodies.List(_search);
+        FindSolved();
     }
 
     /// <summary>Settings or flags of a joint changed.</summary>
@@ -89,21 +89,14 @@ internal sealed unsafe partial class NetSolver
         }
 
         NetPlace place = _places[joint];
-        NetColor color = _colors[place.Color];
-        ReadAnchors(joint, ref color.AnchorsOf(place.Row));
+        NetRows rows = _rows[place.List];
+        ReadAnchors(joint, ref rows.AnchorsOf(place.Row));
         if (afresh)
         {
-            NetBundle* row = color.BundleOf(place.Row);
-            int lane = color.LaneOf(place.Row);
-            row->ImpulseX[lane] = 0;
-            row->ImpulseY[lane] = 0;
-            row->SumX[lane] = 0;
-            row->SumY[lane] = 0;
-            row->StartX[lane] = 0;
-            row->StartY[lane] = 0;
+            rows.Take(place.Row, default);
         }
 
-        _store.Changed |= !IsPivot(joint);
+        _store.Changed |= FormOf(joint) != place.Form;
     }
 
     /// <summary>Writes what a joint did in the last step to the store, where readers look for it.</summary>
@@ -114,24 +107,10 @@ internal sealed unsafe partial class NetSolver
             return;
         }
 
-        NetPlace place = _places[joint];
-        NetBundle* row = _colors[place.Color].BundleOf(place.Row);
-        int lane = _colors[place.Color].LaneOf(place.Row);
-        ref JointState state = ref _store.States[joint];
-        double inverse = row->Response[lane] > 0 ? 1 / row->Response[lane] : 0;
-        double x = row->ImpulseX[lane] * inverse;
-        double y = row->ImpulseY[lane] * inverse;
-        state.Impulse[0] = x;
-        state.Impulse[1] = y;
-        double errorX = row->StartX[lane];
-        double errorY = row->StartY[lane];
-        state.Error = Math.Sqrt((errorX * errorX) + (errorY * errorY));
-
-        // The sum lacks the impulse of the last substep. A pivot has no moment about its anchor.
-        double perStep = _step.Dt > 0 ? 1 / _step.Dt : 0;
-        state.ForceX = ((row->SumX[lane] * inverse) + x) * perStep;
-        state.ForceY = ((row->SumY[lane] * inverse) + y) * perStep;
-        state.Torque = 0;
+        if (_step.Dt > 0)
+        {
+            _rows[_places[joint].List].Report(_places[joint].Row, ref _store.States[joint], _step.Dt);
+        }
     }
 
     private void FindNets(int* order, int count, byte* moves, int bodyEnd)
@@ -144,7 +123,11 @@ internal sealed unsafe partial class NetSolver
         for (int i = 0; i < count; i++)
         {
             ref JointLink link = ref _store.Links[order[i]];
-            if ((moves[link.BodyA] & moves[link.BodyB]) != 0)
+            if ((moves[link.BodyA] & moves[link.BodyB]) == 0)
+            {
+                _search.Anchor(moves[link.BodyA] != 0 ? link.BodyA : link.BodyB);
+            }
+            else
             {
                 // How many rows there are does not depend on the poses.
                 rows.Count = 0;
@@ -160,62 +143,67 @@ internal sealed unsafe partial class NetSolver
         _search.End();
     }
 
-    /// <summary>0, or which bodies move, if the joint is a pivot of a net.</summary>
+    /// <summary>0, or which bodies move and the form, if the joint is one of a net that has a form on lanes.</summary>
     private byte Wanted(int joint, byte* moves)
     {
         ref JointLink link = ref _store.Links[joint];
         int which = moves[link.BodyA] | (moves[link.BodyB] << 1);
         bool ofNet = (moves[link.BodyA] != 0 && _search.IsNet(link.BodyA)) || (moves[link.BodyB] != 0 && _search.IsNet(link.BodyB));
-        return ofNet && IsPivot(joint) ? (byte)which : (byte)0;
+        NetForm form = ofNet ? FormOf(joint) : NetForm.None;
+        return form == NetForm.None ? (byte)0 : (byte)(which | ((int)form << 2));
     }
 
     // What may break by its error needs the errors that it would have had, which the scalar rows account for.
-    private bool IsPivot(int joint)
+    private NetForm FormOf(int joint)
     {
         ref JointSettings settings = ref _store.Settings[joint];
         return double.IsInfinity(settings.Breakpoint) && double.IsInfinity(settings.BreakForce)
-            && _kinds.Of(_store.Links[joint].Kind).IsPivot(settings, _store.Flags[joint]);
+            ? _kinds.Of(_store.Links[joint].Kind).NetFormOf(settings, _store.Flags[joint])
+            : NetForm.None;
     }
 
-    private void Add(int joint, byte moves)
+    private void Add(int joint, byte wanted)
     {
         ref JointLink link = ref _store.Links[joint];
-        bool movesA = (moves & 1) != 0;
-        bool movesB = (moves & 2) != 0;
-        int index = _bodyColors.Choose(link.BodyA, link.BodyB, movesA, movesB);
-        NetColor color = _colors[index];
-        int place = color.AddRow();
-        NetBundle* row = color.BundleOf(place);
-        int lane = color.LaneOf(place);
-        row->BodyA[lane] = link.BodyA;
-        row->BodyB[lane] = link.BodyB;
-        row->Joint[lane] = joint;
-        ReadAnchors(joint, ref color.AnchorsOf(place));
+        bool movesA = (wanted & 1) != 0;
+        bool movesB = (wanted & 2) != 0;
+        int color = _bodyColors.Choose(link.BodyA, link.BodyB, movesA, movesB);
+        NetPlace place = default;
+        place.Color = color;
+        place.Wanted = wanted;
+        place.Order = link.Order;
+        place.List = PlaceOf(color, place.Form);
+        NetRows rows = _rows[place.List];
+        place.Row = rows.AddRow();
+        NetEnds* ends = rows.EndsOf(place.Row);
+        int lane = rows.LaneOf(place.Row);
+        ends->BodyA[lane] = link.BodyA;
+        ends->BodyB[lane] = link.BodyB;
+        ends->Joint[lane] = joint;
+        ReadAnchors(joint, ref rows.AnchorsOf(place.Row));
 
         // Impulses in terms of a response of 1, which the start of the step turns into that of the bodies.
-        row->Response[lane] = 1;
-        row->ImpulseX[lane] = (float)_store.States[joint].Impulse[0];
-        row->ImpulseY[lane] = (float)_store.States[joint].Impulse[1];
-        row->StartX[lane] = (float)_store.States[joint].Error;
-        _bodyColors.Mark(link.BodyA, index, movesA);
-        _bodyColors.Mark(link.BodyB, index, movesB);
+        ends->Response[lane] = 1;
+        rows.Take(place.Row, _store.States[joint]);
+        _bodyColors.Mark(link.BodyA, color, movesA);
+        _bodyColors.Mark(link.BodyB, color, movesB);
         _bodies.Count(link.BodyA, 1);
         _bodies.Count(link.BodyB, 1);
-        _places[joint] = new NetPlace { Held = true, Color = index, Row = place, Order = link.Order, Moves = moves };
+        _places[joint] = place;
     }
 
     private void Remove(int joint)
     {
         Report(joint);
         NetPlace place = _places[joint];
-        NetColor color = _colors[place.Color];
-        NetBundle* row = color.BundleOf(place.Row);
-        int lane = color.LaneOf(place.Row);
-        _bodyColors.Unmark(row->BodyA[lane], place.Color);
-        _bodyColors.Unmark(row->BodyB[lane], place.Color);
-        _bodies.Count(row->BodyA[lane], -1);
-        _bodies.Count(row->BodyB[lane], -1);
-        int moved = color.RemoveRow(place.Row);
+        NetRows rows = _rows[place.List];
+        NetEnds* ends = rows.EndsOf(place.Row);
+        int lane = rows.LaneOf(place.Row);
+        _bodyColors.Unmark(ends->BodyA[lane], place.Color);
+        _bodyColors.Unmark(ends->BodyB[lane], place.Color);
+        _bodies.Count(ends->BodyA[lane], -1);
+        _bodies.Count(ends->BodyB[lane], -1);
+        int moved = rows.RemoveRow(place.Row);
         if (moved >= 0)
         {
             _places[moved].Row = place.Row;
@@ -231,6 +219,7 @@ internal sealed unsafe partial class NetSolver
         anchors.AY = settings.AnchorAY;
         anchors.BX = settings.AnchorBX;
         anchors.BY = settings.AnchorBY;
+        anchors.Target = settings.Target;
     }
 
     /// <summary>Where the row of a joint is.</summary>
@@ -238,13 +227,17 @@ internal sealed unsafe partial class NetSolver
     private struct NetPlace
     {
         public int Color;
+        public int List;
         public int Row;
 
         /// <summary>Of the joint, which is unlike that of every other that had its index before.</summary>
         public int Order;
 
-        /// <summary>Which bodies move.</summary>
-        public byte Moves;
-        public bool Held;
+        /// <summary>Which bodies move and the form; 0: it has no row.</summary>
+        public byte Wanted;
+
+        public readonly bool Held => Wanted != 0;
+
+        public readonly NetForm Form => (NetForm)(Wanted >> 2);
     }
 }

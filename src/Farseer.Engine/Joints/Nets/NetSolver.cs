@@ -1,41 +1,54 @@
-using System;
-using Farseer.Engine.Bodies;
 using Farseer.Engine.Constraints;
-using Farseer.Engine.Joints.Trees;
 
 namespace Farseer.Engine.Joints.Nets;
 
 /// <summary>
-/// The pivots of nets, on lanes. A pivot keeps its row, with its impulses, for as long as it belongs to a net; what it did in a step is
-/// read from there when somebody asks. Everything else that a net has (limits, motors, springs, other kinds) is iterated row by row
-/// by <see cref="JointPass"/> after these.
+/// The rigid joints of nets, on lanes. A joint keeps its row, with its impulses, for as long as it belongs to a net; what it did in a
+/// step is read from there when somebody asks. Everything else that a net has (limits, motors, springs, other kinds) is iterated row by
+/// row by <see cref="JointPass"/> after these.
 /// </summary>
 internal sealed unsafe partial class NetSolver
 {
+    private const int Forms = 3;
+
     private readonly JointStore _store;
     private readonly BodyColors _bodyColors = new BodyColors();
-    private readonly NetColor[] _colors = new NetColor[BodyColors.Count];
     private readonly NetBodies _bodies = new NetBodies();
     private readonly NetWork _work;
+
+    // By colour, and within it by form.
+    private readonly NetRows[] _rows = new NetRows[BodyColors.Count * Forms];
+
+    // Those that have rows, in the order of solving.
+    private readonly NetRows[] _solved = new NetRows[BodyColors.Count * Forms];
+    private int _solvedCount;
     private JointStep _step;
     private bool _runs;
 
     public NetSolver(JointStore store)
     {
         _store = store;
-        _work = new NetWork(this, _bodies);
-        for (int i = 0; i < _colors.Length; i++)
+        _work = new NetWork(_bodies);
+        for (int color = 0; color < BodyColors.Count; color++)
         {
-            _colors[i] = new NetColor(i >= BodyColors.Masked);
+            bool sequential = color >= BodyColors.Masked;
+            _rows[PlaceOf(color, NetForm.Pivot)] = new NetPivots(sequential);
+            _rows[PlaceOf(color, NetForm.Weld)] = new NetWelds(sequential);
+            _rows[PlaceOf(color, NetForm.Rod)] = new NetRods(sequential);
+            for (NetForm form = NetForm.Pivot; form <= NetForm.Rod; form++)
+            {
+                _rows[PlaceOf(color, form)].IsShared = color < BodyColors.Dynamic;
+            }
         }
     }
 
-    public bool Any => _members.Count > 0;
+    /// <summary>There are nets.</summary>
+    public bool Any => _bodies.Any;
 
-    /// <summary>A pivot of a net is at the body.</summary>
+    /// <summary>The body belongs to a net, or a joint of one holds on to it.</summary>
     public bool Holds(int body) => _bodies.Holds(body);
 
-    /// <summary>Pivots on lanes; <see cref="Member"/> names their joints.</summary>
+    /// <summary>Joints on lanes; <see cref="Member"/> names them.</summary>
     public int Count => _members.Count;
 
     public int Member(int index) => _members[index];
@@ -43,8 +56,14 @@ internal sealed unsafe partial class NetSolver
     /// <summary>Nets keep to the substeps of the step.</summary>
     public void Select(int index) => _runs = Any && index == 0;
 
+    /// <summary>Before <see cref="Start"/>: all nets fly, until something is said to bind them.</summary>
+    public void Release() => _bodies.Release();
+
+    /// <summary>Something acts on the body's net.</summary>
+    public void Bind(int body) => _bodies.Bind(body);
+
     /// <summary>Starts the substeps: arms in the middle of the step, and what the bodies weigh.</summary>
-    public void Start(in JointStep step, JointForest forest)
+    public void Start(in JointStep step)
     {
         if (!_runs)
         {
@@ -52,7 +71,8 @@ internal sealed unsafe partial class NetSolver
         }
 
         _step = step;
-        _work.Begin(step, forest);
+        _bodies.BindTouched(step.Touches);
+        _work.Begin(step);
         _work.Run(NetWork.Pass.StartBodies);
         Sweep(NetWork.Pass.Start, NetSoftness.Hard);
     }
@@ -81,56 +101,29 @@ internal sealed unsafe partial class NetSolver
     /// <param name="again">The arms have been turned in this substep.</param>
     public void Relax(bool again) => Sweep(again ? NetWork.Pass.Solve : NetWork.Pass.TurnAndRelax, NetSoftness.Hard);
 
-    /// <summary>Arms, errors and masses of the rows of some bundles at the start of the step.</summary>
-    internal void Place(NetColor color, int from, int to)
-    {
-        int end = Math.Min(color.FirstRowOf(to), color.RowCount);
-        for (int row = color.FirstRowOf(from); row < end; row++)
-        {
-            Place(color.BundleOf(row), color.LaneOf(row), color.AnchorsOf(row), (float)_step.ImpulseScale);
-        }
-    }
+    private static int PlaceOf(int color, NetForm form) => (color * Forms) + (int)form - 1;
 
     private void Sweep(NetWork.Pass pass, in NetSoftness softness)
     {
-        for (int k = 0; _runs && k < _colors.Length; k++)
+        for (int i = 0; _runs && i < _solvedCount; i++)
         {
-            int color = BodyColors.InOrder(k);
-            _work.Run(pass, _colors[color], color < BodyColors.Dynamic, softness);
+            _work.Run(pass, _solved[i], softness);
         }
     }
 
-    /// <summary>Arms, errors and masses of a row at the start of the step.</summary>
-    private void Place(NetBundle* row, int lane, in NetAnchors anchors, float impulseScale)
+    private void FindSolved()
     {
-        NetPose* a = _bodies.Poses + row->BodyA[lane];
-        NetPose* b = _bodies.Poses + row->BodyB[lane];
-        double ax = (a->Cos * anchors.AX) - (a->Sin * anchors.AY);
-        double ay = (a->Sin * anchors.AX) + (a->Cos * anchors.AY);
-        double bx = (b->Cos * anchors.BX) - (b->Sin * anchors.BY);
-        double by = (b->Sin * anchors.BX) + (b->Cos * anchors.BY);
-        row->MiddleAX[lane] = (float)ax;
-        row->MiddleAY[lane] = (float)ay;
-        row->MiddleBX[lane] = (float)bx;
-        row->MiddleBY[lane] = (float)by;
-        row->BaseX[lane] = (float)((b->X - a->X) + (bx - ax));
-        row->BaseY[lane] = (float)((b->Y - a->Y) + (by - ay));
-
-        float response = a->InverseMass + b->InverseMass;
-        float inverse = response > 0 ? 1 / response : 0;
-        float scale = row->Response[lane] > 0 ? impulseScale * (response / row->Response[lane]) : 0;
-        row->Response[lane] = response;
-        row->ShareA[lane] = a->InverseMass * inverse;
-        row->ShareB[lane] = b->InverseMass * inverse;
-        row->TurnA[lane] = a->InverseInertia * inverse;
-        row->TurnB[lane] = b->InverseInertia * inverse;
-        float x = row->ImpulseX[lane] * scale;
-        float y = row->ImpulseY[lane] * scale;
-        row->ImpulseX[lane] = x;
-        row->ImpulseY[lane] = y;
-
-        // The first warm start counts these as given; they were, in the step before.
-        row->SumX[lane] = -x;
-        row->SumY[lane] = -y;
+        _solvedCount = 0;
+        for (int k = 0; k < BodyColors.Count; k++)
+        {
+            for (NetForm form = NetForm.Pivot; form <= NetForm.Rod; form++)
+            {
+                NetRows rows = _rows[PlaceOf(BodyColors.InOrder(k), form)];
+                if (rows.RowCount > 0)
+                {
+                    _solved[_solvedCount++] = rows;
+                }
+            }
+        }
     }
 }

@@ -1,32 +1,21 @@
-using Farseer.Engine.Bodies;
-using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
 
 namespace Farseer.Engine.Joints.Nets;
 
-/// <summary>
-/// The passes of nets in ranges for the workers: of bodies, and of the bundles of a colour. Rows of the overflow may share bodies, and
-/// those at something that cannot move share that: they are few, and one thread does them.
-/// </summary>
+/// <summary>The passes of nets in ranges for the workers: of bodies, and of the bundles of a form and colour.</summary>
 internal sealed unsafe class NetWork : IStageWork
 {
     /// <summary>Bundles, of rows or of bodies, that are worth another worker's while, some 0.5 µs.</summary>
     private const int LeastBundles = 16;
 
-    private readonly NetSolver _solver;
     private readonly NetBodies _bodies;
-    private NetColor _color = null!;
+    private NetRows _rows = null!;
     private JointStep _step;
-    private JointForest _forest = null!;
     private NetSoftness _softness;
     private Pass _pass;
 
-    public NetWork(NetSolver solver, NetBodies bodies)
-    {
-        _solver = solver;
-        _bodies = bodies;
-    }
+    public NetWork(NetBodies bodies) => _bodies = bodies;
 
     public enum Pass
     {
@@ -39,11 +28,7 @@ internal sealed unsafe class NetWork : IStageWork
         TurnAndRelax,
     }
 
-    public void Begin(in JointStep step, JointForest forest)
-    {
-        _step = step;
-        _forest = forest;
-    }
+    public void Begin(in JointStep step) => _step = step;
 
     public void Run(Pass pass)
     {
@@ -51,12 +36,12 @@ internal sealed unsafe class NetWork : IStageWork
         _step.Runner.Run(this, _bodies.PaddedCount / WideLanes.BundleLanes, LeastBundles);
     }
 
-    public void Run(Pass pass, NetColor color, bool shared, in NetSoftness softness)
+    public void Run(Pass pass, NetRows rows, in NetSoftness softness)
     {
         _pass = pass;
-        _color = color;
+        _rows = rows;
         _softness = softness;
-        _step.Runner.Run(this, color.BundleCount, shared ? LeastBundles : int.MaxValue);
+        _step.Runner.Run(this, rows.BundleCount, rows.IsShared ? LeastBundles : int.MaxValue);
     }
 
     void IStageWork.Run(int worker, int from, int to)
@@ -64,30 +49,30 @@ internal sealed unsafe class NetWork : IStageWork
         int count = to - from;
         int body = from * WideLanes.BundleLanes;
         int end = to * WideLanes.BundleLanes;
-        BodyState* states = _step.Bodies.State.Pointer;
+        var motion = new NetMotion(_step.Bodies);
         switch (_pass)
         {
             case Pass.StartBodies:
-                _bodies.Start(_step, _forest, body, end);
+                _bodies.Start(_step, body, end);
                 break;
             case Pass.Start:
-                _solver.Place(_color, from, to);
-                NetKernel.Begin(_color.Bundles + from, count, states);
+                _rows.Place(from, count, _bodies.Poses, (float)_step.ImpulseScale);
+                _rows.Begin(from, count, motion);
                 break;
             case Pass.EnterBodies:
                 _bodies.Enter(_step.Bodies, body, end);
                 break;
             case Pass.WarmStart:
-                NetKernel.WarmStart(_color.Bundles + from, count, states);
+                _rows.WarmStart(from, count, motion);
                 break;
             case Pass.Solve:
-                NetKernel.Solve(_color.Bundles + from, count, states, _softness);
+                _rows.Solve(from, count, motion, _softness);
                 break;
             case Pass.MoveBodies:
                 _bodies.Moved(_step.Bodies, body, end);
                 break;
             case Pass.TurnAndRelax:
-                NetKernel.TurnAndRelax(_color.Bundles + from, count, states);
+                _rows.TurnAndRelax(from, count, motion);
                 break;
         }
     }
