@@ -14,6 +14,54 @@ internal sealed unsafe partial class JointSolver
 
     private double _pushRate;
 
+    /// <param name="projected">Trees stand elsewhere than when they were factored.</param>
+    /// <param name="pushRate">Share of a deep overlap that goes in this substep.</param>
+    private void Displace(bool projected, double pushRate)
+    {
+        bool disturbed = false;
+        for (int at = 0; at < _treeCount; at++)
+        {
+            disturbed |= _forest.Trees[_trees[at]].Disturbed;
+        }
+
+        bool deep = false;
+        for (int i = 0; i < _contactCount; i++)
+        {
+            deep |= _contacts[i].Deep;
+        }
+
+        if (projected && (disturbed || deep))
+        {
+            FactorAnew();
+        }
+
+        if (disturbed)
+        {
+            PullTogether();
+        }
+
+        if (disturbed && deep)
+        {
+            FactorAnew();
+        }
+
+        if (deep)
+        {
+            PushOut(pushRate);
+        }
+    }
+
+    /// <summary>
+    /// Walks want masses and ways of one pose: with the masses of another, sweeps over surfaces that are squeezed between the bodies of a
+    /// tree did not settle, and a brick that had broken out of a wall of welds was pushed 10¹⁸ m away.
+    /// </summary>
+    private void FactorAnew()
+    {
+        LoadPoses();
+        WriteRows(false);
+        Factor();
+    }
+
     /// <summary>
     /// Pulls the bodies of disturbed trees together at the rate of the bias factor. Surfaces that are in the way stop them, by impulses
     /// of which nothing is kept. As velocities of the biased pass such pulls pressed on surfaces with what one relaxing sweep did not take
@@ -21,17 +69,6 @@ internal sealed unsafe partial class JointSolver
     /// </summary>
     private void PullTogether()
     {
-        bool any = false;
-        for (int at = 0; at < _treeCount; at++)
-        {
-            any |= _forest.Trees[_trees[at]].Disturbed;
-        }
-
-        if (!any)
-        {
-            return;
-        }
-
         PutVelocitiesAside();
         for (int at = 0; at < _treeCount; at++)
         {
@@ -55,24 +92,11 @@ internal sealed unsafe partial class JointSolver
         }
 
         MoveAndForget();
-        LoadPoses();
-        WriteErrors();
     }
 
     /// <summary>Moves deep overlaps with trees apart; the velocities that do it are forgotten.</summary>
     private void PushOut(double rate)
     {
-        bool any = false;
-        for (int i = 0; i < _contactCount; i++)
-        {
-            any |= _contacts[i].Deep;
-        }
-
-        if (!any)
-        {
-            return;
-        }
-
         _pushRate = rate / _step.Substep;
         PutVelocitiesAside();
         for (int sweep = 0; sweep < PushOutSweeps; sweep++)

@@ -51,9 +51,7 @@ internal sealed unsafe partial class JointSolver
             FindAstray(round == Corrections - 1);
         }
 
-        Project();
-        PullTogether();
-        PushOut(pushRate);
+        Displace(Project(), pushRate);
         LoadPoses();
         WriteRows(false);
         Factor();

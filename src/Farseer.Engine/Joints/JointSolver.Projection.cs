@@ -9,7 +9,8 @@ internal sealed unsafe partial class JointSolver
     private const int Projections = 12;
 
     /// <summary>Takes the trees that went astray back to where h·v took them, and projects them onto their joints.</summary>
-    private void Project()
+    /// <returns>True if there were any.</returns>
+    private bool Project()
     {
         bool any = false;
         for (int at = 0; at < _treeCount; at++)
@@ -21,7 +22,7 @@ internal sealed unsafe partial class JointSolver
 
         if (!any)
         {
-            return;
+            return false;
         }
 
         Undo();
@@ -52,6 +53,7 @@ internal sealed unsafe partial class JointSolver
 
         RestoreImpulses(true);
         StoreVelocities();
+        return true;
     }
 
     private double ProjectedSpeed(TreeNode* node, int k) => (node->Move[k] - node->StartMove[k]) / _step.Substep;
