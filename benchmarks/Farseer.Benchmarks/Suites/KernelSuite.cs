@@ -55,13 +55,13 @@ public unsafe class KernelSuite
     }
 
     [Benchmark(OperationsPerInvoke = Contacts)]
-    public void WarmStart() => ContactKernel.WarmStart(_rows.Pointer, Bundles, _states.Pointer, _coefficients, grounded: false);
+    public void WarmStart() => ContactKernel.WarmStart<ScatterAll>(_rows.Pointer, Bundles, _states.Pointer, _coefficients);
 
     [Benchmark(OperationsPerInvoke = Contacts)]
-    public void SolveBiased() => ContactKernel.SolveBiased(_rows.Pointer, Bundles, _states.Pointer, _coefficients, anyDeep: false, grounded: false);
+    public void SolveBiased() => ContactKernel.SolveBiased<ScatterAll>(_rows.Pointer, Bundles, _states.Pointer, _coefficients, anyDeep: false);
 
     [Benchmark(OperationsPerInvoke = Contacts)]
-    public void Relax() => ContactKernel.Relax(_rows.Pointer, Bundles, _states.Pointer, _coefficients, rub: true, grounded: false);
+    public void Relax() => ContactKernel.Relax<ScatterAll>(_rows.Pointer, Bundles, _states.Pointer, _coefficients, rub: true);
 
     [Benchmark(OperationsPerInvoke = PairLanes.Lanes)]
     public int BoxBox() => WideBoxBox.Collide(_pairs.Pointer);

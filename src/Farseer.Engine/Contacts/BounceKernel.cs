@@ -78,7 +78,8 @@ internal static unsafe class BounceKernel
     /// of the impulses of the points that bounced, which are not to be repeated.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Apply(ContactBundle* bundles, byte* impacts, int count, BodyState* bodies, bool grounded, bool last)
+    public static void Apply<TScatter>(ContactBundle* bundles, byte* impacts, int count, BodyState* bodies, bool last)
+        where TScatter : struct, IVelocityScatter
     {
         for (int i = 0; i < count; i++)
         {
@@ -120,7 +121,7 @@ internal static unsafe class BounceKernel
 
                 // The impact presses harder than the stop alone: friction may use all of it, so a grazing ball takes its full spin.
                 ContactKernel.SolveFriction(row, lane, ref a, ref b, movedA, movedB, x0, x1, any);
-                ContactKernel.StoreVelocities(row, lane, bodies, a, b, grounded);
+                ContactKernel.StoreVelocities<TScatter>(row, lane, bodies, a, b);
                 x0.Store(row->Point0.Normal + lane);
                 x1.Store(row->Point1.Normal + lane);
                 if (last)

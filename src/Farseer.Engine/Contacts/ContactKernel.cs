@@ -20,7 +20,8 @@ internal static unsafe class ContactKernel
     /// block solver), friction kept within its cone.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void WarmStart(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool grounded)
+    public static void WarmStart<TScatter>(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c)
+        where TScatter : struct, IVelocityScatter
     {
         Wide fall = Wide.Splat(c.Gravity * c.Substep);
         for (int i = 0; i < count; i++)
@@ -37,7 +38,7 @@ internal static unsafe class ContactKernel
                 Extrapolate(&row->Point1, lane, friction, weight1, out Wide normal1, out Wide tangent1);
                 ApplyNormal(row, lane, ref a, ref b, normal0, normal1);
                 ApplyTangent(row, lane, ref a, ref b, tangent0, tangent1);
-                StoreVelocities(row, lane, bodies, a, b, grounded);
+                StoreVelocities<TScatter>(row, lane, bodies, a, b);
             }
         }
     }
@@ -49,7 +50,8 @@ internal static unsafe class ContactKernel
     /// their overlap goes in <see cref="PushOut"/>.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void SolveBiased(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool grounded, bool anyDeep)
+    public static void SolveBiased<TScatter>(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
+        where TScatter : struct, IVelocityScatter
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide biasRate = Wide.Splat(c.BiasRate * ContactCoefficients.MassScale);
@@ -101,7 +103,7 @@ internal static unsafe class ContactKernel
                 x0.Store(row->Point0.Normal + lane);
                 x1.Store(row->Point1.Normal + lane);
                 ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
-                StoreVelocities(row, lane, bodies, a, b, grounded);
+                StoreVelocities<TScatter>(row, lane, bodies, a, b);
             }
         }
     }
@@ -111,7 +113,8 @@ internal static unsafe class ContactKernel
     /// the impulses, so that a deep overlap never becomes speed.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void PushOut(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool grounded, float recoveryRate)
+    public static void PushOut<TScatter>(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, float recoveryRate)
+        where TScatter : struct, IVelocityScatter
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rate = Wide.Splat(recoveryRate);
@@ -133,7 +136,7 @@ internal static unsafe class ContactKernel
                 Wide push0 = Wide.Select(deep, x0 - lambda0, Wide.Zero);
                 Wide push1 = Wide.Select(deep, x1 - lambda1, Wide.Zero);
                 ApplyNormal(row, lane, ref a, ref b, push0, push1);
-                StoreVelocities(row, lane, bodies, a, b, grounded);
+                StoreVelocities<TScatter>(row, lane, bodies, a, b);
             }
         }
     }
@@ -145,7 +148,8 @@ internal static unsafe class ContactKernel
     /// into spin. (To leave every open surface to the next substep cured that as well, but cost a tipping box 9e-4 rad/s.)
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Relax(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool grounded, bool rub)
+    public static void Relax<TScatter>(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool rub)
+        where TScatter : struct, IVelocityScatter
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rest = Wide.Splat(c.Rest);
@@ -180,7 +184,7 @@ internal static unsafe class ContactKernel
                     SolveFriction(row, lane, ref a, ref b, movedA, movedB, x0, x1, WideLanes.AllSet);
                 }
 
-                StoreVelocities(row, lane, bodies, a, b, grounded);
+                StoreVelocities<TScatter>(row, lane, bodies, a, b);
 
                 // Only the load common to both points is fed forward: with each point's own, random piles creep.
                 Wide single = Wide.Load(row->Single + lane);
@@ -196,24 +200,13 @@ internal static unsafe class ContactKernel
         }
     }
 
-    /// <summary>
-    /// Gives the bodies their new velocities. In the colours of the ground (<paramref name="grounded"/>) what does not move is not
-    /// written: several rows of a colour share it, and other workers read it meanwhile.
-    /// </summary>
+    /// <summary>Gives the bodies their new velocities.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void StoreVelocities(
-        ContactBundle* row, int lane, BodyState* bodies, in WideVelocity a, in WideVelocity b, bool grounded)
+    internal static void StoreVelocities<TScatter>(ContactBundle* row, int lane, BodyState* bodies, in WideVelocity a, in WideVelocity b)
+        where TScatter : struct, IVelocityScatter
     {
-        if (grounded)
-        {
-            BodyLanes.ScatterMoving(bodies, row->BodyA + lane, a, row->MassA + lane, row->InertiaA + lane);
-            BodyLanes.ScatterMoving(bodies, row->BodyB + lane, b, row->MassB + lane, row->InertiaB + lane);
-        }
-        else
-        {
-            BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
-            BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
-        }
+        default(TScatter).Scatter(bodies, row->BodyA + lane, a, row->MassA + lane, row->InertiaA + lane);
+        default(TScatter).Scatter(bodies, row->BodyB + lane, b, row->MassB + lane, row->InertiaB + lane);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

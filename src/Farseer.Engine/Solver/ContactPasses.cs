@@ -62,27 +62,38 @@ internal sealed unsafe class ContactPasses : IStageWork
 
     void IStageWork.Run(int worker, int from, int to)
     {
-        ContactBundle* bundles = _bundles + from;
-        int count = to - from;
+        if (_grounded)
+        {
+            Run<ScatterMoving>(_bundles + from, _impacts + from, to - from);
+        }
+        else
+        {
+            Run<ScatterAll>(_bundles + from, _impacts + from, to - from);
+        }
+    }
+
+    private void Run<TScatter>(ContactBundle* bundles, byte* impacts, int count)
+        where TScatter : struct, IVelocityScatter
+    {
         switch (_pass)
         {
             case Pass.WarmStart:
-                ContactKernel.WarmStart(bundles, count, _states, _coefficients, _grounded);
+                ContactKernel.WarmStart<TScatter>(bundles, count, _states, _coefficients);
                 break;
             case Pass.Biased:
-                ContactKernel.SolveBiased(bundles, count, _states, _coefficients, _grounded, _flag);
+                ContactKernel.SolveBiased<TScatter>(bundles, count, _states, _coefficients, _flag);
                 break;
             case Pass.PushOut:
-                ContactKernel.PushOut(bundles, count, _states, _coefficients, _grounded, _rate);
+                ContactKernel.PushOut<TScatter>(bundles, count, _states, _coefficients, _rate);
                 break;
             case Pass.Relax:
-                ContactKernel.Relax(bundles, count, _states, _coefficients, _grounded, _flag);
+                ContactKernel.Relax<TScatter>(bundles, count, _states, _coefficients, _flag);
                 break;
             case Pass.PrepareBounce:
-                BounceKernel.Prepare(bundles, _impacts + from, count, _states, _drives, _coefficients);
+                BounceKernel.Prepare(bundles, impacts, count, _states, _drives, _coefficients);
                 break;
             case Pass.Bounce:
-                BounceKernel.Apply(bundles, _impacts + from, count, _states, _grounded, _flag);
+                BounceKernel.Apply<TScatter>(bundles, impacts, count, _states, _flag);
                 break;
         }
     }
