@@ -19,6 +19,8 @@ internal static unsafe class DrivePreparation
     public static bool Prepare(BodyStore bodies, int* list, int count, Vector2 gravity, double substep, byte* marks)
     {
         bool found = false;
+        double lawDamping = 0;
+        var law = new DragLaw(lawDamping, substep);
         for (int i = 0; i < count; i++)
         {
             int body = list[i];
@@ -52,7 +54,14 @@ internal static unsafe class DrivePreparation
                 rate += drag.Quadratic * System.Math.Sqrt(((double)v.X * v.X) + ((double)v.Y * v.Y));
             }
 
-            var law = new DragLaw(rate * mass.InverseMass, substep);
+            // Most bodies follow the law of the one before: its series are dearer than all the rest.
+            double damping = rate * mass.InverseMass;
+            if (damping != lawDamping)
+            {
+                lawDamping = damping;
+                law = new DragLaw(damping, substep);
+            }
+
             drive.X = (float)((pull.X + ((double)force.Force.X * mass.InverseMass)) * law.First);
             drive.Y = (float)((pull.Y + ((double)force.Force.Y * mass.InverseMass)) * law.First);
             drive.W = (float)((double)force.Torque * mass.InverseInertia * substep);
@@ -66,7 +75,7 @@ internal static unsafe class DrivePreparation
             else
             {
                 double spin = (double)drag.Rotational * mass.InverseInertia * System.Math.Abs((double)state.AngularVelocity);
-                drive.AngularKeep = (float)(1 / (1 + (spin * substep)));
+                drive.AngularKeep = spin == 0 ? 1f : (float)(1 / (1 + (spin * substep)));
             }
 
             if (!StateRange.Holds(state) | !StateRange.Holds(drive.X, drive.Y, drive.W))

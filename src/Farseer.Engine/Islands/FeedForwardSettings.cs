@@ -30,7 +30,6 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     private readonly Column<float> _sags = new Column<float>();
     private readonly Column<float> _rate = new Column<float>();
     private readonly Column<float> _deep = new Column<float>();
-
     private ContactCoefficients _coefficients;
     private int _slots;
     private bool _writes;
@@ -62,7 +61,6 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         }
 
         _writes = true;
-        _anyDeep = false;
         runner.Run(this, _ranges.Count, LeastBundles);
         return _anyDeep;
     }
@@ -104,6 +102,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
 
         _coefficients = c;
         _writes = false;
+        _anyDeep = false;
         runner.Run(this, _ranges.Count, LeastBundles);
         float* slotSag = islands.SlotSag;
         for (int i = 0; i < _slots; i++)
@@ -149,30 +148,44 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
                 if ((deep & 1) != 0)
                 {
                     _deep[row->Island[lane]] = 1;
+                    _anyDeep = true;
                 }
             }
         }
     }
 
-    private void WriteRows(ContactBundle* row, int count)
+    /// <summary>Most bundles are of one island: their columns are written in one go.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    private void WriteRows(ContactBundle* rows, int count)
     {
-        float any = 0;
-        float* rate = _rate.Pointer;
-        float* deep = _deep.Pointer;
-        for (; count > 0; count--, row++)
+        float* rates = _rate.Pointer;
+        float* deeps = _deep.Pointer;
+        for (ContactBundle* row = rows; count > 0; count--, row++)
         {
+            int first = row->Island[0];
+            WideMask same = WideLanes.AllSet;
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                same = same & Wide.SameBits(Wide.Load((float*)row->Island + lane), Wide.FromBits(first));
+            }
+
+            if (WideLanes.Bits(same) == (1 << Wide.Count) - 1)
+            {
+                for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+                {
+                    Wide.Splat(rates[first]).Store(row->FeedRate + lane);
+                    Wide.Splat(deeps[first]).Store(row->Deep + lane);
+                }
+
+                continue;
+            }
+
             for (int lane = 0; lane < ContactBundle.Lanes; lane++)
             {
                 int island = row->Island[lane];
-                row->FeedRate[lane] = rate[island];
-                row->Deep[lane] = deep[island];
-                any = Math.Max(any, deep[island]);
+                row->FeedRate[lane] = rates[island];
+                row->Deep[lane] = deeps[island];
             }
-        }
-
-        if (any > 0)
-        {
-            _anyDeep = true;
         }
     }
 }

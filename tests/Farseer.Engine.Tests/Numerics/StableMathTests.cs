@@ -29,6 +29,31 @@ public class StableMathTests
     }
 
     [Fact]
+    public unsafe void SinCosOfFour_HasTheBitsOfOne()
+    {
+        var random = new Random(2);
+        double* angles = stackalloc double[StableMath.Lanes];
+        float* sin = stackalloc float[StableMath.Lanes];
+        float* cos = stackalloc float[StableMath.Lanes];
+        for (int i = 0; i < 100_000; i++)
+        {
+            for (int k = 0; k < StableMath.Lanes; k++)
+            {
+                // Up to 10^12: beyond what is reduced in one go.
+                angles[k] = ((random.NextDouble() * 2) - 1) * Math.Pow(10, (random.NextDouble() * 20) - 8);
+            }
+
+            StableMath.SinCos(angles, sin, cos);
+            for (int k = 0; k < StableMath.Lanes; k++)
+            {
+                StableMath.SinCos(angles[k], out double s, out double c);
+                Assert.Equal(BitConverter.SingleToInt32Bits((float)s), BitConverter.SingleToInt32Bits(sin[k]));
+                Assert.Equal(BitConverter.SingleToInt32Bits((float)c), BitConverter.SingleToInt32Bits(cos[k]));
+            }
+        }
+    }
+
+    [Fact]
     public void SinCos_NearMultiplesOfHalfPi_KeepsRelativeAccuracy()
     {
         for (int k = -2000; k <= 2000; k++)
