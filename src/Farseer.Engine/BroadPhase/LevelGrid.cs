@@ -32,6 +32,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
     private readonly List<GridLevel> _grids = new List<GridLevel>();
     private readonly SizeLevels _levels = new SizeLevels();
     private readonly PackedTree _tree = new PackedTree();
+    private readonly FewSeekers _few = new FewSeekers();
     private readonly IndexList _active = new IndexList();
     private readonly IndexList _resting = new IndexList();
     private IndexList[] _hits = { new IndexList() };
@@ -90,6 +91,25 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
             Search(null, null, _active.Count);
         }
 
+        if (seekers <= FewSeekers.Most)
+        {
+            int before = pairs.Count;
+            _few.Collect(proxies, _active.Pointer, _active.Count, pairs);
+            if (_known != null)
+            {
+                pairs.RemoveThoseOf(_known, before);
+            }
+        }
+        else
+        {
+            SearchGrids(proxies);
+        }
+
+        EndSearch();
+    }
+
+    private void SearchGrids(ProxyStore proxies)
+    {
         _levels.Assign(proxies.Fat.Pointer, _active.Pointer, _active.Count);
         while (_grids.Count < _levels.Count)
         {
@@ -118,8 +138,6 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
                 }
             }
         }
-
-        EndSearch();
     }
 
     /// <summary>A range of the active boxes asks the tree, or one of a level the level itself or a finer one.</summary>
