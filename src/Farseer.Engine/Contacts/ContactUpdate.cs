@@ -133,7 +133,7 @@ internal static unsafe class ContactUpdate
         ContactFates fates;
         fates.Dropped = (bits.NewBox & bits.Exists) == 0 ? 0 : FindDropped(input, row, bits.NewBox & bits.Exists);
         int fast = bits.Fast & bits.Exists & ~fates.Dropped;
-        SweepBits sweep = fast == 0 ? default : FastPairs.Look(input, fast);
+        SweepBits sweep = fast == 0 ? default : FastPairs.Look(input);
         PairStage.Collide(input, row, bits);
         TouchBits touch = PairStage.Touch(input, row);
         fates.Deferred = fast == 0 ? 0 : FastPairs.Defer(input, row, fast, sweep, ref touch);

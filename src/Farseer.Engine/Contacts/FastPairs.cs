@@ -29,29 +29,14 @@ internal static unsafe class FastPairs
     /// <summary>Of the depth of rest, which a body that slides has, the same.</summary>
     private const float GlanceRests = 1.25f;
 
-    /// <summary>Gap in extents up to which two that fly side by side are kept from running into each other: a body's whole thickness.</summary>
-    private const float RoomShare = 1f;
-
     /// <summary>Share of the extent to which a time of impact is found.</summary>
     private const float ToleranceShare = 1e-3f;
 
-    /// <summary>
-    /// Looks where the pairs go, and widens the margin of those that fly side by side: if something stops one of them, the other
-    /// runs into it within the step.
-    /// </summary>
-    public static SweepBits Look(in ContactUpdateInput input, int lanes)
+    /// <summary>Looks where the pairs go in the step, and gives those with a fast body other margins.</summary>
+    public static SweepBits Look(in ContactUpdateInput input)
     {
-        PairLanes* pairs = input.Pairs;
-        SweepBits sweep = WideSweep.Look(pairs, input.Dt, Pull(input));
-        for (int side = lanes & ~sweep.Fast & sweep.BothMove, lane = 0; side != 0; lane++, side >>= 1)
-        {
-            if ((side & 1) != 0)
-            {
-                pairs->Margin[lane] += Widening(pairs, lane, input.Dt);
-            }
-        }
-
-        return sweep;
+        float pull = (Math.Abs(input.Settings.Gravity.X) + Math.Abs(input.Settings.Gravity.Y)) * input.Dt;
+        return WideSweep.Look(input.Pairs, input.Dt, pull, PairStage.SkinShare);
     }
 
     /// <summary>Takes the points of the fast lanes that have no lasting contact, and says which of them to look after.</summary>
@@ -59,6 +44,7 @@ internal static unsafe class FastPairs
     {
         int deferred = 0;
         PairLanes* pairs = input.Pairs;
+        lanes &= sweep.Fast;
         for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
         {
             if ((lanes & 1) == 0)
@@ -68,27 +54,21 @@ internal static unsafe class FastPairs
 
             int bit = 1 << lane;
             bool bothMove = (sweep.BothMove & bit) != 0;
-            if ((sweep.Fast & bit) == 0)
-            {
-                if (bothMove && (touch.Hit & bit) != 0 && !WouldMeet(input, lane))
-                {
-                    Forget(bit, ref touch);
-                }
-
-                continue;
-            }
-
             bool discrete = !input.Settings.Continuous
                 || (IsDiscrete(input.Bodies, row->BodyA[lane]) && IsDiscrete(input.Bodies, row->BodyB[lane]));
             float deepest = Deepest(pairs, lane);
             float size = Math.Min(pairs->A.Extent[lane], pairs->B.Extent[lane]);
+
+            // Of two that tumble in each other, each needs to be held by the other; one alone goes on to the sweep.
             if (deepest <= PairStage.SkinShare * size
                 && (discrete || (bothMove && deepest < 0) || !(Tumbles(&pairs->A, lane, input.Dt) || Tumbles(&pairs->B, lane, input.Dt))))
             {
                 continue;
             }
 
-            Forget(bit, ref touch);
+            touch.Touching &= ~bit;
+            touch.Hit &= ~bit;
+            touch.Same &= ~bit;
             deferred |= discrete ? 0 : bit & sweep.Meets;
         }
 
@@ -113,37 +93,6 @@ internal static unsafe class FastPairs
     /// <summary>The solver does not move it fast, or it is not to be looked after.</summary>
     private static bool IsDiscrete(BodyStore bodies, int body) =>
         (bodies.Flags[body] & (BodyFlags.Fast | BodyFlags.Discrete)) != BodyFlags.Fast;
-
-    private static void Forget(int bit, ref TouchBits touch)
-    {
-        touch.Touching &= ~bit;
-        touch.Hit &= ~bit;
-        touch.Same &= ~bit;
-    }
-
-    private static float Pull(in ContactUpdateInput input) =>
-        (Math.Abs(input.Settings.Gravity.X) + Math.Abs(input.Settings.Gravity.Y)) * input.Dt;
-
-    /// <summary>A wider gap than this has room for a third body, which would be met first.</summary>
-    private static float Room(PairLanes* pairs, int lane) => RoomShare * Math.Min(pairs->A.Extent[lane], pairs->B.Extent[lane]);
-
-    private static float Widening(PairLanes* pairs, int lane, float dt) =>
-        Math.Min(Room(pairs, lane), dt * Math.Max(Speed(&pairs->A, lane), Speed(&pairs->B, lane)));
-
-    private static float Speed(SideLanes* side, int lane) => Math.Abs(side->VelocityX[lane]) + Math.Abs(side->VelocityY[lane]);
-
-    /// <summary>Whether the pair can touch in this step, as the two move or if one of them is stopped.</summary>
-    private static bool WouldMeet(in ContactUpdateInput input, int lane)
-    {
-        PairLanes* pairs = input.Pairs;
-        float nx = pairs->NormalX[lane];
-        float ny = pairs->NormalY[lane];
-        float a = (pairs->A.VelocityX[lane] * nx) + (pairs->A.VelocityY[lane] * ny);
-        float b = (pairs->B.VelocityX[lane] * nx) + (pairs->B.VelocityY[lane] * ny);
-        float closing = Math.Max(a, -b);
-        float narrow = pairs->Margin[lane] - Widening(pairs, lane, input.Dt);
-        return Deepest(pairs, lane) <= narrow + Math.Min(Room(pairs, lane), input.Dt * Math.Max(0, closing));
-    }
 
     /// <summary>The least separation of the points; the largest number if there are none.</summary>
     private static float Deepest(PairLanes* pairs, int lane)

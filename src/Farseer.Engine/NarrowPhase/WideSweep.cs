@@ -29,59 +29,75 @@ internal static unsafe class WideSweep
     /// <summary>A pair is fast if its relative motion is more than this share of the extent of what moves.</summary>
     private const float FastShare = 1f;
 
-    /// <summary>Of the extents: far above the rounding of the sums below, far below anything that matters.</summary>
-    private const float Slack = 1e-3f;
+    /// <summary>
+    /// Gap in extents up to which two that fly side by side are kept from running into each other. A wider one has room for a third
+    /// body, which would be met first.
+    /// </summary>
+    private const float RoomShare = 1f;
 
-    /// <param name="pairs">Sides and offsets.</param>
+    /// <summary>
+    /// Sets the margins of the pairs with a fast body. Those that cannot meet need no points. Those that fly side by side need them from
+    /// farther off: if something stops one of them, the other runs into it within the step.
+    /// </summary>
+    /// <param name="pairs">Sides, offsets and margins.</param>
     /// <param name="dt">Seconds.</param>
     /// <param name="pull">Most that gravity adds to a speed within the step.</param>
+    /// <param name="skinShare">Share of the smaller extent up to which a gap is a contact.</param>
     [MethodImpl(KernelMethod.Optimized)]
-    public static SweepBits Look(PairLanes* pairs, float dt, float pull)
+    public static SweepBits Look(PairLanes* pairs, float dt, float pull, float skinShare)
     {
         SweepBits bits = default;
+        Wide fall = Wide.Splat(pull) * Wide.Splat(dt);
         for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
         {
-            Look(pairs, lane, Wide.Splat(dt), Wide.Splat(pull), out WideMask fast, out WideMask apart);
+            Wide flagsA = Wide.Load((float*)pairs->A.Flags + lane);
+            Wide flagsB = Wide.Load((float*)pairs->B.Flags + lane);
+            Side a = new Side(&pairs->A, lane, flagsA, Wide.Splat(dt));
+            Side b = new Side(&pairs->B, lane, flagsB, Wide.Splat(dt));
+            Wide extent = Wide.Min(a.Extent, b.Extent);
+            Wide x = Wide.Load(pairs->OffsetX + lane) + b.X - a.X;
+            Wide y = Wide.Load(pairs->OffsetY + lane) + b.Y - a.Y;
+            Wide aX = a.VelocityX - (a.Angle * a.Y);
+            Wide aY = a.VelocityY + (a.Angle * a.X);
+            Wide bX = b.VelocityX - (b.Angle * b.Y);
+            Wide bY = b.VelocityY + (b.Angle * b.X);
+            Halves halves = new Halves(a, b, a.Width + b.Width + fall + (Wide.Splat(skinShare) * extent));
+            WideMask apart = Apart(a, b, halves, x, y, bX - aX, bY - aY);
+            WideMask alone = apart & Apart(a, b, halves, x, y, bX, bY) & Apart(a, b, halves, x, y, Wide.Zero - aX, Wide.Zero - aY);
+
+            Wide motion = Wide.Abs(b.VelocityX - a.VelocityX) + Wide.Abs(b.VelocityY - a.VelocityY)
+                + (a.Turn * a.Reach) + (b.Turn * b.Reach) + fall;
+            WideMask fast = motion > Wide.Splat(FastShare) * extent;
+            WideMask flagged = WideLanes.Has(flagsA | flagsB, (int)SideFlags.Fast);
+            WideMask both = WideLanes.Has(flagsA & flagsB, (int)SideFlags.Moves);
+            WideMask beside = flagged & both & ~fast;
+            Wide way = Wide.Max(Wide.Abs(a.VelocityX) + Wide.Abs(a.VelocityY), Wide.Abs(b.VelocityX) + Wide.Abs(b.VelocityY));
+            Wide margin = Wide.Load(pairs->Margin + lane);
+            margin = Wide.Select(beside, margin + Wide.Min(way, Wide.Splat(RoomShare) * extent), margin);
+            margin = Wide.Select((beside & alone) | (flagged & fast & apart), Wide.Splat(float.MinValue), margin);
+            margin.Store(pairs->Margin + lane);
             bits.Fast |= WideLanes.Bits(fast) << lane;
             bits.Meets |= WideLanes.Bits(~apart) << lane;
-            Wide both = Wide.Load((float*)pairs->A.Flags + lane) & Wide.Load((float*)pairs->B.Flags + lane);
-            bits.BothMove |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Moves)) << lane;
+            bits.BothMove |= WideLanes.Bits(both) << lane;
         }
 
         return bits;
     }
 
+    /// <summary>Whether the two stay apart when B's centre goes from an offset along a way as A sees it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Look(PairLanes* pairs, int lane, Wide dt, Wide pull, out WideMask fast, out WideMask apart)
+    private static WideMask Apart(in Side a, in Side b, in Halves halves, Wide x, Wide y, Wide dx, Wide dy)
     {
-        Side a = new Side(&pairs->A, lane, dt);
-        Side b = new Side(&pairs->B, lane, dt);
-        Wide dx = b.VelocityX - a.VelocityX;
-        Wide dy = b.VelocityY - a.VelocityY;
-        Wide fall = pull * dt;
-        Wide motion = Wide.Abs(dx) + Wide.Abs(dy) + a.Turn * a.Reach + b.Turn * b.Reach + fall;
-        Wide extent = Wide.Min(a.Extent, b.Extent);
-        fast = motion > Wide.Splat(FastShare) * extent;
-
-        // From centre to centre of the pieces, whose speeds have a part from turning.
-        Wide offX = Wide.Load(pairs->OffsetX + lane) + b.X - a.X;
-        Wide offY = Wide.Load(pairs->OffsetY + lane) + b.Y - a.Y;
-        dx = dx - (b.Angle * b.Y) + (a.Angle * a.Y);
-        dy = dy + (b.Angle * b.X) - (a.Angle * a.X);
-        Wide width = a.Width + b.Width + fall + (Wide.Splat(Slack) * extent);
-
-        Wide cos = Wide.Abs((a.Cos * b.Cos) + (a.Sin * b.Sin));
-        Wide sin = Wide.Abs((a.Cos * b.Sin) - (a.Sin * b.Cos));
-        apart = Apart(a.Cos, a.Sin, offX, offY, dx, dy, width + a.HalfX + (cos * b.HalfX) + (sin * b.HalfY))
-            | Apart(Wide.Zero - a.Sin, a.Cos, offX, offY, dx, dy, width + a.HalfY + (sin * b.HalfX) + (cos * b.HalfY))
-            | Apart(b.Cos, b.Sin, offX, offY, dx, dy, width + b.HalfX + (cos * a.HalfX) + (sin * a.HalfY))
-            | Apart(Wide.Zero - b.Sin, b.Cos, offX, offY, dx, dy, width + b.HalfY + (sin * a.HalfX) + (cos * a.HalfY));
+        WideMask apart = Apart(a.Cos, a.Sin, x, y, dx, dy, halves.AX)
+            | Apart(Wide.Zero - a.Sin, a.Cos, x, y, dx, dy, halves.AY)
+            | Apart(b.Cos, b.Sin, x, y, dx, dy, halves.BX)
+            | Apart(Wide.Zero - b.Sin, b.Cos, x, y, dx, dy, halves.BY);
 
         // Across the way. The length of the axis may be overestimated: |dx| + |dy|.
-        Wide across = Wide.Abs((offX * dy) - (offY * dx));
+        Wide across = Wide.Abs((x * dy) - (y * dx));
         Wide half = (a.HalfX * Wide.Abs((a.Cos * dy) - (a.Sin * dx))) + (a.HalfY * Wide.Abs((a.Sin * dy) + (a.Cos * dx)))
             + (b.HalfX * Wide.Abs((b.Cos * dy) - (b.Sin * dx))) + (b.HalfY * Wide.Abs((b.Sin * dy) + (b.Cos * dx)));
-        apart = apart | (across > half + (width * (Wide.Abs(dx) + Wide.Abs(dy))));
+        return apart | (across > half + (halves.Width * (Wide.Abs(dx) + Wide.Abs(dy))));
     }
 
     /// <summary>Whether the way from one offset to the other stays on one side of the axis, farther out than the sum of the halves.</summary>
@@ -91,6 +107,28 @@ internal static unsafe class WideSweep
         Wide start = (nx * x) + (ny * y);
         Wide end = start + (nx * dx) + (ny * dy);
         return (Wide.Min(start, end) > halves) | (Wide.Max(start, end) < Wide.Zero - halves);
+    }
+
+    /// <summary>Sums of the half sides along the axes of A and of B, and what is around both.</summary>
+    private readonly struct Halves
+    {
+        public readonly Wide AX;
+        public readonly Wide AY;
+        public readonly Wide BX;
+        public readonly Wide BY;
+        public readonly Wide Width;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Halves(in Side a, in Side b, Wide width)
+        {
+            Wide cos = Wide.Abs((a.Cos * b.Cos) + (a.Sin * b.Sin));
+            Wide sin = Wide.Abs((a.Cos * b.Sin) - (a.Sin * b.Cos));
+            AX = width + a.HalfX + (cos * b.HalfX) + (sin * b.HalfY);
+            AY = width + a.HalfY + (sin * b.HalfX) + (cos * b.HalfY);
+            BX = width + b.HalfX + (cos * a.HalfX) + (sin * a.HalfY);
+            BY = width + b.HalfY + (sin * a.HalfX) + (cos * a.HalfY);
+            Width = width;
+        }
     }
 
     /// <summary>A piece as a box, or as the circle around it; motions and turns are those of the step.</summary>
@@ -115,9 +153,8 @@ internal static unsafe class WideSweep
         public readonly Wide Width;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Side(SideLanes* side, int lane, Wide dt)
+        public Side(SideLanes* side, int lane, Wide flags, Wide dt)
         {
-            Wide flags = Wide.Load((float*)side->Flags + lane);
             WideMask turns = WideLanes.Has(flags, (int)SideFlags.Turns);
             WideMask box = WideLanes.Has(flags, (int)SideFlags.Box);
             Reach = Wide.Load(side->Reach + lane);

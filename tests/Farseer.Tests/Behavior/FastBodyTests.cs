@@ -57,6 +57,50 @@ public class FastBodyTests
         Assert.Equal(-speed, shot.LinearVelocity.X, 1e-6f * speed);
     }
 
+    [Theory]
+    [InlineData(1000f)]
+    [InlineData(10000f)]
+    public void Shot_BetweenTwoElasticWalls_IsHeldByTheOneThatItFliesAwayFrom(float speed)
+    {
+        for (int start = 0; start < 20; start++)
+        {
+            using var simulator = new PhysicsSimulator(Vector2.Zero) { AllowedPenetration = 1e-5f };
+            Wall(simulator, new Vector2(-5, 0), 0.02f, 10).RestitutionCoefficient = 1;
+            Wall(simulator, new Vector2(5, 0), 0.02f, 10).RestitutionCoefficient = 1;
+            Body shot = Shot(simulator, new Vector2(-4.5f + (0.4f * start), 0), round: start % 2 == 0, restitution: 1);
+            shot.LinearVelocity = new Vector2(speed, 0);
+            for (int i = 0; i < 50; i++)
+            {
+                simulator.Update(Dt);
+                Assert.InRange(shot.Position.X, -4.95f, 4.95f);
+            }
+
+            Assert.Equal(speed, Math.Abs(shot.LinearVelocity.X), 1e-4f * speed);
+        }
+    }
+
+    [Fact]
+    public void Swarm_ThatFallsCloserThanAStepsMotion_DoesNotFallIntoItself()
+    {
+        using var simulator = new PhysicsSimulator(new Vector2(0, -10)) { Iterations = 4, AllowedPenetration = 0.005f };
+        Wall(simulator, new Vector2(0, -0.5f), 20, 1);
+        for (int i = 0; i < 200; i++)
+        {
+            // Each flies by 0.27 in a step and is 0.01 from the next.
+            Body box = BodyFactory.Instance.CreateRectangleBody(simulator, 0.2f, 0.2f, 1);
+            GeomFactory.Instance.CreateRectangleGeom(simulator, box, 0.2f, 0.2f);
+            box.Position = new Vector2((i % 20 * 0.21f) - 2, 0.15f + (i / 20 * 0.21f));
+            box.LinearVelocity = new Vector2(0, -16);
+        }
+
+        // Before neighbours were foreseen to be stopped, boxes lay in each other whole: 0.2 deep.
+        for (int i = 0; i < 60; i++)
+        {
+            simulator.Update(Dt);
+            Assert.InRange(simulator.LargestPenetration, 0, 0.1f);
+        }
+    }
+
     [Fact]
     public void Ball_BetweenTwoElasticWallsWithinAStep_KeepsItsSpeed()
     {
