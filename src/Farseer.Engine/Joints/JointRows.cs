@@ -95,6 +95,9 @@ internal unsafe struct JointRows
     public fixed byte Type[Most];
     public int Count;
 
+    /// <summary>Only the errors are wanted.</summary>
+    public bool ErrorsOnly;
+
     /// <summary>Mass by which springs are as stiff as their frequency says; 0: the mass that each row feels.</summary>
     public double SpringMass;
 
@@ -120,13 +123,18 @@ internal unsafe struct JointRows
     public int Add(RowType type, double ax, double ay, double aw, double bx, double by, double bw, double error)
     {
         int i = Count++;
+        Error[i] = error;
+        if (ErrorsOnly)
+        {
+            return i;
+        }
+
         A[i * 3] = ax;
         A[(i * 3) + 1] = ay;
         A[(i * 3) + 2] = aw;
         B[i * 3] = bx;
         B[(i * 3) + 1] = by;
         B[(i * 3) + 2] = bw;
-        Error[i] = error;
         Type[i] = (byte)type;
         Speed[i] = 0;
         Low[i] = double.NegativeInfinity;
@@ -191,6 +199,7 @@ internal unsafe struct JointRows
     public void SetShare(int row, double share) => Share[row] = share;
 
     /// <summary>What the error of a row is small or large against: a radian, or the joint's length.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly double SizeOf(int row)
     {
         bool turns = A[row * 3] == 0 && A[(row * 3) + 1] == 0 && B[row * 3] == 0 && B[(row * 3) + 1] == 0;

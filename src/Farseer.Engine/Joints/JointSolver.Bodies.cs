@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
@@ -249,12 +250,14 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Kick(ref double held, ref float stored, double change)
     {
         held = Refresh(held, stored) + change;
         stored = (float)held;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Drive(ref double held, ref float stored, float before, float factor, float change)
     {
         if ((float)held == before)
@@ -267,6 +270,7 @@ internal sealed unsafe partial class JointSolver
     }
 
     // The double stands as long as the store still holds its rounding.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double Refresh(double held, float stored) => (float)held == stored ? held : stored;
 
     private void StoreVelocities()

@@ -55,6 +55,7 @@ internal sealed unsafe partial class JointSolver
     {
         // The directions stay those of the substep's start until the correction is done, or it would not be symplectic.
         JointRows fresh = default;
+        fresh.ErrorsOnly = true;
         for (int at = 0; at < _jointCount; at++)
         {
             int i = _joints[at];
@@ -87,11 +88,15 @@ internal sealed unsafe partial class JointSolver
         ReadPose(joint.Ends.NodeA, joint.Ends.BodyA, out frame.AX, out frame.AY, out frame.AAngle, out frame.ACos, out frame.ASin);
         ReadPose(joint.Ends.NodeB, joint.Ends.BodyB, out frame.BX, out frame.BY, out frame.BAngle, out frame.BCos, out frame.BSin);
         frame.SetAnchors(settings);
-        rows.Bias = settings.BiasFactor;
-        rows.ArmX = frame.RBX;
-        rows.ArmY = frame.RBY;
-        rows.Size = Math.Sqrt((frame.RAX * frame.RAX) + (frame.RAY * frame.RAY))
-            + Math.Sqrt((frame.RBX * frame.RBX) + (frame.RBY * frame.RBY));
+        if (!rows.ErrorsOnly)
+        {
+            rows.Bias = settings.BiasFactor;
+            rows.ArmX = frame.RBX;
+            rows.ArmY = frame.RBY;
+            rows.Size = Math.Sqrt((frame.RAX * frame.RAX) + (frame.RAY * frame.RAY))
+                + Math.Sqrt((frame.RBX * frame.RBX) + (frame.RBY * frame.RBY));
+        }
+
         _kinds.Of(joint.Kind).Write(frame, settings, joint.Flags, ref rows);
     }
 

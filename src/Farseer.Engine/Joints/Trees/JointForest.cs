@@ -398,6 +398,7 @@ internal sealed unsafe class JointForest
             if (moves[Other(joint, body)] == 0 && joint.BuiltHard <= TreeFactor.MostRows && InBlock(joint))
             {
                 joint.Role = JointRole.Anchor;
+                Nodes[index].Anchored = true;
                 TreeAnchor* anchor = _anchors.Pointer + AnchorCount++;
                 *anchor = default;
                 anchor->Active = _entries[k];

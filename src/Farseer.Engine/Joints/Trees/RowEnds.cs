@@ -130,10 +130,12 @@ internal unsafe struct RowEnds
         return (j[0] * s->LinearVelocity.X) + (j[1] * s->LinearVelocity.Y) + (j[2] * s->AngularVelocity);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double Own(TreeNode* nodes, int node, double* j) => node < 0
         ? 0
         : (((j[0] * j[0]) + (j[1] * j[1])) * nodes[node].InverseMass) + (j[2] * j[2] * nodes[node].InverseInertia);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Push(TreeNode* nodes, int node, double* impulse)
     {
         if (node >= 0)
@@ -145,6 +147,7 @@ internal unsafe struct RowEnds
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double Form(double* m, double* p, double* q)
     {
         double x = (m[0] * q[0]) + (m[1] * q[1]) + (m[2] * q[2]);

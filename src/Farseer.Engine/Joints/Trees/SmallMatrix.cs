@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Farseer.Engine.Joints.Trees;
 
 /// <summary>Arithmetic on matrices of at most 3×3 doubles, row by row, in a fixed order of operations.</summary>
@@ -121,5 +123,6 @@ internal static unsafe class SmallMatrix
         r[2] = (m[6] * x) + (m[7] * y) + (m[8] * w);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Dot(double* a, double* b) => (a[0] * b[0]) + (a[1] * b[1]) + (a[2] * b[2]);
 }

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Farseer.Engine.Joints.Trees;
 
 /// <summary>
@@ -13,10 +15,10 @@ internal static unsafe class TreeFactor
     /// <summary>A body in the plane has no more than three ways to move.</summary>
     public const int MostRows = 3;
 
-    private const double Regular = 1e-9;
+    public const double Regular = 1e-9;
 
     /// <summary>Share of the determinant by the bodies' own masses below which a block counts as singular.</summary>
-    private const double Singular = 1e-6;
+    public const double Singular = 1e-6;
 
     /// <summary>Factors a tree at the poses of <paramref name="rows"/>.</summary>
     public static void Run(JointForest forest, JointTree* tree, ActiveJoint* active, JointRows* rows)
@@ -80,6 +82,7 @@ internal static unsafe class TreeFactor
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Reset(double* y, double mass, double inertia)
     {
         for (int i = 1; i < 8; i++)
@@ -104,6 +107,7 @@ internal static unsafe class TreeFactor
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void CopyRow(double* from, double* to)
     {
         to[0] = from[0];
@@ -168,6 +172,12 @@ internal static unsafe class TreeFactor
 
     private static void EliminateEdge(TreeNode* node, TreeNode* parent)
     {
+        if (node->Rows == 2)
+        {
+            HingeFactor.Eliminate(node, parent);
+            return;
+        }
+
         double* sy = stackalloc double[9];
         double* spy = stackalloc double[9];
         double* k = stackalloc double[9];

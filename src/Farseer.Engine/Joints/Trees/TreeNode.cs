@@ -29,6 +29,9 @@ internal unsafe struct TreeNode
     /// <summary>A joint of the edge has limits that belong to the block when they hold.</summary>
     public bool HasLimits;
 
+    /// <summary>It has anchors: what it gets is noted for their multipliers.</summary>
+    public bool Anchored;
+
     /// <summary>Next node on the way down of a walk.</summary>
     public int Towards;
 

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Farseer.Engine.Joints.Trees;
 
 /// <summary>
@@ -10,9 +12,9 @@ internal static unsafe class TreeReactions
     /// <summary>Finds the multipliers of the last <see cref="TreeSolve"/>.</summary>
     public static void OfSolve(JointForest forest, JointTree* tree)
     {
-        for (int i = tree->First; i < tree->End; i++)
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
         {
-            TreeNode* node = forest.Nodes + i;
+            TreeNode* node = forest.Nodes + forest.Anchors[i].Node;
             node->Got[0] = 0;
             node->Got[1] = 0;
             node->Got[2] = 0;
@@ -71,6 +73,7 @@ internal static unsafe class TreeReactions
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Give(ActiveJoint* joint, JointRows* rows, int row, double lambda)
     {
         double* j = rows->B + (row * 3);
@@ -94,8 +97,16 @@ internal static unsafe class TreeReactions
         for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = nodes + i;
-            Push(node->ChildS, node->Edge, node->Rows, node->Got);
-            Push(node->ParentS, node->Edge, node->Rows, nodes[node->Parent].Got);
+            TreeNode* parent = nodes + node->Parent;
+            if (node->Anchored)
+            {
+                Push(node->ChildS, node->Edge, node->Rows, node->Got);
+            }
+
+            if (parent->Anchored)
+            {
+                Push(node->ParentS, node->Edge, node->Rows, parent->Got);
+            }
         }
 
         for (int i = tree->AnchorEnd - 1; i >= tree->AnchorFirst; i--)
@@ -117,6 +128,7 @@ internal static unsafe class TreeReactions
     }
 
     /// <summary>r += sᵀ·λ.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Push(double* s, double* lambda, int rows, double* r)
     {
         for (int i = 0; i < rows; i++)

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace Farseer.Engine.Joints.Trees;
 
@@ -34,16 +35,38 @@ internal static unsafe class TreeSolve
             TreeNode* node = nodes + i;
             Residual(node, nodes[node->Parent].Velocity, r);
             Spread(node->G, r, node->Rows, node->Velocity);
-            Multiply(node->E, r, node->Rows, node->Edge);
+            if (node->Rows == 2)
+            {
+                double* e = node->E;
+                node->Edge[0] = (e[0] * r[0]) + (e[1] * r[1]);
+                node->Edge[1] = (e[2] * r[0]) + (e[3] * r[1]);
+            }
+            else
+            {
+                Multiply(node->E, r, node->Rows, node->Edge);
+            }
         }
     }
 
+    /// <summary>Hinges have two rows: written out, since a loop over so few costs as much as what it does.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Residual(TreeNode* node, double* parent, double* r)
     {
+        double* c = node->ChildS;
+        double* p = node->ParentS;
+        double* v = node->Velocity;
+        if (node->Rows == 2)
+        {
+            r[0] = node->Target[0] - ((c[0] * v[0]) + (c[1] * v[1]) + (c[2] * v[2]))
+                - ((p[0] * parent[0]) + (p[1] * parent[1]) + (p[2] * parent[2]));
+            r[1] = node->Target[1] - ((c[3] * v[0]) + (c[4] * v[1]) + (c[5] * v[2]))
+                - ((p[3] * parent[0]) + (p[4] * parent[1]) + (p[5] * parent[2]));
+            return;
+        }
+
         for (int i = 0; i < node->Rows; i++)
         {
-            r[i] = node->Target[i] - SmallMatrix.Dot(node->ChildS + (i * 3), node->Velocity)
-                - SmallMatrix.Dot(node->ParentS + (i * 3), parent);
+            r[i] = node->Target[i] - SmallMatrix.Dot(c + (i * 3), v) - SmallMatrix.Dot(p + (i * 3), parent);
         }
     }
 
@@ -85,8 +108,17 @@ internal static unsafe class TreeSolve
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Spread(double* m, double* r, int rows, double* v)
     {
+        if (rows == 2)
+        {
+            v[0] = v[0] + (m[0] * r[0]) + (m[3] * r[1]);
+            v[1] = v[1] + (m[1] * r[0]) + (m[4] * r[1]);
+            v[2] = v[2] + (m[2] * r[0]) + (m[5] * r[1]);
+            return;
+        }
+
         for (int i = 0; i < rows; i++)
         {
             v[0] += m[i * 3] * r[i];

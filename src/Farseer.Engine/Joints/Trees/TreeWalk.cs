@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Farseer.Engine.Joints.Trees;
 
 /// <summary>
@@ -89,6 +91,7 @@ internal static unsafe class TreeWalk
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Note(double* sum, double x, double y, double w)
     {
         sum[0] += x;
@@ -96,6 +99,7 @@ internal static unsafe class TreeWalk
         sum[2] += w;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Climb(TreeNode* nodes, int index)
     {
         TreeNode* node = nodes + index;
@@ -121,6 +125,7 @@ internal static unsafe class TreeWalk
     }
 
     /// <summary>Takes the parent's change since the last crossing down to the child.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Cross(TreeNode* nodes, int index)
     {
         TreeNode* node = nodes + index;
