@@ -64,6 +64,8 @@ public unsafe class HullSuite
 
     private static Rotation Turn(float angle) => new Rotation(MathF.Cos(angle), MathF.Sin(angle));
 
+    private int Pack(int piece) => HullLanes.Pack(_shapes.Pieces[piece].VertexStart, _shapes.Pieces[piece].VertexCount);
+
     private Vector2 Corner(int i) => new Vector2(MathF.Cos(i * 2 * MathF.PI / Corners), MathF.Sin(i * 2 * MathF.PI / Corners)) * 0.5f;
 
     private int OneByOne(int first)
@@ -101,7 +103,7 @@ public unsafe class HullSuite
         pairs->A.Extent[lane] = _shapes.Pieces[a].Extent;
         pairs->B.Extent[lane] = _shapes.Pieces[b].Extent;
         pairs->B.HalfX[lane] = _shapes.Pieces[b].Radius;
-        HullLanes.Set(&pairs->Hulls.A, lane, _shapes.Pieces[a], Turn(turn));
-        HullLanes.Set(&pairs->Hulls.B, lane, _shapes.Pieces[b], Turn(2 * turn));
+        HullLanes.Set(&pairs->Hulls.A, lane, Pack(a), Turn(turn));
+        HullLanes.Set(&pairs->Hulls.B, lane, Pack(b), Turn(2 * turn));
     }
 }

@@ -265,15 +265,15 @@ internal static unsafe class PairStage
                 continue;
             }
 
-            if ((side->Flags[lane] & (int)SideFlags.Box) == 0)
+            // The side of a box has the box's own axis.
+            var rotation = new Rotation(side->Cos[lane], side->Sin[lane]);
+            if ((side->Flags[lane] & (int)SideFlags.Box) != 0)
             {
-                HullLanes.Set(hulls, lane, side, input.Hulls[piece[lane]]);
-                continue;
+                BodyPose* pose = input.Bodies.Pose.Pointer + body[lane];
+                rotation = new Rotation(pose->Cos, pose->Sin);
             }
 
-            // Sides know boxes by their centres and axes.
-            BodyPose* pose = input.Bodies.Pose.Pointer + body[lane];
-            HullLanes.Set(hulls, lane, input.Shapes.Pieces.Pointer[piece[lane]], new Rotation(pose->Cos, pose->Sin));
+            HullLanes.Set(hulls, lane, input.Hulls[piece[lane]], rotation);
         }
     }
 

@@ -2,7 +2,6 @@ using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Numerics;
-using Farseer.Engine.Shapes;
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
 #endif
@@ -40,20 +39,11 @@ internal unsafe struct HullLanes
     /// <summary>Start and number of corners, of 1 to <see cref="MostCorners"/>, in one number.</summary>
     public static int Pack(int start, int count) => (start << CornerBits) | ((count - 1) & (MostCorners - 1));
 
-    /// <summary>Names the hull of a lane, which is no box, from what its side knows and <see cref="Pack"/> told.</summary>
-    public static void Set(HullLanes* hulls, int lane, SideLanes* side, int packed)
+    /// <summary>Names the hull of a lane, of which <see cref="Pack"/> told where it is.</summary>
+    public static void Set(HullLanes* hulls, int lane, int packed, Rotation rotation)
     {
         hulls->Start[lane] = packed >> CornerBits;
         hulls->Last[lane] = packed & (MostCorners - 1);
-        hulls->Cos[lane] = side->Cos[lane];
-        hulls->Sin[lane] = side->Sin[lane];
-    }
-
-    /// <summary>Names the hull of a lane.</summary>
-    public static void Set(HullLanes* hulls, int lane, in Piece piece, Rotation rotation)
-    {
-        hulls->Start[lane] = piece.VertexStart;
-        hulls->Last[lane] = piece.VertexCount - 1;
         hulls->Cos[lane] = rotation.Cos;
         hulls->Sin[lane] = rotation.Sin;
     }

@@ -34,6 +34,7 @@ public class BoxBoxTests
             PairInput input = pair.Input(pair.FirstA, pair.FirstB, angleA, angleB, 1.6f * RandomShape.Point(random), 0.1f);
             BoxBox.Collide(input, out Manifold fast);
             ConvexConvex.Collide(input, out Manifold slow);
+            GC.KeepAlive(pair);
             if (fast.Count != slow.Count)
             {
                 // Only where a point lies within rounding of the margin.

@@ -197,6 +197,7 @@ public class ConvexConvexTests
         }
 
         Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+        GC.KeepAlive(pair);
     }
 
     private static PairFixture Make(Random random, out double angleA, out double angleB, out Vector2 offset)
@@ -221,7 +222,9 @@ public class ConvexConvexTests
         extent = Math.Min(a.Extent, b.Extent);
         var va = new ReadOnlySpan<Vector2>(pair.Store.Vertices.Pointer + a.VertexStart, a.VertexCount);
         var vb = new ReadOnlySpan<Vector2>(pair.Store.Vertices.Pointer + b.VertexStart, b.VertexCount);
-        return ReferenceDistance.Signed(
-            ReferenceDistance.Place(va, ra.Cos, ra.Sin, Vector2.Zero), ReferenceDistance.Place(vb, rb.Cos, rb.Sin, offset)) - a.Radius - b.Radius;
+        double distance = ReferenceDistance.Signed(
+            ReferenceDistance.Place(va, ra.Cos, ra.Sin, Vector2.Zero), ReferenceDistance.Place(vb, rb.Cos, rb.Sin, offset));
+        GC.KeepAlive(pair);
+        return distance - a.Radius - b.Radius;
     }
 }

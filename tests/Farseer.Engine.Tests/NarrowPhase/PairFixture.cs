@@ -40,6 +40,10 @@ internal sealed unsafe class PairFixture
 
     public static Rotation Turn(double angle) => new Rotation((float)Math.Cos(angle), (float)Math.Sin(angle));
 
+    /// <summary>
+    /// The pair by pointers into the store's pools: as long as they are used the fixture must be kept alive, or the collector may
+    /// give the pools' memory to others.
+    /// </summary>
     public PairInput Input(int a, int b, double angleA, double angleB, Vector2 offset, float margin) => new PairInput
     {
         Vertices = Store.Vertices.Pointer,
@@ -57,6 +61,7 @@ internal sealed unsafe class PairFixture
     public Manifold Collide(double angleA, double angleB, Vector2 offset, float margin)
     {
         Collision.Collide(Input(FirstA, FirstB, angleA, angleB, offset, margin), out Manifold manifold);
+        GC.KeepAlive(this);
         return manifold;
     }
 
@@ -76,6 +81,7 @@ internal sealed unsafe class PairFixture
             }
         }
 
+        GC.KeepAlive(this);
         return result.ToArray();
     }
 }

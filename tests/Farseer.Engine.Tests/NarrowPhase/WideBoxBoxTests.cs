@@ -27,6 +27,7 @@ public unsafe class WideBoxBoxTests
                 PairInput input = pair.Input(pair.FirstA, pair.FirstB, angleA, angleB, 1.6f * RandomShape.Point(random), 0.1f);
                 BoxBox.Collide(input, out expected[lane]);
                 lanes.Set(lane, input);
+                GC.KeepAlive(pair);
             }
 
             int corner = WideBoxBox.Collide(lanes.Pairs);

@@ -26,6 +26,7 @@ public unsafe class WideCircleCircleTests
                 PairInput input = pair.Input(pair.FirstA, pair.FirstB, random.NextDouble(), random.NextDouble(), offset, 0.1f);
                 CirclePairs.CircleCircle(input, out expected[lane]);
                 lanes.Set(lane, input);
+                GC.KeepAlive(pair);
             }
 
             WideCircleCircle.Collide(lanes.Pairs);

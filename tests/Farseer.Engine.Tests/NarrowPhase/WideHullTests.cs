@@ -136,6 +136,7 @@ public unsafe class WideHullTests
             WideCircleHull.Collide(_lanes.Pairs, circles, circleFirst, store.Vertices.Pointer, store.Normals.Pointer);
         }
 
+        GC.KeepAlive(store);
         for (int lane = 0; lane < PairLanes.Lanes; lane++)
         {
             _lanes.AssertSame(lane, expected[lane]);
@@ -147,22 +148,24 @@ public unsafe class WideHullTests
     {
         if (input.A.Kind == ShapeKind.Circle)
         {
-            HullLanes.Set(&_lanes.Pairs->Hulls.A, lane, input.B, input.RotationB);
+            HullLanes.Set(&_lanes.Pairs->Hulls.A, lane, Pack(input.B), input.RotationB);
             circleFirst |= 1 << lane;
             circles |= 1 << lane;
             return;
         }
 
-        HullLanes.Set(&_lanes.Pairs->Hulls.A, lane, input.A, input.RotationA);
+        HullLanes.Set(&_lanes.Pairs->Hulls.A, lane, Pack(input.A), input.RotationA);
         if (input.B.Kind == ShapeKind.Circle)
         {
             circles |= 1 << lane;
             return;
         }
 
-        HullLanes.Set(&_lanes.Pairs->Hulls.B, lane, input.B, input.RotationB);
+        HullLanes.Set(&_lanes.Pairs->Hulls.B, lane, Pack(input.B), input.RotationB);
         hulls |= 1 << lane;
     }
+
+    private static int Pack(in Piece piece) => HullLanes.Pack(piece.VertexStart, piece.VertexCount);
 
     // Two boxes have a kernel of their own and come here only corner to corner.
     private static void Truth(in PairInput input, out Manifold manifold)
