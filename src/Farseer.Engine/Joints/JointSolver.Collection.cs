@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints;
@@ -7,12 +8,16 @@ namespace Farseer.Engine.Joints;
 /// <content>Which joints act, and the trees they make.</content>
 internal sealed unsafe partial class JointSolver
 {
+    /// <summary>Joints that are worth another worker's while, some 2 µs.</summary>
+    private const int LeastJoints = 512;
+
     private readonly Column<byte> _builtMoves = new Column<byte>();
     private readonly Column<ulong> _keys = new Column<ulong>();
     private readonly Column<int> _order = new Column<int>();
     private readonly Column<int> _broken = new Column<int>();
     private readonly RadixSort _sort = new RadixSort();
     private int _collected;
+    private bool _bodiesChanged;
 
     /// <summary>Joints that broke in the last <see cref="Begin"/>, in their order.</summary>
     public int BrokenCount { get; private set; }
@@ -121,17 +126,24 @@ internal sealed unsafe partial class JointSolver
 
     private bool BodiesChanged()
     {
-        for (int i = 0; i < _collected; i++)
+        _bodiesChanged = false;
+        _step.Runner.Run(this, _collected, LeastJoints);
+        return _bodiesChanged;
+    }
+
+    /// <summary>Whether joints of a range hold bodies that may move now and could not, or the other way round.</summary>
+    void IStageWork.Run(int worker, int from, int to)
+    {
+        JointLink* links = _store.Links.Pointer;
+        for (int i = from; i < to; i++)
         {
-            ref JointLink link = ref _store.Links[_order[i]];
-            int now = _step.Moves[link.BodyA] | (_step.Moves[link.BodyB] << 1);
-            if (now != _builtMoves[i])
+            JointLink* link = links + _order[i];
+            if ((_step.Moves[link->BodyA] | (_step.Moves[link->BodyB] << 1)) != _builtMoves[i])
             {
-                return true;
+                _bodiesChanged = true;
+                return;
             }
         }
-
-        return false;
     }
 
     /// <param name="known">The rows of a joint are others than those that it was collected with.</param>

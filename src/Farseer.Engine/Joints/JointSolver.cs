@@ -35,7 +35,7 @@ internal unsafe struct JointStep
 /// a light chain is felt as heavy. Then positions are corrected along the same directions, which makes the motion symplectic: it
 /// keeps its energy. Velocities are double here; the store's floats are read and written once a pass.
 /// </summary>
-internal sealed unsafe partial class JointSolver
+internal sealed unsafe partial class JointSolver : IStageWork
 {
     private readonly JointStore _store;
     private readonly JointForest _forest = new JointForest();

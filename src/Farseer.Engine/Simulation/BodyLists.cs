@@ -161,24 +161,22 @@ internal sealed unsafe class BodyLists
         _work.Foresee(runner, bodies, _active.Pointer, ActiveCount, dt);
 
     /// <summary>Bodies with rows, springs or joints go to the solver; the others fly free and cost nothing there.</summary>
-    public void Split(BodyStore bodies, ConstraintGraph graph, SpringStore springs, JointSolver? joints, bool all)
+    public void Split(StageRunner runner, BodyStore bodies, ConstraintGraph graph, SpringStore springs, JointSolver? joints, bool all)
     {
         Fast.Begin(ActiveCount);
         _solver.EnsureCapacity(ActiveCount + WideLanes.BundleLanes);
-        _free.EnsureCapacity(ActiveCount);
+        _free.EnsureCapacity(ActiveCount + 1);
         SolverCount = 0;
         FreeCount = 0;
+        _work.FindHeld(runner, bodies, _active.Pointer, ActiveCount, new Holders { Graph = graph, Springs = springs, Joints = joints, All = all });
         for (int i = 0; i < ActiveCount; i++)
         {
-            int body = _active[i];
-            if (graph.Degree(body) > 0 || springs.Touches(body) || all || (joints != null && joints.Holds(body)))
-            {
-                _solver[SolverCount++] = body;
-            }
-            else
-            {
-                _free[FreeCount++] = body;
-            }
+            // Which it is cannot be foreseen: both are written, and one of the two counts on.
+            int held = _work.Marks[i];
+            _solver[SolverCount] = _active[i];
+            _free[FreeCount] = _active[i];
+            SolverCount += held;
+            FreeCount += 1 - held;
         }
 
         PaddedSolverCount = SolverCount;

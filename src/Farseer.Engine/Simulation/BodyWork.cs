@@ -1,7 +1,10 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Joints;
 using Farseer.Engine.Solver;
+using Farseer.Engine.Springs;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
@@ -24,6 +27,17 @@ internal struct BodySorts
     public ulong Special;
 }
 
+/// <summary>What may hold a body.</summary>
+internal struct Holders
+{
+    public ConstraintGraph Graph;
+    public SpringStore Springs;
+    public JointSolver? Joints;
+
+    /// <summary>All bodies count as held.</summary>
+    public bool All;
+}
+
 /// <summary>
 /// What a step does to each body by itself, in ranges of a list. Bodies that need more than that are marked, and seen to
 /// afterwards by one thread in the order of the list.
@@ -43,6 +57,7 @@ internal sealed unsafe class BodyWork : IStageWork
     private int* _list;
     private byte* _moves;
     private Part _part;
+    private Holders _holders;
     private Vector2 _gravity;
     private float _time;
     private float _substep;
@@ -52,6 +67,7 @@ internal sealed unsafe class BodyWork : IStageWork
     {
         Sort,
         Foresee,
+        FindHeld,
         FlyFree,
         PrepareDrives,
         Finish,
@@ -84,6 +100,13 @@ internal sealed unsafe class BodyWork : IStageWork
 
     public void Foresee(StageRunner runner, BodyStore bodies, int* list, int count, float dt) =>
         Run(runner, bodies, list, count, Part.Foresee, dt);
+
+    /// <summary>Marks the bodies that rows, springs or joints hold.</summary>
+    public void FindHeld(StageRunner runner, BodyStore bodies, int* list, int count, in Holders holders)
+    {
+        _holders = holders;
+        Run(runner, bodies, list, count, Part.FindHeld, 0);
+    }
 
     /// <returns>True if bodies were marked.</returns>
     public bool FlyFree(StageRunner runner, BodyStore bodies, int* list, int count, Vector2 gravity, float dt, float substep)
@@ -132,6 +155,9 @@ internal sealed unsafe class BodyWork : IStageWork
                 break;
             case Part.PrepareDrives:
                 found = DrivePreparation.Prepare(_bodies, list, to - from, _gravity, _time, marks);
+                break;
+            case Part.FindHeld:
+                FindHeld(list, to - from, marks);
                 break;
             case Part.FlyFree:
                 found = FlyFree(list, to - from, marks, _starts.Pointer + from);
@@ -192,6 +218,17 @@ internal sealed unsafe class BodyWork : IStageWork
     }
 
     private static bool IsDriven(in BodyState state) => state.LinearVelocity != Vector2.Zero || state.AngularVelocity != 0;
+
+    private void FindHeld(int* list, int count, byte* marks)
+    {
+        Holders by = _holders;
+        for (int i = 0; i < count; i++)
+        {
+            int body = list[i];
+            bool held = by.Graph.Degree(body) > 0 || by.Springs.Touches(body) || by.All || (by.Joints != null && by.Joints.Holds(body));
+            marks[i] = held ? (byte)1 : (byte)0;
+        }
+    }
 
     private bool FlyFree(int* list, int count, byte* marks, FlightStart* starts)
     {

@@ -11,6 +11,7 @@ namespace Farseer.Engine.Simulation;
 internal sealed partial class World
 {
     private readonly PairBuffer _pairs = new PairBuffer();
+    private readonly PairWork _pairWork = new PairWork();
     private readonly RadixSort _pairSort = new RadixSort();
     private readonly PairMap _verdicts = new PairMap();
     private readonly Column<byte> _staleBodies = new Column<byte>();
@@ -97,7 +98,7 @@ internal sealed partial class World
 
         (BroadPhase as LevelGrid)?.Share(_runner, _contacts.Map);
         BroadPhase.Collect(Proxies, _pairs);
-        _pairs.RemoveThoseOf(_contacts.Map);
+        _pairWork.Run(_runner, this, _pairs);
         _pairSort.Sort(_pairs.Pointer, _pairs.Count);
         for (int i = 0; i < _pairs.Count; i++)
         {
@@ -108,6 +109,18 @@ internal sealed partial class World
             }
         }
     }
+
+    /// <summary>The pair is not known, and nothing but a listener can refuse it. Workers ask.</summary>
+    internal bool IsNewPair(ulong key)
+    {
+        int a = PairBuffer.Lower(key);
+        int b = PairBuffer.Higher(key);
+        return !_contacts.Map.Contains(key) && MayTouch(Shapes.Pieces[a], Shapes.Pieces[b]);
+    }
+
+    private bool MayTouch(in Piece a, in Piece b) =>
+        PassesFilter(Shapes.Colliders[a.Collider], Shapes.Colliders[b.Collider])
+        && (Joints.Count == 0 || !Joints.KeepsApart(a.Body, b.Body));
 
     private void TryCreatePair(ulong key)
     {
@@ -122,9 +135,7 @@ internal sealed partial class World
         }
 
         bool ofSeveral = HasSeveralPieces(colliderA) || HasSeveralPieces(colliderB);
-        if (!PassesFilter(Shapes.Colliders[colliderA], Shapes.Colliders[colliderB])
-            || (Joints.Count > 0 && Joints.KeepsApart(Shapes.Pieces[a].Body, Shapes.Pieces[b].Body))
-            || !Accept(colliderA, colliderB, ofSeveral))
+        if (!MayTouch(Shapes.Pieces[a], Shapes.Pieces[b]) || !Accept(colliderA, colliderB, ofSeveral))
         {
             return;
         }

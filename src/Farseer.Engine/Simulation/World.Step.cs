@@ -136,7 +136,7 @@ internal sealed partial class World
         bool anyJoints = BeginJoints(dt, substep);
         bool anyUserJoints = UserJoints != null && UserJoints.Any;
         _springs.Prepare(Bodies, _lists.Moves, _graph.Degrees, anyJoints ? _jointSolver : null, anyUserJoints, substep);
-        _lists.Split(Bodies, _graph, _springs, anyJoints ? _jointSolver : null, anyUserJoints);
+        _lists.Split(_runner, Bodies, _graph, _springs, anyJoints ? _jointSolver : null, anyUserJoints);
         _lists.FlyFree(_runner, Bodies, Settings.Gravity, dt, substep);
         if (_lists.SolverCount == 0)
         {

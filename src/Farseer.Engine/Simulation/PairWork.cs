@@ -1,0 +1,45 @@
+using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Stepping;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>
+/// Leaves those of the pairs that were found which are new and pass the filters, in ranges. In a net of joints nearly all pairs that are
+/// found are pairs of neighbours, again in each step.
+/// </summary>
+internal sealed unsafe class PairWork : IStageWork
+{
+    /// <summary>Pairs that are worth another worker's while, some 2 µs.</summary>
+    private const int LeastPairs = 128;
+
+    private readonly Column<byte> _marks = new Column<byte>();
+    private World _world = null!;
+    private PairBuffer _pairs = null!;
+
+    public void Run(StageRunner runner, World world, PairBuffer pairs)
+    {
+        // The list grows and shrinks by much from step to step: room for as many as it may hold.
+        _marks.EnsureCapacity(pairs.Capacity);
+        _world = world;
+        _pairs = pairs;
+        runner.Run(this, pairs.Count, LeastPairs);
+        ulong* next = pairs.Pointer;
+        int count = pairs.Count;
+        for (int i = 0; i < count; i++)
+        {
+            *next = pairs[i];
+            next += _marks[i];
+        }
+
+        pairs.SetEnd(next);
+    }
+
+    void IStageWork.Run(int worker, int from, int to)
+    {
+        for (int i = from; i < to; i++)
+        {
+            _marks[i] = _world.IsNewPair(_pairs[i]) ? (byte)1 : (byte)0;
+        }
+    }
+}
