@@ -198,6 +198,9 @@ public partial class PhysicsSimulator
         _jointBodiesChanged = true;
     }
 
+    /// <summary>Disposed geoms wait to be taken out.</summary>
+    internal bool HasDisposedGeoms => _geomsDisposed.Count > 0;
+
     internal void NoteDisposed(Geom geom) => _geomsDisposed.Add(geom);
 
     /// <summary>A geom in the simulator, or on its way there, got another outline or left a body.</summary>

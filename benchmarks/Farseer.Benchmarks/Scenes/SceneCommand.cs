@@ -88,7 +88,7 @@ internal static class SceneCommand
             $"  ms a step: {timing.LeastMilliseconds:F3} (best run), {timing.MedianMilliseconds:F3} (median run); {timing.TimedSteps} steps {timing.MedianTotal:F0} ms; {timing.NanosecondsPerBodyStep:F1} ns a body-step"));
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"  {timing.BytesPerStep:F1} bytes a step, hash {timing.StateHash:x16}, largest penetration {timing.LargestPenetration:G4}, largest joint error {timing.LargestSeparation:G4}"));
+            $"  {timing.BytesPerStep:F1} bytes a step, {timing.BytesPerBody:F0} bytes kept a body, hash {timing.StateHash:x16}, largest penetration {timing.LargestPenetration:G4}, largest joint error {timing.LargestSeparation:G4}"));
         if (workers != 1)
         {
             output.WriteLine(string.Create(

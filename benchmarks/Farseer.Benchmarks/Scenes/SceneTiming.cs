@@ -14,7 +14,7 @@ internal sealed class SceneTiming
 {
     public const string CsvHeader =
         "scene,size,bodies,contacts,joints,workers,asset,lanes,steps,ms_step_min,ms_step_median,ms_total_median,ns_per_body_step,"
-        + "bytes_per_step,state_hash,largest_penetration,largest_joint_separation";
+        + "bytes_per_step,state_hash,largest_penetration,largest_joint_separation,bytes_per_body";
 
     private readonly PerformanceScene _scene;
     private readonly int _size;
@@ -52,6 +52,9 @@ internal sealed class SceneTiming
 
     public double BytesPerStep { get; private set; }
 
+    /// <summary>All that the simulator and its items keep after the last step, a dynamic body; the world's own part does not shrink.</summary>
+    public double BytesPerBody { get; private set; }
+
     public int Joints { get; private set; }
 
     /// <summary>Largest <c>JointError</c> after the last step.</summary>
@@ -85,7 +88,7 @@ internal sealed class SceneTiming
 
     public string ToCsv() => string.Create(
         CultureInfo.InvariantCulture,
-        $"{_scene.Name},{_size},{DynamicBodies},{Contacts},{Joints},{_workers},{Asset.Framework},{Asset.Lanes},{_steps},{LeastMilliseconds:F4},{MedianMilliseconds:F4},{MedianTotal:F1},{NanosecondsPerBodyStep:F1},{BytesPerStep:F1},{StateHash:x16},{LargestPenetration:G4},{LargestSeparation:G4}");
+        $"{_scene.Name},{_size},{DynamicBodies},{Contacts},{Joints},{_workers},{Asset.Framework},{Asset.Lanes},{_steps},{LeastMilliseconds:F4},{MedianMilliseconds:F4},{MedianTotal:F1},{NanosecondsPerBodyStep:F1},{BytesPerStep:F1},{StateHash:x16},{LargestPenetration:G4},{LargestSeparation:G4},{BytesPerBody:F0}");
 
     private PhysicsSimulator Start(int workers)
     {
@@ -134,6 +137,7 @@ internal sealed class SceneTiming
 
     private void Profile()
     {
+        long before = GC.GetTotalMemory(forceFullCollection: true);
         using PhysicsSimulator simulator = Start(_workers);
         simulator.EnableDiagnostics = true;
         double cleanUp = 0;
@@ -154,6 +158,7 @@ internal sealed class SceneTiming
             positions += simulator.UpdatePositionsTime;
         }
 
+        BytesPerBody = (GC.GetTotalMemory(forceFullCollection: true) - before) / (double)Math.Max(1, DynamicBodies);
         Phases =
         [
             ("clean-up", cleanUp / TimedSteps), ("broad phase", broadPhase / TimedSteps), ("narrow phase", narrowPhase / TimedSteps),

@@ -282,6 +282,8 @@ internal sealed class EngineWorld : IStepHooks
         }
     }
 
+    bool IStepHooks.JudgesPairs => true;
+
     bool IStepHooks.AcceptPair(int colliderA, int colliderB)
     {
         b2Shape? a = _shapes[colliderA];

@@ -61,7 +61,7 @@ internal sealed unsafe class ContactStage
         _dropped.EnsureCapacity(contacts.Records.Capacity);
         _gained.EnsureCapacity(contacts.Records.Capacity);
         _gainKeys.EnsureCapacity(contacts.Records.Capacity);
-        _fast.Begin(contacts.Records.Capacity);
+        _fast.Begin();
         UpdateGraph(runner, input, graph);
         UpdateIdle(runner, input);
         if (world.AsleepCount > 0)

@@ -38,18 +38,18 @@ internal sealed unsafe class FastPairStage : IStageWork
     /// <summary>One of them can bounce.</summary>
     public bool AnyBounce { get; private set; }
 
-    public void Begin(int most)
+    public void Begin()
     {
         _count = 0;
         Given = 0;
         AnyBounce = false;
-        _keys.EnsureCapacity(most);
-        _contacts.EnsureCapacity(most);
-        _sort.Reserve(most);
     }
 
     public void Defer(ContactStore contacts, int contact)
     {
+        // By need: there are few, and a place for each contact would be as much memory as a body has.
+        _keys.EnsureCapacity(_count + 1);
+        _contacts.EnsureCapacity(_count + 1);
         _keys[_count] = ContactStage.Shuffle(ContactStage.PairKey(contacts.Records[contact]));
         _contacts[_count++] = contact;
     }

@@ -10,6 +10,9 @@ namespace Farseer.Engine.Simulation;
 /// </summary>
 internal interface IStepHooks
 {
+    /// <summary>False: <see cref="AcceptPair"/> would say yes to all, and is not asked; it may change within a step.</summary>
+    bool JudgesPairs { get; }
+
     /// <summary>Asked once when two colliders first overlap with their boxes and pass the filters; false: no pair is made.</summary>
     bool AcceptPair(int colliderA, int colliderB);
 

@@ -162,7 +162,7 @@ internal sealed partial class World
     /// </summary>
     private bool Accept(int colliderA, int colliderB, bool ofSeveral)
     {
-        if (Hooks == null)
+        if (Hooks == null || !Hooks.JudgesPairs)
         {
             return true;
         }

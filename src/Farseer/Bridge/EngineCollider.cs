@@ -23,6 +23,8 @@ internal sealed class EngineCollider
 
     public PhysicsSimulator Owner => _owner;
 
+    public bool HasHandlers => _each.Length > 0;
+
     public void Add(BroadPhaseCollisionHandler? handler)
     {
         _handlers += handler;

@@ -31,6 +31,9 @@ internal sealed class EventRelay : IStepHooks
     /// <summary>True while everything is being taken out, which tells nobody.</summary>
     public bool IsClearing { get; set; }
 
+    /// <summary>Also while disposed geoms wait to leave. To ask for each pair whether its geoms live was a tenth of a tumbling scene.</summary>
+    public bool JudgesPairs => _simulator.HasDisposedGeoms || (Collider is not null && Collider.HasHandlers);
+
     public bool AcceptPair(int colliderA, int colliderB)
     {
         if (!Find(colliderA, colliderB, out Geom a, out Geom b, out _))

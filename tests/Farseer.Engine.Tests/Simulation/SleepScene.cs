@@ -129,6 +129,8 @@ internal sealed class SleepScene : IStepHooks
         World.Bodies.State[body.Index].LinearVelocity = new Vector2(x, y) * _scale;
     }
 
+    public bool JudgesPairs => true;
+
     public bool AcceptPair(int colliderA, int colliderB) => true;
 
     public bool OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points)
