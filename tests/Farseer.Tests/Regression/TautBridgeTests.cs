@@ -60,4 +60,44 @@ public class TautBridgeTests
             Assert.InRange(crate.LinearVelocity.Length(), 0, 3);
         }
     }
+
+    /// <summary>A thousand planks' mass and more, dropped from four and a half planks' length: it was thrown up by kilometres.</summary>
+    [Theory]
+    [InlineData(1000, 1)]
+    [InlineData(1000, 4.5f)]
+    [InlineData(3000, 4.5f)]
+    [InlineData(5000, 1)]
+    [InlineData(5000, 4.5f)]
+    public void HeavyBox_Dropped_LiesStill(float mass, float height)
+    {
+        var simulator = new PhysicsSimulator(new Vector2(0, -10)) { Iterations = 20, AllowedPenetration = 0 };
+        Body? before = null;
+        for (int i = 0; i < Planks; i++)
+        {
+            Body plank = Sandbox.Box(simulator, new Vector2(i + 0.5f, 0), 1, 0.2f).Body;
+            if (before is null)
+            {
+                JointFactory.Instance.CreateFixedRevoluteJoint(simulator, plank, Vector2.Zero);
+            }
+            else
+            {
+                JointFactory.Instance.CreateRevoluteJoint(simulator, before, plank, new Vector2(i, 0));
+            }
+
+            before = plank;
+        }
+
+        JointFactory.Instance.CreateFixedRevoluteJoint(simulator, before!, new Vector2(Planks, 0));
+        var geom = Sandbox.Box(simulator, new Vector2(Planks / 2f, height + 0.6f), 1, 1, mass);
+        foreach (var each in simulator.GeomList)
+        {
+            each.FrictionCoefficient = 0.6f;
+        }
+
+        Sandbox.Run(simulator, 600, 1 / 60f);
+
+        // Half a box and half a plank above the line of the nails, and no more than a tremble.
+        Assert.Equal(0.6f, geom.Body.Position.Y, 0.02f);
+        Assert.InRange(geom.Body.LinearVelocity.Length(), 0, 0.2f);
+    }
 }
