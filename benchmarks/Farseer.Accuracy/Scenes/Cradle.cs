@@ -13,14 +13,18 @@ internal static class Cradle
     public static IReadOnlyList<SceneInfo> Scenes { get; } =
     [
         new("S10b_cradle", "balls", new(2, 50, WholeNumber: true), ["5"],
-            ["last_ball_speed_rel_error", "energy_rel_change_20s"], Swing),
+            ["last_ball_speed_rel_error", "energy_rel_change_20s"], trial => Swing(trial, 0.6)),
+        new("S10c_smooth_cradle", "balls, which do not rub", new(2, 50, WholeNumber: true), ["5"],
+            ["last_ball_speed_rel_error", "energy_rel_change_20s"], trial => Swing(trial, 0)),
     ];
 
-    private static void Swing(Trial trial) => trial.World(
+    // On their rods the balls turn as they swing: with friction each impact takes the share friction·radius/length of the turn.
+    private static void Swing(Trial trial, double friction) => trial.World(
         rig =>
         {
             int n = (int)trial.Parameter;
             rig.Restitution = 1;
+            rig.Friction = friction;
             var balls = new List<Actor>();
             for (int i = 0; i < n; i++)
             {

@@ -61,11 +61,16 @@ internal static unsafe class Integrator
             d.X = d.X + (step * (v.X - (half * SmallerChange(v.X - startX, changeX))));
             d.Y = d.Y + (step * (v.Y - (half * SmallerChange(v.Y - startY, changeY))));
             turned = turned + (step * (v.W - (half * SmallerChange(v.W - startW, changeW))));
-            WideTrigonometry.SinCos(Wide.Max(Wide.Splat(-LargestTurn), Wide.Min(Wide.Splat(LargestTurn), turned)), out d.Sin, out d.Cos);
+            Show(turned, ref d);
             BodyLanes.ScatterDelta(states, index, d);
             BodyLanes.Scatter(motion, index, startX, startY, startW, turned);
         }
     }
+
+    /// <summary>The turn as contacts see it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Show(Wide turned, ref WideDelta d) =>
+        WideTrigonometry.SinCos(Wide.Max(Wide.Splat(-LargestTurn), Wide.Min(Wide.Splat(LargestTurn), turned)), out d.Sin, out d.Cos);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Wide SmallerChange(Wide a, Wide b) =>

@@ -8,9 +8,11 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// Restitution at the moment of impact. Before a substep the approach speed of every point that may bounce is taken to the
-/// surface, v² = v₀² - 2·a·s with the approach velocity v₀ &lt; 0, the outside acceleration a along n and the gap s; after
-/// the relax pass points that took an impulse are given the speed e·v, as a 2×2 block, so that a flat box does not turn.
+/// Restitution at the moment of impact. A point that approaches fast enough to bounce is held back from the passes of its substep,
+/// so the bodies fly on exactly and overlap at its end by what they flew too far. Then the impact is made up for: with the velocity w of
+/// the pair, its acceleration a and the overlap s at the end of the substep, the surfaces met a time t before it, s - w·t + a·t²/2 = 0,
+/// at the velocity w - a·t. The impulse that turns this into -e·(w - a·t), both points as a 2×2 block, changes velocities by Δ and
+/// places by Δ·t. A ball is then where the reflected flight has brought it, to rounding.
 /// </summary>
 internal static unsafe class BounceKernel
 {
@@ -30,128 +32,290 @@ internal static unsafe class BounceKernel
         return bits != 0;
     }
 
+    /// <summary>Before a substep: notes where surfaces are, and holds back the points that approach fast.</summary>
+    /// <returns>True if there are such points.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Prepare(ContactBundle* bundles, byte* impacts, int count, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
+    public static bool Prepare(BounceLanes* bounce, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
     {
-        Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
+        ContactBundle* row = bounce->Row;
         Wide slowest = Wide.Splat(RestSubsteps);
         Wide rest = Wide.Splat(c.Rest);
         Wide threshold = Wide.Splat(c.BounceThreshold);
-        for (int i = 0; i < count; i++)
+        bounce->Hits = 0;
+        bounce->Struck = 0;
+        bounce->Held = 0;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            ContactBundle* row = bundles + i;
-            impacts[i] = 0;
-            if (!Bounces(row))
-            {
-                continue;
-            }
-
-            int any = 0;
-
-            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
-            {
-                Wide restitution = Wide.Load(row->Restitution + lane);
-                ContactKernel.GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1);
-                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
-                ContactKernel.NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
-                BodyLanes.Gather((float*)drives, row->BodyA + lane, out Wide driveAX, out Wide driveAY, out _, out _);
-                BodyLanes.Gather((float*)drives, row->BodyB + lane, out Wide driveBX, out Wide driveBY, out _, out _);
-                Wide nx = Wide.Load(row->NormalX + lane);
-                Wide ny = Wide.Load(row->NormalY + lane);
-                Wide drive = (nx * (driveBX - driveAX)) + (ny * (driveBY - driveAY));
-                Wide slow = slowest * Wide.Max(Wide.Abs((nx * driveAX) + (ny * driveAY)), Wide.Abs((nx * driveBX) + (ny * driveBY)));
-                slow = Wide.Max(slow, threshold);
-                Wide target0 = Target(v0, s0 - rest, drive * inverseSubstep, slow, restitution);
-                Wide target1 = Target(v1, s1 - rest, drive * inverseSubstep, slow, restitution);
-                target0.Store(row->Point0.Bounce + lane);
-                target1.Store(row->Point1.Bounce + lane);
-                any |= WideLanes.Bits((target0 > Wide.Zero) | (target1 > Wide.Zero));
-            }
-
-            impacts[i] = any != 0 ? (byte)1 : (byte)0;
+            Wide restitution = Wide.Load(row->Restitution + lane);
+            ContactKernel.GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1);
+            BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
+            BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+            ContactKernel.NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
+            BodyLanes.Gather((float*)drives, row->BodyA + lane, out Wide driveAX, out Wide driveAY, out _, out _);
+            BodyLanes.Gather((float*)drives, row->BodyB + lane, out Wide driveBX, out Wide driveBY, out _, out _);
+            Wide nx = Wide.Load(row->NormalX + lane);
+            Wide ny = Wide.Load(row->NormalY + lane);
+            Wide slow = slowest * Wide.Max(Wide.Abs((nx * driveAX) + (ny * driveAY)), Wide.Abs((nx * driveBX) + (ny * driveBY)));
+            slow = Wide.Max(slow, threshold);
+            slow.Store(bounce->Slow + lane);
+            WideMask can = restitution > Wide.Zero;
+            WideMask held0 = can & HoldBack(&bounce->Point0, lane, s0 - rest, v0, slow);
+            WideMask held1 = can & HoldBack(&bounce->Point1, lane, s1 - rest, v1, slow);
+            Mute(&row->Point0, &bounce->Point0, lane, held0);
+            Mute(&row->Point1, &bounce->Point1, lane, held1);
+            bounce->Held |= WideLanes.Bits(held0 | held1) << lane;
         }
+
+        return bounce->Held != 0;
     }
 
     /// <summary>
-    /// One sweep over the bundles that have an impact, as <see cref="Prepare"/> or the sweep before noted; the last one also lets go
-    /// of the impulses of the points that bounced, which are not to be repeated.
+    /// After the passes: the points that have come through each other, when they met, and at what speed they are to part. A point that
+    /// was held back is stopped at least; another bounces if it approaches fast by now, because something else struck its bodies.
     /// </summary>
+    /// <returns>A bit for each lane with an impact.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Apply<TScatter>(ContactBundle* bundles, byte* impacts, int count, BodyState* bodies, bool last)
-        where TScatter : struct, IVelocityScatter
+    public static int Find(BounceLanes* bounce, BodyState* bodies, BodyMotion* motions, in ContactCoefficients c)
     {
-        for (int i = 0; i < count; i++)
+        ContactBundle* row = bounce->Row;
+        Wide rest = Wide.Splat(c.Rest);
+        int hits = 0;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            if (impacts[i] == 0)
+            BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
+            BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
+            ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
+            BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
+            BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+            ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
+            WideVelocity startA = StartOf(motions, row->BodyA + lane, a, Wide.Load(row->MassA + lane));
+            WideVelocity startB = StartOf(motions, row->BodyB + lane, b, Wide.Load(row->MassB + lane));
+            ContactKernel.TurnedNormalVelocities(row, lane, startA, startB, movedA, movedB, out Wide start0, out Wide start1);
+            Wide restitution = Wide.Load(row->Restitution + lane);
+            Wide slow = Wide.Load(bounce->Slow + lane);
+            Wide time0 = Meeting(&bounce->Point0, lane, s0 - rest, v0, v0 - start0, restitution, slow, c, out Wide target0);
+            Wide time1 = Meeting(&bounce->Point1, lane, s1 - rest, v1, v1 - start1, restitution, slow, c, out Wide target1);
+            Wide time = Wide.Max(time0, time1);
+            WideMask hit = (time >= Wide.Zero) & (restitution > Wide.Zero);
+            Wide.Select(hit, time, Wide.Load(bounce->Time + lane)).Store(bounce->Time + lane);
+            Wide.Select(hit, target0, Wide.Load(bounce->Point0.Target + lane)).Store(bounce->Point0.Target + lane);
+            Wide.Select(hit, target1, Wide.Load(bounce->Point1.Target + lane)).Store(bounce->Point1.Target + lane);
+            hits |= WideLanes.Bits(hit) << lane;
+        }
+
+        return hits;
+    }
+
+    /// <summary>Solves the impacts of the lanes in <see cref="BounceLanes.Hits"/>.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Apply(BounceLanes* bounce, BodyState* bodies, BodyMotion* motions, in ContactCoefficients c)
+    {
+        ContactBundle* row = bounce->Row;
+        Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
+        Wide rest = Wide.Splat(c.Rest);
+        float* active = stackalloc float[ContactBundle.Lanes];
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            active[lane] = (bounce->Hits >> lane) & 1;
+        }
+
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            WideMask any = Wide.Load(active + lane) > Wide.Zero;
+            Wide target0 = Wide.Load(bounce->Point0.Target + lane);
+            Wide target1 = Wide.Load(bounce->Point1.Target + lane);
+            Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
+            Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
+            BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
+            BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+            BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
+            BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
+            ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
+            ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
+
+            // A point without an impact may still come to push, but not before it touches.
+            Wide r0 = v0 + Wide.Select(target0 >= Wide.Zero, Wide.Zero - target0, Wide.Max(s0 - rest, Wide.Zero) * inverseSubstep);
+            Wide r1 = v1 + Wide.Select(target1 >= Wide.Zero, Wide.Zero - target1, Wide.Max(s1 - rest, Wide.Zero) * inverseSubstep);
+            ContactKernel.SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
+            x0 = Wide.Select(any, x0, lambda0);
+            x1 = Wide.Select(any, x1, lambda1);
+            WideVelocity oldA = a;
+            WideVelocity oldB = b;
+            ContactKernel.ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
+            ContactKernel.SolveFriction(row, lane, ref a, ref b, movedA, movedB, x0, x1, any);
+            x0.Store(row->Point0.Normal + lane);
+            x1.Store(row->Point1.Normal + lane);
+            Wide time = Wide.Keep(any, Wide.Load(bounce->Time + lane));
+            BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
+            CatchUp(bodies, motions, row->BodyA + lane, oldA, a, movedA, time);
+            BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
+            CatchUp(bodies, motions, row->BodyB + lane, oldB, b, movedB, time);
+        }
+    }
+
+    /// <summary>Lanes whose surfaces approach again after their impact: something that does not bounce has stopped one of their bodies.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static int FindAgain(BounceLanes* bounce, BodyState* bodies)
+    {
+        ContactBundle* row = bounce->Row;
+        int again = 0;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
+            BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
+            BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
+            BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+            ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
+            Wide slow = Wide.Zero - Wide.Load(bounce->Slow + lane);
+            again |= WideLanes.Bits(
+                ((Wide.Load(bounce->Point0.Target + lane) >= Wide.Zero) & (v0 < slow))
+                | ((Wide.Load(bounce->Point1.Target + lane) >= Wide.Zero) & (v1 < slow))) << lane;
+        }
+
+        return again & bounce->Struck;
+    }
+
+    /// <summary>Holds back what was struck, or lets everything take part again.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Hold(BounceLanes* bounce, bool hold)
+    {
+        ContactBundle* row = bounce->Row;
+        Wide none = Wide.Splat(ContactBundle.NoPoint);
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            Hold(&row->Point0, &bounce->Point0, lane, none, hold);
+            Hold(&row->Point1, &bounce->Point1, lane, none, hold);
+        }
+    }
+
+    /// <summary>After the impacts: their impulses are noted, and let go, for they are not to be repeated.</summary>
+    public static void Finish(BounceLanes* bounce)
+    {
+        ContactBundle* row = bounce->Row;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            if (((bounce->Struck >> lane) & 1) != 0)
             {
-                continue;
-            }
-
-            ContactBundle* row = bundles + i;
-            impacts[i] = 0;
-            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
-            {
-                Wide target0 = Wide.Load(row->Point0.Bounce + lane);
-                Wide target1 = Wide.Load(row->Point1.Bounce + lane);
-                Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
-                Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
-                WideMask hit0 = (target0 > Wide.Zero) & (lambda0 > Wide.Zero);
-                WideMask hit1 = (target1 > Wide.Zero) & (lambda1 > Wide.Zero);
-                WideMask any = hit0 | hit1;
-                if (WideLanes.Bits(any) == 0)
-                {
-                    // What is about to strike has not done so: nothing below would change, in this sweep or another.
-                    continue;
-                }
-
-                impacts[i] = 1;
-
-                target0 = Wide.Select(hit0, target0, Wide.Zero);
-                target1 = Wide.Select(hit1, target1, Wide.Zero);
-                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
-                BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
-                BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
-                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
-                ContactKernel.SolveBlock(row, lane, lambda0, lambda1, v0 - target0, v1 - target1, out Wide x0, out Wide x1);
-                x0 = Wide.Select(any, x0, lambda0);
-                x1 = Wide.Select(any, x1, lambda1);
-                ContactKernel.ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
-
-                // The impact presses harder than the stop alone: friction may use all of it, so a grazing ball takes its full spin.
-                ContactKernel.SolveFriction(row, lane, ref a, ref b, movedA, movedB, x0, x1, any);
-                ContactKernel.StoreVelocities<TScatter>(row, lane, bodies, a, b);
-                x0.Store(row->Point0.Normal + lane);
-                x1.Store(row->Point1.Normal + lane);
-                if (last)
-                {
-                    Wide blow = Wide.Max(x0 + x1, Wide.Splat(float.Epsilon));
-                    Wide.Select(any, blow, Wide.Load(row->Struck + lane)).Store(row->Struck + lane);
-                    Release(ref row->Point0, lane, any);
-                    Release(ref row->Point1, lane, any);
-                }
+                row->Struck[lane] = System.Math.Max(row->Point0.Normal[lane] + row->Point1.Normal[lane], float.Epsilon);
+                Release(&row->Point0, lane);
+                Release(&row->Point1, lane);
             }
         }
+    }
+
+    private static void Release(ContactPointLanes* point, int lane)
+    {
+        point->Normal[lane] = 0;
+        point->PreviousNormal[lane] = 0;
+        point->Tangent[lane] = 0;
+        point->PreviousTangent[lane] = 0;
     }
 
     // Finite speeds only: a point that does not exist has a separation of 1e30 and must not bounce.
-    private static Wide Target(Wide v, Wide s, Wide acceleration, Wide slow, Wide restitution)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideMask HoldBack(BouncePointLanes* bounce, int lane, Wide gap, Wide v, Wide slow)
     {
-        Wide square = (v * v) - (Wide.Splat(2f) * (acceleration * s));
-        Wide speed = Wide.Sqrt(Wide.Max(square, Wide.Zero));
-        WideMask impact = (v < (Wide.Zero - slow)) & (s < Wide.Splat(ContactBundle.NoPoint * 0.5f)) & (restitution > Wide.Zero);
-        return Wide.Select(impact, restitution * speed, Wide.Zero);
+        Wide.Min(gap, Wide.Zero).Store(bounce->Level + lane);
+        Wide.Splat(-1f).Store(bounce->Target + lane);
+        return (v < (Wide.Zero - slow)) & (gap < Wide.Splat(ContactBundle.NoPoint * 0.5f));
     }
 
-    private static void Release(ref ContactPointLanes point, int lane, WideMask hit)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Mute(ContactPointLanes* point, BouncePointLanes* bounce, int lane, WideMask held)
     {
-        fixed (ContactPointLanes* p = &point)
+        Wide none = Wide.Splat(ContactBundle.NoPoint);
+        Wide.Select(held, Wide.Load(point->Base + lane), none).Store(bounce->Base + lane);
+        Wide.Select(held, none, Wide.Load(point->Base + lane)).Store(point->Base + lane);
+        Wide.Zero.Store(bounce->Normal + lane);
+        Wide.Zero.Store(bounce->Tangent + lane);
+        Wide.Keep(~held, Wide.Load(point->Normal + lane)).Store(point->Normal + lane);
+        Wide.Keep(~held, Wide.Load(point->PreviousNormal + lane)).Store(point->PreviousNormal + lane);
+        Wide.Keep(~held, Wide.Load(point->Tangent + lane)).Store(point->Tangent + lane);
+        Wide.Keep(~held, Wide.Load(point->PreviousTangent + lane)).Store(point->PreviousTangent + lane);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Hold(ContactPointLanes* point, BouncePointLanes* bounce, int lane, Wide none, bool hold)
+    {
+        Wide kept = Wide.Load(bounce->Base + lane);
+        Wide now = Wide.Load(point->Base + lane);
+        if (hold)
         {
-            Wide.Select(hit, Wide.Zero, Wide.Load(p->Normal + lane)).Store(p->Normal + lane);
-            Wide.Select(hit, Wide.Zero, Wide.Load(p->PreviousNormal + lane)).Store(p->PreviousNormal + lane);
-            Wide.Select(hit, Wide.Zero, Wide.Load(p->Tangent + lane)).Store(p->Tangent + lane);
-            Wide.Select(hit, Wide.Zero, Wide.Load(p->PreviousTangent + lane)).Store(p->PreviousTangent + lane);
+            WideMask held = (Wide.Load(bounce->Target + lane) >= Wide.Zero) | (kept < none);
+            Wide.Select(held, now, kept).Store(bounce->Base + lane);
+            Wide.Select(held, none, now).Store(point->Base + lane);
+            Lay(point->Normal + lane, bounce->Normal + lane, held);
+            Lay(point->Tangent + lane, bounce->Tangent + lane, held);
         }
+        else
+        {
+            WideMask held = kept < none;
+            Wide.Select(held, kept, now).Store(point->Base + lane);
+            Lay(bounce->Normal + lane, point->Normal + lane, held);
+            Lay(bounce->Tangent + lane, point->Tangent + lane, held);
+        }
+    }
+
+    /// <summary>Moves the impulses of the lanes that are held from one column to the other.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Lay(float* from, float* to, WideMask held)
+    {
+        Wide value = Wide.Load(from);
+        Wide.Select(held, value, Wide.Load(to)).Store(to);
+        Wide.Keep(~held, value).Store(from);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideVelocity StartOf(BodyMotion* motions, int* index, in WideVelocity now, Wide mass)
+    {
+        // What cannot move is not integrated: its start is of another time.
+        BodyLanes.Gather((float*)motions, index, out Wide x, out Wide y, out Wide w, out _);
+        WideMask moves = mass > Wide.Zero;
+        WideVelocity start = now;
+        start.X = Wide.Select(moves, x, now.X);
+        start.Y = Wide.Select(moves, y, now.Y);
+        start.W = Wide.Select(moves, w, now.W);
+        return start;
+    }
+
+    /// <summary>When the surfaces of a point met, before the end of the substep; -1: they did not, or not fast.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Wide Meeting(
+        BouncePointLanes* point, int lane, Wide gap, Wide v, Wide change, Wide restitution, Wide slow, in ContactCoefficients c, out Wide target)
+    {
+        Wide a = change * Wide.Splat(c.InverseSubstep);
+        Wide beyond = gap - Wide.Load(point->Level + lane);
+        Wide speed = Wide.Sqrt(Wide.Max((v * v) - (Wide.Splat(2f) * (a * beyond)), Wide.Zero));
+        WideMask held = Wide.Load(point->Base + lane) < Wide.Splat(ContactBundle.NoPoint);
+        Wide zero = Wide.Zero;
+        WideMask met = (beyond <= zero) & (v < zero) & ((v < (zero - slow)) | held);
+        Wide sum = speed - v;
+        Wide time = Wide.Min(Wide.Max((Wide.Splat(-2f) * beyond) / sum, zero), Wide.Splat(c.Substep));
+        Wide back = Wide.Select(speed > slow, restitution * speed, zero);
+        target = Wide.Select(met, Wide.Max(back + (a * time), zero), Wide.Splat(-1f));
+        return Wide.Select(met, time, Wide.Splat(-1f));
+    }
+
+    /// <summary>
+    /// Moves bodies by what their change of velocity would have brought since the impact, and takes the change into the velocity of the
+    /// substep's start, so that the next one sees the steady acceleration alone.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void CatchUp(BodyState* bodies, BodyMotion* motions, int* index, in WideVelocity old, in WideVelocity now, in WideDelta moved, Wide time)
+    {
+        Wide x = now.X - old.X;
+        Wide y = now.Y - old.Y;
+        Wide w = now.W - old.W;
+        WideDelta d = moved;
+        d.X = d.X + (x * time);
+        d.Y = d.Y + (y * time);
+        BodyLanes.Gather((float*)motions, index, out Wide startX, out Wide startY, out Wide startW, out Wide turned);
+        turned = turned + (w * time);
+        BodyLanes.Scatter((float*)motions, index, startX + x, startY + y, startW + w, turned);
+        Integrator.Show(turned, ref d);
+        WideMask turns = Wide.Abs(w * time) > Wide.Zero;
+        d.Sin = Wide.Select(turns, d.Sin, moved.Sin);
+        d.Cos = Wide.Select(turns, d.Cos, moved.Cos);
+        BodyLanes.ScatterDelta(bodies, index, d);
     }
 }

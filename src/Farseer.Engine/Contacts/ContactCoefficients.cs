@@ -88,6 +88,13 @@ internal readonly struct ContactCoefficients
         return Wide.One - Wide.Max(Wide.Splat(FeedRest) * share, Wide.Splat(SmallestFeedRest));
     }
 
+    /// <summary>1 - η for a contact whose smaller piece has the size <paramref name="size"/>.</summary>
+    public float FeedRestOf(float size)
+    {
+        float fall = LargeSize * Gravity * Substep * Substep;
+        return System.Math.Max(FeedRest * (size < fall ? size / fall : 1f), SmallestFeedRest);
+    }
+
     /// <summary>Static sag per unit of speed held up, λ·k: s = λ·k·h/(ωh)².</summary>
     public float Sag(float load) => load * Substep * (1f / (AngularStep * AngularStep));
 

@@ -239,7 +239,7 @@ internal static unsafe class ContactKernel
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Separations(ContactBundle* row, int lane, in WideDelta a, in WideDelta b, out Wide s0, out Wide s1)
+    internal static void Separations(ContactBundle* row, int lane, in WideDelta a, in WideDelta b, out Wide s0, out Wide s1)
     {
         Wide moved = (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
         s0 = PointSeparation(&row->Point0, lane, a, b, moved);

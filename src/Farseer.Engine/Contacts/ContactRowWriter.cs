@@ -26,6 +26,9 @@ internal static unsafe class ContactRowWriter
     /// <summary>Below this share of k11·k22 the determinant is noise and the points are solved row by row.</summary>
     private const float DeterminantShare = 1e-3f;
 
+    /// <summary>The least number with all its digits: bodies of 10¹⁹ kg have determinants below it, and are solved row by row as well.</summary>
+    private const float LeastDeterminant = 1.17549435e-38f;
+
     /// <summary>
     /// An island is deep if a point is deeper than this share of the smaller piece or, if less, than this many depths of rest,
     /// beyond three static sags.
@@ -244,7 +247,7 @@ internal static unsafe class ContactRowWriter
         Wide k22 = Wide.Select(two, m + (iA * atA1 * atA1) + (iB * atB1 * atB1), k11);
         Wide k12 = Wide.Keep(two, m + (iA * atA0 * atA1) + (iB * atB0 * atB1));
         Wide determinant = (k11 * k22) - (k12 * k12);
-        WideMask block = two & (determinant > Wide.Splat(DeterminantShare) * k11 * k22);
+        WideMask block = two & (determinant > Wide.Max(Wide.Splat(DeterminantShare) * k11 * k22, Wide.Splat(LeastDeterminant)));
         k11.Store(row->K11 + lane);
         k22.Store(row->K22 + lane);
         k12.Store(row->K12 + lane);

@@ -64,6 +64,9 @@ internal struct ContactRecord
 /// <summary>All pairs, the map from pieces to pairs, and the list of pairs without a row.</summary>
 internal sealed class ContactStore
 {
+    /// <summary>Pairs that a small world has room for from the start: elastic balls see their largest crowd late.</summary>
+    private const int FewPairs = 64;
+
     private readonly ColumnSet _set = new ColumnSet();
     private readonly Column<int> _free = new Column<int>();
     private readonly Column<int> _idle = new Column<int>();
@@ -73,6 +76,7 @@ internal sealed class ContactStore
     {
         Records = _set.Add<ContactRecord>();
         Manifolds = _set.Add<Manifold>();
+        Map.EnsureCapacity(FewPairs);
     }
 
     public Column<ContactRecord> Records { get; }

@@ -8,7 +8,6 @@ namespace Farseer.Engine.Graph;
 internal sealed unsafe class GraphColor
 {
     private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
-    private readonly Column<byte> _impacts = new Column<byte>();
     private readonly int _lanesUsed;
 
     /// <param name="sequential">True for the overflow, whose contacts may share bodies: one filled lane a bundle.</param>
@@ -36,8 +35,6 @@ internal sealed unsafe class GraphColor
 
     public ContactBundle* Bundles => _bundles.Pointer;
 
-    /// <summary>Of each bundle, within a substep: 0 if nothing in it bounces, so that sweeps over impacts need not look at it.</summary>
-    public byte* Impacts => _impacts.Pointer;
 
     public ContactBundle* BundleOf(int row) => _bundles.Pointer + (row / _lanesUsed);
 
@@ -53,7 +50,6 @@ internal sealed unsafe class GraphColor
         if (LaneOf(row) == 0)
         {
             _bundles.EnsureCapacity(BundleCount);
-            _impacts.EnsureCapacity(BundleCount);
             for (int lane = 0; lane < WideLanes.BundleLanes; lane++)
             {
                 ContactRowWriter.ClearLane(BundleOf(row), lane);

@@ -19,8 +19,10 @@ namespace Farseer.Engine.Islands;
 /// </summary>
 internal sealed unsafe class FeedForwardSettings : IStageWork
 {
+    /// <summary>Seconds.</summary>
+    public const float ShortestTime = 0.05f;
+
     private const float TimeFactor = 16f;
-    private const float ShortestTime = 0.05f;
     private const float LongestTime = 20f;
 
     /// <summary>Bundles that are worth another worker's while, some 0.5 µs.</summary>
@@ -34,6 +36,9 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     private int _slots;
     private bool _writes;
     private bool _anyDeep;
+
+    /// <summary>Whether an island is pushed apart in this step.</summary>
+    public bool IsDeep(int island) => _deep[island] > 0;
 
     /// <summary>Writes rate and deepness into every row.</summary>
     /// <returns>True if any island is deep.</returns>

@@ -33,6 +33,12 @@ internal sealed unsafe partial class IslandStore
     /// <summary>The island of a body that had a row when the islands were last built.</summary>
     public int Of(int body) => _islandOf[body];
 
+    /// <summary>How many contacts away the ground is from such a body; -1: nothing carries it.</summary>
+    public int LevelOf(int body) => _level[body];
+
+    /// <summary>One past the highest body when the islands were last built.</summary>
+    public int BodyEnd => _bodyEnd;
+
     /// <summary>First slot of each island; the entry after the last island is <see cref="SlotCount"/>.</summary>
     public int* FirstSlot => _firstSlot.Pointer;
 

@@ -152,37 +152,6 @@ internal sealed unsafe partial class JointSolver : IStageWork
         Run(TargetKind.Relaxed, rub ? Pass.Relaxed : Pass.RelaxedSmooth, again);
     }
 
-    /// <summary>Before a substep: the speeds at which its impacts part.</summary>
-    public void PrepareBounce()
-    {
-        LoadVelocities();
-        for (int i = 0; i < _contactCount; i++)
-        {
-            _contactPass.PrepareBounce(_contacts.Pointer + i);
-        }
-    }
-
-    /// <summary>A sweep over the impacts.</summary>
-    public void Bounce(bool last)
-    {
-        if (_contactCount > 0)
-        {
-            LoadVelocities();
-            Sweep(last ? Pass.BounceLast : Pass.Bounce);
-            StoreVelocities();
-        }
-    }
-
-    /// <summary>After impacts that do not see the trees: what they took out of joint is put right.</summary>
-    public void Settle()
-    {
-        _nets.Relax(true);
-        LoadVelocities();
-        SolveTrees(TargetKind.Relaxed, false);
-        Sweep(Pass.Settle);
-        StoreVelocities();
-    }
-
     /// <summary>Keeps the impulses for the next step.</summary>
     public void Finish()
     {
@@ -217,8 +186,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         Biased,
         Relaxed,
         RelaxedSmooth,
-        Bounce,
-        BounceLast,
+        Impact,
         Settle,
         Correction,
         PushOut,
@@ -290,6 +258,11 @@ internal sealed unsafe partial class JointSolver : IStageWork
 
     private void Solve(TreeContact* contact, Pass pass)
     {
+        if (contact->Held && pass != Pass.Impact)
+        {
+            return;
+        }
+
         switch (pass)
         {
             case Pass.Biased:
@@ -299,9 +272,8 @@ internal sealed unsafe partial class JointSolver : IStageWork
             case Pass.RelaxedSmooth:
                 _contactPass.Relax(contact, pass == Pass.Relaxed);
                 break;
-            case Pass.Bounce:
-            case Pass.BounceLast:
-                _contactPass.Bounce(contact, pass == Pass.BounceLast);
+            case Pass.Impact:
+                _contactPass.Strike(contact);
                 break;
             case Pass.Correction:
                 _contactPass.Hold(contact);

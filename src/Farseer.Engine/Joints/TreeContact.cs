@@ -18,7 +18,12 @@ internal struct TreeContactPoint
     public double PreviousNormal;
     public double PreviousTangent;
     public double Feed;
+
+    /// <summary>Speed at which the surfaces are to part after an impact; negative: none.</summary>
     public double Bounce;
+
+    /// <summary>Overlap at the start of the substep, as a gap of at most 0.</summary>
+    public double Level;
 
     /// <summary>The normal impulse before the position correction.</summary>
     public double Plain;
@@ -47,6 +52,16 @@ internal unsafe struct TreeContact
     /// <summary>0, 1 or 2.</summary>
     public int Points;
     public bool Deep;
+
+    /// <summary>About to bounce, and out of the passes of the substep; its impact is being solved; it had one in this substep.</summary>
+    public bool Held;
+    public bool Hit;
+    public bool Impact;
+
+    /// <summary>How long ago the surfaces met, before the end of the substep; their acceleration; approach slower than this is rest.</summary>
+    public double Since;
+    public double Acceleration;
+    public double Slow;
 
     /// <summary>Impulse of the last bounce in the step, both points together; 0: none.</summary>
     public double Struck;

@@ -7,11 +7,14 @@ namespace Farseer.Engine.Joints;
 /// <content>Restitution, as in <see cref="BounceKernel"/>: with the trees' masses too.</content>
 internal sealed unsafe partial class TreeContactPass
 {
-    public void PrepareBounce(TreeContact* contact)
+    /// <summary>Before a substep: a contact that approaches fast enough to bounce takes no part in its passes.</summary>
+    /// <returns>True if it is held back.</returns>
+    public bool HoldBack(TreeContact* contact)
     {
+        contact->Held = false;
         if (contact->Restitution <= 0)
         {
-            return;
+            return false;
         }
 
         Speeds(contact, out double v0, out double v1);
@@ -19,41 +22,87 @@ internal sealed unsafe partial class TreeContactPass
         ref BodyDrive b = ref _bodies.Drive[contact->Ends.BodyB];
         double driveA = contact->Ends.NodeA < 0 ? 0 : (contact->NormalX * a.X) + (contact->NormalY * a.Y);
         double driveB = contact->Ends.NodeB < 0 ? 0 : (contact->NormalX * b.X) + (contact->NormalY * b.Y);
-        double acceleration = (driveB - driveA) * _c.InverseSubstep;
-        double slow = Math.Max(BounceKernel.RestSubsteps * Math.Max(Math.Abs(driveA), Math.Abs(driveB)), _c.BounceThreshold);
-        contact->Point0.Bounce = Target(contact->Point0, v0, acceleration, slow, contact->Restitution);
-        contact->Point1.Bounce = contact->Points > 1 ? Target(contact->Point1, v1, acceleration, slow, contact->Restitution) : 0;
+        contact->Acceleration = (driveB - driveA) * _c.InverseSubstep;
+        contact->Slow = Math.Max(BounceKernel.RestSubsteps * Math.Max(Math.Abs(driveA), Math.Abs(driveB)), _c.BounceThreshold);
+        contact->Held = v0 < -contact->Slow || (contact->Points > 1 && v1 < -contact->Slow);
+        NoteLevel(&contact->Point0);
+        NoteLevel(&contact->Point1);
+        if (contact->Held)
+        {
+            Release(&contact->Point0);
+            Release(&contact->Point1);
+        }
+
+        return contact->Held;
     }
 
-    /// <summary>One sweep; the last one also lets go of the impulses of the points that bounced, which are not to be repeated.</summary>
-    public void Bounce(TreeContact* contact, bool last)
+    /// <summary>Whether the surfaces have come through each other, when they met, and at what speed they are to part.</summary>
+    public bool FindImpact(TreeContact* contact)
     {
-        TreeContactPoint* p0 = &contact->Point0;
-        TreeContactPoint* p1 = &contact->Point1;
-        bool hit0 = p0->Bounce > 0 && p0->Normal > 0;
-        bool hit1 = p1->Bounce > 0 && p1->Normal > 0;
-        if (!hit0 && !hit1)
+        contact->Since = -1;
+        if (contact->Restitution <= 0)
+        {
+            return false;
+        }
+
+        Speeds(contact, out double v0, out double v1);
+        FindImpact(contact, &contact->Point0, v0);
+        if (contact->Points > 1)
+        {
+            FindImpact(contact, &contact->Point1, v1);
+        }
+
+        return contact->Since >= 0;
+    }
+
+    /// <summary>One sweep over an impact.</summary>
+    public void Strike(TreeContact* contact)
+    {
+        if (contact->Hit)
+        {
+            Trees.RowEnds.Visit(_view, &contact->Ends);
+            Speeds(contact, out double v0, out double v1);
+            SolveBlock(contact, v0 - Parting(&contact->Point0), v1 - Parting(&contact->Point1), out double x0, out double x1);
+            Change(contact, x0, x1);
+            Rub(contact, x0, x1);
+        }
+    }
+
+    /// <summary>The impulses of an impact are noted, and let go, for they are not to be repeated.</summary>
+    public static void FinishImpact(TreeContact* contact)
+    {
+        contact->Held = false;
+        if (contact->Impact)
+        {
+            contact->Impact = false;
+            contact->Struck = Math.Max(contact->Point0.Normal + contact->Point1.Normal, float.Epsilon);
+            Release(&contact->Point0);
+            Release(&contact->Point1);
+        }
+    }
+
+    private void NoteLevel(TreeContactPoint* p)
+    {
+        p->Level = Math.Min(p->Separation - _c.Rest, 0);
+        p->Bounce = -1;
+    }
+
+    private double Parting(TreeContactPoint* p) =>
+        p->Bounce >= 0 ? p->Bounce : -Math.Max(p->Separation - _c.Rest, 0) * _c.InverseSubstep;
+
+    private void FindImpact(TreeContact* contact, TreeContactPoint* p, double v)
+    {
+        p->Bounce = -1;
+        double beyond = p->Separation - _c.Rest - p->Level;
+        if (beyond > 0 || v >= 0 || !(contact->Held || v < -contact->Slow))
         {
             return;
         }
 
-        Trees.RowEnds.Visit(_view, &contact->Ends);
-        Speeds(contact, out double v0, out double v1);
-        SolveBlock(contact, v0 - (hit0 ? p0->Bounce : 0), v1 - (hit1 ? p1->Bounce : 0), out double x0, out double x1);
-        Change(contact, x0, x1);
-        Rub(contact, x0, x1);
-        if (last)
-        {
-            contact->Struck = Math.Max(x0 + x1, float.Epsilon);
-            Release(p0);
-            Release(p1);
-        }
-    }
-
-    private double Target(in TreeContactPoint p, double v, double acceleration, double slow, double restitution)
-    {
-        double square = (v * v) - (2 * acceleration * (p.Separation - _c.Rest));
-        return v < -slow ? restitution * Math.Sqrt(Math.Max(square, 0)) : 0;
+        double speed = Math.Sqrt(Math.Max(0, (v * v) - (2 * contact->Acceleration * beyond)));
+        double time = Math.Min(-2 * beyond / (speed - v), 1 / _c.InverseSubstep);
+        p->Bounce = Math.Max(0, (speed > contact->Slow ? contact->Restitution * speed : 0) + (contact->Acceleration * time));
+        contact->Since = Math.Max(contact->Since, time);
     }
 
     private static void Release(TreeContactPoint* p)

@@ -22,11 +22,13 @@ internal enum RestitutionMix
 /// <summary>The dials of one world. No dial carries a hidden unit of length: a scene scaled by a power of two gives scaled bits.</summary>
 internal sealed class WorldSettings
 {
+    public const int DefaultSubsteps = 5;
+
     /// <summary>Acceleration of every body that does not ignore gravity, length/s². Default (0, 0).</summary>
     public Vector2 Gravity { get; set; }
 
     /// <summary>Substeps a step: the accuracy dial. At least 1; default 5. The error falls fourfold for each doubling.</summary>
-    public int Substeps { get; set; } = 5;
+    public int Substeps { get; set; } = DefaultSubsteps;
 
     /// <summary>Depth at which a contact rests, a length of the scene. 0 or more; default 0.05 (the original's).</summary>
     public float AllowedPenetration { get; set; } = 0.05f;

@@ -34,13 +34,13 @@ internal sealed partial class World
         _events.Raise(this, _contacts, _graph, _contactStage.AnyHeard);
         Profile.End(StepStage.NarrowPhase);
 
-        bool anyDeep = UpdateIslands(contacts.Coefficients);
+        bool anyDeep = UpdateIslands(dt, contacts.Coefficients);
         Profile.End(StepStage.GraphAndIslands);
 
         ApplyForces(dt);
         if (_graph.Changed)
         {
-            anyDeep = UpdateIslands(contacts.Coefficients);
+            anyDeep = UpdateIslands(dt, contacts.Coefficients);
         }
 
         if (_contactStage.AnyHeard)
@@ -108,8 +108,9 @@ internal sealed partial class World
         return input;
     }
 
-    private unsafe bool UpdateIslands(in ContactCoefficients coefficients)
+    private unsafe bool UpdateIslands(float dt, in ContactCoefficients coefficients)
     {
+        bool rebuilt = false;
         if (_graph.RowCount == 0)
         {
             return false;
@@ -120,12 +121,14 @@ internal sealed partial class World
             if (!_islands.Keep(_graph, _contacts.Records, _lists.Moves))
             {
                 _islands.Build(_graph, Bodies.Ids.End, _lists.Moves);
+                rebuilt = true;
             }
 
             _graph.ForgetChanges();
             _groupsChanged = true;
         }
 
+        _sagForecast.Begin(_islands, _graph, Bodies, dt, Settings.Gravity, rebuilt);
         return _feedForward.Apply(_runner, _islands, _graph, coefficients);
     }
 
@@ -162,10 +165,10 @@ internal sealed partial class World
         input.ColdStart = _contactStage.ColdStart;
         input.Joints = joints;
         input.UserJoints = anyUserJoints ? UserJoints : null;
-        bool classes = joints != null && !anyUserJoints && FindClasses(joints);
+        bool classes = !anyUserJoints && FindClasses(joints, coefficients);
         if (classes)
         {
-            _classes.Borrow();
+            _classes.Borrow(substep);
             input.List = _classes.List(0);
             input.PaddedCount = _classes.PaddedCount(0);
         }
@@ -182,23 +185,23 @@ internal sealed partial class World
         Queries.PosesChange = false;
         if (classes)
         {
-            SolveClasses(input, joints!, dt);
+            SolveClasses(input, joints, dt);
         }
     }
 
-    private unsafe bool FindClasses(JointSolver joints)
+    private unsafe bool FindClasses(JointSolver? joints, in ContactCoefficients c)
     {
-        if (!_classes.Find(joints, _graph, _lists.Moves, Bodies.Ids.End))
+        if (!_classes.Find(joints, _sagForecast, _islands, _feedForward, _graph, Bodies, _lists.Moves, _lists.Solver, _lists.SolverCount, c))
         {
             return false;
         }
 
-        _classes.Split(joints, _graph, Bodies, _springs, _lists.Moves, _lists.Solver, _lists.SolverCount);
+        _classes.Split(joints, _sagForecast, _islands, _graph, Bodies, _springs, _lists.Moves, _lists.Solver, _lists.SolverCount);
         return true;
     }
 
     /// <summary>The islands that need more substeps than the others: solved by themselves, their rows taken out of the graph meanwhile.</summary>
-    private unsafe void SolveClasses(SolverInput input, JointSolver joints, float dt)
+    private unsafe void SolveClasses(SolverInput input, JointSolver? joints, float dt)
     {
         for (int index = 1; index < IslandClasses.Count; index++)
         {
@@ -220,7 +223,7 @@ internal sealed partial class World
             input.Coefficients = new ContactCoefficients(
                 substep, input.Coefficients.Gravity, input.Coefficients.Rest, input.Coefficients.BounceThreshold);
             input.Springs = null;
-            joints.Select(index, substep, fineness);
+            joints?.Select(index, substep, fineness);
             AuditSolve(input);
             _solver.Solve(input);
         }

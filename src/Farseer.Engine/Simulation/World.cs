@@ -22,6 +22,7 @@ internal sealed partial class World
     private readonly ConstraintGraph _graph = new ConstraintGraph();
     private readonly IslandStore _islands = new IslandStore();
     private readonly FeedForwardSettings _feedForward = new FeedForwardSettings();
+    private readonly SagForecast _sagForecast = new SagForecast();
     private readonly SubstepSolver _solver = new SubstepSolver();
     private readonly ContactStage _contactStage = new ContactStage();
     private readonly ContactEvents _events = new ContactEvents();

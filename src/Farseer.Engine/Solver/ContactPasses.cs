@@ -17,13 +17,11 @@ internal sealed unsafe class ContactPasses : IStageWork
 
     private StageRunner _runner = null!;
     private BodyState* _states;
-    private BodyDrive* _drives;
     private ContactCoefficients _coefficients;
     private Pass _pass;
     private bool _flag;
     private float _rate;
     private ContactBundle* _bundles;
-    private byte* _impacts;
     private bool _grounded;
 
     private enum Pass
@@ -32,15 +30,12 @@ internal sealed unsafe class ContactPasses : IStageWork
         Biased,
         PushOut,
         Relax,
-        PrepareBounce,
-        Bounce,
     }
 
     public void Begin(StageRunner runner, BodyStore bodies, in ContactCoefficients coefficients)
     {
         _runner = runner;
         _states = bodies.State.Pointer;
-        _drives = bodies.Drive.Pointer;
         _coefficients = coefficients;
     }
 
@@ -49,10 +44,6 @@ internal sealed unsafe class ContactPasses : IStageWork
     public void SolveBiased(ReadOnlySpan<GraphColor> colors, bool anyDeep) => Run(colors, Pass.Biased, anyDeep);
 
     public void Relax(ReadOnlySpan<GraphColor> colors, bool rub) => Run(colors, Pass.Relax, rub);
-
-    public void PrepareBounce(ReadOnlySpan<GraphColor> colors) => Run(colors, Pass.PrepareBounce, false);
-
-    public void Bounce(ReadOnlySpan<GraphColor> colors, bool last) => Run(colors, Pass.Bounce, last);
 
     public void PushOut(ReadOnlySpan<GraphColor> colors, float rate)
     {
@@ -64,15 +55,15 @@ internal sealed unsafe class ContactPasses : IStageWork
     {
         if (_grounded)
         {
-            Run<ScatterMoving>(_bundles + from, _impacts + from, to - from);
+            Run<ScatterMoving>(_bundles + from, to - from);
         }
         else
         {
-            Run<ScatterAll>(_bundles + from, _impacts + from, to - from);
+            Run<ScatterAll>(_bundles + from, to - from);
         }
     }
 
-    private void Run<TScatter>(ContactBundle* bundles, byte* impacts, int count)
+    private void Run<TScatter>(ContactBundle* bundles, int count)
         where TScatter : struct, IVelocityScatter
     {
         switch (_pass)
@@ -89,12 +80,6 @@ internal sealed unsafe class ContactPasses : IStageWork
             case Pass.Relax:
                 ContactKernel.Relax<TScatter>(bundles, count, _states, _coefficients, _flag);
                 break;
-            case Pass.PrepareBounce:
-                BounceKernel.Prepare(bundles, impacts, count, _states, _drives, _coefficients);
-                break;
-            case Pass.Bounce:
-                BounceKernel.Apply<TScatter>(bundles, impacts, count, _states, _flag);
-                break;
         }
     }
 
@@ -106,7 +91,6 @@ internal sealed unsafe class ContactPasses : IStageWork
         {
             GraphColor color = colors[i];
             _bundles = color.Bundles;
-            _impacts = color.Impacts;
             _grounded = color.IsGrounded;
             _runner.Run(this, color.BundleCount, color.IsSequential ? int.MaxValue : LeastBundles);
         }

@@ -2,6 +2,7 @@ using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Springs;
@@ -18,6 +19,9 @@ internal sealed unsafe class IslandClasses
 {
     public const int Count = JointSolver.MostDoublings + 1;
 
+    /// <summary>In <see cref="_listed"/>: the island of this root has joints.</summary>
+    private const byte Jointed = 0x80;
+
     private readonly Column<int> _parent = new Column<int>();
     private readonly Column<byte> _class = new Column<byte>();
     private readonly Column<byte> _listed = new Column<byte>();
@@ -31,6 +35,7 @@ internal sealed unsafe class IslandClasses
     private readonly int[] _rowCounts = new int[Count];
     private ConstraintGraph _graph = null!;
     private int _loanCount;
+    private float _substep;
 
     public IslandClasses()
     {
@@ -54,33 +59,58 @@ internal sealed unsafe class IslandClasses
     /// <summary>Count of <see cref="List"/> filled up to whole bundles with body 0.</summary>
     public int PaddedCount(int index) => _padded[index];
 
-    /// <summary>Asks the joints for the loads of their trees.</summary>
+    /// <summary>Asks for the loads of trees, and for the islands that sink too far.</summary>
     /// <returns>True if an island needs more substeps.</returns>
-    public bool Find(JointSolver joints, ConstraintGraph graph, byte* moves, int bodyEnd)
+    public bool Find(
+        JointSolver? joints,
+        SagForecast forecast,
+        IslandStore islands,
+        FeedForwardSettings feedForward,
+        ConstraintGraph graph,
+        BodyStore bodies,
+        byte* moves,
+        int* list,
+        int count,
+        in ContactCoefficients c)
     {
         if (graph.RowCount == 0)
         {
             return false;
         }
 
-        joints.ClearLoads();
-        foreach (GraphColor color in graph.InOrder)
+        bool any = forecast.Find(islands, feedForward, graph, bodies, list, count, c);
+        if (joints != null)
         {
-            joints.AddLoads(color.Bundles, color.BundleCount);
+            joints.ClearLoads();
+            foreach (GraphColor color in graph.Used)
+            {
+                joints.AddLoads(color.Bundles, color.BundleCount);
+            }
+
+            any |= joints.FindLoads();
         }
 
-        if (!joints.FindLoads())
+        if (!any)
         {
             return false;
         }
 
         _graph = graph;
-        FindIslands(joints, graph, moves, bodyEnd);
+        FindIslands(joints, graph, moves, bodies.Ids.End);
         return true;
     }
 
     /// <summary>Sorts the bodies of the solver's list into the classes, and the trees with them.</summary>
-    public void Split(JointSolver joints, ConstraintGraph graph, BodyStore bodies, SpringStore springs, byte* moves, int* list, int count)
+    public void Split(
+        JointSolver? joints,
+        SagForecast forecast,
+        IslandStore islands,
+        ConstraintGraph graph,
+        BodyStore bodies,
+        SpringStore springs,
+        byte* moves,
+        int* list,
+        int count)
     {
         int end = bodies.Ids.End;
         _class.EnsureCapacity(end);
@@ -91,16 +121,28 @@ internal sealed unsafe class IslandClasses
             _listed[i] = 0;
         }
 
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < count && joints != null; i++)
         {
             int root = Root(list[i]);
             _class[root] = (byte)Math.Max(_class[root], joints.DoublingsOf(list[i]));
         }
 
+        MarkJointed(joints);
+
+        // Joints carry loads past the contacts: the sag of their islands is not foreseen.
+        for (int i = 0; i < count; i++)
+        {
+            int root = Root(list[i]);
+            if ((_listed[root] & Jointed) == 0 && graph.Degree(list[i]) > 0)
+            {
+                _class[root] = (byte)Math.Max(_class[root], forecast.DoublingsOf(islands.Of(list[i])));
+            }
+        }
+
         // Springs are fixed for the step's own substep: what they pull at keeps to it, and so do nets.
         for (int i = 0; i < count; i++)
         {
-            if (springs.Touches(list[i]) || joints.Nets.Holds(list[i]))
+            if (springs.Touches(list[i]) || (joints != null && joints.Nets.Holds(list[i])))
             {
                 _class[Root(list[i])] = 0;
             }
@@ -115,7 +157,7 @@ internal sealed unsafe class IslandClasses
         for (int i = 0; i < count; i++)
         {
             int index = moves[list[i]] != 0 ? _class[Root(list[i])] : 0;
-            joints.SetClass(list[i], index);
+            joints?.SetClass(list[i], index);
             Enlist(list[i], index);
         }
 
@@ -145,8 +187,10 @@ internal sealed unsafe class IslandClasses
     }
 
     /// <summary>Takes the rows of the upper classes out of the graph; impulses are those of their own substeps meanwhile.</summary>
-    public void Borrow()
+    /// <param name="substep">That of class 0, seconds.</param>
+    public void Borrow(float substep)
     {
+        _substep = substep;
         _loanCount = 0;
         for (int index = 1; index < Count; index++)
         {
@@ -201,13 +245,27 @@ internal sealed unsafe class IslandClasses
         ContactRowWriter.MoveLane(bundle, lane, copy, to);
         ContactRowWriter.Mute(bundle, lane);
         ContactRowWriter.Scale(copy, to, share);
-        copy->FeedRate[to] *= share;
+
+        // A pace is slow against the slowest mode, and a stiffer island has faster modes; that of trees is not known so well.
+        bool jointed = ((_listed[Root(copy->BodyA[to])] | _listed[Root(copy->BodyB[to])]) & Jointed) != 0;
+        float fastest = _substep * share / FeedForwardSettings.ShortestTime;
+        copy->FeedRate[to] = jointed ? copy->FeedRate[to] * share : Math.Min(copy->FeedRate[to], fastest);
         _rowCounts[index]++;
         _loans.EnsureCapacity(_loanCount + 1);
         _loans[_loanCount++] = new Loan { Color = color, Row = row, Class = index, Copy = _used[index] - 1, Place = place };
     }
 
-    private void FindIslands(JointSolver joints, ConstraintGraph graph, byte* moves, int bodyEnd)
+    private void MarkJointed(JointSolver? joints)
+    {
+        for (int i = 0; joints != null && i < joints.Count; i++)
+        {
+            joints.GetBodies(i, out int a, out int b);
+            _listed[Root(a)] |= Jointed;
+            _listed[Root(b)] |= Jointed;
+        }
+    }
+
+    private void FindIslands(JointSolver? joints, ConstraintGraph graph, byte* moves, int bodyEnd)
     {
         _parent.EnsureCapacity(bodyEnd);
         for (int i = 0; i < bodyEnd; i++)
@@ -215,7 +273,7 @@ internal sealed unsafe class IslandClasses
             _parent[i] = i;
         }
 
-        for (int i = 0; i < joints.Count; i++)
+        for (int i = 0; joints != null && i < joints.Count; i++)
         {
             joints.GetBodies(i, out int a, out int b);
             Unite(a, b, moves);
@@ -257,9 +315,9 @@ internal sealed unsafe class IslandClasses
     // A body that cannot move is its own island of class 0.
     private int ClassOf(int a, int b) => Math.Max(_class[Root(a)], _class[Root(b)]);
 
-    private void AddKinematic(JointSolver joints, ConstraintGraph graph, BodyStore bodies, byte* moves)
+    private void AddKinematic(JointSolver? joints, ConstraintGraph graph, BodyStore bodies, byte* moves)
     {
-        for (int i = 0; i < joints.Count; i++)
+        for (int i = 0; joints != null && i < joints.Count; i++)
         {
             joints.GetBodies(i, out int a, out int b);
             AddKinematic(a, b, bodies, moves);

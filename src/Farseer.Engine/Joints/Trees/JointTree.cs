@@ -60,6 +60,9 @@ internal struct JointTree
     /// <summary>Substeps are counted by class: a tree takes part in the passes of its class only.</summary>
     public int Class;
 
+    /// <summary>How long before the end of the substep its impact was.</summary>
+    public double Since;
+
     /// <summary>Largest error of the tree now and a round ago, in terms of its joints' sizes.</summary>
     public double Worst;
     public double Before;

@@ -1,0 +1,47 @@
+using System.Runtime.InteropServices;
+
+namespace Farseer.Engine.Contacts;
+
+/// <summary>What the impacts of a substep need beside a bundle whose contacts can bounce, a lane each.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct BounceLanes
+{
+    public const int Lanes = ContactBundle.Lanes;
+
+    public ContactBundle* Row;
+
+    /// <summary>A bit for each lane whose impact is being solved.</summary>
+    public int Hits;
+
+    /// <summary>Bits of the lanes that had an impact in this substep, and of those with a point that is held back.</summary>
+    public int Struck;
+    public int Held;
+
+    public fixed float Slow[Lanes];
+
+    /// <summary>How long ago the surfaces met, seconds before the end of the substep.</summary>
+    public fixed float Time[Lanes];
+
+    public BouncePointLanes Point0;
+    public BouncePointLanes Point1;
+}
+
+/// <summary>One point of each contact of <see cref="BounceLanes"/>.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct BouncePointLanes
+{
+    public const int Lanes = ContactBundle.Lanes;
+
+    /// <summary>Base separation of a point that is held back from the passes of the substep, else <see cref="ContactBundle.NoPoint"/>.</summary>
+    public fixed float Base[Lanes];
+
+    /// <summary>Impulses of its impacts so far, while it is held back.</summary>
+    public fixed float Normal[Lanes];
+    public fixed float Tangent[Lanes];
+
+    /// <summary>Overlap at the start of the substep, as a gap of at most 0: surfaces meet when they come to it.</summary>
+    public fixed float Level[Lanes];
+
+    /// <summary>Speed at which the surfaces are to part; negative: no impact.</summary>
+    public fixed float Target[Lanes];
+}
