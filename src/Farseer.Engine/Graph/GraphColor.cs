@@ -35,7 +35,6 @@ internal sealed unsafe class GraphColor
 
     public ContactBundle* Bundles => _bundles.Pointer;
 
-
     public ContactBundle* BundleOf(int row) => _bundles.Pointer + (row / _lanesUsed);
 
     public int LaneOf(int row) => row % _lanesUsed;
