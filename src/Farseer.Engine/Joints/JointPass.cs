@@ -14,6 +14,9 @@ internal sealed unsafe class JointPass
     /// <summary>Share of an overrun of a limit that is taken away in a substep.</summary>
     public const double LimitRecovery = 0.2;
 
+    /// <summary>The row of a target's spring across the way.</summary>
+    private const int Across = 1;
+
     /// <summary>An impulse on a limit that changes the speed by less than this share is a tie, decided by rounding.</summary>
     private const double Touching = 1e-2;
 
@@ -329,12 +332,34 @@ internal sealed unsafe class JointPass
 
                 now = old - (((joint->SpringQ[k] * v) + (joint->SpringKappa[k] * r->Error[k]) + (response * old))
                     / (response * (1 + joint->SpringQ[k])));
+                if (joint->Kind == JointKind.Target && k == Across)
+                {
+                    PullAtMost(joint, r, now);
+                    return;
+                }
+
                 now = Math.Max(r->Low[k], Math.Min(r->High[k], now));
                 break;
         }
 
         joint->Lambda[k] = now;
         Apply(joint, r, k, now - old);
+    }
+
+    /// <summary>
+    /// The two springs towards a target are one force: its length is bounded, whatever its direction. Each bounded by itself would pull
+    /// up to the square root of two times as hard.
+    /// </summary>
+    private void PullAtMost(ActiveJoint* joint, JointRows* r, double across)
+    {
+        double along = joint->Lambda[0];
+        double length = Math.Sqrt((along * along) + (across * across));
+        double share = length > r->High[Across] ? r->High[Across] / length : 1;
+        double old = joint->Lambda[Across];
+        joint->Lambda[0] = share * along;
+        joint->Lambda[Across] = share * across;
+        Apply(joint, r, 0, joint->Lambda[0] - along);
+        Apply(joint, r, Across, joint->Lambda[Across] - old);
     }
 
     /// <summary>Soft joints are motors too, with a compliance that leaves them a response.</summary>

@@ -147,7 +147,9 @@ internal sealed unsafe partial class JointSolver
 
     /// <summary>
     /// Lets go of limits that pull, and holds those that are being passed. What was just let go still stands where the limit held it:
-    /// whether it is being passed is for the next round to see, not for the rounding of that standstill.
+    /// whether it is being passed is for the next round to see, not for the rounding of that standstill. A limit that would pull in
+    /// all has pushed in an earlier pass of the substep; that push is taken back, or an overrun would go on at the speed of its
+    /// return and cross the whole way to the other limit.
     /// </summary>
     /// <returns>True if the set changed.</returns>
     private bool ReviseLimits(JointTree* tree, TargetKind kind, bool release)
@@ -185,6 +187,10 @@ internal sealed unsafe partial class JointSolver
             {
                 node->RowJoint[kept] = joint;
                 node->RowIndex[kept++] = row;
+            }
+            else
+            {
+                TakeBack(joint, row);
             }
         }
 
@@ -238,11 +244,47 @@ internal sealed unsafe partial class JointSolver
             {
                 anchor->RowIndex[kept++] = row;
             }
+            else
+            {
+                TakeBack(anchor->Active, row);
+            }
         }
 
         bool changed = kept != anchor->Rows;
         anchor->Rows = kept;
         return changed;
+    }
+
+    /// <summary>Takes what a row gave in the substep from the velocities that the next round starts from.</summary>
+    private void TakeBack(int index, int row)
+    {
+        ActiveJoint* joint = _active.Pointer + index;
+        double push = joint->Lambda[row];
+        if (push == 0)
+        {
+            return;
+        }
+
+        JointRows* rows = _rows.Pointer + index;
+        TakeBack(joint->Ends.NodeA, rows->A + (row * 3), push);
+        TakeBack(joint->Ends.NodeB, rows->B + (row * 3), push);
+        for (int i = 0; i < 3; i++)
+        {
+            joint->Given[i] -= rows->B[(row * 3) + i] * push;
+        }
+
+        joint->Lambda[row] = 0;
+    }
+
+    private void TakeBack(int node, double* j, double push)
+    {
+        if (node >= 0)
+        {
+            TreeNode* n = _forest.Nodes + node;
+            n->Saved[0] -= n->InverseMass * j[0] * push;
+            n->Saved[1] -= n->InverseMass * j[1] * push;
+            n->Saved[2] -= n->InverseInertia * j[2] * push;
+        }
     }
 
     private bool LockAnchor(TreeAnchor* anchor, TargetKind kind)
