@@ -235,7 +235,10 @@ internal sealed class EngineWorld : IStepHooks
         }
     }
 
-    /// <summary>Calls for each pair of shapes whose boxes overlap now, whatever bodies they belong to.</summary>
+    /// <summary>
+    /// Calls for each pair of shapes whose boxes overlap now, whatever bodies they belong to; to within a slop, for what a
+    /// listener has heard touch may be a little apart.
+    /// </summary>
     public void VisitPairs(Action<b2Shape, b2Shape> visit)
     {
         foreach (b2Shape? shape in _shapes)
@@ -246,7 +249,9 @@ internal sealed class EngineWorld : IStepHooks
             }
 
             World.GetColliderBox(shape.Link.Collider, out Vector2 min, out Vector2 max);
-            World.Queries.FindInBox(new Box { MinX = min.X, MinY = min.Y, MaxX = max.X, MaxY = max.Y }, QueryFilter.All, _found);
+            float near = Box2D.Common.b2Settings.b2_linearSlop;
+            Box box = new Box { MinX = min.X - near, MinY = min.Y - near, MaxX = max.X + near, MaxY = max.Y + near };
+            World.Queries.FindInBox(box, QueryFilter.All, _found);
             for (int i = 0; i < _found.Count; i++)
             {
                 b2Shape? other = _shapes[_found[i]];

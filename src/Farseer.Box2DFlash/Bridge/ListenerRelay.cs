@@ -150,7 +150,7 @@ internal sealed class ListenerRelay
                     break;
             }
         }
-        catch (Exception exception) when (_world.IsStepping)
+        catch (Exception exception) when (_world.IsTelling)
         {
             _engine.Keep(exception);
         }

@@ -119,6 +119,19 @@ public partial class b2Body
             return;
         }
 
+        World.Lock();
+        try
+        {
+            RemoveShape(s);
+        }
+        finally
+        {
+            World.Unlock();
+        }
+    }
+
+    internal void RemoveShape(b2Shape s)
+    {
         if (ReferenceEquals(Shapes, s))
         {
             Shapes = s.Next;
@@ -140,7 +153,7 @@ public partial class b2Body
     }
 
     /// <summary>Sets mass, centre of mass and inertia. Origin, shapes and joints stay where they are.</summary>
-    /// <param name="massData">The values; a mass and an inertia of 0 make the body static.</param>
+    /// <param name="massData">The values; a mass of 0 makes the body static, whatever the inertia.</param>
     /// <exception cref="ArgumentNullException"><paramref name="massData"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A value is negative or not finite.</exception>
     /// <exception cref="InvalidOperationException">The body is destroyed, or the call comes from a listener.</exception>
@@ -214,14 +227,22 @@ public partial class b2Body
         }
 
         Link.SetTransform(position.x, position.y, angle);
-        if (!World.Engine.IsInside(this))
+        World.Lock();
+        try
         {
-            Freeze();
-            return false;
-        }
+            if (!World.Engine.IsInside(this))
+            {
+                Freeze();
+                return false;
+            }
 
-        World.Engine.Moved(this);
-        return true;
+            World.Engine.Moved(this);
+            return true;
+        }
+        finally
+        {
+            World.Unlock();
+        }
     }
 
     /// <summary>Where the body is: place of the origin, and rotation. It follows the body; <see cref="b2Vec2.Copy"/> what is to be kept.</summary>
@@ -322,10 +343,21 @@ public partial class b2Body
     internal void ApplyMass(float mass, float inertia, double centerX, double centerY)
     {
         bool wasStatic = Link.IsStatic;
+
+        // What has no mass to be moved by is not turned either: pushed through its centre it would have no response at all.
+        inertia = mass == 0 ? 0 : inertia;
         Link.SetMass(mass, inertia, centerX, centerY, (World.Quirks & Box2DFlash202Quirks.StaticKeepsVelocity) != 0);
         if (Link.IsStatic != wasStatic)
         {
-            World.Engine.KindChanged(this);
+            World.Lock();
+            try
+            {
+                World.Engine.KindChanged(this);
+            }
+            finally
+            {
+                World.Unlock();
+            }
         }
     }
 

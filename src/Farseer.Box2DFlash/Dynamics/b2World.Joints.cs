@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Box2D.Bridge;
+using Box2D.Collision.Shapes;
 using Box2D.Dynamics.Joints;
 
 namespace Box2D.Dynamics;
@@ -31,19 +32,14 @@ public partial class b2World
         Link(joint.GetBody1(), joint.Edge1);
         Link(joint.GetBody2(), joint.Edge2);
         joint.Attach();
-        if (!joint.CollideConnected)
+        Lock();
+        try
         {
-            Engine.EndContacts(joint.GetBody1(), joint.GetBody2());
+            Settle(joint, asleep);
         }
-
-        if (asleep is null)
+        finally
         {
-            joint.GetBody1().WakeUp();
-            joint.GetBody2().WakeUp();
-        }
-        else
-        {
-            PutBack(asleep);
+            Unlock();
         }
 
         return joint;
@@ -64,7 +60,15 @@ public partial class b2World
 
         if (!IsLocked(nameof(DestroyJoint)))
         {
-            Destroy(j, false);
+            Lock();
+            try
+            {
+                Destroy(j, false);
+            }
+            finally
+            {
+                Unlock();
+            }
         }
     }
 
@@ -81,6 +85,27 @@ public partial class b2World
         return false;
     }
 
+    /// <summary>Ends the contacts that a new joint forbids, and wakes its bodies.</summary>
+    /// <param name="joint">The joint.</param>
+    /// <param name="asleep">Bodies that are to go on sleeping; null: the joint's bodies wake.</param>
+    private void Settle(b2Joint joint, List<b2Body>? asleep)
+    {
+        if (!joint.CollideConnected)
+        {
+            Engine.EndContacts(joint.GetBody1(), joint.GetBody2());
+        }
+
+        if (asleep is null)
+        {
+            joint.GetBody1().WakeUp();
+            joint.GetBody2().WakeUp();
+        }
+        else
+        {
+            PutBack(asleep);
+        }
+    }
+
     /// <summary>The engine wakes what a new joint reaches; with the quirk it goes on sleeping.</summary>
     private static void PutBack(List<b2Body> asleep)
     {
@@ -90,6 +115,30 @@ public partial class b2World
             {
                 body.Link.PutToSleep();
             }
+        }
+    }
+
+    private void SayGoodbye(b2Joint joint)
+    {
+        try
+        {
+            DestructionListener?.SayGoodbyeJoint(joint);
+        }
+        catch (Exception exception)
+        {
+            Engine.Keep(exception);
+        }
+    }
+
+    private void SayGoodbye(b2Shape shape)
+    {
+        try
+        {
+            DestructionListener?.SayGoodbyeShape(shape);
+        }
+        catch (Exception exception)
+        {
+            Engine.Keep(exception);
         }
     }
 
@@ -153,7 +202,7 @@ public partial class b2World
 
         if (implicitly)
         {
-            DestructionListener?.SayGoodbyeJoint(joint);
+            SayGoodbye(joint);
         }
 
         if (ReferenceEquals(_joints, joint))

@@ -67,7 +67,7 @@ public partial class b2World
 
     internal bool DoSleep { get; }
 
-    internal bool IsStepping => _locked;
+    internal bool IsTelling => _locked;
 
     internal b2ContactFilter? ContactFilter { get; private set; } = b2ContactFilter.b2_defaultFilter;
 
@@ -150,17 +150,30 @@ public partial class b2World
             return;
         }
 
-        while (b.Joints is { } edge)
+        Lock();
+        try
         {
-            Destroy(edge.joint, true);
-        }
+            while (b.Joints is { } edge)
+            {
+                Destroy(edge.joint, true);
+            }
 
-        while (b.Shapes is { } shape)
+            while (b.Shapes is { } shape)
+            {
+                SayGoodbye(shape);
+                b.RemoveShape(shape);
+            }
+
+            Unlist(b);
+        }
+        finally
         {
-            DestructionListener?.SayGoodbyeShape(shape);
-            b.DestroyShape(shape);
+            Unlock();
         }
+    }
 
+    private void Unlist(b2Body b)
+    {
         if (ReferenceEquals(_bodies, b))
         {
             _bodies = b.Next;
@@ -265,7 +278,15 @@ public partial class b2World
         if (!IsLocked(nameof(Refilter)))
         {
             shape.Body.WakeUp();
-            Engine.Refilter(shape);
+            Lock();
+            try
+            {
+                Engine.Refilter(shape);
+            }
+            finally
+            {
+                Unlock();
+            }
         }
     }
 
@@ -290,7 +311,20 @@ public partial class b2World
         }
     }
 
-    /// <summary>Within a step nothing may be made or destroyed.</summary>
+    /// <summary>
+    /// Begins a change that listeners hear of. Until its end they find the world locked as in a step, and what they throw waits: a body
+    /// half destroyed is in no state to be changed again.
+    /// </summary>
+    internal void Lock() => _locked = true;
+
+    /// <summary>Ends the change; what a listener threw comes out.</summary>
+    internal void Unlock()
+    {
+        _locked = false;
+        Engine.Rethrow();
+    }
+
+    /// <summary>Within a step, and while something is destroyed or moved, nothing may be made or destroyed.</summary>
     /// <returns>True if the call is to do nothing, which is a quirk.</returns>
     internal bool IsLocked(string call)
     {
@@ -306,7 +340,7 @@ public partial class b2World
 
         throw new InvalidOperationException(string.Format(
             CultureInfo.InvariantCulture,
-            "The world is locked: {0} must not be called by a listener or filter during b2World.Step. Keep what you need and act after the step.",
+            "The world is locked: {0} must not be called by a listener or filter. Keep what you need and act after the call that told you.",
             call));
     }
 }

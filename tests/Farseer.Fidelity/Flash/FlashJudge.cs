@@ -3,6 +3,7 @@ using System.Globalization;
 using System.Linq;
 using System.Text.Json;
 using Box2D.Dynamics;
+using Farseer.Fidelity.Fine;
 using Farseer.Fidelity.Judging;
 using Farseer.Fidelity.Running;
 using Farseer.Fidelity.Scenes;
@@ -25,19 +26,26 @@ internal static class FlashJudge
             notes.Add("not compared: " + reason);
         }
 
+        IReadOnlyDictionary<string, Row[]>? motion = null;
+        if (FlashMotions.Reason(file) is { } truer)
+        {
+            notes.Add("equations of motion: " + truer);
+            motion = FineMotion.Run(file);
+        }
+
         foreach (int iterations in file.Iterations)
         {
             FlashRun run = FlashRun.Of(file, iterations, quirks);
             string prefix = file.Iterations.Length > 1 ? iterations.ToString(CultureInfo.InvariantCulture) + ": " : string.Empty;
-            checks.AddRange(JudgeRun(file, iterations, run).Select(c => c with { What = prefix + c.What }));
+            checks.AddRange(JudgeRun(file, iterations, run, motion).Select(c => c with { What = prefix + c.What }));
         }
     }
 
-    private static IEnumerable<Check> JudgeRun(SceneFile file, int iterations, FlashRun run)
+    private static IEnumerable<Check> JudgeRun(SceneFile file, int iterations, FlashRun run, IReadOnlyDictionary<string, Row[]>? motion)
     {
         RunResult result = run.Result;
         string key = iterations.ToString(CultureInfo.InvariantCulture);
-        return RowJudge.Judge(file, iterations, result.Recording, null)
+        return RowJudge.Judge(file, iterations, result.Recording, null, motion)
             .Concat(EventJudge.Judge(file, iterations, result.Recording))
             .Concat(FlashObservationJudge.Judge(file, iterations, result.Recording))
             .Concat(FlashQueryJudge.Judge(file, iterations, result.Recording))

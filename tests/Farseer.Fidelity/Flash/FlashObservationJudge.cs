@@ -10,7 +10,7 @@ namespace Farseer.Fidelity.Flash;
 
 /// <summary>
 /// Judges the values observed with every row. Flags and numbers of things must be those of a sample near by. What measures must lie
-/// between the values of neighbouring samples, give or take the spread between iteration counts, rounding, and the share of its range
+/// between the values of neighbouring samples (or on a branch beside a jump), give or take the spread between iteration counts, rounding, and the share of its range
 /// by which the original's own motion is off: its error in position over the way the bodies go, and likewise for angles and speeds.
 /// </summary>
 internal static class FlashObservationJudge
@@ -79,11 +79,35 @@ internal static class FlashObservationJudge
 
             double[][] near = wanted[Math.Max(0, k - 1)..Math.Min(wanted.Length, k + 2)];
             bool like = near.All(n => n.Length == found[k].Length);
+            near = like ? [.. near, .. Branches(wanted, k)] : near;
             double error = like ? Outside(found[k], near) : double.PositiveInfinity;
             worst.Take(error, limit, $"after {file.SampleSteps[k].ToString(CultureInfo.InvariantCulture)}: {got[k]}, in the original {expected[k]}");
         }
 
         return worst.ToCheck(what);
+    }
+
+    /// <summary>
+    /// Where the value jumps beside a sample (a motor reaches its speed and holds it), the jump may as well come on the sample's other
+    /// side: the value is then that of the branch over there, carried on in a straight line. A branch is what changes by less than half
+    /// the jump.
+    /// </summary>
+    private static IEnumerable<double[]> Branches(double[][] wanted, int k)
+    {
+        foreach (int side in new[] { -1, 1 })
+        {
+            int far = k + (2 * side);
+            if (far >= 0 && far < wanted.Length)
+            {
+                double[] next = wanted[k + side];
+                double[] beyond = wanted[far];
+                double jump = Apart(next, wanted[k]);
+                if (Apart(beyond, next) < jump / 2)
+                {
+                    yield return [.. next.Zip(beyond, (n, b) => (2 * n) - b)];
+                }
+            }
+        }
     }
 
     private static bool[] StruckNear(SceneFile file, int iterations)

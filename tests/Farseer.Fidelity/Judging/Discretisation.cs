@@ -56,7 +56,8 @@ public sealed class Discretisation
             _rotation[k] = _rotation[k - 1] + (share * Math.Abs(rows[k].AngularVelocity - rows[k - 1].AngularVelocity));
 
             // The speed at an impact is that at a moment known to one step, on either side of it.
-            _velocity[k] = _velocity[k - 1] + (impact ? 2 * file.Dt * gravity : 0);
+            double pull = file.Format == SceneFormat.Box2DFlash ? Math.Max(gravity, Beside(file, rows, k)) : gravity;
+            _velocity[k] = _velocity[k - 1] + (impact ? 2 * file.Dt * pull : 0);
             _angular[k] = _angular[k - 1];
             double half = file.LongestDt / 2 / elapsed;
             _velocity[k] += half * (Smooth(rows, impacts, k, SpeedChange) ?? 0);
@@ -69,6 +70,19 @@ public sealed class Discretisation
     public Difference At(int row) => new(_position[row], _rotation[row], _velocity[row] + _earlyVelocity[row], _angular[row] + _earlyAngular[row]);
 
     public static double Speed(Row a, Row b) => Math.Sqrt(Square(a.VelocityX - b.VelocityX) + Square(a.VelocityY - b.VelocityY));
+
+    /// <summary>
+    /// The acceleration beside an interval in which the velocity jumps: what acts before or after the jump (a motor, say) acts for up to
+    /// a step more or less. 0 where the interval itself is no jump against both of its neighbours.
+    /// </summary>
+    private static double Beside(SceneFile file, Row[] rows, int k)
+    {
+        double Mean(int end) => end < 1 || end >= rows.Length || rows[end].IsAbsent || rows[end - 1].IsAbsent
+            ? 0
+            : Speed(rows[end], rows[end - 1]) / ((file.SampleSteps[end] - file.SampleSteps[end - 1]) * (double)file.Dt);
+        double beside = Math.Max(Mean(k - 1), Mean(k + 1));
+        return beside < SmoothShare * Mean(k) ? beside : 0;
+    }
 
     /// <summary>The smooth change that ends with row <paramref name="k"/>; null: there is none before, or it is a jump.</summary>
     private static double? Smooth(Row[] rows, Impacts impacts, int k, Func<Row, Row, Row, (double Change, double Size)> measure)

@@ -9,7 +9,8 @@ namespace Farseer.Fidelity.Judging;
 
 /// <summary>
 /// Judges the trajectory: against <c>refined</c> within the original's own error, or, where there is
-/// none, against the recording within the method's spread and the integrator's error.
+/// none, against the recording within the method's spread and the integrator's error. Where the equations of motion are the
+/// reference, the original's own error is found as the files give it: the largest over all rows and bodies.
 /// </summary>
 public static class RowJudge
 {
@@ -18,7 +19,7 @@ public static class RowJudge
 
     private static readonly string[] Names = ["position", "rotation", "linearVelocity", "angularVelocity"];
 
-    public static IEnumerable<Check> Judge(SceneFile file, int iterations, Recording ours, Func<string, double, Row>? closedForm)
+    public static IEnumerable<Check> Judge(SceneFile file, int iterations, Recording ours, Func<string, double, Row>? closedForm, IReadOnlyDictionary<string, Row[]>? motion = null)
     {
         IReadOnlyDictionary<string, Row[]> reference = file.Refined?.Rows ?? file.Recordings[iterations].Rows;
         if (reference.Count == 0)
@@ -31,12 +32,15 @@ public static class RowJudge
             reference = reference.Keys.ToDictionary(b => b, b => file.SampleSteps.Select(s => closedForm(b, s * (double)file.Dt)).ToArray());
         }
 
+        reference = motion ?? reference;
+
         // Without a refined run the recordings at 5 and at 100 iterations are the two ends of the method's
         // spread: what counts is the distance to the nearer one.
-        List<IReadOnlyDictionary<string, Row[]>> references = file.Refined is null && closedForm is null
+        List<IReadOnlyDictionary<string, Row[]>> references = file.Refined is null && closedForm is null && motion is null
             ? file.Recordings.Values.Select(r => r.Rows).ToList()
             : [reference];
         FloatTolerance rounding = FloatTolerance.Of(file, reference.Values);
+        Difference? own = motion is null ? file.Refined?.FromRecorded : OwnError(file, iterations, motion, rounding);
         Worst[] worst = [new(), new(), new(), new()];
         foreach ((string body, Row[] expected) in reference)
         {
@@ -47,7 +51,7 @@ public static class RowJudge
 
             Impacts impacts = new(file, expected, rounding);
             Difference standing = FloatTolerance.OfStanding(file, expected);
-            Discretisation? discretisation = file.Refined is null ? new Discretisation(file, expected, impacts) : null;
+            Discretisation? discretisation = own is null ? new Discretisation(file, expected, impacts) : null;
             for (int k = 0; k < expected.Length; k++)
             {
                 Row got = ours.Rows[body][k];
@@ -59,10 +63,13 @@ public static class RowJudge
                 }
 
                 Difference error = references.Select(r => Errors(got, r[body], impacts, k)).Aggregate(Smaller);
-                Difference limit = Limits(file, rounding, discretisation?.At(k), file.Format == SceneFormat.Farseer ? Settling.At(file, file.SampleSteps[k]) : Settling.AfterTouch(file, iterations, impacts, k));
+                Difference settling = file.Format == SceneFormat.Farseer
+                    ? Settling.At(file, file.SampleSteps[k])
+                    : Settling.AfterTouch(file, iterations, expected, impacts, k);
+                Difference limit = Limits(file, own, rounding, discretisation?.At(k), settling);
                 if (file.Format == SceneFormat.Box2DFlash)
                 {
-                    limit = FlashSlops.Add(file, iterations, file.SampleSteps[k], expected[k], limit);
+                    limit = FlashSlops.Add(file, iterations, body, expected, k, limit);
                 }
 
                 string where = body + " after " + file.SampleSteps[k].ToString(CultureInfo.InvariantCulture);
@@ -87,12 +94,12 @@ public static class RowJudge
     {
         IReadOnlyDictionary<string, Row[]> reference = file.Refined?.Rows ?? file.Recordings[iterations].Rows;
         FloatTolerance rounding = FloatTolerance.Of(file, reference.Values);
-        Difference largest = Limits(file, rounding, null, default);
+        Difference largest = Limits(file, file.Refined?.FromRecorded, rounding, null, default);
         if (file.Refined is null)
         {
             foreach (Row[] rows in reference.Values)
             {
-                Difference own = Limits(file, rounding, new Discretisation(file, rows, new Impacts(file, rows, rounding)).At(rows.Length - 1), default);
+                Difference own = Limits(file, null, rounding, new Discretisation(file, rows, new Impacts(file, rows, rounding)).At(rows.Length - 1), default);
                 largest = new Difference(
                     Math.Max(largest.Position, own.Position),
                     Math.Max(largest.Rotation, own.Rotation),
@@ -104,13 +111,12 @@ public static class RowJudge
         return largest;
     }
 
-    private static Difference Limits(SceneFile file, FloatTolerance rounding, Difference? discretisation, Difference settling)
+    private static Difference Limits(SceneFile file, Difference? error, FloatTolerance rounding, Difference? discretisation, Difference settling)
     {
         // A contact rests AT AllowedPenetration here, anywhere between 0 and it in the original.
         double depth = SceneSizes.MayTouch(file) ? SceneSizes.AllowedPenetration(file) : 0;
-        if (file.Refined is { } refined)
+        if (error is { } own)
         {
-            Difference own = refined.FromRecorded;
             return new Difference(
                 (own.Position * WrittenDigits) + rounding.Position + depth,
                 (own.Rotation * WrittenDigits) + rounding.Rotation + settling.Rotation,
@@ -125,6 +131,32 @@ public static class RowJudge
             spread.Rotation + (file.Growth * integrator.Rotation) + rounding.Rotation + settling.Rotation,
             spread.LinearVelocity + (file.Growth * integrator.LinearVelocity) + rounding.LinearVelocity + settling.LinearVelocity,
             spread.AngularVelocity + (file.Growth * integrator.AngularVelocity) + rounding.AngularVelocity + settling.AngularVelocity);
+    }
+
+    private static Difference OwnError(SceneFile file, int iterations, IReadOnlyDictionary<string, Row[]> motion, FloatTolerance rounding)
+    {
+        Difference largest = default;
+        foreach ((string body, Row[] recorded) in file.Recordings[iterations].Rows)
+        {
+            Impacts impacts = new(file, motion[body], rounding);
+            for (int k = 0; k < recorded.Length; k++)
+            {
+                if (!recorded[k].IsAbsent && !motion[body][k].IsAbsent)
+                {
+                    Difference own = Errors(recorded[k], motion[body], impacts, k);
+
+                    // Whole turns ahead or behind count: such a body may stand at any angle.
+                    double turn = Math.Abs(recorded[k].Rotation - motion[body][k].Rotation);
+                    largest = new Difference(
+                        Math.Max(largest.Position, own.Position),
+                        Math.Max(largest.Rotation, turn),
+                        Math.Max(largest.LinearVelocity, own.LinearVelocity),
+                        Math.Max(largest.AngularVelocity, own.AngularVelocity));
+                }
+            }
+        }
+
+        return largest;
     }
 
     /// <summary>

@@ -30,11 +30,16 @@ public static class Settling
     /// <summary>
     /// A contact of Box2DFlash that has just been made is caught at its surface and then sinks to the depth of rest d, here softly: the
     /// speed is d r e^(-r t) with the rate r of a contact's bias, (pi/2) / (20 + pi/2) of a substep, of which there are as many as
-    /// iterations. The original's sinks by its slop too, in the steps before it is caught.
+    /// iterations. The original's sinks by its slop too, in the steps before it is caught. What is caught before it is that deep sinks
+    /// on slowly: a contact gives up at most a quarter of its load for it, g h / 4 in a substep of length h, until the library's depth of
+    /// rest, half the original's slop, is made up for; meanwhile one corner may be that much deeper than the other. When the load
+    /// changes (a box that slid stands still, a rope lets go) the corners share it anew, and that begins again.
     /// </summary>
-    public static Difference AfterTouch(SceneFile file, int iterations, Impacts impacts, int row)
+    public static Difference AfterTouch(SceneFile file, int iterations, Row[] rows, Impacts impacts, int row)
     {
         const double Share = Math.PI / 2 / (20 + (Math.PI / 2));
+        const double LoadGivenUp = 0.25;
+        const double RestInSlops = 0.5;
 
         // A hundredth of the speed below which a body counts as resting.
         const double Still = 1e-4;
@@ -44,7 +49,7 @@ public static class Settling
         }
 
         int touch = row;
-        while (touch > 0 && !impacts.Between(touch - 1))
+        while (touch > 0 && !impacts.Between(touch - 1) && !LoadChanges(file, rows, touch))
         {
             touch--;
         }
@@ -57,8 +62,26 @@ public static class Settling
         double elapsed = (file.SampleSteps[row] - file.SampleSteps[touch] - 1) * (double)file.Dt;
         double rate = Share * iterations / file.Dt;
         double rest = Math.Exp(-rate * Math.Max(0, elapsed - sinking));
-        double speed = Math.Max(depth * rate * rest, Still);
+        double slow = LoadGivenUp * gravity * file.Dt / iterations;
+        bool sinks = slow > 0 && elapsed <= sinking + (RestInSlops * depth / slow);
+        double speed = Math.Max(depth * rate * rest, sinks ? Math.Max(slow, Still) : Still);
         double halfWidth = SceneSizes.SmallestHalfWidth(file);
-        return new Difference(0, depth * rest / halfWidth, speed, speed / halfWidth);
+        return new Difference(0, Math.Max(depth * rest, sinks ? RestInSlops * depth : 0) / halfWidth, speed, speed / halfWidth);
+    }
+
+    /// <summary>Whether the acceleration changes at a row by more than a twentieth of gravity's.</summary>
+    private static bool LoadChanges(SceneFile file, Row[] rows, int k)
+    {
+        const double LeastShare = 0.05;
+        if (k == 0 || k + 1 >= rows.Length || rows[k - 1].IsAbsent || rows[k].IsAbsent || rows[k + 1].IsAbsent)
+        {
+            return false;
+        }
+
+        double before = (file.SampleSteps[k] - file.SampleSteps[k - 1]) * (double)file.Dt;
+        double after = (file.SampleSteps[k + 1] - file.SampleSteps[k]) * (double)file.Dt;
+        double x = ((rows[k + 1].VelocityX - rows[k].VelocityX) / after) - ((rows[k].VelocityX - rows[k - 1].VelocityX) / before);
+        double y = ((rows[k + 1].VelocityY - rows[k].VelocityY) / after) - ((rows[k].VelocityY - rows[k - 1].VelocityY) / before);
+        return Math.Sqrt((x * x) + (y * y)) > LeastShare * Impacts.Gravity(file);
     }
 }
