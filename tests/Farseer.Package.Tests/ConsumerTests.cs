@@ -32,6 +32,18 @@ public sealed class ConsumerTests(PackedLibrary library)
     }
 
     [Fact]
+    public void HelloWorldOfBox2DFlash_RestoresItsPackageWithTheEngine_AndRestsTheBox()
+    {
+        string output = library.RunConsumer("Flash", "App");
+
+        // The ground's top is at 0, the half side is 1; a contact rests half a slop of 5 mm deep.
+        Match line = Regex.Match(output, @"^y (-?\d+\.\d+) angle (-?\d+\.\d+)$", RegexOptions.Multiline);
+        Assert.True(line.Success, output);
+        Assert.InRange(double.Parse(line.Groups[1].Value, CultureInfo.InvariantCulture), 0.995, 1.001);
+        Assert.Equal(0, double.Parse(line.Groups[2].Value, CultureInfo.InvariantCulture), 0.001);
+    }
+
+    [Fact]
     public void PortedSource_WithTheAliasesOfThePackage_Compiles()
     {
         string output = library.RunConsumer("Ported", "App");

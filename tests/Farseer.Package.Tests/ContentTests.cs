@@ -33,6 +33,21 @@ public sealed class ContentTests(PackedLibrary library)
     }
 
     [Fact]
+    public void FlashPackage_HoldsItsAssemblyAlone_AndAsksForTheSameVersionOfFarseer()
+    {
+        using ZipArchive package = ZipFile.OpenRead(library.FlashPackage);
+        using Stream stream = package.GetEntry("Farseer.Box2DFlash.nuspec")!.Open();
+        XElement metadata = XDocument.Load(stream).Root!.Elements().Single();
+
+        Assert.Equal(
+            _frameworks.SelectMany(f => new[] { $"lib/{f}/Farseer.Box2DFlash.dll", $"lib/{f}/Farseer.Box2DFlash.xml" }).Order(StringComparer.Ordinal),
+            package.Entries.Select(e => e.FullName).Where(n => n.StartsWith("lib/", StringComparison.Ordinal)).Order(StringComparer.Ordinal));
+        XElement[] farseer = [.. metadata.Descendants().Where(e => e.Name.LocalName == "dependency" && e.Attribute("id")!.Value == "Farseer")];
+        Assert.Equal(_frameworks.Length, farseer.Length);
+        Assert.All(farseer, d => Assert.Equal($"[{library.Version}]", d.Attribute("version")!.Value));
+    }
+
+    [Fact]
     public void Description_NamesLicenceReadmeIconAndOnlyPlatformPackages()
     {
         using ZipArchive package = ZipFile.OpenRead(library.Package);

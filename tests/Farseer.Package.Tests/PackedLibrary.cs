@@ -31,9 +31,8 @@ public sealed class PackedLibrary : IDisposable
         Folder = Directory.CreateTempSubdirectory("farseer-package-").FullName;
         string cache = Dotnet(Folder, "nuget", "locals", "global-packages", "--list").Trim();
         cache = cache[(cache.IndexOf(": ", StringComparison.Ordinal) + 2)..];
-        Dotnet(
-            Clone.Root, "pack", Path.Combine("src", "Farseer", "Farseer.csproj"), "--no-build", "--configuration", Clone.Configuration,
-            "--output", Feed, "-p:PackageVersion=" + Version);
+        Pack("Farseer");
+        Pack("Farseer.Box2DFlash");
         File.WriteAllText(Path.Combine(Folder, "NuGet.config"), $"""
             <?xml version="1.0" encoding="utf-8"?>
             <configuration>
@@ -52,6 +51,8 @@ public sealed class PackedLibrary : IDisposable
 
     public string Package => Path.Combine(Feed, $"Farseer.{Version}.nupkg");
 
+    public string FlashPackage => Path.Combine(Feed, $"Farseer.Box2DFlash.{Version}.nupkg");
+
     public string Symbols => Path.Combine(Feed, $"Farseer.{Version}.snupkg");
 
     /// <summary>Copies a consumer's projects from <c>Consumers</c> beside the package and runs the project named.</summary>
@@ -68,6 +69,10 @@ public sealed class PackedLibrary : IDisposable
 
         return Dotnet(to, "run", "--configuration", "Release", "--project", project, "-p:FarseerVersion=" + Version);
     }
+
+    private void Pack(string project) => Dotnet(
+        Clone.Root, "pack", Path.Combine("src", project, project + ".csproj"), "--no-build", "--configuration", Clone.Configuration,
+        "--output", Feed, "-p:PackageVersion=" + Version);
 
     public void Dispose() => Directory.Delete(Folder, recursive: true);
 

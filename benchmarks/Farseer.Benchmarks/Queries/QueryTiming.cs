@@ -12,7 +12,8 @@ namespace Farseer.Benchmarks.Queries;
 
 /// <summary>
 /// Time of single queries against a field of boxes and circles, half of them static, one in four square units. Median over batches after
-/// warm-up; the ways and boxes differ from query to query.
+/// warm-up; the ways and boxes differ from query to query. World and queries come from a plain linear congruence, so that a program in
+/// another language can ask another engine the same.
 /// </summary>
 internal static class QueryTiming
 {
@@ -57,17 +58,17 @@ internal static class QueryTiming
 
     private static (World World, float Side) Field(int bodies)
     {
-        var random = new Random(1);
+        var random = new Sequence(1);
         float side = MathF.Sqrt(bodies) * 2;
         var world = new World();
         for (int i = 0; i < bodies; i++)
         {
             Handle body = world.CreateBody(new BodyDef
             {
-                X = random.NextDouble() * side,
-                Y = random.NextDouble() * side,
-                Angle = random.NextDouble() * 6,
-                LinearVelocity = i % 2 == 0 ? default : new Vector2((float)random.NextDouble() - 0.5f, (float)random.NextDouble() - 0.5f),
+                X = random.Next() * side,
+                Y = random.Next() * side,
+                Angle = random.Next() * 6,
+                LinearVelocity = i % 2 == 0 ? default : new Vector2((float)random.Next() - 0.5f, (float)random.Next() - 0.5f),
                 Mass = 1,
                 Inertia = 1,
                 Flags = BodyFlags.Enabled | (i % 2 == 0 ? BodyFlags.Static : BodyFlags.None),
@@ -81,7 +82,7 @@ internal static class QueryTiming
 
     private static void Measure(string name, World world, float side, float length, Question question)
     {
-        var random = new Random(2);
+        var random = new Sequence(2);
         var rays = new RayInput[BatchSize];
         var times = new double[Batches];
         int answers = 0;
@@ -90,12 +91,12 @@ internal static class QueryTiming
         {
             for (int i = 0; i < BatchSize; i++)
             {
-                double angle = random.NextDouble() * 2 * Math.PI;
-                double way = length * random.NextDouble();
+                double angle = random.Next() * 2 * Math.PI;
+                double way = length * random.Next();
                 rays[i] = new RayInput
                 {
-                    X = random.NextDouble() * side,
-                    Y = random.NextDouble() * side,
+                    X = random.Next() * side,
+                    Y = random.Next() * side,
                     DirectionX = way * Math.Cos(angle),
                     DirectionY = way * Math.Sin(angle),
                 };
@@ -140,5 +141,17 @@ internal static class QueryTiming
 
         Array.Sort(times);
         Console.WriteLine($"  first query after a step     {times[Steps / 2],8:F1} us, the worst {times[Steps - 1]:F1} us ({bodies / 2} bodies move)");
+    }
+
+    /// <summary>Numbers in [0, 1): the upper 53 bits of x = 6364136223846793005 x + 1442695040888963407 modulo 2⁶⁴.</summary>
+    private sealed class Sequence(ulong state)
+    {
+        private ulong _state = state;
+
+        public double Next()
+        {
+            _state = unchecked((_state * 6364136223846793005UL) + 1442695040888963407UL);
+            return (_state >> 11) * (1.0 / (1UL << 53));
+        }
     }
 }
