@@ -166,6 +166,7 @@ public sealed class RandomCallbackTests
             _world.SetContactListener(null);
             _world.SetContactFilter(null);
             _world.SetDestructionListener(null);
+            _world.SetBoundaryListener(null);
             foreach (b2Joint joint in Joints())
             {
                 if (Joints().Contains(joint))
