@@ -325,6 +325,8 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
         }
 
         _reserved = _residence.Capacity;
+        _active.Reserve(_reserved);
+        _resting.Reserve(_reserved);
         _tree.Reserve(_reserved);
         for (int l = 0; l < _grids.Count; l++)
         {

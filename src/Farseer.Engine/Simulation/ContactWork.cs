@@ -120,7 +120,9 @@ internal sealed unsafe class ContactWork : IStageWork
     {
         _input = input;
         _part = part;
-        _outcomes.EnsureCapacity(count);
+
+        // As many bundles as all pairs fill, and one half empty in each colour: so their number changes without an allocation.
+        _outcomes.EnsureCapacity(Math.Max(count, (input.Contacts.Records.Capacity / ContactBundle.Lanes) + ConstraintGraph.ColorCount));
         runner.Run(this, count, LeastBundles);
     }
 

@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Storage;
@@ -10,6 +11,10 @@ namespace Farseer.Engine.Joints.Trees;
 /// </summary>
 internal sealed unsafe class JointForest
 {
+    /// <summary>Guests for whom there is room from the first on: a world of so many bodies, or with so few for each jointed one, never grows.</summary>
+    private const int FewGuests = 64;
+    private const int GuestsANode = 4;
+
     private readonly Column<TreeNode> _nodes = new Column<TreeNode>();
     private readonly Column<TreeNode> _ordered = new Column<TreeNode>();
     private readonly Column<JointTree> _trees = new Column<JointTree>();
@@ -102,11 +107,15 @@ internal sealed unsafe class JointForest
         TreeCount = _ownTrees;
     }
 
-    /// <summary>Makes room for so many guests, of bodies that may be younger than the trees.</summary>
+    /// <summary>
+    /// Makes room for so many guests, of bodies that may be younger than the trees; in a small world for all bodies at once, so that one
+    /// guest more does not allocate late in a run.
+    /// </summary>
     public void ReserveGuests(int count, int bodyEnd)
     {
-        _nodes.EnsureCapacity(_ownNodes + count);
-        _trees.EnsureCapacity(_ownTrees + count);
+        int room = Math.Min(bodyEnd, Math.Max(count, FewGuests + (GuestsANode * _ownNodes)));
+        _nodes.EnsureCapacity(_ownNodes + room);
+        _trees.EnsureCapacity(_ownTrees + room);
         _nodeOf.EnsureCapacity(bodyEnd);
         for (; _mapped < bodyEnd; _mapped++)
         {
