@@ -17,8 +17,15 @@ internal sealed unsafe class ImpactPass
     /// <summary>Impacts one after the other in a substep; a blow that runs on beyond goes on in the next.</summary>
     private const int MostRounds = 1024;
 
-    /// <summary>Looks at bundles in all rounds of a substep.</summary>
+    /// <summary>
+    /// Looks at bundles in all rounds of a substep but for the first few: a blow that runs through a thousand balls looks at few in a round, while
+    /// in a large pile in which everything strikes each round looks at nearly all.
+    /// </summary>
     private const int MostLooks = 1 << 15;
+    private const int LeastRounds = 16;
+
+    /// <summary>Asking whether a bundle was struck takes this part of a look.</summary>
+    private const int AskingShare = 16;
 
     /// <summary>Room from the first step on, and half a bundle for each body: later steps are not to allocate.</summary>
     private const int LeastBundles = 64;
@@ -44,6 +51,7 @@ internal sealed unsafe class ImpactPass
     /// <summary>The last look before which an impact changed a body: the next need not ask the others again.</summary>
     private readonly Column<int> _struckBefore = new Column<int>();
     private int _look;
+    private int _looks;
     private int _count;
     private int _rows;
     private bool _any;
@@ -95,9 +103,14 @@ internal sealed unsafe class ImpactPass
         BodyStore bodies = input.Bodies;
         HoldAll(false);
         bool struck = false;
-        int rounds = Math.Min(MostRounds, Math.Max(16, MostLooks / _count));
-        for (int round = 0; round < rounds && FindFirst(bodies, input.Coefficients, round > 0); round++)
+        _looks = 0;
+        for (int round = 0; round < MostRounds && (round < LeastRounds || _looks < MostLooks); round++)
         {
+            if (!FindFirst(bodies, input.Coefficients, round > 0))
+            {
+                break;
+            }
+
             struck = true;
             Sweep(bodies, input.Coefficients);
         }
@@ -120,6 +133,7 @@ internal sealed unsafe class ImpactPass
     private bool FindFirst(BodyStore bodies, in ContactCoefficients c, bool again)
     {
         int before = _look++;
+        _looks += _count / AskingShare;
         _hits.Clear();
         for (int i = 0; i < _count; i++)
         {
@@ -129,6 +143,7 @@ internal sealed unsafe class ImpactPass
                 continue;
             }
 
+            _looks++;
             bounce->Hits = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c);
             if (bounce->Hits != 0)
             {
