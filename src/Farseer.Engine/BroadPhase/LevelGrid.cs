@@ -38,7 +38,6 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
     private IndexList[] _hits = { new IndexList() };
     private PairBuffer[] _found = { new PairBuffer() };
     private StageRunner? _runner;
-    private PairMap? _known;
     private readonly Column<Residence> _residence = new Column<Residence>(1);
     private ProxyStore _proxies = null!;
     private PairBuffer _pairs = null!;
@@ -60,12 +59,8 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
         Leave(proxy);
     }
 
-    /// <summary>From now on workers share the search, and it leaves out pairs that are known.</summary>
-    public void Share(StageRunner runner, PairMap known)
-    {
-        _runner = runner;
-        _known = known;
-    }
+    /// <summary>From now on workers share the search.</summary>
+    public void Share(StageRunner runner) => _runner = runner;
 
     public void Collect(ProxyStore proxies, PairBuffer pairs)
     {
@@ -93,12 +88,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
 
         if (seekers <= FewSeekers.Most)
         {
-            int before = pairs.Count;
             _few.Collect(proxies, _active.Pointer, _active.Count, pairs);
-            if (_known != null)
-            {
-                pairs.RemoveThoseOf(_known, before);
-            }
         }
         else
         {
@@ -144,7 +134,6 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
     void IStageWork.Run(int worker, int from, int to)
     {
         PairBuffer pairs = worker == 0 ? _pairs : _found[worker];
-        int before = pairs.Count;
         if (_coarse == null)
         {
             AskTree(pairs, _hits[worker], from, to);
@@ -156,11 +145,6 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
         else
         {
             AskFiner(_coarse, _fine, pairs, from, to);
-        }
-
-        if (_known != null)
-        {
-            pairs.RemoveThoseOf(_known, before);
         }
     }
 

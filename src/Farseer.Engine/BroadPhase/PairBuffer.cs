@@ -15,45 +15,20 @@ internal sealed class PairBuffer
 
     public void Clear() => Count = 0;
 
-    public void Add(int a, int b)
+    public unsafe void Add(int a, int b)
     {
-        if (Count == _pairs.Capacity)
-        {
-            _pairs.EnsureCapacity(Count + 1);
-        }
-
-        _pairs[Count++] = Pack(a, b);
+        *Reserve(1) = Pack(a, b);
+        Count++;
     }
 
     /// <summary>Room for <paramref name="most"/> pairs behind those that are there; <see cref="SetEnd"/> tells how far it was filled.</summary>
     public unsafe ulong* Reserve(int most)
     {
-        if (Count + most > _pairs.Capacity)
-        {
-            _pairs.EnsureCapacity(Count + most);
-        }
-
+        _pairs.EnsureCapacity(Count + most);
         return _pairs.Pointer + Count;
     }
 
     public unsafe void SetEnd(ulong* end) => Count = (int)(end - _pairs.Pointer);
-
-    /// <summary>Drops the pairs from a place on that a map has; most pairs of a world are old ones, and need not be sorted.</summary>
-    public unsafe void RemoveThoseOf(PairMap map, int from = 0)
-    {
-        ulong* pairs = _pairs.Pointer;
-        int kept = from;
-        for (int i = from; i < Count; i++)
-        {
-            ulong pair = pairs[i];
-            if (!map.Contains(pair))
-            {
-                pairs[kept++] = pair;
-            }
-        }
-
-        Count = kept;
-    }
 
     /// <summary>Moves all pairs of another buffer behind those of this one.</summary>
     public unsafe void Take(PairBuffer other)

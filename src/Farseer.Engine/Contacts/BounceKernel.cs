@@ -19,6 +19,12 @@ internal static unsafe class BounceKernel
     /// <summary>Impacts slower than this many substeps of outside acceleration are rest, not impact.</summary>
     public const float RestSubsteps = 4f;
 
+    /// <summary>Sweeps over impacts of the same moment that share a body, or a tree of joints.</summary>
+    public const int Sweeps = 8;
+
+    /// <summary>Share of the substep within which impacts are at the same moment.</summary>
+    public const double SameMoment = 1e-3;
+
     /// <summary>A contact of the bundle can bounce.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool Bounces(ContactBundle* row)

@@ -1,20 +1,15 @@
 using System;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
 using Farseer.Engine.Joints.Trees;
 
 namespace Farseer.Engine.Joints;
 
-/// <content>Impacts of bodies that hang on trees, one after the other: see <see cref="Contacts.BounceKernel"/>.</content>
+/// <content>Impacts of bodies that hang on trees, one after the other: see <see cref="BounceKernel"/>.</content>
 internal sealed unsafe partial class JointSolver
 {
     /// <summary>Impacts one after the other in a substep; a blow that runs on beyond goes on in the next.</summary>
     private const int ImpactRounds = 64;
-
-    /// <summary>Sweeps over impacts of the same moment.</summary>
-    private const int ImpactSweeps = 8;
-
-    /// <summary>Share of the substep within which impacts of a tree are at the same moment.</summary>
-    private const double SameMoment = 1e-3;
 
     private bool _anyHeld;
     private int _hitCount;
@@ -39,7 +34,7 @@ internal sealed unsafe partial class JointSolver
         {
             struck = true;
             SaveVelocities();
-            int sweeps = _hitCount > 1 ? ImpactSweeps : 1;
+            int sweeps = _hitCount > 1 ? BounceKernel.Sweeps : 1;
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
                 Sweep(Pass.Impact);
@@ -103,7 +98,7 @@ internal sealed unsafe partial class JointSolver
         {
             TreeContact* contact = _contacts.Pointer + i;
             double first = Math.Max(LatestOf(contact->Ends.NodeA), LatestOf(contact->Ends.NodeB));
-            contact->Hit &= contact->Since >= first - (SameMoment * _step.Substep);
+            contact->Hit &= contact->Since >= first - (BounceKernel.SameMoment * _step.Substep);
             contact->Impact |= contact->Hit;
             _hitCount += contact->Hit ? 1 : 0;
         }

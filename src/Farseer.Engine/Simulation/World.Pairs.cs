@@ -96,7 +96,7 @@ internal sealed partial class World
             return;
         }
 
-        (BroadPhase as LevelGrid)?.Share(_runner, _contacts.Map);
+        (BroadPhase as LevelGrid)?.Share(_runner);
         BroadPhase.Collect(Proxies, _pairs);
         _pairWork.Run(_runner, this, _pairs);
         _pairSort.Sort(_pairs.Pointer, _pairs.Count);

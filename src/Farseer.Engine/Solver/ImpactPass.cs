@@ -30,14 +30,8 @@ internal sealed unsafe class ImpactPass
     /// <summary>Room from the first step on, and half a bundle for each body: later steps are not to allocate.</summary>
     private const int LeastBundles = 64;
 
-    /// <summary>Sweeps over impacts of the same moment that share a body.</summary>
-    private const int Sweeps = 8;
-
     /// <summary>Turns of what does not bounce and what does.</summary>
     private const int Turns = 6;
-
-    /// <summary>Share of the substep within which impacts of a body are at the same moment.</summary>
-    private const float SameMoment = 1e-3f;
 
     private readonly Column<BounceLanes> _bounces = new Column<BounceLanes>();
 
@@ -178,7 +172,7 @@ internal sealed unsafe class ImpactPass
             }
         }
 
-        float same = SameMoment * c.Substep;
+        float same = (float)BounceKernel.SameMoment * c.Substep;
         for (int i = 0; i < _hits.Count; i++)
         {
             BounceLanes* bounce = _bounces.Pointer + _hits[i];
@@ -227,7 +221,7 @@ internal sealed unsafe class ImpactPass
             lanes += BitSet.CountBits((uint)_bounces[_hits[i]].Hits);
         }
 
-        int sweeps = lanes > 1 ? Sweeps : 1;
+        int sweeps = lanes > 1 ? BounceKernel.Sweeps : 1;
         for (int sweep = 0; sweep < sweeps; sweep++)
         {
             for (int i = 0; i < _hits.Count; i++)

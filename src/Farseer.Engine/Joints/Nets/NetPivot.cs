@@ -234,7 +234,7 @@ internal sealed unsafe class NetPivots : NetRows
 
     internal static void Report(NetPivotBundle* bundle, int lane, ref JointState state, double dt)
     {
-        double inverse = bundle->Ends.Response[lane] > 0 ? 1 / (double)bundle->Ends.Response[lane] : 0;
+        double inverse = InverseResponse(&bundle->Ends, lane);
         state.Impulse[0] = bundle->ImpulseX[lane] * inverse;
         state.Impulse[1] = bundle->ImpulseY[lane] * inverse;
         double x = bundle->StartX[lane];

@@ -219,7 +219,7 @@ internal sealed unsafe class NetRods : NetRows
     {
         NetRodBundle* bundle = (NetRodBundle*)EndsOf(row);
         int lane = LaneOf(row);
-        double inverse = bundle->Ends.Response[lane] > 0 ? 1 / (double)bundle->Ends.Response[lane] : 0;
+        double inverse = InverseResponse(&bundle->Ends, lane);
         state.Impulse[0] = bundle->Impulse[lane] * inverse;
         state.Error = bundle->Start[lane];
         state.ForceX = bundle->SumX[lane] * inverse / dt;

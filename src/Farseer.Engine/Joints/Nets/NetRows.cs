@@ -140,6 +140,9 @@ internal abstract unsafe class NetRows
         return moved;
     }
 
+    /// <summary>What makes an impulse of a lane, a speed, an impulse again; 0 where nothing can be moved.</summary>
+    protected static double InverseResponse(NetEnds* e, int lane) => e->Response[lane] > 0 ? 1 / (double)e->Response[lane] : 0;
+
     protected abstract void PlaceRows(int from, int to, NetPose* poses, float impulseScale);
 
     /// <summary>Writes what all forms have: the arms in the middle of the step and the shares of the bodies.</summary>

@@ -239,7 +239,7 @@ internal sealed unsafe class NetWelds : NetRows
         NetWeldBundle* bundle = (NetWeldBundle*)EndsOf(row);
         int lane = LaneOf(row);
         NetPivots.Report(&bundle->Pivot, lane, ref state, dt);
-        double inverse = bundle->Pivot.Ends.Response[lane] > 0 ? 1 / (double)bundle->Pivot.Ends.Response[lane] : 0;
+        double inverse = InverseResponse(&bundle->Pivot.Ends, lane);
         state.Impulse[2] = bundle->Impulse[lane] * inverse;
         state.Torque = ((double)bundle->Sum[lane] + bundle->Impulse[lane]) * inverse / dt;
     }
