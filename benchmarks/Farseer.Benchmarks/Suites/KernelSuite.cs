@@ -61,7 +61,7 @@ public unsafe class KernelSuite
     public void SolveBiased() => ContactKernel.SolveBiased<ScatterAll>(_rows.Pointer, Bundles, _states.Pointer, _coefficients, anyDeep: false);
 
     [Benchmark(OperationsPerInvoke = Contacts)]
-    public void Relax() => ContactKernel.Relax<ScatterAll>(_rows.Pointer, Bundles, _states.Pointer, _coefficients, rub: true);
+    public void Relax() => ContactKernel.Relax<ScatterAll>(_rows.Pointer, Bundles, _states.Pointer, _coefficients, rub: true, first: true);
 
     [Benchmark(OperationsPerInvoke = PairLanes.Lanes)]
     public int BoxBox() => WideBoxBox.Collide(_pairs.Pointer);

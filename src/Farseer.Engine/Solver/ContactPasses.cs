@@ -20,6 +20,7 @@ internal sealed unsafe class ContactPasses : IStageWork
     private ContactCoefficients _coefficients;
     private Pass _pass;
     private bool _flag;
+    private bool _first;
     private float _rate;
     private ContactBundle* _bundles;
     private bool _grounded;
@@ -43,7 +44,14 @@ internal sealed unsafe class ContactPasses : IStageWork
 
     public void SolveBiased(ReadOnlySpan<GraphColor> colors, bool anyDeep) => Run(colors, Pass.Biased, anyDeep);
 
-    public void Relax(ReadOnlySpan<GraphColor> colors, bool rub) => Run(colors, Pass.Relax, rub);
+    /// <param name="colors">The rows.</param>
+    /// <param name="rub">With friction.</param>
+    /// <param name="first">The only sweep, or the first, of the substep.</param>
+    public void Relax(ReadOnlySpan<GraphColor> colors, bool rub, bool first)
+    {
+        _first = first;
+        Run(colors, Pass.Relax, rub);
+    }
 
     public void PushOut(ReadOnlySpan<GraphColor> colors, float rate)
     {
@@ -78,7 +86,7 @@ internal sealed unsafe class ContactPasses : IStageWork
                 ContactKernel.PushOut<TScatter>(bundles, count, _states, _coefficients, _rate);
                 break;
             case Pass.Relax:
-                ContactKernel.Relax<TScatter>(bundles, count, _states, _coefficients, _flag);
+                ContactKernel.Relax<TScatter>(bundles, count, _states, _coefficients, _flag, _first);
                 break;
         }
     }

@@ -241,7 +241,7 @@ internal sealed unsafe class ImpactPass
         for (int turn = 0; turn < Turns; turn++)
         {
             HoldAll(true);
-            passes.Relax(input.Colors, true);
+            passes.Relax(input.Colors, true, false);
             input.Joints?.Relax(true, true);
             HoldAll(false);
             _hits.Clear();

@@ -134,7 +134,7 @@ internal sealed unsafe class SubstepSolver
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
                 bool rub = sweep * 2 >= sweeps - 1;
-                _passes.Relax(input.Colors, rub);
+                _passes.Relax(input.Colors, rub, sweep == 0);
                 input.Audit?.Book(SolverPart.Contacts);
                 input.Joints?.Relax(sweep > 0, rub);
                 input.Audit?.Book(SolverPart.Joints);
