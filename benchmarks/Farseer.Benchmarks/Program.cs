@@ -4,6 +4,7 @@ using Farseer.Benchmarks.Queries;
 using Farseer.Benchmarks.Scenes;
 using Farseer.Benchmarks.Sleeping;
 using Farseer.Benchmarks.Suites;
+using Farseer.Benchmarks.Trees;
 using Farseer.Benchmarks.Unused;
 
 switch (args.Length > 0 ? args[0] : "")
@@ -20,6 +21,8 @@ switch (args.Length > 0 ? args[0] : "")
         return ResultComparison.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "bdn":
         return SuiteCommand.Run(args[1..], Console.Out);
+    case "trees":
+        return TreeTiming.Run(args.AsSpan(1), Console.Out);
     case "unused":
         return UnusedFeatures.Run(Console.Out);
     default:
@@ -33,6 +36,8 @@ switch (args.Length > 0 ? args[0] : "")
         Console.WriteLine("          two result files of scenes --csv side by side; one: beside a run made now");
         Console.WriteLine($"  {SuiteCommand.Usage}");
         Console.WriteLine("          the suites of BenchmarkDotNet: kernels, pairs, joints, whole scenes; FILE takes the figures as CSV");
+        Console.WriteLine($"  {TreeTiming.Usage}");
+        Console.WriteLine("          time of trees of joints, ns a body and substep");
         Console.WriteLine("  unused  time and bits of features that have nothing to do");
         return 0;
 }

@@ -1,0 +1,166 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints;
+using Farseer.Engine.Shapes;
+using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Benchmarks.Trees;
+
+/// <summary>Worlds of which all bodies that move belong to trees of joints, or lie on one.</summary>
+internal static class TreeScenes
+{
+    private const ColliderFlags Solid = ColliderFlags.CollisionEnabled | ColliderFlags.ResponseEnabled;
+    private const float Radius = 0.05f;
+    private const float Inertia = 1f / 12;
+
+    /// <summary>Ropes of links of 1 kg and 1 m that hang from nails, or are let go from the side.</summary>
+    public static World Ropes(int ropes, int links, bool swing)
+    {
+        World world = Make();
+        for (int rope = 0; rope < ropes; rope++)
+        {
+            double x = rope * 2.5 * links;
+            Vector2 along = swing ? new Vector2(1, 0) : new Vector2(0, -1);
+            AddRope(world, x, links, along);
+        }
+
+        return world;
+    }
+
+    /// <summary>Bridges of 20 planks in an arc, each with a crate of ten planks' mass on it.</summary>
+    public static World Bridges(int bridges)
+    {
+        const int Planks = 20;
+        World world = Make();
+        for (int bridge = 0; bridge < bridges; bridge++)
+        {
+            double x = bridge * 60.0;
+            Handle before = World.WorldFrame;
+            Vector2 end = new Vector2((float)x, 0);
+            Vector2 held = end;
+            for (int i = 0; i < Planks; i++)
+            {
+                float turn = (i - 9.5f) * 0.06f;
+                Vector2 half = 0.5f * new Vector2(1f - (0.5f * turn * turn), turn);
+                Handle plank = Add(world, ShapeBuilder.Box(1, 0.2f), end + half, (float)Math.Atan2(half.Y, half.X), 1, Inertia, 1, 2);
+                Hinge(world, before, plank, held, new Vector2(-half.Length(), 0), null);
+                before = plank;
+                held = new Vector2(half.Length(), 0);
+                end += 2 * half;
+            }
+
+            Hinge(world, before, World.WorldFrame, held, end, null);
+            Vector2 above = new Vector2((float)(0.5 * (x + end.X)), -2);
+            Add(world, ShapeBuilder.Box(2, 2), above, 0, 10, 10 * 4f / 6, 2, 1);
+        }
+
+        return world;
+    }
+
+    /// <summary>Puppets of eleven bodies and ten hinges with limits, falling on a floor; with friction in their hinges or without.</summary>
+    public static World Ragdolls(int dolls, bool friction, bool floor)
+    {
+        World world = Make();
+        if (floor)
+        {
+            Handle ground = world.CreateBody(new BodyDef { X = 0, Y = -1, Mass = 1, Inertia = 1, Flags = BodyFlags.Enabled | BodyFlags.Static });
+            Collide(world, ground, ShapeBuilder.Box(4000, 2), 2, 1);
+        }
+
+        for (int i = 0; i < dolls; i++)
+        {
+            AddRagdoll(world, new Vector2((i - (dolls / 2)) * 4f, 1.2f + (0.1f * (i % 5))), 0.3f * (i % 7), friction);
+        }
+
+        return world;
+    }
+
+    private static void AddRagdoll(World world, Vector2 at, float spin, bool friction)
+    {
+        Handle Part(float x, float y, float width, float height)
+        {
+            float mass = 100 * width * height;
+            float inertia = mass * ((width * width) + (height * height)) / 12;
+            return Add(world, ShapeBuilder.Box(width, height), at + new Vector2(x, y), 0, mass, inertia, 1, 2);
+        }
+
+        void Bend(Handle a, Handle b, Vector2 anchorA, Vector2 anchorB, double lower, double upper) =>
+            Hinge(world, a, b, anchorA, anchorB, (lower, upper, friction));
+
+        Handle pelvis = Part(0, 0.05f, 0.3f, 0.2f);
+        Handle chest = Part(0, 0.42f, 0.34f, 0.5f);
+        Handle head = Part(0, 0.83f, 0.22f, 0.26f);
+        Bend(pelvis, chest, new Vector2(0, 0.11f), new Vector2(0, -0.26f), -0.6, 0.6);
+        Bend(chest, head, new Vector2(0, 0.27f), new Vector2(0, -0.14f), -0.7, 0.7);
+        for (int side = -1; side <= 1; side += 2)
+        {
+            Handle upperArm = Part(side * 0.35f, 0.6f, 0.34f, 0.11f);
+            Handle foreArm = Part(side * 0.67f, 0.6f, 0.34f, 0.09f);
+            Bend(chest, upperArm, new Vector2(side * 0.19f, 0.18f), new Vector2(side * -0.16f, 0), -1.5, 1.5);
+            Bend(upperArm, foreArm, new Vector2(side * 0.16f, 0), new Vector2(side * -0.16f, 0), side > 0 ? 0 : -2.4, side > 0 ? 2.4 : 0);
+            Handle thigh = Part(side * 0.09f, -0.27f, 0.14f, 0.46f);
+            Handle shin = Part(side * 0.09f, -0.7f, 0.11f, 0.44f);
+            Bend(pelvis, thigh, new Vector2(side * 0.09f, -0.1f), new Vector2(0, 0.22f), -0.9, 0.9);
+            Bend(thigh, shin, new Vector2(0, -0.22f), new Vector2(0, 0.21f), side > 0 ? -2.2 : 0, side > 0 ? 0 : 2.2);
+        }
+
+        world.Bodies.State[pelvis.Index].AngularVelocity = spin;
+    }
+
+    private static void AddRope(World world, double x, int links, Vector2 along)
+    {
+        Handle before = World.WorldFrame;
+        Vector2 held = new Vector2((float)x, 0);
+        for (int i = 0; i < links; i++)
+        {
+            Vector2 at = new Vector2((float)x, 0) + ((i + 0.5f) * along);
+            Handle link = Add(world, ShapeBuilder.Box(1, 2 * Radius), at, along.X > 0 ? 0 : -0.5f * (float)Math.PI, 1, Inertia, 1, 2);
+            Hinge(world, before, link, held, new Vector2(-0.5f, 0), null);
+            before = link;
+            held = new Vector2(0.5f, 0);
+        }
+    }
+
+    private static World Make()
+    {
+        var world = new World();
+        world.Settings.Gravity = new Vector2(0, -10);
+        world.Settings.AllowedPenetration = 0.005f;
+        return world;
+    }
+
+    private static void Hinge(World world, Handle a, Handle b, Vector2 anchorA, Vector2 anchorB, (double Lower, double Upper, bool Friction)? limits)
+    {
+        JointSettings settings = default;
+        settings.AnchorAX = anchorA.X;
+        settings.AnchorAY = anchorA.Y;
+        settings.AnchorBX = anchorB.X;
+        settings.AnchorBY = anchorB.Y;
+        settings.BiasFactor = 0.2;
+        settings.MaxImpulse = double.PositiveInfinity;
+        settings.Breakpoint = double.PositiveInfinity;
+        settings.BreakForce = double.PositiveInfinity;
+        JointFlags flags = JointFlags.Enabled;
+        if (limits is { } bounds)
+        {
+            settings.Lower = bounds.Lower;
+            settings.Upper = bounds.Upper;
+            settings.MotorLimit = 0.02;
+            flags |= bounds.Friction ? JointFlags.Limit | JointFlags.Motor : JointFlags.Limit;
+        }
+
+        world.CreateJoint(JointKind.Revolute, a, b, settings, flags);
+    }
+
+    private static Handle Add(World world, ShapeGeometry shape, Vector2 at, float angle, float mass, float inertia, uint category, uint with)
+    {
+        Handle body = world.CreateBody(new BodyDef { X = at.X, Y = at.Y, Angle = angle, Mass = mass, Inertia = inertia, Flags = BodyFlags.Enabled });
+        Collide(world, body, shape, category, with);
+        return body;
+    }
+
+    private static void Collide(World world, Handle body, ShapeGeometry shape, uint category, uint with) =>
+        world.CreateCollider(body, shape, new ColliderDef { Flags = Solid, Friction = 0.6f, Categories = category, CollidesWith = with });
+}
