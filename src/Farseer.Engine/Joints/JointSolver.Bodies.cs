@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
@@ -98,9 +97,9 @@ internal sealed unsafe partial class JointSolver
             {
                 BodyState* state = states + node->Body;
                 BodyDrive* drive = drives + node->Body;
-                Kick(ref node->Velocity[0], ref state->LinearVelocity.X, share * (double)drive->X);
-                Kick(ref node->Velocity[1], ref state->LinearVelocity.Y, share * (double)drive->Y);
-                Kick(ref node->Velocity[2], ref state->AngularVelocity, share * (double)drive->W);
+                HeldVelocity.Kick(ref node->Velocity[0], ref state->LinearVelocity.X, share * (double)drive->X);
+                HeldVelocity.Kick(ref node->Velocity[1], ref state->LinearVelocity.Y, share * (double)drive->Y);
+                HeldVelocity.Kick(ref node->Velocity[2], ref state->AngularVelocity, share * (double)drive->W);
             }
         }
     }
@@ -204,19 +203,19 @@ internal sealed unsafe partial class JointSolver
     {
         for (int at = 0; at < _nodeCount; at++)
         {
-            int i = _nodes[at];
-            TreeNode* node = _forest.Nodes + i;
-            ref BodyPose pose = ref _step.Bodies.Pose[node->Body];
-            node->X = pose.X + node->Move[0];
-            node->Y = pose.Y + node->Move[1];
-            node->Angle = pose.Angle + (node->Move[2] + _step.Bodies.Drive[node->Body].Lead);
-            node->Cos = (node->MiddleCos * node->TurnCos) - (node->MiddleSin * node->TurnSin);
-            node->Sin = (node->MiddleSin * node->TurnCos) + (node->MiddleCos * node->TurnSin);
+            LoadPose(_forest.Nodes + _nodes[at]);
         }
     }
 
-    /// <summary>Angle turned since the start of the step.</summary>
-    private double Turn(int body) => (double)_step.Bodies.Motion[body].Turned + _step.Bodies.Drive[body].Lead;
+    private void LoadPose(TreeNode* node)
+    {
+        ref BodyPose pose = ref _step.Bodies.Pose[node->Body];
+        node->X = pose.X + node->Move[0];
+        node->Y = pose.Y + node->Move[1];
+        node->Angle = pose.Angle + (node->Move[2] + _step.Bodies.Drive[node->Body].Lead);
+        node->Cos = (node->MiddleCos * node->TurnCos) - (node->MiddleSin * node->TurnSin);
+        node->Sin = (node->MiddleSin * node->TurnCos) + (node->MiddleCos * node->TurnSin);
+    }
 
     private void LoadVelocities()
     {
@@ -226,16 +225,12 @@ internal sealed unsafe partial class JointSolver
             int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
             BodyState* state = states + node->Body;
-            node->Velocity[0] = Refresh(node->Velocity[0], state->LinearVelocity.X);
-            node->Velocity[1] = Refresh(node->Velocity[1], state->LinearVelocity.Y);
-            node->Velocity[2] = Refresh(node->Velocity[2], state->AngularVelocity);
+            node->Velocity[0] = HeldVelocity.Refresh(node->Velocity[0], state->LinearVelocity.X);
+            node->Velocity[1] = HeldVelocity.Refresh(node->Velocity[1], state->LinearVelocity.Y);
+            node->Velocity[2] = HeldVelocity.Refresh(node->Velocity[2], state->AngularVelocity);
         }
     }
 
-    /// <summary>
-    /// Gravity and forces once more, on the doubles: rounded in each of many substeps, always to the same side, they would part bodies
-    /// that fall together by as much as 1e-5 of their speed. What springs added since stays added.
-    /// </summary>
     private void DriveDoubles()
     {
         for (int at = 0; at < _nodeCount; at++)
@@ -244,34 +239,11 @@ internal sealed unsafe partial class JointSolver
             BodyState* state = _step.Bodies.State.Pointer + node->Body;
             BodyMotion* motion = _step.Bodies.Motion.Pointer + node->Body;
             BodyDrive* drive = _step.Bodies.Drive.Pointer + node->Body;
-            Drive(ref node->Velocity[0], ref state->LinearVelocity.X, motion->StartX, drive->LinearKeep, drive->X);
-            Drive(ref node->Velocity[1], ref state->LinearVelocity.Y, motion->StartY, drive->LinearKeep, drive->Y);
-            Drive(ref node->Velocity[2], ref state->AngularVelocity, motion->StartW, drive->AngularKeep, drive->W);
+            HeldVelocity.Drive(ref node->Velocity[0], ref state->LinearVelocity.X, motion->StartX, drive->LinearKeep, drive->X);
+            HeldVelocity.Drive(ref node->Velocity[1], ref state->LinearVelocity.Y, motion->StartY, drive->LinearKeep, drive->Y);
+            HeldVelocity.Drive(ref node->Velocity[2], ref state->AngularVelocity, motion->StartW, drive->AngularKeep, drive->W);
         }
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Kick(ref double held, ref float stored, double change)
-    {
-        held = Refresh(held, stored) + change;
-        stored = (float)held;
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Drive(ref double held, ref float stored, float before, float factor, float change)
-    {
-        if ((float)held == before)
-        {
-            float kept = before * factor;
-            float rounded = kept + change;
-            held = (held * factor) + change + ((double)stored - rounded);
-            stored = (float)held;
-        }
-    }
-
-    // The double stands as long as the store still holds its rounding.
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double Refresh(double held, float stored) => (float)held == stored ? held : stored;
 
     private void StoreVelocities()
     {

@@ -70,5 +70,5 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
-    private int ClassOf(in RowEnds ends) => _forest.Trees[_forest.Nodes[ends.NodeA >= 0 ? ends.NodeA : ends.NodeB].Tree].Class;
+    private int ClassOf(in RowEnds ends) => _forest.Trees[TreeOf(ends)].Class;
 }

@@ -17,6 +17,7 @@ internal sealed unsafe partial class JointSolver
     /// <summary>Before a substep: holds back the contacts that are about to bounce.</summary>
     public void PrepareBounce()
     {
+        _lanes.Refresh();
         LoadVelocities();
         _anyHeld = false;
         for (int i = 0; i < _contactCount; i++)
@@ -66,6 +67,7 @@ internal sealed unsafe partial class JointSolver
     public void Settle()
     {
         _nets.Relax(true);
+        SolveLanes(true, false);
         LoadVelocities();
         SolveTrees(TargetKind.Relaxed, false);
         Sweep(Pass.Settle);

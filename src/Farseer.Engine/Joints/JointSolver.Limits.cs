@@ -13,10 +13,10 @@ internal sealed unsafe partial class JointSolver
     private const int ReleaseRounds = 4;
 
     /// <summary>Share of the speeds in a row below which a difference is rounding.</summary>
-    private const double SpeedRounding = 1e-9;
+    internal const double SpeedRounding = 1e-9;
 
     /// <summary>The fastest return from an overrun, rad/s.</summary>
-    private const double FastestReturn = 10;
+    internal const double FastestReturn = 10;
 
     /// <param name="kind">What the rows are to reach.</param>
     /// <param name="again">The trees have been solved in this pass: only limits at rows may have changed since.</param>

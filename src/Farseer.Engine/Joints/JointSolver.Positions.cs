@@ -1,6 +1,5 @@
 using System;
 using Farseer.Engine.Joints.Trees;
-using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Joints;
 
@@ -12,19 +11,19 @@ namespace Farseer.Engine.Joints;
 /// </content>
 internal sealed unsafe partial class JointSolver
 {
-    private const int Corrections = 4;
+    internal const int Corrections = 4;
 
     /// <summary>Sweeps over loops and contacts in a correction.</summary>
     private const int CorrectionSweeps = 2;
 
     /// <summary>Errors in terms of the joint's size: none, good enough to stay with, and too large after all corrections.</summary>
-    private const double Tolerance = 1e-8;
-    private const double Loose = 2e-6;
-    private const double Failed = 1e-4;
+    internal const double Tolerance = 1e-8;
+    internal const double Loose = 2e-6;
+    internal const double Failed = 1e-4;
 
     /// <summary>A correction that does not shrink the error to this share goes astray; so does one that turns a body further.</summary>
-    private const double Shrink = 0.7;
-    private const double LargestBend = 0.3;
+    internal const double Shrink = 0.7;
+    internal const double LargestBend = 0.3;
 
     /// <summary>After the positions moved: what is left of the errors is taken out of positions and velocities alike.</summary>
     /// <param name="pushRate">Share of a deep overlap that goes in this substep.</param>
@@ -51,6 +50,7 @@ internal sealed unsafe partial class JointSolver
             FindAstray(round == Corrections - 1);
         }
 
+        CorrectLanes();
         Displace(Project(), pushRate);
         LoadPoses();
         WriteRows(false);
@@ -213,8 +213,7 @@ internal sealed unsafe partial class JointSolver
             }
 
             SetTargets(tree, TargetKind.Correction);
-            bool stuck = tree->Worst > Loose && tree->Worst > Shrink * tree->Before;
-            tree->Astray |= bent > LargestBend || stuck || (last && tree->Worst > Failed) || !FloatBits.IsFinite(tree->Worst);
+            tree->Astray |= IsAstray(tree->Worst, tree->Before, bent, last);
             tree->Before = tree->Worst;
         }
     }

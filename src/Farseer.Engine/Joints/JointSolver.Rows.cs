@@ -164,12 +164,7 @@ internal sealed unsafe partial class JointSolver
             return;
         }
 
-        ref BodyPose pose = ref _step.Bodies.Pose[body];
-        ref BodyState state = ref _step.Bodies.State[body];
-        x = pose.X + state.DeltaPosition.X;
-        y = pose.Y + state.DeltaPosition.Y;
-        bool still = (_step.Bodies.Flags[body] & (BodyFlags.Enabled | BodyFlags.Kinematic)) != (BodyFlags.Enabled | BodyFlags.Kinematic);
-        angle = still ? pose.Angle : pose.Angle + Turn(body);
+        angle = ReadStill(_step.Bodies, body, out x, out y);
         StableMath.SinCos(angle, out sin, out cos);
     }
 

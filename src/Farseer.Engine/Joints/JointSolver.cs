@@ -84,6 +84,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         }
 
         MarkFree();
+        TakeToLanes();
         LoadMoves();
         Factor();
         _nets.Start(_step);
@@ -96,6 +97,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     public void Enter()
     {
         BodyMotion* motions = _step.Bodies.Motion.Pointer;
+        _lanes.Enter();
         MarkExact();
         for (int at = 0; at < _nodeCount; at++)
         {
@@ -140,6 +142,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     public void Solve(bool again)
     {
         _nets.SolveBiased();
+        SolveLanes(false, again);
         LoadVelocities();
         Run(TargetKind.Biased, Pass.Biased, again);
     }
@@ -148,6 +151,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     public void Relax(bool again, bool rub)
     {
         _nets.Relax(again);
+        SolveLanes(true, again);
         LoadVelocities();
         Run(TargetKind.Relaxed, rub ? Pass.Relaxed : Pass.RelaxedSmooth, again);
     }
@@ -155,6 +159,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     /// <summary>Keeps the impulses for the next step.</summary>
     public void Finish()
     {
+        FinishLanes();
         for (int at = 0; at < _jointCount; at++)
         {
             int i = _joints[at];

@@ -39,6 +39,28 @@ internal static unsafe partial class StableMath
         }
     }
 
+    /// <summary>The same, not rounded; the angles may be any.</summary>
+    public static void SinCos(double* angles, double* sin, double* cos)
+    {
+#if NET8_0_OR_GREATER
+        if (Avx.IsSupported)
+        {
+            Vector256<double> angle = Vector256.Load(angles);
+            if (Vector256.LessThanOrEqualAll(Vector256.Abs(angle), Vector256.Create(DirectLimit)))
+            {
+                SinCos(angle, out Vector256<double> s, out Vector256<double> c);
+                s.Store(sin);
+                c.Store(cos);
+                return;
+            }
+        }
+#endif
+        for (int i = 0; i < Lanes; i++)
+        {
+            SinCos(angles[i], out sin[i], out cos[i]);
+        }
+    }
+
 #if NET8_0_OR_GREATER
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void SinCos(Vector256<double> angle, out Vector256<double> sin, out Vector256<double> cos)

@@ -51,6 +51,9 @@ internal struct JointTree
     /// <summary>Takes part in the present round of the position correction.</summary>
     public bool Corrects;
 
+    /// <summary>It is solved on lanes in this step, and in no list of the other passes.</summary>
+    public bool OnLanes;
+
     /// <summary>A walk brought an impulse.</summary>
     public bool Carries;
 

@@ -10,7 +10,7 @@ namespace Farseer.Engine.Joints.Trees;
 internal static unsafe class TreeSolve
 {
     /// <summary>A few units in the last place.</summary>
-    private const double Rounding = 1e-15;
+    internal const double Rounding = 1e-15;
 
     public static void Run(JointForest forest, JointTree* tree)
     {

@@ -1,0 +1,173 @@
+using System;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Lanes;
+using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Numerics;
+
+namespace Farseer.Engine.Joints;
+
+/// <content>Trees that are solved side by side: out of the lists for a step, and back.</content>
+internal sealed unsafe partial class JointSolver
+{
+    private readonly TreeLanes _lanes = new TreeLanes();
+
+    /// <summary>Tests compare both ways.</summary>
+    internal bool UsesLanes { get; set; } = true;
+
+    /// <summary>Moves the trees that can be solved side by side out of the lists of the passes.</summary>
+    private void TakeToLanes()
+    {
+        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _treeCount);
+        int kept = 0;
+        for (int at = 0; at < _treeCount; at++)
+        {
+            int index = _trees[at];
+            bool taken = UsesLanes && _lanes.Take(index);
+            _forest.Trees[index].OnLanes = taken;
+            if (!taken)
+            {
+                _trees[kept++] = index;
+            }
+        }
+
+        if (kept == _treeCount)
+        {
+            return;
+        }
+
+        _treeCount = kept;
+        kept = 0;
+        for (int at = 0; at < _nodeCount; at++)
+        {
+            if (!_forest.Trees[_forest.Nodes[_nodes[at]].Tree].OnLanes)
+            {
+                _nodes[kept++] = _nodes[at];
+            }
+        }
+
+        _nodeCount = kept;
+        kept = 0;
+        for (int at = 0; at < _jointCount; at++)
+        {
+            if (!_forest.Trees[TreeOf(_active[_joints[at]].Ends)].OnLanes)
+            {
+                _joints[kept++] = _joints[at];
+            }
+        }
+
+        _jointCount = kept;
+        _lanes.Load();
+    }
+
+    private int TreeOf(in RowEnds ends) => _forest.Nodes[ends.NodeA >= 0 ? ends.NodeA : ends.NodeB].Tree;
+
+    /// <summary>Puts a tree that was on lanes back into the lists.</summary>
+    private void TakeFromLanes(int index)
+    {
+        JointTree* tree = _forest.Trees + index;
+        tree->OnLanes = false;
+        ChooseTree(index);
+        for (int i = tree->First + 1; i < tree->End; i++)
+        {
+            _joints[_jointCount++] = _forest.Nodes[i].RowJoint[0];
+        }
+
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
+        {
+            _joints[_jointCount++] = _forest.Anchors[i].Active;
+        }
+    }
+
+    /// <summary>A pass over the trees on lanes; those that it leaves take part in the same pass of the others.</summary>
+    private void SolveLanes(bool relaxed, bool again)
+    {
+        if (_lanes.Any && !again)
+        {
+            _lanes.Solve(relaxed);
+            TakeLeft();
+        }
+    }
+
+    /// <summary>Trees that leave the lanes within a substep get their rows and factor.</summary>
+    private void TakeLeft()
+    {
+        for (int k = 0; k < _lanes.GivenCount; k++)
+        {
+            int index = _lanes.Given(k);
+            int firstJoint = _jointCount;
+            TakeFromLanes(index);
+            JointTree* tree = _forest.Trees + index;
+            for (int i = tree->First; i < tree->End; i++)
+            {
+                LoadPose(_forest.Nodes + i);
+            }
+
+            for (int at = firstJoint; at < _jointCount; at++)
+            {
+                WriteJoint(_joints[at]);
+            }
+
+            TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+        }
+    }
+
+    /// <summary>The correction of the trees on lanes; those that went astray are projected with the others.</summary>
+    private void CorrectLanes()
+    {
+        if (_lanes.Any)
+        {
+            _lanes.CorrectPositions();
+            for (int k = 0; k < _lanes.GivenCount; k++)
+            {
+                TakeFromLanes(_lanes.Given(k));
+            }
+        }
+    }
+
+    /// <summary>All trees are in the lists again, and their joints tell what they did.</summary>
+    private void FinishLanes()
+    {
+        _lanes.Finish();
+        for (int k = 0; k < _lanes.GivenCount; k++)
+        {
+            int firstJoint = _jointCount;
+            TakeFromLanes(_lanes.Given(k));
+            JointTree* tree = _forest.Trees + _lanes.Given(k);
+            bool posed = false;
+            for (int at = firstJoint; at < _jointCount; at++)
+            {
+                if (double.IsInfinity(_active[_joints[at]].Settings.Breakpoint))
+                {
+                    continue;
+                }
+
+                for (int i = tree->First; i < tree->End && !posed; i++)
+                {
+                    LoadPose(_forest.Nodes + i);
+                }
+
+                posed = true;
+                WriteJoint(_joints[at]);
+            }
+        }
+    }
+
+    /// <summary>Where a body that the solver does not move is, but for sine and cosine.</summary>
+    /// <returns>Its angle.</returns>
+    internal static double ReadStill(BodyStore bodies, int body, out double x, out double y)
+    {
+        ref BodyPose pose = ref bodies.Pose[body];
+        ref BodyState state = ref bodies.State[body];
+        x = pose.X + state.DeltaPosition.X;
+        y = pose.Y + state.DeltaPosition.Y;
+        bool still = (bodies.Flags[body] & (BodyFlags.Enabled | BodyFlags.Kinematic)) != (BodyFlags.Enabled | BodyFlags.Kinematic);
+        return still ? pose.Angle : pose.Angle + ((double)bodies.Motion[body].Turned + bodies.Drive[body].Lead);
+    }
+
+    /// <summary>A correction leads astray: see the thresholds.</summary>
+    internal static bool IsAstray(double worst, double before, double bent, bool last)
+    {
+        bool stuck = worst > Loose && worst > Shrink * before;
+        return bent > LargestBend || stuck || (last && worst > Failed) || !FloatBits.IsFinite(worst);
+    }
+}

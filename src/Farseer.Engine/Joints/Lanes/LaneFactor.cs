@@ -1,0 +1,236 @@
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Farseer.Engine.Joints.Lanes;
+
+/// <summary>
+/// The elimination of <see cref="TreeFactor"/> for trees side by side, to the last bit. Of T and full masses nothing is found: they are
+/// for rows, and trees on lanes have none.
+/// </summary>
+internal static unsafe class LaneFactor
+{
+    private const int Half = 3 * DoubleLanes.BundleLanes;
+
+    /// <summary>Writes the Jacobians of all hinges at the present arms, and factors.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Run(LaneNode* nodes, LanePlace* places, int count, LaneAnchor* anchors, LanePlace* anchorPlaces, int anchorCount)
+    {
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
+        {
+            LaneNode* first = DoubleLanes.Shift(nodes, lane);
+            for (int i = 0; i < count; i++)
+            {
+                Reset(first + i);
+            }
+
+            for (int i = 0; i < anchorCount; i++)
+            {
+                LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
+                WriteRows(&anchor->Joint, anchor->OtherS, anchorPlaces[i].IsA);
+                EliminateAnchor(anchor, first + anchorPlaces[i].Parent);
+            }
+
+            for (int i = count - 1; i > 0; i--)
+            {
+                LaneNode* node = first + i;
+                WriteRows(&node->Joint, node->ParentS, places[i].IsA);
+                EliminateEdge(node, first + places[i].Parent);
+            }
+        }
+    }
+
+    private static void Reset(LaneNode* node)
+    {
+        double* y = node->SubtreeMass;
+        WideDouble mass = WideDouble.Load(node->InverseMass);
+        for (int i = 0; i < 9; i++)
+        {
+            (i == 8 ? WideDouble.Load(node->InverseInertia) : i % 4 == 0 ? mass : WideDouble.Zero).Store(y + (i * DoubleLanes.BundleLanes));
+        }
+    }
+
+    private static void WriteRows(LaneJoint* joint, double* other, bool isA)
+    {
+        double* a = isA ? joint->S : other;
+        double* b = isA ? other : joint->S;
+        WideDouble one = WideDouble.Splat(1);
+        WideDouble ax = WideDouble.Load(joint->ArmA);
+        WideDouble ay = WideDouble.Load(joint->ArmA + 4);
+        WideDouble bx = WideDouble.Load(joint->ArmB);
+        WideDouble by = WideDouble.Load(joint->ArmB + 4);
+        WriteRow(a, WideDouble.Negate(one), WideDouble.Zero, ay);
+        WriteRow(a + Half, WideDouble.Zero, WideDouble.Negate(one), WideDouble.Negate(ax));
+        WriteRow(b, one, WideDouble.Zero, WideDouble.Negate(by));
+        WriteRow(b + Half, WideDouble.Zero, one, bx);
+        (WideDouble.Sqrt((ax * ax) + (ay * ay)) + WideDouble.Sqrt((bx * bx) + (by * by))).Store(joint->Size);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void WriteRow(double* row, WideDouble x, WideDouble y, WideDouble w)
+    {
+        x.Store(row);
+        y.Store(row + 4);
+        w.Store(row + 8);
+    }
+
+    /// <summary>s·y of a row.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Multiply(double* s, double* y, out WideDouble r0, out WideDouble r1, out WideDouble r2)
+    {
+        WideDouble a = WideDouble.Load(s);
+        WideDouble b = WideDouble.Load(s + 4);
+        WideDouble c = WideDouble.Load(s + 8);
+        r0 = (a * WideDouble.Load(y)) + (b * WideDouble.Load(y + 12)) + (c * WideDouble.Load(y + 24));
+        r1 = (a * WideDouble.Load(y + 4)) + (b * WideDouble.Load(y + 16)) + (c * WideDouble.Load(y + 28));
+        r2 = (a * WideDouble.Load(y + 8)) + (b * WideDouble.Load(y + 20)) + (c * WideDouble.Load(y + 32));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble Dot(WideDouble x, WideDouble y, WideDouble w, double* s) =>
+        (x * WideDouble.Load(s)) + (y * WideDouble.Load(s + 4)) + (w * WideDouble.Load(s + 8));
+
+    /// <summary>The response of a body to a row by its own mass.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble Own(double* s, LaneNode* node)
+    {
+        WideDouble x = WideDouble.Load(s);
+        WideDouble y = WideDouble.Load(s + 4);
+        WideDouble w = WideDouble.Load(s + 8);
+        return (((x * x) + (y * y)) * WideDouble.Load(node->InverseMass)) + (w * w * WideDouble.Load(node->InverseInertia));
+    }
+
+    /// <summary>One over a determinant; 0 where it is not positive.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble Inverse(WideDouble determinant) =>
+        WideDouble.Select(determinant > WideDouble.Zero, WideDouble.Splat(1) / determinant, WideDouble.Zero);
+
+    private static void EliminateAnchor(LaneAnchor* anchor, LaneNode* node)
+    {
+        double* s = anchor->Joint.S;
+        double* y = node->SubtreeMass;
+        Multiply(s, y, out WideDouble a00, out WideDouble a01, out WideDouble a02);
+        Multiply(s + Half, y, out WideDouble a10, out WideDouble a11, out WideDouble a12);
+        WideDouble k00 = Dot(a00, a01, a02, s);
+        WideDouble k01 = Dot(a00, a01, a02, s + Half);
+        WideDouble k10 = Dot(a10, a11, a12, s);
+        WideDouble k11 = Dot(a10, a11, a12, s + Half);
+        WideDouble own0 = Own(s, node);
+        WideDouble own1 = Own(s + Half, node);
+        WideDouble regular = WideDouble.Splat(TreeFactor.Regular);
+        WideDoubleMask isRegular = (k00 * k11) - (k01 * k10) > WideDouble.Splat(TreeFactor.Singular) * (own0 * own1);
+        k00 = WideDouble.Select(isRegular, k00, k00 + (regular * own0));
+        k11 = WideDouble.Select(isRegular, k11, k11 + (regular * own1));
+        WideDouble f = Inverse((k00 * k11) - (k01 * k10));
+        WideDouble h00 = f * k11;
+        WideDouble h01 = WideDouble.Negate(f) * k01;
+        WideDouble h11 = f * k00;
+        double* h = anchor->Joint.E;
+        h00.Store(h);
+        h01.Store(h + 4);
+        h01.Store(h + 8);
+        h11.Store(h + 12);
+        TakeOut(y, h00, h01, h11, a00, a01, a02, a10, a11, a12, anchor->Gain);
+    }
+
+    private static void EliminateEdge(LaneNode* node, LaneNode* parent)
+    {
+        double* s = node->Joint.S;
+        double* y = node->SubtreeMass;
+        Multiply(s, y, out WideDouble a00, out WideDouble a01, out WideDouble a02);
+        Multiply(s + Half, y, out WideDouble a10, out WideDouble a11, out WideDouble a12);
+        WideDouble k00 = Dot(a00, a01, a02, s);
+        WideDouble k01 = Dot(a00, a01, a02, s + Half);
+        WideDouble k10 = Dot(a10, a11, a12, s);
+        WideDouble k11 = Dot(a10, a11, a12, s + Half);
+        WideDouble own0 = Own(s, node);
+        WideDouble own1 = Own(s + Half, node);
+        WideDouble regular = WideDouble.Splat(TreeFactor.Regular);
+        WideDouble singular = WideDouble.Splat(TreeFactor.Singular);
+        WideDoubleMask isRegular = (k00 * k11) - (k01 * k10) > singular * (own0 * own1);
+        k00 = WideDouble.Select(isRegular, k00, k00 + (regular * own0));
+        k11 = WideDouble.Select(isRegular, k11, k11 + (regular * own1));
+
+        double* p = node->ParentS;
+        double* z = parent->SubtreeMass;
+        Multiply(p, z, out WideDouble b00, out WideDouble b01, out WideDouble b02);
+        Multiply(p + Half, z, out WideDouble b10, out WideDouble b11, out WideDouble b12);
+        WideDouble h00 = Dot(b00, b01, b02, p) + k00;
+        WideDouble h01 = Dot(b00, b01, b02, p + Half) + k01;
+        WideDouble h10 = Dot(b10, b11, b12, p) + k10;
+        WideDouble h11 = Dot(b10, b11, b12, p + Half) + k11;
+        own0 += Own(p, parent);
+        own1 += Own(p + Half, parent);
+        isRegular = (h00 * h11) - (h01 * h10) > singular * (own0 * own1);
+        h00 = WideDouble.Select(isRegular, h00, h00 + (regular * own0));
+        h11 = WideDouble.Select(isRegular, h11, h11 + (regular * own1));
+        k00 = WideDouble.Select(isRegular, k00, k00 + (regular * own0));
+        k11 = WideDouble.Select(isRegular, k11, k11 + (regular * own1));
+
+        WideDouble f = Inverse((k00 * k11) - (k01 * k10));
+        WideDouble e00 = f * k11;
+        WideDouble e01 = WideDouble.Negate(f) * k01;
+        WideDouble e11 = f * k00;
+        double* e = node->Joint.E;
+        e00.Store(e);
+        e01.Store(e + 4);
+        e01.Store(e + 8);
+        e11.Store(e + 12);
+        double* g = node->G;
+        Combine(e00, e01, a00, a10).Store(g);
+        Combine(e00, e01, a01, a11).Store(g + 4);
+        Combine(e00, e01, a02, a12).Store(g + 8);
+        Combine(e01, e11, a00, a10).Store(g + 12);
+        Combine(e01, e11, a01, a11).Store(g + 16);
+        Combine(e01, e11, a02, a12).Store(g + 20);
+        f = Inverse((h00 * h11) - (h01 * h10));
+        TakeOut(z, f * h11, WideDouble.Negate(f) * h01, f * h00, b00, b01, b02, b10, b11, b12, node->W);
+    }
+
+    /// <summary>Zero first, as a sum starts: of a product that is -0 it makes 0.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble Combine(WideDouble f, WideDouble g, WideDouble a, WideDouble b) => WideDouble.Zero + (f * a) + (g * b);
+
+    /// <summary>w = h·b and y -= bᵀ·w.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void TakeOut(
+        double* y,
+        WideDouble h00,
+        WideDouble h01,
+        WideDouble h11,
+        WideDouble b00,
+        WideDouble b01,
+        WideDouble b02,
+        WideDouble b10,
+        WideDouble b11,
+        WideDouble b12,
+        double* w)
+    {
+        TakeColumn(y, w, Combine(h00, h01, b00, b10), Combine(h01, h11, b00, b10), b00, b01, b02, b10, b11, b12);
+        TakeColumn(y + 4, w + 4, Combine(h00, h01, b01, b11), Combine(h01, h11, b01, b11), b00, b01, b02, b10, b11, b12);
+        TakeColumn(y + 8, w + 8, Combine(h00, h01, b02, b12), Combine(h01, h11, b02, b12), b00, b01, b02, b10, b11, b12);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void TakeColumn(
+        double* y,
+        double* w,
+        WideDouble w0,
+        WideDouble w1,
+        WideDouble b00,
+        WideDouble b01,
+        WideDouble b02,
+        WideDouble b10,
+        WideDouble b11,
+        WideDouble b12)
+    {
+        w0.Store(w);
+        w1.Store(w + Half);
+        (WideDouble.Load(y) - (b00 * w0) - (b10 * w1)).Store(y);
+        (WideDouble.Load(y + 12) - (b01 * w0) - (b11 * w1)).Store(y + 12);
+        (WideDouble.Load(y + 24) - (b02 * w0) - (b12 * w1)).Store(y + 24);
+    }
+}

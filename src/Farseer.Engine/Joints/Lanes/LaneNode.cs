@@ -1,0 +1,153 @@
+using System.Runtime.InteropServices;
+
+namespace Farseer.Engine.Joints.Lanes;
+
+/// <summary>
+/// The body at one place of four trees of equal shape, and the edge to its parent, as in <see cref="Trees.TreeNode"/>: each number four
+/// times, one a tree; of vectors and matrices one element after the other. A pointer to it moved on by lanes is one to the later lanes.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct LaneNode
+{
+    public fixed double Velocity[12];
+
+    /// <summary>The velocity before the pass, and the one before corrections.</summary>
+    public fixed double Saved[12];
+    public fixed double PlainVelocity[12];
+
+    public fixed double Move[12];
+    public fixed double StartMove[12];
+    public fixed double PlainMove[12];
+    public fixed double Bent[4];
+
+    public fixed double InverseMass[4];
+    public fixed double InverseInertia[4];
+
+    /// <summary>The pose at the start of the step, its angle with the lead, and sine and cosine of the angle in the step's middle.</summary>
+    public fixed double StartX[4];
+    public fixed double StartY[4];
+    public fixed double StartAngle[4];
+    public fixed double Lead[4];
+    public fixed double MiddleSin[4];
+    public fixed double MiddleCos[4];
+    public fixed double TurnSin[4];
+    public fixed double TurnCos[4];
+
+    public fixed double X[4];
+    public fixed double Y[4];
+    public fixed double Angle[4];
+    public fixed double Cos[4];
+    public fixed double Sin[4];
+    public fixed double SubtreeMass[36];
+
+    /// <summary>Impulse that the body got in the pass, if it has anchors.</summary>
+    public fixed double Got[12];
+
+    public LaneJoint Joint;
+    public fixed double ParentS[24];
+    public fixed double G[24];
+    public fixed double W[24];
+}
+
+/// <summary>A hinge of a bundle: the edge of a node, or an anchor.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct LaneJoint
+{
+    /// <summary>Anchors in the frames of bodies A and B.</summary>
+    public fixed double AnchorA[8];
+    public fixed double AnchorB[8];
+
+    /// <summary>The angle from which limits count, and the limits.</summary>
+    public fixed double Target[4];
+    public fixed double Lower[4];
+    public fixed double Upper[4];
+
+    /// <summary>Arms at the present poses, and what they are apart.</summary>
+    public fixed double ArmA[8];
+    public fixed double ArmB[8];
+    public fixed double Error[8];
+
+    /// <summary>Angle of body B to body A, from the limits' origin.</summary>
+    public fixed double Bend[4];
+
+    /// <summary>The rows' own: arms together at the poses of the rows.</summary>
+    public fixed double Size[4];
+
+    /// <summary>Jacobian at the child of an edge, or at the body of an anchor.</summary>
+    public fixed double S[24];
+
+    /// <summary>E of an edge, H of an anchor.</summary>
+    public fixed double E[16];
+    public fixed double Goal[8];
+    public fixed double Lambda[8];
+    public fixed double Given[12];
+    public fixed double PlainGiven[12];
+}
+
+/// <summary>A hinge between the bodies at one place and something that cannot move, as in <see cref="Trees.TreeAnchor"/>.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct LaneAnchor
+{
+    public LaneJoint Joint;
+
+    /// <summary>The pose and velocity of what cannot move, and the Jacobian there.</summary>
+    public fixed double X[4];
+    public fixed double Y[4];
+    public fixed double Angle[4];
+    public fixed double Cos[4];
+    public fixed double Sin[4];
+    public fixed double Still[12];
+    public fixed double OtherS[24];
+    public fixed double Gain[24];
+    public fixed double Residual[8];
+}
+
+/// <summary>What is the same for all four: a node's place in the tree, or an anchor's; and which bodies and joints they are.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct LanePlace
+{
+    /// <summary>Place of the parent in the tree, -1: the root; of an anchor that of its body.</summary>
+    public int Parent;
+
+    /// <summary>The child, or the anchored body, is body A of the joint.</summary>
+    public bool IsA;
+
+    /// <summary>The joint has limits.</summary>
+    public bool HasLimits;
+
+    /// <summary>The body has anchors.</summary>
+    public bool Anchored;
+
+    /// <summary>Of each lane: the body, or what cannot move, and the active joint.</summary>
+    public fixed int Body[4];
+    public fixed int Active[4];
+}
+
+/// <summary>Up to four trees of equal shape side by side.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct LaneTrees
+{
+    public ulong Shape;
+    public int Count;
+    public fixed int Tree[4];
+
+    /// <summary>The lanes that are still solved here; a tree that needs more is given back.</summary>
+    public int Live;
+
+    /// <summary>Ranges of nodes and of anchors.</summary>
+    public int First;
+    public int Nodes;
+    public int AnchorFirst;
+    public int Anchors;
+    public bool HasLimits;
+
+    /// <summary>The arms are those of the present poses.</summary>
+    public bool Posed;
+
+    /// <summary>All bits set for the lanes that take part in a round of the correction.</summary>
+    public fixed long Corrects[4];
+    public fixed double Worst[4];
+    public fixed double Before[4];
+    public fixed double Bent[4];
+    public fixed bool Astray[4];
+}

@@ -1,0 +1,163 @@
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Farseer.Engine.Joints.Lanes;
+
+/// <summary>Displacements, poses, and the arms and errors of the hinges there, for trees side by side.</summary>
+internal static unsafe class LanePoses
+{
+    private const int Y = DoubleLanes.BundleLanes;
+    private const int W = 2 * DoubleLanes.BundleLanes;
+
+    /// <summary>The way of a substep by h·v; it and the velocities are noted as they are before corrections.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Move(LaneNode* nodes, int count, double h)
+    {
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
+        {
+            WideDouble time = WideDouble.Splat(h);
+            for (int i = 0; i < count; i++)
+            {
+                LaneNode* node = DoubleLanes.Shift(nodes + i, lane);
+                for (int k = 0; k <= W; k += DoubleLanes.BundleLanes)
+                {
+                    WideDouble v = WideDouble.Load(node->Velocity + k);
+                    WideDouble move = WideDouble.Load(node->Move + k) + (time * v);
+                    v.Store(node->PlainVelocity + k);
+                    move.Store(node->Move + k);
+                    move.Store(node->PlainMove + k);
+                }
+
+                WideDouble.Zero.Store(node->Bent);
+            }
+        }
+
+        Turn(nodes, count);
+    }
+
+    /// <summary>
+    /// Of the lanes of a mask: moves by the changes that the velocities are now, and adds these to the velocities put aside.
+    /// </summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void MoveOn(LaneNode* nodes, int count, double h, LaneTrees* trees)
+    {
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
+        {
+            WideDoubleMask takes = WideDouble.LoadMask(trees->Corrects + lane);
+            WideDouble time = WideDouble.Splat(h);
+            WideDouble bent = WideDouble.Zero;
+            for (int i = 0; i < count; i++)
+            {
+                LaneNode* node = DoubleLanes.Shift(nodes + i, lane);
+                WideDouble turn = WideDouble.Load(node->Bent) + WideDouble.Abs(time * WideDouble.Load(node->Velocity + W));
+                turn = WideDouble.Select(takes, turn, WideDouble.Load(node->Bent));
+                turn.Store(node->Bent);
+                bent = WideDouble.Select(WideDouble.IsNotNumber(turn) | (turn > bent), turn, bent);
+                for (int k = 0; k <= W; k += DoubleLanes.BundleLanes)
+                {
+                    WideDouble change = WideDouble.Load(node->Velocity + k);
+                    WideDouble saved = WideDouble.Load(node->Saved + k);
+                    WideDouble move = WideDouble.Load(node->Move + k);
+                    WideDouble.Select(takes, move + (time * change), move).Store(node->Move + k);
+                    WideDouble.Select(takes, change + saved, saved).Store(node->Velocity + k);
+                }
+            }
+
+            bent.Store(trees->Bent + lane);
+        }
+
+        Turn(nodes, count);
+    }
+
+    /// <summary>Sine and cosine of the turns.</summary>
+    public static void Turn(LaneNode* nodes, int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            StableMath.SinCos(nodes[i].Move + W, nodes[i].TurnSin, nodes[i].TurnCos);
+        }
+    }
+
+    /// <summary>Where the bodies are, and arms and errors of the hinges there.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Place(LaneNode* nodes, LanePlace* places, int count, LaneAnchor* anchors, LanePlace* anchorPlaces, int anchorCount)
+    {
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
+        {
+            LaneNode* first = DoubleLanes.Shift(nodes, lane);
+            for (int i = 0; i < count; i++)
+            {
+                Place(first + i);
+                if (i > 0)
+                {
+                    LaneNode* parent = first + places[i].Parent;
+                    if (places[i].IsA)
+                    {
+                        Place(&first[i].Joint, first[i].X, parent->X);
+                    }
+                    else
+                    {
+                        Place(&first[i].Joint, parent->X, first[i].X);
+                    }
+                }
+            }
+
+            for (int i = 0; i < anchorCount; i++)
+            {
+                LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
+                LaneNode* node = first + anchorPlaces[i].Parent;
+                if (anchorPlaces[i].IsA)
+                {
+                    Place(&anchor->Joint, node->X, anchor->X);
+                }
+                else
+                {
+                    Place(&anchor->Joint, anchor->X, node->X);
+                }
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Place(LaneNode* node)
+    {
+        WideDouble middleCos = WideDouble.Load(node->MiddleCos);
+        WideDouble middleSin = WideDouble.Load(node->MiddleSin);
+        WideDouble turnCos = WideDouble.Load(node->TurnCos);
+        WideDouble turnSin = WideDouble.Load(node->TurnSin);
+        (WideDouble.Load(node->StartX) + WideDouble.Load(node->Move)).Store(node->X);
+        (WideDouble.Load(node->StartY) + WideDouble.Load(node->Move + Y)).Store(node->Y);
+        (WideDouble.Load(node->StartAngle) + (WideDouble.Load(node->Move + W) + WideDouble.Load(node->Lead))).Store(node->Angle);
+        ((middleCos * turnCos) - (middleSin * turnSin)).Store(node->Cos);
+        ((middleSin * turnCos) + (middleCos * turnSin)).Store(node->Sin);
+    }
+
+    /// <param name="joint">The hinge.</param>
+    /// <param name="a">Pose of body A: x, y, angle, cosine and sine.</param>
+    /// <param name="b">That of body B.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Place(LaneJoint* joint, double* a, double* b)
+    {
+        Arm(joint->AnchorA, a, joint->ArmA, out WideDouble ax, out WideDouble ay);
+        Arm(joint->AnchorB, b, joint->ArmB, out WideDouble bx, out WideDouble by);
+        ((WideDouble.Load(b) - WideDouble.Load(a)) + (bx - ax)).Store(joint->Error);
+        ((WideDouble.Load(b + 4) - WideDouble.Load(a + 4)) + (by - ay)).Store(joint->Error + 4);
+        (WideDouble.Load(b + 8) - WideDouble.Load(a + 8) - WideDouble.Load(joint->Target)).Store(joint->Bend);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Arm(double* anchor, double* pose, double* arm, out WideDouble x, out WideDouble y)
+    {
+        WideDouble ax = WideDouble.Load(anchor);
+        WideDouble ay = WideDouble.Load(anchor + 4);
+        WideDouble cos = WideDouble.Load(pose + 12);
+        WideDouble sin = WideDouble.Load(pose + 16);
+        x = (cos * ax) - (sin * ay);
+        y = (sin * ax) + (cos * ay);
+        x.Store(arm);
+        y.Store(arm + 4);
+    }
+}

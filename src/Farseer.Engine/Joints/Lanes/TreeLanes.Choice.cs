@@ -1,0 +1,193 @@
+using Farseer.Engine.Joints.Trees;
+
+namespace Farseer.Engine.Joints.Lanes;
+
+/// <content>Which trees go side by side.</content>
+internal sealed unsafe partial class TreeLanes
+{
+    /// <summary>Bundles with empty lanes that a tree is compared with.</summary>
+    private const int OpenBundles = 16;
+
+    private const ulong HashPrime = 1099511628211;
+
+    /// <summary>Before the trees of a step are taken.</summary>
+    /// <param name="forest">The trees.</param>
+    /// <param name="active">The joints.</param>
+    /// <param name="rows">Their rows.</param>
+    /// <param name="step">What the joints see of the step.</param>
+    /// <param name="treeCount">Trees that may be taken.</param>
+    public void Begin(JointForest forest, ActiveJoint* active, JointRows* rows, in JointStep step, int treeCount)
+    {
+        _forest = forest;
+        _active = active;
+        _rows = rows;
+        _step = step;
+        _count = 0;
+        _nodeCount = 0;
+        _anchorCount = 0;
+        _bundles.EnsureCapacity(treeCount);
+        _given.EnsureCapacity(treeCount);
+    }
+
+    /// <summary>Takes a tree if its kind can be solved here.</summary>
+    /// <returns>True if it was taken.</returns>
+    public bool Take(int index)
+    {
+        JointTree* tree = _forest.Trees + index;
+        if (!tree->Eliminates || tree->HasRows || tree->Pulled || tree->Guest || !IsOfHinges(tree))
+        {
+            return false;
+        }
+
+        ulong shape = ShapeOf(tree);
+        for (int b = _count - 1; b >= 0 && b >= _count - OpenBundles; b--)
+        {
+            LaneTrees* open = _bundles.Pointer + b;
+            if (open->Shape == shape && open->Count < Numerics.DoubleLanes.BundleLanes && IsLike(open, tree))
+            {
+                Enter(open, index);
+                return true;
+            }
+        }
+
+        Enter(AddBundle(tree, shape), index);
+        return true;
+    }
+
+    /// <summary>Each edge is one rigid hinge, and no limit holds.</summary>
+    private bool IsOfHinges(JointTree* tree)
+    {
+        for (int i = tree->First + 1; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            if (node->EdgeCount != 1 || node->Rows != 2 || node->HardRows != 2 || !IsHinge(node->RowJoint[0], node->HasLimits))
+            {
+                return false;
+            }
+        }
+
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
+        {
+            TreeAnchor* anchor = _forest.Anchors + i;
+            if (anchor->Rows != 2 || !IsHinge(anchor->Active, false))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    private bool IsHinge(int active, bool hasLimits) =>
+        _active[active].Kind == JointKind.Revolute && _rows[active].Hard == 2 && _rows[active].Count == (hasLimits ? 4 : 2);
+
+    private bool IsA(int active, int node) => _active[active].Ends.NodeA == node;
+
+    private ulong ShapeOf(JointTree* tree)
+    {
+        ulong hash = (ulong)(tree->End - tree->First);
+        for (int i = tree->First + 1; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            int bits = (IsA(node->RowJoint[0], i) ? 1 : 0) | (node->HasLimits ? 2 : 0);
+            hash = (hash * HashPrime) ^ (ulong)(((node->Parent - tree->First) * 4) + bits);
+        }
+
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
+        {
+            TreeAnchor* anchor = _forest.Anchors + i;
+            hash = (hash * HashPrime) ^ (ulong)(((anchor->Node - tree->First) * 2) + (IsA(anchor->Active, anchor->Node) ? 1 : 0));
+        }
+
+        return hash;
+    }
+
+    private bool IsLike(LaneTrees* bundle, JointTree* tree)
+    {
+        if (bundle->Nodes != tree->End - tree->First || bundle->Anchors != tree->AnchorEnd - tree->AnchorFirst)
+        {
+            return false;
+        }
+
+        for (int i = 1; i < bundle->Nodes; i++)
+        {
+            TreeNode* node = _forest.Nodes + tree->First + i;
+            LanePlace* place = _places.Pointer + bundle->First + i;
+            if (place->Parent != node->Parent - tree->First || place->IsA != IsA(node->RowJoint[0], tree->First + i) || place->HasLimits != node->HasLimits)
+            {
+                return false;
+            }
+        }
+
+        for (int i = 0; i < bundle->Anchors; i++)
+        {
+            TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst + i;
+            LanePlace* place = _anchorPlaces.Pointer + bundle->AnchorFirst + i;
+            if (place->Parent != anchor->Node - tree->First || place->IsA != IsA(anchor->Active, anchor->Node))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    private LaneTrees* AddBundle(JointTree* tree, ulong shape)
+    {
+        LaneTrees* bundle = _bundles.Pointer + _count++;
+        *bundle = default;
+        bundle->Shape = shape;
+        bundle->First = _nodeCount;
+        bundle->Nodes = tree->End - tree->First;
+        bundle->AnchorFirst = _anchorCount;
+        bundle->Anchors = tree->AnchorEnd - tree->AnchorFirst;
+        bundle->HasLimits = tree->HasLimits;
+        _nodeCount += bundle->Nodes;
+        _anchorCount += bundle->Anchors;
+        _nodes.EnsureCapacity(_nodeCount);
+        _places.EnsureCapacity(_nodeCount);
+        _anchors.EnsureCapacity(_anchorCount);
+        _anchorPlaces.EnsureCapacity(_anchorCount);
+        for (int i = 0; i < bundle->Nodes; i++)
+        {
+            TreeNode* node = _forest.Nodes + tree->First + i;
+            LanePlace* place = _places.Pointer + bundle->First + i;
+            place->Parent = i == 0 ? -1 : node->Parent - tree->First;
+            place->IsA = i > 0 && IsA(node->RowJoint[0], tree->First + i);
+            place->HasLimits = node->HasLimits;
+            place->Anchored = node->Anchored;
+        }
+
+        for (int i = 0; i < bundle->Anchors; i++)
+        {
+            TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst + i;
+            LanePlace* place = _anchorPlaces.Pointer + bundle->AnchorFirst + i;
+            place->Parent = anchor->Node - tree->First;
+            place->IsA = IsA(anchor->Active, anchor->Node);
+        }
+
+        return bundle;
+    }
+
+    private void Enter(LaneTrees* bundle, int index)
+    {
+        JointTree* tree = _forest.Trees + index;
+        int lane = bundle->Count++;
+        bundle->Tree[lane] = index;
+        bundle->Live |= 1 << lane;
+        for (int i = 0; i < bundle->Nodes; i++)
+        {
+            TreeNode* node = _forest.Nodes + tree->First + i;
+            _places[bundle->First + i].Body[lane] = node->Body;
+            _places[bundle->First + i].Active[lane] = i == 0 ? -1 : node->RowJoint[0];
+        }
+
+        for (int i = 0; i < bundle->Anchors; i++)
+        {
+            TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst + i;
+            ref RowEnds ends = ref _active[anchor->Active].Ends;
+            _anchorPlaces[bundle->AnchorFirst + i].Body[lane] = ends.NodeA == anchor->Node ? ends.BodyB : ends.BodyA;
+            _anchorPlaces[bundle->AnchorFirst + i].Active[lane] = anchor->Active;
+        }
+    }
+}

@@ -1,0 +1,324 @@
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Farseer.Engine.Joints.Lanes;
+
+/// <content>To the records of the bodies, joints and trees, and from them.</content>
+internal sealed unsafe partial class TreeLanes
+{
+    private const int Y = DoubleLanes.BundleLanes;
+    private const int W = 2 * DoubleLanes.BundleLanes;
+
+    /// <summary>Loads the trees that were taken, at the start of a step.</summary>
+    public void Load()
+    {
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
+            {
+                // Empty lanes are copies of the first.
+                int from = lane < trees->Count ? lane : 0;
+                JointTree* tree = _forest.Trees + trees->Tree[from];
+                for (int i = 0; i < trees->Nodes; i++)
+                {
+                    LaneNode* node = DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane);
+                    LoadNode(node, _forest.Nodes + tree->First + i);
+                    if (i > 0)
+                    {
+                        LoadJoint(&node->Joint, _places[trees->First + i].Active[from]);
+                    }
+                }
+
+                for (int i = 0; i < trees->Anchors; i++)
+                {
+                    LaneAnchor* anchor = DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + i, lane);
+                    LoadJoint(&anchor->Joint, _anchorPlaces[trees->AnchorFirst + i].Active[from]);
+                    anchor->Angle[0] = double.NaN;
+                }
+            }
+
+            for (int i = 0; i < trees->Nodes; i++)
+            {
+                LaneNode* node = _nodes.Pointer + trees->First + i;
+                StableMath.SinCos(node->Angle, node->MiddleSin, node->MiddleCos);
+            }
+
+            LanePoses.Turn(_nodes.Pointer + trees->First, trees->Nodes);
+            LoadStill(trees);
+            Place(trees);
+            Factor(trees);
+        }
+    }
+
+    private void LoadNode(LaneNode* node, TreeNode* from)
+    {
+        ref BodyPose pose = ref _step.Bodies.Pose[from->Body];
+        ref BodyState state = ref _step.Bodies.State[from->Body];
+        float lead = _step.Bodies.Drive[from->Body].Lead;
+        node->Velocity[0] = from->Velocity[0];
+        node->Velocity[Y] = from->Velocity[1];
+        node->Velocity[W] = from->Velocity[2];
+        node->Move[0] = state.DeltaPosition.X;
+        node->Move[Y] = state.DeltaPosition.Y;
+        node->Move[W] = _step.Bodies.Motion[from->Body].Turned;
+        node->InverseMass[0] = from->InverseMass;
+        node->InverseInertia[0] = from->InverseInertia;
+        node->StartX[0] = pose.X;
+        node->StartY[0] = pose.Y;
+        node->StartAngle[0] = pose.Angle;
+        node->Lead[0] = lead;
+
+        // In the middle of the step, for the sines; poses come later.
+        node->Angle[0] = pose.Angle + lead;
+    }
+
+    private void LoadJoint(LaneJoint* joint, int active)
+    {
+        ref JointSettings settings = ref _active[active].Settings;
+        joint->AnchorA[0] = settings.AnchorAX;
+        joint->AnchorA[Y] = settings.AnchorAY;
+        joint->AnchorB[0] = settings.AnchorBX;
+        joint->AnchorB[Y] = settings.AnchorBY;
+        joint->Target[0] = settings.Target;
+        joint->Lower[0] = settings.Lower;
+        joint->Upper[0] = settings.Upper;
+        joint->Given[0] = 0;
+        joint->Given[Y] = 0;
+        joint->Given[W] = 0;
+    }
+
+    /// <summary>Pose and velocity of what anchors hold on to.</summary>
+    private void LoadStill(LaneTrees* trees)
+    {
+        for (int i = 0; i < trees->Anchors; i++)
+        {
+            LanePlace* place = _anchorPlaces.Pointer + trees->AnchorFirst + i;
+            for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
+            {
+                LaneAnchor* anchor = DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + i, lane);
+                int body = place->Body[lane < trees->Count ? lane : 0];
+                ref BodyState state = ref _step.Bodies.State[body];
+                double angle = JointSolver.ReadStill(_step.Bodies, body, out anchor->X[0], out anchor->Y[0]);
+                if (angle != anchor->Angle[0])
+                {
+                    anchor->Angle[0] = angle;
+                    StableMath.SinCos(angle, out anchor->Sin[0], out anchor->Cos[0]);
+                }
+
+                anchor->Still[0] = state.LinearVelocity.X;
+                anchor->Still[Y] = state.LinearVelocity.Y;
+                anchor->Still[W] = state.AngularVelocity;
+            }
+        }
+    }
+
+    private static void PutAside(LaneNode* nodes, int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            Copy(nodes[i].Velocity, nodes[i].Saved);
+        }
+    }
+
+    private static void ClearVelocities(LaneNode* nodes, int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            for (int k = 0; k < 3 * DoubleLanes.BundleLanes; k += WideDouble.Count)
+            {
+                WideDouble.Zero.Store(nodes[i].Velocity + k);
+            }
+        }
+    }
+
+    /// <summary>What the hinges gave before corrections.</summary>
+    private void NoteGiven(LaneTrees* trees)
+    {
+        for (int i = 1; i < trees->Nodes; i++)
+        {
+            LaneNode* node = _nodes.Pointer + trees->First + i;
+            Copy(node->Joint.Given, node->Joint.PlainGiven);
+        }
+
+        for (int i = 0; i < trees->Anchors; i++)
+        {
+            LaneAnchor* anchor = _anchors.Pointer + trees->AnchorFirst + i;
+            Copy(anchor->Joint.Given, anchor->Joint.PlainGiven);
+        }
+    }
+
+    private static void Copy(double* from, double* to)
+    {
+        for (int k = 0; k < 3 * DoubleLanes.BundleLanes; k += WideDouble.Count)
+        {
+            WideDouble.Load(from + k).Store(to + k);
+        }
+    }
+
+    private void StoreVelocities(LaneTrees* trees)
+    {
+        BodyState* states = _step.Bodies.State.Pointer;
+        for (int i = 0; i < trees->Nodes; i++)
+        {
+            LaneNode* node = _nodes.Pointer + trees->First + i;
+            LanePlace* place = _places.Pointer + trees->First + i;
+            for (int lane = 0; lane < trees->Count; lane++)
+            {
+                if (IsLive(trees, lane))
+                {
+                    BodyState* state = states + place->Body[lane];
+                    state->LinearVelocity.X = (float)node->Velocity[lane];
+                    state->LinearVelocity.Y = (float)node->Velocity[Y + lane];
+                    state->AngularVelocity = (float)node->Velocity[W + lane];
+                }
+            }
+        }
+    }
+
+    /// <summary>Displacements to the store; the other half of gravity and forces.</summary>
+    private void EndSubstep(LaneTrees* trees)
+    {
+        BodyState* states = _step.Bodies.State.Pointer;
+        BodyMotion* motions = _step.Bodies.Motion.Pointer;
+        BodyDrive* drives = _step.Bodies.Drive.Pointer;
+        for (int lane = 0; lane < trees->Count; lane++)
+        {
+            if (!IsLive(trees, lane))
+            {
+                continue;
+            }
+
+            bool free = _forest.Trees[trees->Tree[lane]].Free;
+            for (int i = 0; i < trees->Nodes; i++)
+            {
+                LaneNode* node = DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane);
+                int body = _places[trees->First + i].Body[lane];
+                BodyState* state = states + body;
+                state->DeltaPosition.X = (float)node->Move[0];
+                state->DeltaPosition.Y = (float)node->Move[Y];
+                motions[body].Turned = (float)node->Move[W];
+                state->DeltaSin = (float)node->TurnSin[0];
+                state->DeltaCos = (float)node->TurnCos[0];
+                if (free)
+                {
+                    BodyDrive* drive = drives + body;
+                    node->Velocity[0] += 0.5f * (double)drive->X;
+                    node->Velocity[Y] += 0.5f * (double)drive->Y;
+                    node->Velocity[W] += 0.5f * (double)drive->W;
+                }
+
+                state->LinearVelocity.X = (float)node->Velocity[0];
+                state->LinearVelocity.Y = (float)node->Velocity[Y];
+                state->AngularVelocity = (float)node->Velocity[W];
+            }
+        }
+    }
+
+    /// <summary>Gives back trees as they were before a pass.</summary>
+    private void LeaveBefore(LaneTrees* trees, int leaves)
+    {
+        for (int lane = 0; leaves >> lane != 0; lane++)
+        {
+            if ((leaves & (1 << lane)) != 0)
+            {
+                Leave(trees, lane, true);
+            }
+        }
+    }
+
+    private void LeaveAstray(LaneTrees* trees)
+    {
+        for (int lane = 0; lane < trees->Count; lane++)
+        {
+            if (IsLive(trees, lane) && trees->Astray[lane])
+            {
+                Leave(trees, lane, false);
+            }
+        }
+    }
+
+    private void Leave(LaneTrees* trees, int lane, bool before)
+    {
+        trees->Live &= ~(1 << lane);
+        JointTree* tree = _forest.Trees + trees->Tree[lane];
+        tree->Exact = true;
+        tree->Disturbed = false;
+        tree->Corrects = false;
+        tree->Refactored = false;
+        tree->Astray = !before;
+        tree->Worst = trees->Worst[lane];
+        tree->Before = trees->Before[lane];
+        for (int i = 0; i < trees->Nodes; i++)
+        {
+            LaneNode* from = DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane);
+            TreeNode* node = _forest.Nodes + tree->First + i;
+            PutBack(before ? from->Saved : from->Velocity, node->Velocity);
+            PutBack(from->Move, node->Move);
+            PutBack(from->StartMove, node->StartMove);
+            PutBack(from->PlainMove, node->PlainMove);
+            PutBack(from->PlainVelocity, node->PlainVelocity);
+            node->Bent = from->Bent[0];
+            node->MiddleSin = from->MiddleSin[0];
+            node->MiddleCos = from->MiddleCos[0];
+            node->TurnSin = from->TurnSin[0];
+            node->TurnCos = from->TurnCos[0];
+        }
+
+        PutJointsBack(trees, lane);
+        _given[GivenCount++] = trees->Tree[lane];
+    }
+
+    private void PutJointsBack(LaneTrees* trees, int lane)
+    {
+        for (int i = 1; i < trees->Nodes; i++)
+        {
+            PutBack(&DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Joint, _places[trees->First + i].Active[lane]);
+        }
+
+        for (int i = 0; i < trees->Anchors; i++)
+        {
+            int at = trees->AnchorFirst + i;
+            PutBack(&DoubleLanes.Shift(_anchors.Pointer + at, lane)->Joint, _anchorPlaces[at].Active[lane]);
+        }
+    }
+
+    private void PutBack(LaneJoint* joint, int active)
+    {
+        PutBack(joint->Given, _active[active].Given);
+        PutBack(joint->PlainGiven, _active[active].PlainGiven);
+        _rows[active].ArmX = joint->ArmB[0];
+        _rows[active].ArmY = joint->ArmB[Y];
+    }
+
+    private static void PutBack(double* from, double* to)
+    {
+        to[0] = from[0];
+        to[1] = from[Y];
+        to[2] = from[W];
+    }
+
+    /// <summary>Gives all back that a step leaves: velocities, displacements and impulses.</summary>
+    public void Finish()
+    {
+        GivenCount = 0;
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            for (int lane = 0; lane < trees->Count; lane++)
+            {
+                if (IsLive(trees, lane))
+                {
+                    Leave(trees, lane, false);
+                    _forest.Trees[trees->Tree[lane]].Astray = false;
+                }
+            }
+        }
+
+        _count = 0;
+    }
+}

@@ -1,0 +1,263 @@
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Joints.Lanes;
+
+/// <summary>
+/// Trees of hinges that nothing touches and no motor drives, four of equal shape side by side for a step; one that has no partner runs
+/// the same kernels in a bundle with empty lanes. Each lane gives the bits of the passes of <see cref="JointSolver"/>. A tree of which a
+/// limit is reached, that is put out of joint from outside, or whose correction goes astray is given back before that pass and is solved
+/// there for the rest of the step.
+/// </summary>
+internal sealed unsafe partial class TreeLanes
+{
+    private readonly Column<LaneNode> _nodes = new Column<LaneNode>();
+    private readonly Column<LanePlace> _places = new Column<LanePlace>();
+    private readonly Column<LaneAnchor> _anchors = new Column<LaneAnchor>();
+    private readonly Column<LanePlace> _anchorPlaces = new Column<LanePlace>();
+    private readonly Column<LaneTrees> _bundles = new Column<LaneTrees>();
+    private readonly Column<int> _given = new Column<int>();
+    private JointForest _forest = null!;
+    private ActiveJoint* _active;
+    private JointRows* _rows;
+    private JointStep _step;
+    private int _count;
+    private int _nodeCount;
+    private int _anchorCount;
+
+    /// <summary>Trees given back by the last pass, and which.</summary>
+    public int GivenCount { get; private set; }
+
+    public bool Any => _count > 0;
+
+    public int Given(int index) => _given[index];
+
+    /// <summary>The velocities in double stand as long as the store has their rounding.</summary>
+    public void Refresh()
+    {
+        BodyState* states = _step.Bodies.State.Pointer;
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            for (int i = 0; i < trees->Nodes; i++)
+            {
+                Refresh(states, trees, i);
+            }
+        }
+    }
+
+    private void Refresh(BodyState* states, LaneTrees* trees, int i)
+    {
+        LaneNode* node = _nodes.Pointer + trees->First + i;
+        LanePlace* place = _places.Pointer + trees->First + i;
+        for (int lane = 0; lane < trees->Count; lane++)
+        {
+            BodyState* state = states + place->Body[lane];
+            Refresh(node->Velocity + lane, state->LinearVelocity.X);
+            Refresh(node->Velocity + 4 + lane, state->LinearVelocity.Y);
+            Refresh(node->Velocity + 8 + lane, state->AngularVelocity);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Refresh(double* held, float stored)
+    {
+        if ((float)*held != stored)
+        {
+            *held = stored;
+        }
+    }
+
+    /// <summary>See <see cref="JointSolver.Enter"/>.</summary>
+    public void Enter()
+    {
+        BodyState* states = _step.Bodies.State.Pointer;
+        BodyMotion* motions = _step.Bodies.Motion.Pointer;
+        BodyDrive* drives = _step.Bodies.Drive.Pointer;
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            for (int lane = 0; lane < trees->Count; lane++)
+            {
+                if (!IsLive(trees, lane))
+                {
+                    continue;
+                }
+
+                bool free = _forest.Trees[trees->Tree[lane]].Free;
+                for (int i = 0; i < trees->Nodes; i++)
+                {
+                    LaneNode* node = DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane);
+                    int body = _places[trees->First + i].Body[lane];
+                    BodyState* state = states + body;
+                    BodyMotion* motion = motions + body;
+                    BodyDrive* drive = drives + body;
+                    motion->ChangeX = 0;
+                    motion->ChangeY = 0;
+                    motion->ChangeW = 0;
+                    node->StartMove[0] = node->Move[0];
+                    node->StartMove[4] = node->Move[4];
+                    node->StartMove[8] = node->Move[8];
+                    HeldVelocity.Drive(ref node->Velocity[0], ref state->LinearVelocity.X, motion->StartX, drive->LinearKeep, drive->X);
+                    HeldVelocity.Drive(ref node->Velocity[4], ref state->LinearVelocity.Y, motion->StartY, drive->LinearKeep, drive->Y);
+                    HeldVelocity.Drive(ref node->Velocity[8], ref state->AngularVelocity, motion->StartW, drive->AngularKeep, drive->W);
+                    Kick(node, state, drive, free ? -0.5f : 0);
+                }
+            }
+        }
+    }
+
+    /// <summary>A share of gravity and forces; see <see cref="JointSolver"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Kick(LaneNode* node, BodyState* state, BodyDrive* drive, float share)
+    {
+        if (share != 0)
+        {
+            HeldVelocity.Kick(ref node->Velocity[0], ref state->LinearVelocity.X, share * (double)drive->X);
+            HeldVelocity.Kick(ref node->Velocity[4], ref state->LinearVelocity.Y, share * (double)drive->Y);
+            HeldVelocity.Kick(ref node->Velocity[8], ref state->AngularVelocity, share * (double)drive->W);
+            return;
+        }
+
+        Refresh(node->Velocity, state->LinearVelocity.X);
+        Refresh(node->Velocity + 4, state->LinearVelocity.Y);
+        Refresh(node->Velocity + 8, state->AngularVelocity);
+    }
+
+    /// <summary>The biased pass or the relax pass; the trees that are given back are as they were before it.</summary>
+    public void Solve(bool relaxed)
+    {
+        GivenCount = 0;
+        Refresh();
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            LaneNode* nodes = _nodes.Pointer + trees->First;
+            LanePlace* places = _places.Pointer + trees->First;
+            LaneAnchor* anchors = _anchors.Pointer + trees->AnchorFirst;
+            LanePlace* anchorPlaces = _anchorPlaces.Pointer + trees->AnchorFirst;
+            LoadStill(trees);
+            int leaves = 0;
+            if (relaxed)
+            {
+                LaneGoals.Relaxed(nodes, trees->Nodes, anchors, trees->Anchors);
+            }
+            else
+            {
+                leaves = LaneGoals.Biased(nodes, trees->Nodes, anchors, trees->Anchors, _step.Substep);
+            }
+
+            if (trees->HasLimits || leaves != 0)
+            {
+                PutAside(nodes, trees->Nodes);
+            }
+
+            LaneSolve.Run(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
+            if (trees->HasLimits)
+            {
+                leaves |= LaneGoals.Passed(nodes, places, trees->Nodes, _step.Substep, relaxed);
+            }
+
+            LeaveBefore(trees, leaves & trees->Live);
+            LaneSolve.Give(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
+            StoreVelocities(trees);
+        }
+    }
+
+    /// <summary>See <see cref="JointSolver.CorrectPositions"/>; the trees that are given back went astray, and are to be projected.</summary>
+    public void CorrectPositions()
+    {
+        GivenCount = 0;
+        Refresh();
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (trees->Live == 0)
+            {
+                continue;
+            }
+
+            LanePoses.Move(_nodes.Pointer + trees->First, trees->Nodes, _step.Substep);
+            Correct(trees);
+            LeaveAstray(trees);
+            Factor(trees);
+            EndSubstep(trees);
+        }
+    }
+
+    private void Correct(LaneTrees* trees)
+    {
+        LaneNode* nodes = _nodes.Pointer + trees->First;
+        LanePlace* places = _places.Pointer + trees->First;
+        LaneAnchor* anchors = _anchors.Pointer + trees->AnchorFirst;
+        LanePlace* anchorPlaces = _anchorPlaces.Pointer + trees->AnchorFirst;
+        NoteGiven(trees);
+        Place(trees);
+        LaneGoals.FindWorst(nodes, trees->Nodes, anchors, trees->Anchors, trees);
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
+        {
+            trees->Before[lane] = double.PositiveInfinity;
+            trees->Astray[lane] = false;
+        }
+
+        for (int round = 0; round < JointSolver.Corrections && Choose(trees); round++)
+        {
+            PutAside(nodes, trees->Nodes);
+            ClearVelocities(nodes, trees->Nodes);
+            LaneGoals.Correction(nodes, trees->Nodes, anchors, trees->Anchors, _step.Substep, trees);
+            LaneSolve.Run(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
+            LaneSolve.Give(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
+            LanePoses.MoveOn(nodes, trees->Nodes, _step.Substep, trees);
+            Place(trees);
+            LaneGoals.FindWorst(nodes, trees->Nodes, anchors, trees->Anchors, trees);
+            FindAstray(trees, round == JointSolver.Corrections - 1);
+        }
+    }
+
+    private static bool Choose(LaneTrees* trees)
+    {
+        bool any = false;
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
+        {
+            bool takes = IsLive(trees, lane) && trees->Worst[lane] > JointSolver.Tolerance && !trees->Astray[lane];
+            trees->Corrects[lane] = takes ? -1 : 0;
+            any |= takes;
+        }
+
+        return any;
+    }
+
+    private static void FindAstray(LaneTrees* trees, bool last)
+    {
+        for (int lane = 0; lane < trees->Count; lane++)
+        {
+            if (trees->Corrects[lane] != 0)
+            {
+                double worst = trees->Worst[lane];
+                trees->Astray[lane] |= JointSolver.IsAstray(worst, trees->Before[lane], trees->Bent[lane], last);
+                trees->Before[lane] = worst;
+            }
+        }
+    }
+
+    private static bool IsLive(LaneTrees* trees, int lane) => (trees->Live & (1 << lane)) != 0;
+
+    private void Place(LaneTrees* trees) => LanePoses.Place(
+        _nodes.Pointer + trees->First,
+        _places.Pointer + trees->First,
+        trees->Nodes,
+        _anchors.Pointer + trees->AnchorFirst,
+        _anchorPlaces.Pointer + trees->AnchorFirst,
+        trees->Anchors);
+
+    private void Factor(LaneTrees* trees) => LaneFactor.Run(
+        _nodes.Pointer + trees->First,
+        _places.Pointer + trees->First,
+        trees->Nodes,
+        _anchors.Pointer + trees->AnchorFirst,
+        _anchorPlaces.Pointer + trees->AnchorFirst,
+        trees->Anchors);
+}
