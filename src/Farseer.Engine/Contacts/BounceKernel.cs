@@ -50,6 +50,7 @@ internal static unsafe class BounceKernel
         bounce->Hits = 0;
         bounce->Struck = 0;
         bounce->Held = 0;
+        bounce->Met = 0;
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
             Wide restitution = Wide.Load(row->Restitution + lane);

@@ -17,6 +17,9 @@ internal unsafe struct BounceLanes
     public int Struck;
     public int Held;
 
+    /// <summary>Bits of the lanes whose surfaces have met in this substep, those among them that others preceded.</summary>
+    public int Met;
+
     public fixed float Slow[Lanes];
 
     /// <summary>How long ago the surfaces met, seconds before the end of the substep.</summary>

@@ -18,20 +18,28 @@ internal sealed unsafe class ImpactPass
     private const int MostRounds = 1024;
 
     /// <summary>
-    /// Looks at bundles in all rounds of a substep but for the first few: a blow that runs through a thousand balls looks at few in a round, while
-    /// in a large pile in which everything strikes each round looks at nearly all.
+    /// Visits of bundles in all rounds of a substep but for the first few, and in the turns of what does not bounce: a blow that runs
+    /// through a thousand balls visits few in a round, while in a large pile in which everything strikes each round visits nearly all.
     /// </summary>
-    private const int MostLooks = 1 << 15;
-    private const int LeastRounds = 16;
-
-    /// <summary>Asking whether a bundle was struck takes this part of a look.</summary>
-    private const int AskingShare = 16;
+    private const int MostVisits = 1 << 13;
+    private const int LeastRounds = 2;
+    private const int LeastTurns = 2;
 
     /// <summary>Room from the first step on, and half a bundle for each body: later steps are not to allocate.</summary>
     private const int LeastBundles = 64;
 
+    /// <summary>Visits of bundles in the sweeps of a round, but for the first few: what still approaches is found by the next one.</summary>
+    private const int SweepVisits = 512;
+    private const int LeastSweeps = 2;
+
     /// <summary>Turns of what does not bounce and what does.</summary>
     private const int Turns = 6;
+
+    /// <summary>
+    /// A body whose part in the response of an impact is smaller goes on as if nothing had been: its impacts do not wait for each other.
+    /// A rotor that strikes a hundred balls in a substep struck one a round.
+    /// </summary>
+    private const float Heavy = 1f / 64;
 
     private readonly Column<BounceLanes> _bounces = new Column<BounceLanes>();
 
@@ -40,12 +48,15 @@ internal sealed unsafe class ImpactPass
     /// solver's time where much bounces.
     /// </summary>
     private readonly IndexList _hits = new IndexList();
+
+    /// <summary>See <see cref="ListMet"/>.</summary>
+    private readonly IndexList _met = new IndexList();
     private readonly Column<float> _latest = new Column<float>();
 
-    /// <summary>The last look before which an impact changed a body: the next need not ask the others again.</summary>
-    private readonly Column<int> _struckBefore = new Column<int>();
-    private int _look;
-    private int _looks;
+    /// <summary>Impacts of the round at a body.</summary>
+    private readonly Column<int> _hitsAt = new Column<int>();
+    private readonly ImpactNeighbors _neighbors = new ImpactNeighbors();
+    private int _visits;
     private int _count;
     private int _rows;
     private bool _any;
@@ -57,8 +68,9 @@ internal sealed unsafe class ImpactPass
         _rows = 0;
         _bounces.EnsureCapacity(LeastBundles + (bodies.Ids.End / 2));
         _hits.Reserve(_bounces.Capacity);
+        _met.Reserve(_bounces.Capacity);
         _latest.EnsureCapacity(bodies.Ids.End);
-        _struckBefore.EnsureCapacity(bodies.Ids.End);
+        _hitsAt.EnsureCapacity(bodies.Ids.End);
         for (int k = 0; k < colors.Length; k++)
         {
             GraphColor color = colors[k];
@@ -74,6 +86,8 @@ internal sealed unsafe class ImpactPass
                 }
             }
         }
+
+        _neighbors.Begin(_bounces.Capacity, bodies.Ids.End);
     }
 
     /// <summary>Before the velocities of a substep are integrated.</summary>
@@ -95,10 +109,11 @@ internal sealed unsafe class ImpactPass
         }
 
         BodyStore bodies = input.Bodies;
+        ListMet();
         HoldAll(false);
         bool struck = false;
-        _looks = 0;
-        for (int round = 0; round < MostRounds && (round < LeastRounds || _looks < MostLooks); round++)
+        _visits = 0;
+        for (int round = 0; round < MostRounds && (round < LeastRounds || _visits < MostVisits); round++)
         {
             if (!FindFirst(bodies, input.Coefficients, round > 0))
             {
@@ -126,32 +141,12 @@ internal sealed unsafe class ImpactPass
     /// <param name="again">Only bodies that the last impacts changed can have new ones.</param>
     private bool FindFirst(BodyStore bodies, in ContactCoefficients c, bool again)
     {
-        int before = _look++;
-        _looks += _count / AskingShare;
         _hits.Clear();
-        for (int i = 0; i < _count; i++)
+        _neighbors.Take();
+        int count = again ? _neighbors.Taken.Count : _count;
+        for (int i = 0; i < count; i++)
         {
-            BounceLanes* bounce = _bounces.Pointer + i;
-            if (again && !IsStruck(bounce->Row, before))
-            {
-                continue;
-            }
-
-            _looks++;
-            bounce->Hits = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c);
-            if (bounce->Hits != 0)
-            {
-                _hits.Add(i);
-            }
-
-            for (int lane = 0; bounce->Hits >> lane != 0; lane++)
-            {
-                if (((bounce->Hits >> lane) & 1) != 0)
-                {
-                    _latest[bounce->Row->BodyA[lane]] = 0;
-                    _latest[bounce->Row->BodyB[lane]] = 0;
-                }
-            }
+            Look(again ? _neighbors.Taken[i] : i, bodies, c);
         }
 
         if (_hits.Count == 0)
@@ -159,6 +154,7 @@ internal sealed unsafe class ImpactPass
             return false;
         }
 
+        _neighbors.Link(_bounces.Pointer, _count);
         for (int i = 0; i < _hits.Count; i++)
         {
             BounceLanes* bounce = _bounces.Pointer + _hits[i];
@@ -166,8 +162,8 @@ internal sealed unsafe class ImpactPass
             {
                 if (((bounce->Hits >> lane) & 1) != 0)
                 {
-                    NoteTime(bounce->Row->BodyA[lane], bounce->Row->MassA[lane], bounce->Time[lane]);
-                    NoteTime(bounce->Row->BodyB[lane], bounce->Row->MassB[lane], bounce->Time[lane]);
+                    NoteTime(bounce->Row->BodyA[lane], YieldsA(bounce->Row, lane), bounce->Time[lane]);
+                    NoteTime(bounce->Row->BodyB[lane], YieldsB(bounce->Row, lane), bounce->Time[lane]);
                 }
             }
         }
@@ -192,25 +188,48 @@ internal sealed unsafe class ImpactPass
         return true;
     }
 
-    private bool IsStruck(ContactBundle* row, int look)
+    private void Look(int index, BodyStore bodies, in ContactCoefficients c)
     {
-        int* before = _struckBefore.Pointer;
-        bool struck = false;
-        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        _visits++;
+        BounceLanes* bounce = _bounces.Pointer + index;
+        bounce->Hits = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c);
+        if (bounce->Hits == 0)
         {
-            struck |= before[row->BodyA[lane]] == look | before[row->BodyB[lane]] == look;
+            return;
         }
 
-        return struck;
+        _hits.Add(index);
+        bounce->Met |= bounce->Hits;
+        for (int lane = 0; bounce->Hits >> lane != 0; lane++)
+        {
+            if (((bounce->Hits >> lane) & 1) != 0)
+            {
+                _latest[bounce->Row->BodyA[lane]] = 0;
+                _latest[bounce->Row->BodyB[lane]] = 0;
+            }
+        }
     }
 
-    private void NoteTime(int body, float inverseMass, float time)
+    private void NoteTime(int body, bool yields, float time)
     {
-        if (inverseMass > 0)
+        if (yields)
         {
+            _neighbors.Mark(body);
             _latest[body] = Math.Max(_latest[body], time);
-            _struckBefore[body] = _look;
         }
+    }
+
+    /// <summary>Body A takes a noticeable part in the response of an impact.</summary>
+    private static bool YieldsA(ContactBundle* row, int lane)
+    {
+        float arm = row->Point0.TangentArmA[lane];
+        return row->MassA[lane] + (row->InertiaA[lane] * arm * arm) > Heavy * row->K11[lane];
+    }
+
+    private static bool YieldsB(ContactBundle* row, int lane)
+    {
+        float arm = row->Point0.TangentArmB[lane];
+        return row->MassB[lane] + (row->InertiaB[lane] * arm * arm) > Heavy * row->K11[lane];
     }
 
     private void Sweep(BodyStore bodies, in ContactCoefficients c)
@@ -224,6 +243,7 @@ internal sealed unsafe class ImpactPass
         int sweeps = lanes > 1 ? BounceKernel.Sweeps : 1;
         for (int sweep = 0; sweep < sweeps; sweep++)
         {
+            _visits += _hits.Count;
             for (int i = 0; i < _hits.Count; i++)
             {
                 BounceLanes* bounce = _bounces.Pointer + _hits[i];
@@ -232,26 +252,82 @@ internal sealed unsafe class ImpactPass
                     BounceKernel.Apply(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c);
                 }
             }
+
+            if (sweep == 0 && sweeps > 1)
+            {
+                KeepShared();
+                sweeps = Math.Min(sweeps, Math.Max(LeastSweeps, SweepVisits / Math.Max(_hits.Count, 1)));
+            }
+        }
+    }
+
+    /// <summary>What shares no body with another impact has been solved by the first sweep, whatever happens elsewhere meanwhile.</summary>
+    private void KeepShared()
+    {
+        for (int i = 0; i < _hits.Count; i++)
+        {
+            Count(_bounces.Pointer + _hits[i], 0);
+        }
+
+        for (int i = 0; i < _hits.Count; i++)
+        {
+            Count(_bounces.Pointer + _hits[i], 1);
+        }
+
+        int kept = 0;
+        for (int i = 0; i < _hits.Count; i++)
+        {
+            BounceLanes* bounce = _bounces.Pointer + _hits[i];
+            ContactBundle* row = bounce->Row;
+            int hits = bounce->Hits;
+            for (int lane = 0; hits >> lane != 0; lane++)
+            {
+                bool shared = (YieldsA(row, lane) && _hitsAt[row->BodyA[lane]] > 1) || (YieldsB(row, lane) && _hitsAt[row->BodyB[lane]] > 1);
+                bounce->Hits &= shared ? hits : ~(1 << lane);
+            }
+
+            if (bounce->Hits != 0)
+            {
+                _hits.Pointer[kept++] = _hits[i];
+            }
+        }
+
+        _hits.SetCount(kept);
+    }
+
+    /// <summary>Counts the impacts of a bundle at their bodies; 0 in <paramref name="step"/> begins anew.</summary>
+    private void Count(BounceLanes* bounce, int step)
+    {
+        ContactBundle* row = bounce->Row;
+        for (int lane = 0; bounce->Hits >> lane != 0; lane++)
+        {
+            if (((bounce->Hits >> lane) & 1) != 0)
+            {
+                _hitsAt[row->BodyA[lane]] = step * (_hitsAt[row->BodyA[lane]] + 1);
+                _hitsAt[row->BodyB[lane]] = step * (_hitsAt[row->BodyB[lane]] + 1);
+            }
         }
     }
 
     private void Settle(in SolverInput input, ContactPasses passes)
     {
         BodyStore bodies = input.Bodies;
-        for (int turn = 0; turn < Turns; turn++)
+        ListMet();
+        for (int turn = 0; turn < Turns && (turn < LeastTurns || _visits < MostVisits); turn++)
         {
+            _visits += _count;
             HoldAll(true);
             passes.Relax(input.Colors, true, false);
             input.Joints?.Relax(true, true);
             HoldAll(false);
             _hits.Clear();
-            for (int i = 0; i < _count; i++)
+            for (int i = 0; i < _met.Count; i++)
             {
-                BounceLanes* bounce = _bounces.Pointer + i;
+                BounceLanes* bounce = _bounces.Pointer + _met[i];
                 bounce->Hits = BounceKernel.FindAgain(bounce, bodies.State.Pointer);
                 if (bounce->Hits != 0)
                 {
-                    _hits.Add(i);
+                    _hits.Add(_met[i]);
                 }
             }
 
@@ -264,11 +340,24 @@ internal sealed unsafe class ImpactPass
         }
     }
 
-    private void HoldAll(bool hold)
+    /// <summary>Lists the bundles of which something is held back, or has been struck.</summary>
+    private void ListMet()
     {
+        _met.Clear();
         for (int i = 0; i < _count; i++)
         {
-            BounceKernel.Hold(_bounces.Pointer + i, hold);
+            if ((_bounces[i].Held | _bounces[i].Met) != 0)
+            {
+                _met.Add(i);
+            }
+        }
+    }
+
+    private void HoldAll(bool hold)
+    {
+        for (int i = 0; i < _met.Count; i++)
+        {
+            BounceKernel.Hold(_bounces.Pointer + _met[i], hold);
         }
     }
 
