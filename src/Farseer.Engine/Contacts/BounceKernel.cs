@@ -95,8 +95,8 @@ internal static unsafe class BounceKernel
             BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
             BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
             ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
-            WideVelocity startA = StartOf(motions, row->BodyA + lane, a, Wide.Load(row->MassA + lane));
-            WideVelocity startB = StartOf(motions, row->BodyB + lane, b, Wide.Load(row->MassB + lane));
+            WideVelocity startA = StartOf(motions, row->BodyA + lane, a, Wide.Load(row->MassA + lane) + Wide.Load(row->InertiaA + lane));
+            WideVelocity startB = StartOf(motions, row->BodyB + lane, b, Wide.Load(row->MassB + lane) + Wide.Load(row->InertiaB + lane));
             ContactKernel.TurnedNormalVelocities(row, lane, startA, startB, movedA, movedB, out Wide start0, out Wide start1);
             Wide restitution = Wide.Load(row->Restitution + lane);
             Wide slow = Wide.Load(bounce->Slow + lane);
@@ -273,11 +273,11 @@ internal static unsafe class BounceKernel
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideVelocity StartOf(BodyMotion* motions, int* index, in WideVelocity now, Wide mass)
+    private static WideVelocity StartOf(BodyMotion* motions, int* index, in WideVelocity now, Wide answer)
     {
         // What cannot move is not integrated: its start is of another time.
         BodyLanes.Gather((float*)motions, index, out Wide x, out Wide y, out Wide w, out _);
-        WideMask moves = mass > Wide.Zero;
+        WideMask moves = answer > Wide.Zero;
         WideVelocity start = now;
         start.X = Wide.Select(moves, x, now.X);
         start.Y = Wide.Select(moves, y, now.Y);

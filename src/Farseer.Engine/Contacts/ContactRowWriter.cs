@@ -56,7 +56,8 @@ internal static unsafe class ContactRowWriter
             Wide.Zero.Store(row->Struck + lane);
             Wide.Keep(one & ~two, Wide.One).Store(row->Single + lane);
             WritePoints(input, row, lane, one, two);
-            WriteResponses(pairs, row, lane, one, two);
+            WriteMasses(pairs, row, lane);
+            WriteResponses(row, lane, one, two);
             WriteMaterial(input, row, lane);
             WriteStiffness(input, row, lane, one, two);
         }
@@ -64,6 +65,17 @@ internal static unsafe class ContactRowWriter
         if (input.Settings.FreezePairFriction)
         {
             FreezeFriction(input, row);
+        }
+    }
+
+    /// <summary>What the bodies answer, anew: their masses in the row have changed.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void WriteResponses(ContactBundle* row)
+    {
+        Wide none = Wide.Splat(ContactBundle.NoPoint);
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            WriteResponses(row, lane, Wide.Load(row->Point0.Base + lane) < none, Wide.Load(row->Point1.Base + lane) < none);
         }
     }
 
@@ -228,17 +240,20 @@ internal static unsafe class ContactRowWriter
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void WriteResponses(PairLanes* pairs, ContactBundle* row, int lane, WideMask one, WideMask two)
+    private static void WriteMasses(PairLanes* pairs, ContactBundle* row, int lane)
     {
-        Wide mA = Wide.Load(pairs->A.InverseMass + lane);
-        Wide iA = Wide.Load(pairs->A.InverseInertia + lane);
-        Wide mB = Wide.Load(pairs->B.InverseMass + lane);
-        Wide iB = Wide.Load(pairs->B.InverseInertia + lane);
-        mA.Store(row->MassA + lane);
-        iA.Store(row->InertiaA + lane);
-        mB.Store(row->MassB + lane);
-        iB.Store(row->InertiaB + lane);
-        Wide m = mA + mB;
+        Wide.Load(pairs->A.InverseMass + lane).Store(row->MassA + lane);
+        Wide.Load(pairs->A.InverseInertia + lane).Store(row->InertiaA + lane);
+        Wide.Load(pairs->B.InverseMass + lane).Store(row->MassB + lane);
+        Wide.Load(pairs->B.InverseInertia + lane).Store(row->InertiaB + lane);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void WriteResponses(ContactBundle* row, int lane, WideMask one, WideMask two)
+    {
+        Wide iA = Wide.Load(row->InertiaA + lane);
+        Wide iB = Wide.Load(row->InertiaB + lane);
+        Wide m = Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane);
         Wide atA0 = Wide.Load(row->Point0.TangentArmA + lane);
         Wide atB0 = Wide.Load(row->Point0.TangentArmB + lane);
         Wide atA1 = Wide.Load(row->Point1.TangentArmA + lane);

@@ -43,6 +43,8 @@ internal sealed unsafe partial class JointSolver
         {
             Look();
         }
+
+        FindWheels();
     }
 
     private bool Look()

@@ -25,14 +25,29 @@ internal sealed unsafe partial class JointSolver
         for (int i = 0; i < count; i++)
         {
             ContactBundle* bundle = bundles + i;
+            bool wheels = false;
             for (int lane = 0; lane < ContactBundle.Lanes; lane++)
             {
                 bool touches = IsInTree(bundle->BodyA[lane]) || IsInTree(bundle->BodyB[lane]);
-                if (touches && bundle->Contact[lane] >= 0 && Exists(&bundle->Point0, lane))
+                if (!touches || bundle->Contact[lane] < 0 || !Exists(&bundle->Point0, lane))
+                {
+                    continue;
+                }
+
+                if (_anyWheels && TakeWheel(bundle, lane))
+                {
+                    wheels = true;
+                }
+                else
                 {
                     _contacts.EnsureCapacity(_contactCount + 1);
                     Take(bundle, lane, _contacts.Pointer + _contactCount++);
                 }
+            }
+
+            if (wheels)
+            {
+                ContactRowWriter.WriteResponses(bundle);
             }
         }
     }

@@ -29,6 +29,7 @@ internal sealed unsafe partial class JointSolver
     /// <summary>After the relax pass.</summary>
     public void Bounce()
     {
+        TurnWheels();
         LoadVelocities();
         bool struck = false;
         for (int round = 0; _anyHeld && round < ImpactRounds && FindImpacts(); round++)

@@ -30,7 +30,7 @@ internal sealed unsafe partial class JointSolver
     public void CorrectPositions(double pushRate)
     {
         LoadVelocities();
-        Move();
+        Move(pushRate > 0);
         LoadPoses();
         WriteErrors();
         for (int at = 0; at < _treeCount; at++)
@@ -60,7 +60,8 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>Exact trees move by h·v in double; the others have been moved.</summary>
-    private void Move()
+    /// <param name="pushed">The store has also moved bodies by velocities that push them apart.</param>
+    private void Move(bool pushed)
     {
         double h = _step.Substep;
         for (int at = 0; at < _nodeCount; at++)
@@ -70,7 +71,8 @@ internal sealed unsafe partial class JointSolver
             if (_forest.Trees[node->Tree].Exact)
             {
                 double* v = node->Velocity;
-                SetMove(node, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), node->Move[2] + (h * v[2]));
+                double turned = pushed && _forest.Trees[node->Tree].Wheel ? TurnOf(node) : node->Move[2] + (h * v[2]);
+                SetMove(node, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), turned);
             }
             else
             {

@@ -134,6 +134,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         }
 
         ForgetLimits();
+        HoldWheels();
         StoreVelocities();
         _nets.Enter();
     }
@@ -183,6 +184,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         KeepMoves();
         GiveContactsBack();
         _contactCount = 0;
+        _wheelContactCount = 0;
         _forest.ClearGuests();
     }
 

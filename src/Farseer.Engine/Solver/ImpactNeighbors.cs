@@ -60,8 +60,8 @@ internal sealed unsafe class ImpactNeighbors
             for (int lane = 0; lane < ContactBundle.Lanes; lane++)
             {
                 int end = (i * Ends) + (2 * lane);
-                Link(row->BodyA[lane], row->MassA[lane], end);
-                Link(row->BodyB[lane], row->MassB[lane], end + 1);
+                Link(row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane], end);
+                Link(row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane], end + 1);
             }
         }
     }
@@ -87,9 +87,9 @@ internal sealed unsafe class ImpactNeighbors
         _marked.ClearAll();
     }
 
-    private void Link(int body, float inverseMass, int end)
+    private void Link(int body, float answer, int end)
     {
-        if (inverseMass > 0)
+        if (answer > 0)
         {
             _next[end] = _first[body];
             _first[body] = end;

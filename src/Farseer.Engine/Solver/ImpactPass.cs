@@ -128,8 +128,12 @@ internal sealed unsafe class ImpactPass
         {
             Settle(input, passes);
         }
+    }
 
-        for (int i = 0; i < _count; i++)
+    /// <summary>Lets the impulses of the substep's impacts go.</summary>
+    public void Finish()
+    {
+        for (int i = 0; _any && i < _count; i++)
         {
             BounceKernel.Finish(_bounces.Pointer + i);
         }

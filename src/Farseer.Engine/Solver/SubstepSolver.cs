@@ -143,6 +143,12 @@ internal sealed unsafe class SubstepSolver
             if (input.AnyBounce)
             {
                 _impacts.Run(input, _passes);
+            }
+
+            input.Joints?.NoteLoads();
+            if (input.AnyBounce)
+            {
+                _impacts.Finish();
                 input.Joints?.Bounce();
                 input.Audit?.Book(SolverPart.Impacts);
                 input.Joints?.Settle();

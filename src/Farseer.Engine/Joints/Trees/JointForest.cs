@@ -51,6 +51,9 @@ internal sealed unsafe class JointForest
     /// <summary>Node of a body, -1: none.</summary>
     public int NodeOf(int body) => body < _mapped ? _nodeOf[body] : -1;
 
+    /// <summary>The body has one joint that acts.</summary>
+    public bool IsOnlyJoint(int body) => _start[body + 1] == _start[body] + 1;
+
     /// <summary>Builds the trees and gives every active joint its nodes and its role.</summary>
     /// <param name="active">The joints, in their order.</param>
     /// <param name="count">Number of joints.</param>

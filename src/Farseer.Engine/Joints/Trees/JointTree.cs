@@ -22,6 +22,9 @@ internal struct JointTree
     /// </summary>
     public bool Eliminates;
 
+    /// <summary>Its only body can do nothing but turn about its centre.</summary>
+    public bool Wheel;
+
     /// <summary>Limits belong to its blocks.</summary>
     public bool HasLimits;
 

@@ -50,6 +50,9 @@ internal static unsafe class TreeReactions
         Finish(forest, tree, false);
     }
 
+    /// <summary>Finds the multipliers that answer impulses which anchored bodies got from elsewhere, and did not follow.</summary>
+    public static void OfLoads(JointForest forest, JointTree* tree) => Finish(forest, tree, false);
+
     /// <summary>Adds the multipliers found last to the joints; those of limits that hold also to their rows.</summary>
     public static void Give(JointForest forest, JointTree* tree, ActiveJoint* active, JointRows* rows)
     {
