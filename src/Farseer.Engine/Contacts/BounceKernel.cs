@@ -25,7 +25,7 @@ internal static unsafe class BounceKernel
     /// <summary>Share of the substep within which impacts are at the same moment.</summary>
     public const double SameMoment = 1e-3;
 
-    /// <summary>A contact of the bundle can bounce.</summary>
+    /// <summary>A contact of the bundle has restitution.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool Bounces(ContactBundle* row)
     {
@@ -36,6 +36,39 @@ internal static unsafe class BounceKernel
         }
 
         return bits != 0;
+    }
+
+    /// <summary>
+    /// Takes the restitution of the step from the contacts of deep islands whose surfaces were in each other a step ago already, as fast
+    /// as they approach: what has never been apart does not meet.
+    /// </summary>
+    /// <returns>A bit for each lane that can bounce.</returns>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static int Begin(ContactBundle* row, BodyState* bodies, in ContactCoefficients c, float step)
+    {
+        int bits = 0;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            Wide restitution = Wide.Load(row->Restitution + lane);
+            WideMask can = restitution > Wide.Zero;
+            WideMask deep = can & (Wide.Load(row->Deep + lane) > Wide.Zero);
+            if (WideLanes.Bits(deep) != 0)
+            {
+                Wide rest = Wide.Splat(c.Rest);
+                Wide time = Wide.Splat(step);
+                ContactKernel.GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1);
+                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
+                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+                ContactKernel.NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
+                WideMask inside = ((s0 - rest) < (Wide.Min(v0, Wide.Zero) * time)) | ((s1 - rest) < (Wide.Min(v1, Wide.Zero) * time));
+                can = can & ~(deep & inside);
+                Wide.Keep(can, restitution).Store(row->Restitution + lane);
+            }
+
+            bits |= WideLanes.Bits(can) << lane;
+        }
+
+        return bits;
     }
 
     /// <summary>Before a substep: notes where surfaces are, and holds back the points that approach fast.</summary>
@@ -95,11 +128,18 @@ internal static unsafe class BounceKernel
             BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
             BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
             ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
+            Wide restitution = Wide.Load(row->Restitution + lane);
+            Wide slow = Wide.Load(bounce->Slow + lane);
+            WideMask met = (Met(&bounce->Point0, lane, s0 - rest, v0, slow) | Met(&bounce->Point1, lane, s1 - rest, v1, slow))
+                & (restitution > Wide.Zero);
+            if (WideLanes.Bits(met) == 0)
+            {
+                continue;
+            }
+
             WideVelocity startA = StartOf(motions, row->BodyA + lane, a, Wide.Load(row->MassA + lane) + Wide.Load(row->InertiaA + lane));
             WideVelocity startB = StartOf(motions, row->BodyB + lane, b, Wide.Load(row->MassB + lane) + Wide.Load(row->InertiaB + lane));
             ContactKernel.TurnedNormalVelocities(row, lane, startA, startB, movedA, movedB, out Wide start0, out Wide start1);
-            Wide restitution = Wide.Load(row->Restitution + lane);
-            Wide slow = Wide.Load(bounce->Slow + lane);
             Wide time0 = Meeting(&bounce->Point0, lane, s0 - rest, v0, v0 - start0, restitution, slow, c, out Wide target0);
             Wide time1 = Meeting(&bounce->Point1, lane, s1 - rest, v1, v1 - start1, restitution, slow, c, out Wide target1);
             Wide time = Wide.Max(time0, time1);
@@ -285,6 +325,14 @@ internal static unsafe class BounceKernel
         return start;
     }
 
+    /// <summary>The surfaces of a point have come through each other and still approach, fast, or as they did when they were held back.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideMask Met(BouncePointLanes* point, int lane, Wide gap, Wide v, Wide slow)
+    {
+        WideMask held = Wide.Load(point->Base + lane) < Wide.Splat(ContactBundle.NoPoint);
+        return (gap <= Wide.Load(point->Level + lane)) & (v < Wide.Zero) & ((v < (Wide.Zero - slow)) | held);
+    }
+
     /// <summary>When the surfaces of a point met, before the end of the substep; -1: they did not, or not fast.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Wide Meeting(
@@ -292,10 +340,9 @@ internal static unsafe class BounceKernel
     {
         Wide a = change * Wide.Splat(c.InverseSubstep);
         Wide beyond = gap - Wide.Load(point->Level + lane);
+        WideMask met = Met(point, lane, gap, v, slow);
         Wide speed = Wide.Sqrt(Wide.Max((v * v) - (Wide.Splat(2f) * (a * beyond)), Wide.Zero));
-        WideMask held = Wide.Load(point->Base + lane) < Wide.Splat(ContactBundle.NoPoint);
         Wide zero = Wide.Zero;
-        WideMask met = (beyond <= zero) & (v < zero) & ((v < (zero - slow)) | held);
         Wide sum = speed - v;
         Wide time = Wide.Min(Wide.Max((Wide.Splat(-2f) * beyond) / sum, zero), Wide.Splat(c.Substep));
         Wide back = Wide.Select(speed > slow, restitution * speed, zero);

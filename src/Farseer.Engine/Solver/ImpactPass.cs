@@ -23,7 +23,7 @@ internal sealed unsafe class ImpactPass
     /// </summary>
     private const int MostVisits = 1 << 13;
     private const int LeastRounds = 2;
-    private const int LeastTurns = 2;
+    private const int LeastTurns = 1;
 
     /// <summary>Room from the first step on, and half a bundle for each body: later steps are not to allocate.</summary>
     private const int LeastBundles = 64;
@@ -62,8 +62,12 @@ internal sealed unsafe class ImpactPass
     private bool _any;
 
     /// <summary>Lists the bundles that can bounce.</summary>
-    public void Begin(ReadOnlySpan<GraphColor> colors, BodyStore bodies)
+    /// <param name="input">Of the step.</param>
+    public void Begin(in SolverInput input)
     {
+        ReadOnlySpan<GraphColor> colors = input.Colors;
+        BodyStore bodies = input.Bodies;
+        float step = input.Substep * input.Substeps;
         _count = 0;
         _rows = 0;
         _bounces.EnsureCapacity(LeastBundles + (bodies.Ids.End / 2));
@@ -77,10 +81,10 @@ internal sealed unsafe class ImpactPass
             for (int i = 0; i < color.BundleCount; i++)
             {
                 ContactBundle* row = color.Bundles + i;
-                int can = BounceKernel.Bounces(row) ? CanBounce(row) : 0;
-                if (can > 0)
+                int can = BounceKernel.Begin(row, bodies.State.Pointer, input.Coefficients, step);
+                if (can != 0)
                 {
-                    _rows += can;
+                    _rows += BitSet.CountBits((uint)can);
                     _bounces.EnsureCapacity(_count + 1);
                     _bounces[_count++].Row = row;
                 }
@@ -363,16 +367,5 @@ internal sealed unsafe class ImpactPass
         {
             BounceKernel.Hold(_bounces.Pointer + _met[i], hold);
         }
-    }
-
-    private static int CanBounce(ContactBundle* row)
-    {
-        int count = 0;
-        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
-        {
-            count += row->Contact[lane] >= 0 && row->Restitution[lane] > 0 ? 1 : 0;
-        }
-
-        return count;
     }
 }
