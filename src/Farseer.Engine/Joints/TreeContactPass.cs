@@ -53,8 +53,9 @@ internal sealed unsafe partial class TreeContactPass
         double* n1B = stackalloc double[3];
         TreeNode* nodes = _view.Nodes;
         RowEnds* ends = &contact->Ends;
+        double dead = ends->Coupled ? RowEnds.DeadWithin : RowEnds.Dead;
         NormalRow(contact, &contact->Point0, n0A, n0B);
-        contact->K11 = RowEnds.Response(nodes, ends, n0A, n0B);
+        contact->K11 = RowEnds.Response(nodes, ends, n0A, n0B, dead);
         contact->K22 = contact->K11;
         contact->K12 = 0;
         contact->InverseDeterminant = 0;
@@ -63,7 +64,7 @@ internal sealed unsafe partial class TreeContactPass
         {
             Place(contact, &contact->Point1, moved, aCos, aSin, bCos, bSin);
             NormalRow(contact, &contact->Point1, n1A, n1B);
-            contact->K22 = RowEnds.Response(nodes, ends, n1A, n1B);
+            contact->K22 = RowEnds.Response(nodes, ends, n1A, n1B, dead);
             contact->K12 = RowEnds.Response(nodes, ends, n0A, n0B, n1A, n1B);
             double product = contact->K11 * contact->K22;
             double determinant = product - (contact->K12 * contact->K12);
@@ -71,11 +72,11 @@ internal sealed unsafe partial class TreeContactPass
         }
 
         TangentRow(contact, &contact->Point0, n0A, n0B);
-        contact->Point0.RubResponse = RowEnds.Response(nodes, ends, n0A, n0B);
+        contact->Point0.RubResponse = RowEnds.Response(nodes, ends, n0A, n0B, dead);
         if (contact->Points > 1)
         {
             TangentRow(contact, &contact->Point1, n1A, n1B);
-            contact->Point1.RubResponse = RowEnds.Response(nodes, ends, n1A, n1B);
+            contact->Point1.RubResponse = RowEnds.Response(nodes, ends, n1A, n1B, dead);
             contact->RubCoupling = RowEnds.Response(nodes, ends, n0A, n0B, n1A, n1B);
         }
     }
