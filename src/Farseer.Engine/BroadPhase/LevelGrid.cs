@@ -104,11 +104,12 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
         while (_grids.Count < _levels.Count)
         {
             _grids.Add(new GridLevel());
-            _grids[_grids.Count - 1].Reserve(_reserved);
         }
 
         for (int l = 0; l < _levels.Count; l++)
         {
+            // Boxes change their size class: room for half as many again, but not in each of ten classes for all.
+            _grids[l].Reserve(System.Math.Min(_reserved, _levels.Size(l) + (_levels.Size(l) / 2)));
             _grids[l].Build(proxies, _levels.Members(l), _levels.Size(l), _levels.MaxSize(l));
         }
 
@@ -312,10 +313,6 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
         _active.Reserve(_reserved);
         _resting.Reserve(_reserved);
         _tree.Reserve(_reserved);
-        for (int l = 0; l < _grids.Count; l++)
-        {
-            _grids[l].Reserve(_reserved);
-        }
     }
 
     private void Know(int end)

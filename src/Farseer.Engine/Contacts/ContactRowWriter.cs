@@ -333,7 +333,7 @@ internal static unsafe class ContactRowWriter
         {
             if (row->Contact[lane] >= 0)
             {
-                row->Friction[lane] = input.Contacts.Records[row->Contact[lane]].FirstFriction;
+                row->Friction[lane] = input.Contacts.FirstFriction[row->Contact[lane]];
             }
         }
     }

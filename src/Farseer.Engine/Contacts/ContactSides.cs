@@ -48,6 +48,9 @@ internal sealed unsafe class ContactSides
     private readonly Column<ContactSide> _sides = new Column<ContactSide>();
     private readonly Column<int> _hulls = new Column<int>();
 
+    /// <summary>A listener hears, or has heard, of a piece.</summary>
+    public bool AnyHeard { get; private set; }
+
     /// <summary>The side of piece 0; that of <see cref="NoPiece"/> stands before it.</summary>
     public ContactSide* Pointer => _sides.Pointer + 1;
 
@@ -91,6 +94,7 @@ internal sealed unsafe class ContactSides
         BodyState* states = bodies.State.Pointer;
         BodyMass* masses = bodies.Mass.Pointer;
         BodyFlags* flags = bodies.Flags.Pointer;
+        SideFlags heard = SideFlags.None;
         for (int i = first; i < end; i++)
         {
             Piece* piece = pieces + i;
@@ -123,11 +127,18 @@ internal sealed unsafe class ContactSides
             SideFlags now = (proxies[i].Flags & ProxyFlags.Moved) != 0 ? SideFlags.NewBox : SideFlags.None;
             side->Flags = now | Describe(piece, collider->Flags, flags[body], moving);
             side->HalfX = (side->Flags & SideFlags.Box) != 0 ? piece->Half.X : piece->Radius;
+            heard |= side->Flags;
             hulls[i] = HullLanes.Pack(piece->VertexStart, piece->VertexCount);
             side->InverseMass = moving ? masses[body].InverseMass : 0;
             side->InverseInertia = moving ? masses[body].InverseInertia : 0;
             side->Friction = collider->Friction;
             side->Restitution = collider->Restitution;
+        }
+
+        // Workers only ever set it.
+        if ((heard & SideFlags.Heard) != 0)
+        {
+            AnyHeard = true;
         }
     }
 

@@ -6,7 +6,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Contacts;
 
 [Flags]
-internal enum ContactFlags : int
+internal enum ContactFlags : byte
 {
     None = 0,
 
@@ -29,7 +29,9 @@ internal enum ContactFlags : int
     Heard = 8,
 }
 
-/// <summary>A pair of pieces whose fat boxes overlap. Its impulses and its constraint live in a lane of a <see cref="ContactBundle"/>.</summary>
+/// <summary>
+/// A pair of pieces whose fat boxes overlap: half a cache line. Its impulses and its constraint live in a lane of a <see cref="ContactBundle"/>.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 internal struct ContactRecord
 {
@@ -46,13 +48,11 @@ internal struct ContactRecord
     /// <summary>Colour of a row that sleeps: one behind all others.</summary>
     public const int DormantRow = 65;
 
-    /// <summary>Colour of its row, or -1: not in the graph, <see cref="Row"/> then counts in the idle list.</summary>
-    public int Color;
     public int Row;
-    public ContactFlags Flags;
 
-    /// <summary>Friction when the pair was made, for worlds that freeze it.</summary>
-    public float FirstFriction;
+    /// <summary>Colour of its row, or -1: not in the graph, <see cref="Row"/> then counts in the idle list.</summary>
+    public sbyte Color;
+    public ContactFlags Flags;
 
     /// <summary>A collider of the pair has several pieces: the pair of colliders may have further records.</summary>
     public bool OfSeveral;
@@ -71,18 +71,22 @@ internal sealed class ContactStore
     private readonly Column<int> _free = new Column<int>();
     private readonly Column<int> _idle = new Column<int>();
     private int _freeCount;
+    private bool _keepsManifolds;
 
     public ContactStore()
     {
         Records = _set.Add<ContactRecord>();
-        Manifolds = _set.Add<Manifold>();
+        FirstFriction = _set.Add<float>();
         Map.EnsureCapacity(FewPairs);
     }
 
     public Column<ContactRecord> Records { get; }
 
-    /// <summary>Last manifold of pairs that a listener hears, and of pairs without a row.</summary>
-    public Column<Manifold> Manifolds { get; }
+    /// <summary>Last manifold of pairs that a listener hears; empty until there is a listener.</summary>
+    public Column<Manifold> Manifolds { get; } = new Column<Manifold>();
+
+    /// <summary>Friction when the pair was made, for worlds that freeze it.</summary>
+    public Column<float> FirstFriction { get; }
 
     public PairMap Map { get; } = new PairMap();
 
@@ -108,6 +112,13 @@ internal sealed class ContactStore
         Records[index].Color = ContactRecord.DormantIdle;
     }
 
+    /// <summary>There is a listener: from now on manifolds are kept.</summary>
+    public void KeepManifolds()
+    {
+        _keepsManifolds = true;
+        Manifolds.EnsureCapacity(Records.Capacity);
+    }
+
     public int Create(ulong key, in ContactRecord record)
     {
         int index;
@@ -124,7 +135,12 @@ internal sealed class ContactStore
         }
 
         Records[index] = record;
-        Manifolds[index] = default;
+        if (_keepsManifolds)
+        {
+            Manifolds.EnsureCapacity(Records.Capacity);
+            Manifolds[index] = default;
+        }
+
         Map.Set(key, index);
         Count++;
         AddIdle(index);

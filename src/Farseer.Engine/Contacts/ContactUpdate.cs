@@ -67,30 +67,31 @@ internal static unsafe class ContactUpdate
     public static ContactFates UpdateRows(in ContactUpdateInput input, ContactBundle* row)
     {
         PairBits bits = PairStage.Load(input, row);
-        ContactFates fates = Update(input, row, bits, 0);
+        ContactFates fates = Update(input, row, bits, isNew: false);
         ContactRowWriter.Write(input, row);
         return fates;
     }
 
-    /// <summary>Updates pairs without rows; the manifolds of those that get one are kept for <see cref="FillRows"/>.</summary>
+    /// <summary>Updates pairs without rows.</summary>
     public static ContactFates UpdateIdle(in ContactUpdateInput input, ContactBundle* row)
     {
         PairBits bits = PairStage.Load(input, row);
-        return Update(input, row, bits, bits.Solid);
+        return Update(input, row, bits, isNew: true);
     }
 
-    /// <summary>Writes the constraints of pairs that have just been given a place in the graph.</summary>
+    /// <summary>
+    /// Writes the constraints of pairs that have just been given a place in the graph. Their manifolds are found again: to keep those of all
+    /// pairs for the few that get a row was a tenth of what a body kept, and no quicker.
+    /// </summary>
     public static void FillRows(in ContactUpdateInput input, ContactBundle* row)
     {
         PairBits bits = PairStage.Load(input, row);
-        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        if ((bits.Fast & bits.Exists) != 0)
         {
-            if ((bits.Exists & (1 << lane)) != 0)
-            {
-                PairLanes.Write(input.Pairs, lane, input.Contacts.Manifolds[row->Contact[lane]]);
-            }
+            FastPairs.Look(input);
         }
 
+        PairStage.Collide(input, row, bits);
         PairStage.Touch(input, row);
         ContactRowWriter.Write(input, row);
     }
@@ -127,8 +128,8 @@ internal static unsafe class ContactUpdate
     /// <param name="input">Columns and numbers of this step.</param>
     /// <param name="row">Names the pairs and their flags.</param>
     /// <param name="bits">What the sides are.</param>
-    /// <param name="kept">Lanes whose manifolds are to be kept if they have points; those that are heard are kept in any case.</param>
-    private static ContactFates Update(in ContactUpdateInput input, ContactBundle* row, in PairBits bits, int kept)
+    /// <param name="isNew">The pairs have no rows.</param>
+    private static ContactFates Update(in ContactUpdateInput input, ContactBundle* row, in PairBits bits, bool isNew)
     {
         ContactFates fates;
         fates.Dropped = (bits.NewBox & bits.Exists) == 0 ? 0 : FindDropped(input, row, bits.NewBox & bits.Exists);
@@ -138,8 +139,8 @@ internal static unsafe class ContactUpdate
         TouchBits touch = PairStage.Touch(input, row);
         fates.Deferred = fast == 0 ? 0 : FastPairs.Defer(input, row, fast, sweep, ref touch);
 
-        int fresh = kept & touch.Hit & bits.Exists & ~fates.Dropped;
-        if (fresh != 0)
+        int fresh = bits.Solid & touch.Hit & bits.Exists & ~fates.Dropped;
+        if (isNew && fresh != 0)
         {
             GlancingContact.Drop(input, row, fresh, ref touch);
         }
@@ -154,10 +155,8 @@ internal static unsafe class ContactUpdate
         fates.Touching = touching;
         fates.TouchingNow = touching & ~touch.Touched;
         fates.Heard = bits.Heard & bits.Exists;
-        kept = bits.Heard | (kept & hit) | fates.Deferred;
-
         // Flags hardly ever change, and each record is a cache line of its own: they are visited only if something is new.
-        int news = bits.Exists & ~fates.Dropped & (~touch.Same | kept);
+        int news = bits.Exists & ~fates.Dropped & (~touch.Same | bits.Heard);
         for (int lane = 0; news != 0; lane++, news >>= 1)
         {
             if ((news & 1) == 0)
@@ -176,7 +175,7 @@ internal static unsafe class ContactUpdate
                 input.Contacts.Records[row->Contact[lane]].Flags = flags;
             }
 
-            if ((kept & bit) != 0)
+            if ((bits.Heard & bit) != 0)
             {
                 input.Contacts.Manifolds[row->Contact[lane]] = PairLanes.Read(input.Pairs, lane);
             }

@@ -171,7 +171,7 @@ internal sealed class FastBodySweep
         }
 
         Mover mover = MoverAt(input.Bodies, body, path, time, left);
-        Obstacle obstacle = Describe(input, record, isA, otherPath.XAt(time) - path.XAt(time), otherPath.YAt(time) - path.YAt(time));
+        Obstacle obstacle = Describe(input, candidate.Contact, isA, otherPath.XAt(time) - path.XAt(time), otherPath.YAt(time) - path.YAt(time));
         double weight = Math.Abs(((double)gain.X * manifold.Normal.X) + ((double)gain.Y * manifold.Normal.Y));
         obstacle.Slowest = Math.Max(RestSubsteps * input.Substep * weight, input.Settings.BounceThreshold);
         Manifold own = isA ? Flip(manifold) : Shift(manifold, pair.Offset);
@@ -220,8 +220,9 @@ internal sealed class FastBodySweep
             || moving.LinearVelocity != state.LinearVelocity || moving.AngularVelocity != state.AngularVelocity;
     }
 
-    private static Obstacle Describe(in SweepInput input, in ContactRecord record, bool isA, double x, double y)
+    private static Obstacle Describe(in SweepInput input, int contact, bool isA, double x, double y)
     {
+        ref ContactRecord record = ref input.Contacts.Records[contact];
         BodyState state = input.Bodies.State[isA ? record.BodyB : record.BodyA];
         Obstacle obstacle = default;
         obstacle.X = x;
@@ -231,7 +232,7 @@ internal sealed class FastBodySweep
         obstacle.Spin = state.AngularVelocity;
         obstacle.Restitution = ContactUpdate.MixRestitution(input.Shapes, input.Settings.RestitutionMix, record);
         obstacle.Friction = input.Settings.FreezePairFriction
-            ? record.FirstFriction
+            ? input.Contacts.FirstFriction[contact]
             : ContactUpdate.MixFriction(input.Shapes, input.Settings.FrictionMix, record);
         return obstacle;
     }

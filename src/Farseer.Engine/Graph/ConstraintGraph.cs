@@ -106,7 +106,7 @@ internal sealed unsafe class ConstraintGraph
         ContactBundle* bundle = rows.BundleOf(row);
         int lane = rows.LaneOf(row);
         ContactRowWriter.Name(bundle, lane, contact, record);
-        record.Color = color;
+        record.Color = (sbyte)color;
         record.Row = row;
         Mark(record.BodyA, color, movesA);
         Mark(record.BodyB, color, movesB);

@@ -47,6 +47,11 @@ internal sealed unsafe class ContactStage
     {
         ContactStore contacts = input.Contacts;
         _work.WriteSides(runner, input, _sides);
+        if (_sides.AnyHeard)
+        {
+            contacts.KeepManifolds();
+        }
+
         input.Sides = _sides.Pointer;
         input.Hulls = _sides.Hulls;
         input.Pairs = _work.Pairs;

@@ -147,7 +147,11 @@ internal sealed unsafe class FastPairStage : IStageWork
         bool solid = IsSolid(input, record);
         bool heard = (record.Flags & ContactFlags.Heard) != 0;
         record.Flags |= ContactFlags.Touching | (heard ? ContactFlags.Due : ContactFlags.None);
-        input.Contacts.Manifolds[contact] = found.Impact.Manifold;
+        if (heard)
+        {
+            input.Contacts.Manifolds[contact] = found.Impact.Manifold;
+        }
+
         if (solid)
         {
             Give(input, graph, contact, found.Impact);

@@ -150,8 +150,8 @@ internal sealed partial class World
             ColliderB = colliderB,
             OfSeveral = ofSeveral,
         };
-        record.FirstFriction = ContactUpdate.MixFriction(Shapes, Settings.FrictionMix, record);
-        _contacts.Create(key, record);
+        int index = _contacts.Create(key, record);
+        _contacts.FirstFriction[index] = ContactUpdate.MixFriction(Shapes, Settings.FrictionMix, record);
     }
 
     private bool HasSeveralPieces(int collider) => Shapes.NextPiece[Shapes.Colliders[collider].FirstPiece] >= 0;

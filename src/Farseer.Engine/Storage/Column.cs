@@ -62,7 +62,7 @@ internal sealed unsafe class Column<T> : IColumn
         }
     }
 
-    /// <summary>Grows to at least <paramref name="capacity"/> records, doubling, and keeps the content.</summary>
+    /// <summary>Grows to at least <paramref name="capacity"/> records, as <see cref="ColumnGrowth"/> says, and keeps the content.</summary>
     public void EnsureCapacity(int capacity)
     {
         if (capacity <= _capacity)
@@ -70,7 +70,7 @@ internal sealed unsafe class Column<T> : IColumn
             return;
         }
 
-        int wanted = Math.Max(capacity, Math.Max(16, _capacity * 2));
+        int wanted = ColumnGrowth.Next(_capacity, capacity, sizeof(T));
         long bytes = ((long)wanted * sizeof(T)) + Alignment;
         if (bytes > int.MaxValue)
         {

@@ -7,6 +7,9 @@ internal sealed class ColumnSet
 {
     private readonly List<IColumn> _columns = new List<IColumn>();
 
+    /// <summary>Bytes of the largest record.</summary>
+    private int _size = 1;
+
     public IReadOnlyList<IColumn> Columns => _columns;
 
     public int Capacity { get; private set; }
@@ -16,6 +19,7 @@ internal sealed class ColumnSet
     {
         var column = new Column<T>(Capacity);
         _columns.Add(column);
+        _size = System.Math.Max(_size, ((IColumn)column).ElementSize);
         return column;
     }
 
@@ -26,7 +30,7 @@ internal sealed class ColumnSet
             return;
         }
 
-        int wanted = System.Math.Max(capacity, System.Math.Max(16, Capacity * 2));
+        int wanted = ColumnGrowth.Next(Capacity, capacity, _size);
         for (int i = 0; i < _columns.Count; i++)
         {
             _columns[i].EnsureCapacity(wanted);

@@ -11,12 +11,8 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 /// </summary>
 internal sealed class BodyLink
 {
-    public BodyState State;
-    public BodyPose Pose;
-    public BodyMass Mass;
-    public BodyForce Force;
-    public BodyDrag Drag;
-
+    /// <summary>Null while the body is simulated: then all of it is in the columns.</summary>
+    private LooseBody? _loose = new LooseBody();
     private World? _world;
     private Handle _handle;
 
@@ -53,6 +49,17 @@ internal sealed class BodyLink
     public World? World => _world;
 
     public Handle Handle => _handle;
+
+    /// <summary>State outside of a world; of an obstacle that nothing moves, that to which it comes back.</summary>
+    public ref BodyState State => ref _loose!.State;
+
+    public ref BodyPose Pose => ref _loose!.Pose;
+
+    public ref BodyMass Mass => ref _loose!.Mass;
+
+    public ref BodyForce Force => ref _loose!.Force;
+
+    public ref BodyDrag Drag => ref _loose!.Drag;
 
     public ref BodyState StateRef
     {
@@ -146,6 +153,10 @@ internal sealed class BodyLink
         }
 
         ForceRef = Force;
+        if (isSimulated)
+        {
+            _loose = null;
+        }
     }
 
     /// <summary>Moves the state back out of the columns and gives the slot up.</summary>
@@ -153,6 +164,7 @@ internal sealed class BodyLink
     {
         World world = _world!;
         Handle handle = _handle;
+        _loose ??= new LooseBody();
         if (IsSimulated)
         {
             State = StateRef;
@@ -181,10 +193,12 @@ internal sealed class BodyLink
             PushFlags();
             StateRef.LinearVelocity = State.LinearVelocity;
             StateRef.AngularVelocity = State.AngularVelocity;
+            _loose = null;
         }
         else
         {
             // As an obstacle the body stands still; it takes its velocity up again when it comes back.
+            _loose = new LooseBody();
             State = StateRef;
             IsSimulated = false;
             PushFlags();
@@ -265,5 +279,15 @@ internal sealed class BodyLink
             BodyFlags flags = EngineFlags;
             _world.SetFlags(_handle, flags & Owned, Owned & ~flags);
         }
+    }
+
+    /// <summary>A body that is in no world.</summary>
+    private sealed class LooseBody
+    {
+        public BodyState State;
+        public BodyPose Pose;
+        public BodyMass Mass;
+        public BodyForce Force;
+        public BodyDrag Drag;
     }
 }

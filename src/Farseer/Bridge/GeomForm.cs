@@ -55,8 +55,11 @@ internal sealed class GeomForm
 
     public bool IsLoop { get; }
 
-    /// <summary>Built once and shared by copies: cutting a concave outline costs time.</summary>
-    public ShapeGeometry Shape => _shape ??= Build();
+    /// <summary>
+    /// That of an outline is built once and shared by copies: cutting a concave one costs time. The others are as quick to build as to
+    /// keep, and would be a fifth of what a geom keeps.
+    /// </summary>
+    public ShapeGeometry Shape => Kind == FormKind.Outline ? _shape ??= Build() : Build();
 
     public static GeomForm Circle(float radius) => new GeomForm(FormKind.Circle, System.Array.Empty<Vector2>(), radius, default, false);
 

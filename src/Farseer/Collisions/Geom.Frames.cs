@@ -6,10 +6,8 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// <content>Where the geom is. World vertices and box are worked out when asked for and kept until the body moves.</content>
 public partial class Geom
 {
-    private readonly Vertices _worldVertices = new Vertices();
-    private AABB? _aabb;
-    private Matrix4x4? _matrix;
-    private BodyPose _worldPose;
+    // Only what somebody has asked for: most geoms are never asked, and all of it is as much as the rest of a geom.
+    private Frame? _frame;
 
     /// <summary>World position: the body's position plus the offset turned by the body's rotation.</summary>
     public Vector2 Position
@@ -33,22 +31,22 @@ public partial class Geom
     {
         get
         {
-            Follow();
-            if (_matrix is null)
+            Frame frame = Follow();
+            if (frame.Matrix is null)
             {
                 GetPlacement(out double x, out double y, out float cos, out float sin);
                 return Dynamics.Body.RotationMatrix(cos, sin, (float)x, (float)y);
             }
 
-            return _matrix.Value;
+            return frame.Matrix.Value;
         }
 
         set
         {
             Require.Finite(value, nameof(Matrix));
-            Follow();
-            _matrix = value;
-            FillWorldVertices();
+            Frame frame = Follow();
+            frame.Matrix = value;
+            FillWorldVertices(frame);
         }
     }
 
@@ -59,14 +57,7 @@ public partial class Geom
     /// <see cref="LocalVertices"/> at the geom's place in the world. The same list each time, brought up to date when the property
     /// is read.
     /// </summary>
-    public Vertices WorldVertices
-    {
-        get
-        {
-            Follow();
-            return _worldVertices;
-        }
-    }
+    public Vertices WorldVertices => Follow().WorldVertices;
 
     /// <summary>The box around the geom in the world, brought up to date when the property is read.</summary>
     /// <exception cref="System.ArgumentNullException">The value is null.</exception>
@@ -74,14 +65,14 @@ public partial class Geom
     {
         get
         {
-            Follow();
-            return _aabb ??= new AABB();
+            Frame frame = Follow();
+            return frame.Box ??= new AABB();
         }
 
         set
         {
-            Follow();
-            _aabb = Require.NotNull(value, nameof(AABB));
+            Frame frame = Follow();
+            frame.Box = Require.NotNull(value, nameof(AABB));
         }
     }
 
@@ -96,10 +87,10 @@ public partial class Geom
     /// <returns>The point in world coordinates.</returns>
     public Vector2 GetWorldPosition(Vector2 localPosition)
     {
-        Follow();
-        if (_matrix is not null)
+        Frame frame = Follow();
+        if (frame.Matrix is not null)
         {
-            return Vector2.Transform(localPosition, _matrix.Value);
+            return Vector2.Transform(localPosition, frame.Matrix.Value);
         }
 
         GetPlacement(out double x, out double y, out float cos, out float sin);
@@ -111,8 +102,8 @@ public partial class Geom
     /// <param name="localVertex">The point in geom coordinates.</param>
     public void TransformToLocalCoordinates(ref Vector2 worldVertex, out Vector2 localVertex)
     {
-        Follow();
-        if (_matrix is not null)
+        Frame frame = Follow();
+        if (frame.Matrix is not null)
         {
             localVertex = Vector2.Transform(worldVertex, MatrixInverse);
             return;
@@ -129,10 +120,10 @@ public partial class Geom
     /// <param name="worldNormal">The direction in world axes.</param>
     public void TransformNormalToWorld(ref Vector2 localNormal, out Vector2 worldNormal)
     {
-        Follow();
-        if (_matrix is not null)
+        Frame frame = Follow();
+        if (frame.Matrix is not null)
         {
-            worldNormal = Vector2.TransformNormal(localNormal, _matrix.Value);
+            worldNormal = Vector2.TransformNormal(localNormal, frame.Matrix.Value);
             return;
         }
 
@@ -164,43 +155,55 @@ public partial class Geom
     }
 
     /// <summary>Brings the world vertices and the box up to date if the body has moved since they were worked out.</summary>
-    private void Follow()
+    private Frame Follow()
     {
         BodyPose pose = _body is null ? new BodyPose { Cos = 1 } : _body.Link.PoseRef;
-        bool same = pose.X == _worldPose.X && pose.Y == _worldPose.Y && pose.Angle == _worldPose.Angle
-            && pose.Cos == _worldPose.Cos && pose.Sin == _worldPose.Sin;
+        Frame frame = _frame ??= new Frame();
+        BodyPose known = frame.Pose;
+        bool same = pose.X == known.X && pose.Y == known.Y && pose.Angle == known.Angle && pose.Cos == known.Cos && pose.Sin == known.Sin;
         if (!same)
         {
-            _worldPose = pose;
-            _matrix = null;
-            FillWorldVertices();
+            frame.Pose = pose;
+            frame.Matrix = null;
+            FillWorldVertices(frame);
+        }
+
+        return frame;
+    }
+
+    /// <summary>What was worked out holds no more.</summary>
+    private void ForgetFrame()
+    {
+        if (_frame is not null)
+        {
+            _frame.Pose = default;
         }
     }
 
-    private void FillWorldVertices()
+    private void FillWorldVertices(Frame frame)
     {
         GetPlacement(out double x, out double y, out float cos, out float sin);
-        _worldVertices.Clear();
-        for (int i = 0; i < _localVertices.Count; i++)
+        frame.WorldVertices.Clear();
+        foreach (Vector2 vertex in LocalVertices)
         {
-            _worldVertices.Add(_matrix is null ? Place(_localVertices[i], x, y, cos, sin) : Vector2.Transform(_localVertices[i], _matrix.Value));
+            frame.WorldVertices.Add(frame.Matrix is null ? Place(vertex, x, y, cos, sin) : Vector2.Transform(vertex, frame.Matrix.Value));
         }
 
-        _aabb ??= new AABB();
+        frame.Box ??= new AABB();
         if (_form is null)
         {
             return;
         }
 
-        Vector2 min = _worldVertices[0];
+        Vector2 min = frame.WorldVertices[0];
         Vector2 max = min;
-        for (int i = 1; i < _worldVertices.Count; i++)
+        for (int i = 1; i < frame.WorldVertices.Count; i++)
         {
-            min = Vector2.Min(min, _worldVertices[i]);
-            max = Vector2.Max(max, _worldVertices[i]);
+            min = Vector2.Min(min, frame.WorldVertices[i]);
+            max = Vector2.Max(max, frame.WorldVertices[i]);
         }
 
-        if (_form.Kind == Bridge.FormKind.Circle && _matrix is null)
+        if (_form.Kind == Bridge.FormKind.Circle && frame.Matrix is null)
         {
             var centre = new Vector2((float)x, (float)y);
             var radius = new Vector2(_form.Radius);
@@ -208,6 +211,15 @@ public partial class Geom
             max = Vector2.Max(max, centre + radius);
         }
 
-        _aabb.Set(min, max);
+        frame.Box.Set(min, max);
+    }
+
+    /// <summary>The geom at its body's place.</summary>
+    private sealed class Frame
+    {
+        public readonly Vertices WorldVertices = new Vertices();
+        public AABB? Box;
+        public Matrix4x4? Matrix;
+        public BodyPose Pose;
     }
 }

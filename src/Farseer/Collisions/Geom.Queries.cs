@@ -39,13 +39,13 @@ public partial class Geom
     public float GetNearestDistance(Vector2 point)
     {
         float nearest = float.MaxValue;
-        for (int i = 0; i < _localVertices.Count; i++)
+        for (int i = 0; i < LocalVertices.Count; i++)
         {
-            float distance = OutlineQuery.Distance(point, _localVertices[i], _localVertices[_localVertices.NextIndex(i)], out _);
+            float distance = OutlineQuery.Distance(point, LocalVertices[i], LocalVertices[LocalVertices.NextIndex(i)], out _);
             nearest = Math.Min(nearest, distance);
         }
 
-        return OutlineQuery.Inside(_localVertices, point) ? -nearest : nearest;
+        return OutlineQuery.Inside(LocalVertices, point) ? -nearest : nearest;
     }
 
     /// <summary>The nearest point of an edge of <see cref="LocalVertices"/> to a point.</summary>
@@ -58,15 +58,15 @@ public partial class Geom
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="index"/> is not an index of a vertex.</exception>
     public Feature GetNearestFeature(Vector2 point, int index)
     {
-        if (index < 0 || index >= _localVertices.Count)
+        if (index < 0 || index >= LocalVertices.Count)
         {
             throw new ArgumentOutOfRangeException(nameof(index), index, "index must be the index of a vertex.");
         }
 
-        Vector2 a = _localVertices[index];
-        Vector2 b = _localVertices[_localVertices.NextIndex(index)];
+        Vector2 a = LocalVertices[index];
+        Vector2 b = LocalVertices[LocalVertices.NextIndex(index)];
         float distance = OutlineQuery.Distance(point, a, b, out Vector2 nearest);
-        Vector2 normal = _localVertices.GetEdgeNormal(index);
+        Vector2 normal = LocalVertices.GetEdgeNormal(index);
         float side = Vector2.Dot(point - a, normal);
         return new Feature(nearest, normal, side < 0 ? -distance : distance);
     }

@@ -20,7 +20,9 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     private readonly int _id = GetNextId();
     private Body? _body;
     private GeomForm? _form;
-    private Vertices _localVertices = new Vertices();
+
+    // Null of a rectangle that nobody has asked for its outline.
+    private Vertices? _localVertices;
     private Vector2 _offset;
     private float _rotationOffset;
     private float _offsetCos = 1;
@@ -85,7 +87,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         _collisionGridCellSize = geometry._collisionGridCellSize;
         _grid = geometry._grid;
         _form = geometry._form;
-        _localVertices = new Vertices(geometry._localVertices);
+        _localVertices = geometry._localVertices is null ? null : new Vertices(geometry._localVertices);
         Link.CopyFrom(geometry.Link);
         Join(body);
     }
@@ -129,7 +131,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     /// The outline in geom coordinates, in the documented order. A circle has the number of edges it was made with, although it
     /// collides as a true circle; a rectangle has 16. Do not change the list: use <see cref="SetVertices"/>.
     /// </summary>
-    public Vertices LocalVertices => _localVertices;
+    public Vertices LocalVertices => _localVertices ??= Outline();
 
     /// <summary>Cell size of <see cref="Grid"/>. Setting it drops the grid, which is made anew when next asked for.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
@@ -138,7 +140,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         get => _collisionGridCellSize;
         set
         {
-            _collisionGridCellSize = CellSize(value, _localVertices, nameof(CollisionGridCellSize));
+            _collisionGridCellSize = CellSize(value, LocalVertices, nameof(CollisionGridCellSize));
             _grid = null;
         }
     }
@@ -281,7 +283,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     {
         _body = body;
         body.AddGeom(this);
-        _worldPose = default;
+        ForgetFrame();
     }
 
     private void SetOffset(Vector2 offset, float rotationOffset)
@@ -292,13 +294,15 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         _offsetSin = (float)Math.Sin(rotationOffset);
     }
 
+    private Vertices Outline() => _form is null ? new Vertices() : Vertices.CreateRectangle(_form.Size.X, _form.Size.Y);
+
     private void SetForm(GeomForm form, Vertices localVertices)
     {
         // Made now and not when the simulator takes the geom in: what cannot be made must be refused at the door.
         _ = form.Shape;
         _form = form;
-        _localVertices = localVertices;
+        _localVertices = form.Kind == FormKind.Box ? null : localVertices;
         _grid = null;
-        _worldPose = default;
+        ForgetFrame();
     }
 }
