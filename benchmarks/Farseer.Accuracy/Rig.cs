@@ -49,7 +49,8 @@ internal sealed partial class Rig : IDisposable
     /// <summary>The time that references use: steps × the float step, in double.</summary>
     public double Time => Steps * Dt;
 
-    public long Ticks { get; private set; }
+    /// <summary>What the clock said of each step.</summary>
+    public List<long> StepTicks { get; } = [];
 
     public double BodySteps => (double)Steps * _dynamicCount;
 
@@ -122,7 +123,7 @@ internal sealed partial class Rig : IDisposable
     {
         long start = Stopwatch.GetTimestamp();
         _simulator.Update(dt);
-        Ticks += Stopwatch.GetTimestamp() - start;
+        StepTicks.Add(Stopwatch.GetTimestamp() - start);
         Steps++;
         foreach (Actor actor in _actors)
         {
