@@ -59,6 +59,7 @@ internal sealed unsafe class SagForecast
     private readonly Column<Island> _islands = new Column<Island>();
     private readonly Column<byte> _fine = new Column<byte>();
     private readonly Column<byte> _doublings = new Column<byte>();
+    private readonly StartingLoads _loads = new StartingLoads();
     private int _islandCount;
     private bool _any;
     private Vector2 _gravity;
@@ -146,6 +147,7 @@ internal sealed unsafe class SagForecast
             var usual = new ContactCoefficients(_dt / WorldSettings.DefaultSubsteps, c.Gravity, c.Rest, c.BounceThreshold);
             Collect(islands, graph, bodies, usual);
             Decide(islands, usual);
+            GiveLoads(graph, bodies, c);
         }
 
         bool any = false;
@@ -290,7 +292,46 @@ internal sealed unsafe class SagForecast
 
             _islands[i].Doublings = doublings;
             _islands[i].Known = true;
+            _islands[i].Starts = doublings > 0;
             _islands[i].Open = doublings > 0;
+        }
+    }
+
+    /// <summary>Islands whose sag asks for more substeps have a long way to their load: those that were just judged are given it.</summary>
+    private void GiveLoads(ConstraintGraph graph, BodyStore bodies, in ContactCoefficients c)
+    {
+        bool any = false;
+        for (int i = 0; i < _islandCount; i++)
+        {
+            any |= _islands[i].Starts;
+        }
+
+        if (!any)
+        {
+            return;
+        }
+
+        _loads.Begin(_islandCount);
+        foreach (GraphColor color in graph.Used)
+        {
+            for (int row = 0; row < color.RowCount; row++)
+            {
+                ContactBundle* bundle = color.BundleOf(row);
+                int lane = color.LaneOf(row);
+                if (_islands[bundle->Island[lane]].Starts)
+                {
+                    _loads.Add(bundle->Island[lane], bundle, lane);
+                }
+            }
+        }
+
+        for (int i = 0; i < _islandCount; i++)
+        {
+            if (_islands[i].Starts)
+            {
+                _loads.Give(i, bodies, _gravity, c);
+                _islands[i].Starts = false;
+            }
         }
     }
 
@@ -318,6 +359,9 @@ internal sealed unsafe class SagForecast
 
         /// <summary>Its sag has been foreseen.</summary>
         public bool Known;
+
+        /// <summary>It was foreseen in this step.</summary>
+        public bool Starts;
         public byte Doublings;
         public float Fastest;
         public bool WasFine;
