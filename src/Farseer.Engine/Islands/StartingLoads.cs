@@ -77,6 +77,8 @@ internal sealed unsafe class StartingLoads
             lanes->PreviousNormal[point.Lane] = load;
         }
 
+        // All of it is fed forward, so that nothing sinks at first, and swings; what is to be left of the sag comes with the island's own
+        // pace. That follows from the loads, and was found in this step before there were any.
         for (int i = 0; i < count; i++)
         {
             ref Point point = ref _points[i];
@@ -85,7 +87,8 @@ internal sealed unsafe class StartingLoads
             float shared = bundle->Point0.Normal[lane];
             shared = bundle->Single[lane] > 0 ? shared : Math.Min(shared, bundle->Point1.Normal[lane]);
             ContactPointLanes* lanes = point.Second ? &bundle->Point1 : &bundle->Point0;
-            lanes->Feed[lane] = bundle->FeedShare[lane] * shared;
+            lanes->Feed[lane] = shared;
+            bundle->FeedRate[lane] = 0;
         }
     }
 
