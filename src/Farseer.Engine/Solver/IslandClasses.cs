@@ -73,12 +73,12 @@ internal sealed unsafe class IslandClasses
         int count,
         in ContactCoefficients c)
     {
-        if (graph.RowCount == 0)
+        if (graph.RowCount == 0 && joints == null)
         {
             return false;
         }
 
-        bool any = forecast.Find(islands, feedForward, graph, bodies, list, count, c);
+        bool any = graph.RowCount > 0 && forecast.Find(islands, feedForward, graph, bodies, list, count, c);
         if (joints != null)
         {
             joints.ClearLoads();
