@@ -89,7 +89,14 @@ internal static unsafe class PairStage
             Wide flagsB = Wide.Load((float*)pairs->B.Flags + lane);
             Wide both = flagsA & flagsB;
             Wide any = flagsA | flagsB;
-            bits.Exists |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Exists)) << lane;
+            int exists = WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Exists));
+            int coincident = exists & WideLanes.Bits((Wide.Abs(x) + Wide.Abs(y)) <= Wide.Zero);
+            if (coincident != 0)
+            {
+                CoincidentPairs.Part(pairs, row, lane, coincident);
+            }
+
+            bits.Exists |= exists << lane;
             WideMask solid = WideLanes.Has(both, (int)SideFlags.Responds) & WideLanes.Has(any, (int)SideFlags.Moves);
             bits.Solid |= WideLanes.Bits(solid) << lane;
             bits.Heard |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.Heard)) << lane;
