@@ -27,6 +27,8 @@ internal static class Cli
           sweep [--out FILE] [--runs N]
                                 the dials of ten scenes: error against cost, hypervolume, time to 1 %, floors
           aims                  the figures that were aimed at, beside those reached and the best of other engines
+          neighbours [SCENE..] [--seed N] [--count N]
+                                the aims at parameters that nobody published: ends of ranges and random values between
           extremes [WORD..]     how far masses, sizes, steps, speeds can be driven until a scene stops holding
           report [--docs FOLDER] writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs
           goals [SCENE..]       the figures at the default dial beside their limits; exit code 1 if one fails
@@ -52,6 +54,8 @@ internal static class Cli
                 case "aims":
                     AimTable.Print(output);
                     return 0;
+                case "neighbours":
+                    return Neighbours.Run(args[1..], output) ? 0 : Failed;
                 case "extremes":
                     return ExtremesCommand.Run(args[1..], output) ? 0 : Failed;
                 case "report":

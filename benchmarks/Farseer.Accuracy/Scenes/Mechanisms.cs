@@ -57,7 +57,8 @@ internal static class Mechanisms
     private static void Gear(Trial trial) => trial.World(
         rig =>
         {
-            double ratio = trial.Parameter;
+            // As the joint receives it.
+            double ratio = (float)trial.Parameter;
             Actor anchor = rig.AddAnchor(0, 0);
             Actor a = rig.AddLoose(new Vec(-2, 0), Math.PI, 0.5 * Math.PI);
             Actor b = rig.AddLoose(new Vec(2, 0), 0.25 * Math.PI, 0.125 * 0.25 * Math.PI);
