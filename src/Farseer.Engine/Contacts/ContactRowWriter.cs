@@ -16,6 +16,15 @@ internal struct ArmTurn
     public Wide CosA;
     public Wide SinB;
     public Wide CosB;
+    public Wide LeadA;
+    public Wide LeadB;
+    public Wide NormalSin;
+    public Wide NormalCos;
+    public Wide SpinA;
+    public Wide SpinB;
+    public Wide Slide;
+    public Wide MostSlide;
+    public Wide HalfStep;
     public Wide RadiusA;
     public Wide RadiusB;
 }
@@ -25,6 +34,9 @@ internal static unsafe class ContactRowWriter
 {
     /// <summary>Below this share of k11·k22 the determinant is noise and the points are solved row by row.</summary>
     private const float DeterminantShare = 1e-3f;
+
+    /// <summary>A corner is not foreseen to slide further than this share of the smaller piece: it may come to an end.</summary>
+    private const float SlideShare = 0.25f;
 
     /// <summary>The least number with all its digits: bodies of 10¹⁹ kg have determinants below it, and are solved row by row as well.</summary>
     private const float LeastDeterminant = 1.17549435e-38f;
@@ -51,8 +63,6 @@ internal static unsafe class ContactRowWriter
             WideMask one = (count > Wide.Zero) & WideLanes.Has(
                 Wide.Load((float*)pairs->A.Flags + lane) & Wide.Load((float*)pairs->B.Flags + lane), (int)SideFlags.Exists);
             WideMask two = one & (count > Wide.One);
-            Wide.Load(pairs->NormalX + lane).Store(row->NormalX + lane);
-            Wide.Load(pairs->NormalY + lane).Store(row->NormalY + lane);
             Wide.Zero.Store(row->Struck + lane);
             Wide.Keep(one & ~two, Wide.One).Store(row->Single + lane);
             WritePoints(input, row, lane, one, two);
@@ -190,15 +200,47 @@ internal static unsafe class ContactRowWriter
         Carry(row->Point0.PreviousTangent + lane, row->Point1.PreviousTangent + lane, same0, crossed0, same1, crossed1, scale);
         Carry(row->Point0.Feed + lane, row->Point1.Feed + lane, same0, crossed0, same1, crossed1, scale);
         Wide rest = Wide.Splat(input.Settings.AllowedPenetration);
-        ArmTurn turn;
-        Foresight.Turn(Spin(&input.Pairs->A, lane), input.Dt, out turn.SinA, out turn.CosA);
-        Foresight.Turn(Spin(&input.Pairs->B, lane), input.Dt, out turn.SinB, out turn.CosB);
+        ArmTurn turn = Foresee(input, row, lane);
         turn.RadiusA = Radius(&input.Pairs->A, lane);
         turn.RadiusB = Radius(&input.Pairs->B, lane);
         turn.RadiusA.Store(row->RadiusA + lane);
         turn.RadiusB.Store(row->RadiusB + lane);
         WritePoint(&input.Pairs->Point0, &row->Point0, lane, one, rest, turn);
         WritePoint(&input.Pairs->Point1, &row->Point1, lane, two, rest, turn);
+    }
+
+    /// <summary>
+    /// The middle of the step: how far both bodies have turned until then, and the normal, which turns with the face that it belongs to.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static ArmTurn Foresee(in ContactUpdateInput input, ContactBundle* row, int lane)
+    {
+        PairLanes* pairs = input.Pairs;
+        ArmTurn turn = default;
+        Foresight.Turn(Spin(&pairs->A, lane), input.Dt, out turn.LeadA, out Wide cosA);
+        Foresight.Turn(Spin(&pairs->B, lane), input.Dt, out turn.LeadB, out Wide cosB);
+        Wide owner = Wide.Load(pairs->NormalOwner + lane);
+        WideMask ofA = owner < Wide.Zero;
+        WideMask ofB = owner > Wide.Zero;
+        turn.NormalSin = Wide.Keep(ofA, turn.LeadA) + Wide.Keep(ofB, turn.LeadB);
+        turn.NormalCos = Wide.Select(ofA, cosA, Wide.Select(ofB, cosB, Wide.One));
+        turn.SinA = Wide.Keep(~ofA, (turn.LeadA * turn.NormalCos) - (cosA * turn.NormalSin));
+        turn.CosA = Wide.Select(ofA, Wide.One, (cosA * turn.NormalCos) + (turn.LeadA * turn.NormalSin));
+        turn.SinB = Wide.Keep(~ofB, (turn.LeadB * turn.NormalCos) - (cosB * turn.NormalSin));
+        turn.CosB = Wide.Select(ofB, Wide.One, (cosB * turn.NormalCos) + (turn.LeadB * turn.NormalSin));
+        Wide nx = Wide.Load(pairs->NormalX + lane);
+        Wide ny = Wide.Load(pairs->NormalY + lane);
+        ((turn.NormalCos * nx) - (turn.NormalSin * ny)).Store(row->NormalX + lane);
+        ((turn.NormalCos * ny) + (turn.NormalSin * nx)).Store(row->NormalY + lane);
+        WideMask movesA = WideLanes.Has(Wide.Load((float*)pairs->A.Flags + lane), (int)SideFlags.Turns);
+        WideMask movesB = WideLanes.Has(Wide.Load((float*)pairs->B.Flags + lane), (int)SideFlags.Turns);
+        turn.HalfStep = Wide.Splat(0.5f * input.Dt);
+        turn.SpinA = Wide.Keep(movesA, Wide.Load(pairs->A.AngularVelocity + lane));
+        turn.SpinB = Wide.Keep(movesB, Wide.Load(pairs->B.AngularVelocity + lane));
+        turn.Slide = Wide.Keep(movesB, (Wide.Load(pairs->B.VelocityX + lane) * ny) - (Wide.Load(pairs->B.VelocityY + lane) * nx))
+            - Wide.Keep(movesA, (Wide.Load(pairs->A.VelocityX + lane) * ny) - (Wide.Load(pairs->A.VelocityY + lane) * nx));
+        turn.MostSlide = Wide.Splat(SlideShare) * Wide.Min(Wide.Load(pairs->A.Extent + lane), Wide.Load(pairs->B.Extent + lane));
+        return turn;
     }
 
     /// <summary>Impulses follow their point by its id: into the same place, or crosswise.</summary>
@@ -232,9 +274,20 @@ internal static unsafe class ContactRowWriter
         Wide atB = Wide.Load(source->TangentArmB + lane);
         Wide.Keep(exists, (turn.CosA * anA) + (turn.SinA * atA)).Store(point->NormalArmA + lane);
         Wide.Keep(exists, (turn.CosB * anB) + (turn.SinB * atB)).Store(point->NormalArmB + lane);
-        Wide.Keep(exists, (turn.CosA * atA) - (turn.SinA * anA)).Store(point->TangentArmA + lane);
-        Wide.Keep(exists, (turn.CosB * atB) - (turn.SinB * anB)).Store(point->TangentArmB + lane);
-        Wide start = (separation + rest) - (anB - anA);
+
+        // A corner of one body goes along with it; in the other its arm grows by what the surfaces slide.
+        Wide owner = Wide.Load(source->Owner + lane);
+        Wide slide = turn.HalfStep * (turn.Slide + ((turn.SpinA * anA) - (turn.SpinB * anB)));
+        slide = Wide.Max(Wide.Min(slide, turn.MostSlide), Wide.Zero - turn.MostSlide);
+        Wide slideA = Wide.Keep(owner > Wide.Zero, slide);
+        Wide slideB = Wide.Keep(owner < Wide.Zero, slide);
+        Wide.Keep(exists, ((turn.CosA * atA) - (turn.SinA * anA)) + slideA).Store(point->TangentArmA + lane);
+        Wide.Keep(exists, ((turn.CosB * atB) - (turn.SinB * anB)) - slideB).Store(point->TangentArmB + lane);
+
+        // Half a step before its middle the separation is to be what it is.
+        Wide lessA = (anA * (Wide.One - turn.NormalCos)) + (atA * turn.NormalSin) + (turn.LeadA * slideA);
+        Wide lessB = (anB * (Wide.One - turn.NormalCos)) + (atB * turn.NormalSin) - (turn.LeadB * slideB);
+        Wide start = ((separation + rest) - (anB - anA)) + (lessB - lessA);
         Wide.Select(exists, start, Wide.Splat(ContactBundle.NoPoint)).Store(point->Base + lane);
         Wide.Zero.Store(point->Bounce + lane);
     }

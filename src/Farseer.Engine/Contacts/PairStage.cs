@@ -73,6 +73,9 @@ internal static unsafe class PairStage
             BodyLanes.GatherRecords(sides, row->PieceA + lane, (float*)&pairs->A + lane);
             BodyLanes.GatherRecords(sides, row->PieceB + lane, (float*)&pairs->B + lane);
             BodyLanes.GatherOffset(input.Bodies.Pose.Pointer, row->BodyA + lane, row->BodyB + lane, out Wide x, out Wide y);
+            Wide.Zero.Store(pairs->NormalOwner + lane);
+            Wide.Zero.Store(pairs->Point0.Owner + lane);
+            Wide.Zero.Store(pairs->Point1.Owner + lane);
             x.Store(pairs->OffsetX + lane);
             y.Store(pairs->OffsetY + lane);
 

@@ -99,6 +99,9 @@ internal unsafe struct PointLanes
     public fixed float Separation[Lanes];
     public fixed uint Id[Lanes];
 
+    /// <summary>-1: a corner of A, which goes along with A while B passes by; 1: a corner of B; 0: not known.</summary>
+    public fixed float Owner[Lanes];
+
     /// <summary>Arms an = r·n and at = r×n from the centres of both bodies.</summary>
     public fixed float NormalArmA[Lanes];
     public fixed float TangentArmA[Lanes];
@@ -127,6 +130,9 @@ internal unsafe struct PairLanes
 
     public fixed float NormalX[Lanes];
     public fixed float NormalY[Lanes];
+
+    /// <summary>-1: the normal is that of a face of A and turns with it; 1: that of a face of B; 0: not known.</summary>
+    public fixed float NormalOwner[Lanes];
 
     /// <summary>0, 1 or 2 points.</summary>
     public fixed float Count[Lanes];

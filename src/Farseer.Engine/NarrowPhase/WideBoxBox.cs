@@ -139,6 +139,16 @@ internal static unsafe class WideBoxBox
         Frame frame;
         frame.HalfDepth = halfDepth;
         FindFrame(pairs, lane, reference, sign, out frame.NormalX, out frame.NormalY, out frame.X, out frame.Y);
+
+        // Of boxes only: what else is in these lanes is done by others.
+        WideMask boxes = ~corner & WideLanes.Has(
+            Wide.Load((float*)pairs->A.Flags + lane) & Wide.Load((float*)pairs->B.Flags + lane), (int)SideFlags.Box);
+        Wide referenceOwner = Wide.Keep(boxes, Wide.Select(flipped, Wide.One, Wide.Zero - Wide.One));
+        Wide lowOwner = Wide.Select(lowInside, Wide.Zero - referenceOwner, referenceOwner);
+        Wide highOwner = Wide.Select(highInside, Wide.Zero - referenceOwner, referenceOwner);
+        referenceOwner.Store(pairs->NormalOwner + lane);
+        Wide.Select(highFirst, highOwner, lowOwner).Store(pairs->Point0.Owner + lane);
+        Wide.Select(highFirst, lowOwner, highOwner).Store(pairs->Point1.Owner + lane);
         WritePoint(&pairs->Point0, lane, frame, Wide.Select(highFirst, hi, lo), Wide.Select(highFirst, yHi, yLo));
         WritePoint(&pairs->Point1, lane, frame, Wide.Select(highFirst, lo, hi), Wide.Select(highFirst, yLo, yHi));
 

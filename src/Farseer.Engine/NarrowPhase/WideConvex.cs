@@ -204,17 +204,20 @@ internal static unsafe class WideConvex
         WideLanes.Replace(active, Wide.Select(flipped, Wide.Zero - nx, nx), pairs->NormalX + lane);
         WideLanes.Replace(active, Wide.Select(flipped, Wide.Zero - ny, ny), pairs->NormalY + lane);
         WideLanes.Replace(active, manifold.Count, pairs->Count + lane);
-        Write(&pairs->Point0, lane, active, frame, manifold.Point0);
-        Write(&pairs->Point1, lane, active, frame, manifold.Point1);
+        Wide other = Wide.Select(flipped, Wide.Zero - Wide.One, Wide.One);
+        WideLanes.Replace(active, Wide.Zero - (other * manifold.Owned), pairs->NormalOwner + lane);
+        Write(&pairs->Point0, lane, active, frame, other, manifold.Point0);
+        Write(&pairs->Point1, lane, active, frame, other, manifold.Point1);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Write(PointLanes* point, int lane, WideMask active, in WidePlacement frame, in WideManifoldPoint source)
+    private static void Write(PointLanes* point, int lane, WideMask active, in WidePlacement frame, Wide other, in WideManifoldPoint source)
     {
         frame.Apply(source.X, source.Y, out Wide x, out Wide y);
         WideLanes.Replace(active, x, point->X + lane);
         WideLanes.Replace(active, y, point->Y + lane);
         WideLanes.Replace(active, source.Separation, point->Separation + lane);
         WideLanes.Replace(active, source.Name, (float*)point->Id + lane);
+        WideLanes.Replace(active, other * source.Owner, point->Owner + lane);
     }
 }

@@ -13,6 +13,9 @@ internal struct WideManifoldPoint
     public Wide Y;
     public Wide Separation;
     public Wide Name;
+
+    /// <summary>1: a corner of the other hull; -1: of the reference; 0: of both.</summary>
+    public Wide Owner;
 }
 
 /// <summary><see cref="Manifold"/> on lanes.</summary>
@@ -21,6 +24,9 @@ internal struct WideManifold
     public Wide NormalX;
     public Wide NormalY;
     public Wide Count;
+
+    /// <summary>1: the normal is that of the reference edge; 0: it leads from corner to corner.</summary>
+    public Wide Owned;
     public WideManifoldPoint Point0;
     public WideManifoldPoint Point1;
 }
@@ -111,18 +117,26 @@ internal struct WideEdgeContact
         WideMask highFirst = (Flipped & keepHi) | ~(Flipped | keepLo);
         manifold.NormalX = NormalX;
         manifold.NormalY = NormalY;
+        manifold.Owned = Wide.One;
+        Wide minus = Wide.Zero - Wide.One;
+        Wide ownerLo = Wide.Select(lowX > Wide.Zero, Wide.One, minus);
+        Wide ownerHi = Wide.Select(highX < Length, Wide.One, minus);
         manifold.Count = Wide.Select(
             single, Wide.Keep(gapNear <= Margin, Wide.One), Wide.Keep(keepLo, Wide.One) + Wide.Keep(keepHi, Wide.One));
         manifold.Point0 = Point(
             Wide.Select(single, NearX, Wide.Select(highFirst, hi, lo)),
             Wide.Select(single, gapNear, Wide.Select(highFirst, gapHi, gapLo)),
-            Wide.Select(single, nameNear, Wide.Select(highFirst, nameHi, nameLo)));
+            Wide.Select(single, nameNear, Wide.Select(highFirst, nameHi, nameLo)),
+            Wide.Select(single, Wide.One, Wide.Select(highFirst, ownerHi, ownerLo)));
         manifold.Point1 = Point(
-            Wide.Select(highFirst, lo, hi), Wide.Select(highFirst, gapLo, gapHi), Wide.Select(highFirst, nameLo, nameHi));
+            Wide.Select(highFirst, lo, hi),
+            Wide.Select(highFirst, gapLo, gapHi),
+            Wide.Select(highFirst, nameLo, nameHi),
+            Wide.Select(highFirst, ownerLo, ownerHi));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly WideManifoldPoint Point(Wide along, Wide separation, Wide name)
+    private readonly WideManifoldPoint Point(Wide along, Wide separation, Wide name, Wide owner)
     {
         Wide height = Radius + (Wide.Splat(0.5f) * separation);
         WideManifoldPoint point;
@@ -130,6 +144,7 @@ internal struct WideEdgeContact
         point.Y = (Y + (NormalX * along)) + (NormalY * height);
         point.Separation = separation;
         point.Name = name;
+        point.Owner = owner;
         return point;
     }
 
@@ -152,6 +167,8 @@ internal struct WideEdgeContact
         Wide ny = Wide.Select(apart, armY / distance, NormalY);
         Wide separation = ((armX * nx) + (armY * ny)) - Sum;
         Wide height = Radius + (Wide.Splat(0.5f) * separation);
+        manifold.Owned = Wide.Keep(~corner, manifold.Owned);
+        manifold.Point0.Owner = Wide.Keep(~corner, manifold.Point0.Owner);
         manifold.NormalX = Wide.Select(corner, nx, manifold.NormalX);
         manifold.NormalY = Wide.Select(corner, ny, manifold.NormalY);
         manifold.Count = Wide.Select(corner, Wide.Keep(~(distance - Sum > Margin), Wide.One), manifold.Count);
