@@ -65,6 +65,10 @@ internal sealed class EngineWorld : IStepHooks
 
     public void SetContinuous(bool flag) => World.Settings.Continuous = flag;
 
+    public void SetWarmStarting(bool flag) => World.Settings.KeepImpulses = flag;
+
+    public void SetPositionCorrection(bool flag) => World.Settings.CorrectPositions = flag;
+
     public Vector2 Gravity => World.Settings.Gravity;
 
     public void SetGravity(float x, float y) => World.Settings.Gravity = new Vector2(x, y);

@@ -63,13 +63,20 @@ public partial class b2World
     /// <returns>The hash.</returns>
     public ulong StateHash() => Engine.StateHash();
 
-    /// <summary>Whether impulses of the last step start the next one. Kept for old code: here they always do, since results are better.</summary>
-    /// <param name="flag">Not used.</param>
-    public void SetWarmStarting(bool flag) => _ = flag;
+    /// <summary>
+    /// Whether contacts and joints start a step from the impulses of the one before. Default true. Without, stacks sink into each other and
+    /// loads hang lower: it is there to compare with.
+    /// </summary>
+    /// <param name="flag">False forgets the impulses at the start of each step.</param>
+    public void SetWarmStarting(bool flag) => Engine.SetWarmStarting(flag);
 
-    /// <summary>Whether overlaps and joint errors are corrected. Kept for old code: here they always are.</summary>
-    /// <param name="flag">Not used.</param>
-    public void SetPositionCorrection(bool flag) => _ = flag;
+    /// <summary>
+    /// Whether overlaps are pushed out and joints that drifted apart pulled together. Default true. Without, surfaces and joints still stop
+    /// what would make it worse, so nothing falls through, but an overlap stays and a joint comes apart little by little. Springs (distance joints
+    /// with a frequency, mouse joints) pull in any case.
+    /// </summary>
+    /// <param name="flag">False leaves overlaps and joint errors as they are.</param>
+    public void SetPositionCorrection(bool flag) => Engine.SetPositionCorrection(flag);
 
     /// <summary>Whether fast bodies are kept from passing through others. Default true.</summary>
     /// <param name="flag">False switches it off.</param>

@@ -302,7 +302,8 @@ internal static unsafe class ContactKernel
     /// How fast the separations change: with s = s0 + cos a N + sin a T for a turn a, the arm of the spin is cos a T - sin a N.
     /// With the arms of the middle of the step instead, a body that tips over ends each step with the velocity of half a step
     /// before, off by w² r dt / 2, and its contact lifts and drops within the step. The impulses keep the arms of the
-    /// middle: that K and the arms agree is what makes the block solve exact, and over a step the mean of the arms is what counts.
+    /// middle: that K and the arms agree is what makes the block solve exact, and over a step the mean of the arms is what counts
+    /// (for a blow see <see cref="BlowKernel"/>).
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void TurnedNormalVelocities(

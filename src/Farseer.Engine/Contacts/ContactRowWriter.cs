@@ -376,6 +376,12 @@ internal static unsafe class ContactRowWriter
         limit = limit + (Wide.Splat(DeepSags) * input.Coefficients.Sag(load));
         WideMask deep = depth > limit;
         WideMask still = (Wide.Load(row->Deep + lane) > Wide.Zero) & (depth > Wide.Splat(0.5f) * limit);
+        if (!input.Settings.CorrectPositions)
+        {
+            // What is deep is held hard where it is, and its overlap goes in a pass of its own, which is left out then.
+            deep = WideLanes.AllSet;
+        }
+
         Wide.Keep(one & (deep | still), Wide.One).Store(row->Deep + lane);
     }
 

@@ -206,6 +206,20 @@ internal unsafe struct JointRows
         return turns ? 1 : Size;
     }
 
+    /// <summary>As if hard rows had no error, and limits were not overrun.</summary>
+    public static void ForgetErrors(JointRows* rows)
+    {
+        for (int k = 0; k < rows->Count; k++)
+        {
+            rows->Error[k] = rows->Type[k] switch
+            {
+                (byte)RowType.Hard => 0,
+                (byte)RowType.Limit => System.Math.Max(0, rows->Error[k]),
+                _ => rows->Error[k],
+            };
+        }
+    }
+
     public readonly double ErrorOf(int row) => Error[row];
 
     public void SetSpring(int row, double stiffness, double damping)

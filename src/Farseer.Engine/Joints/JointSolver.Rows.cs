@@ -67,6 +67,11 @@ internal sealed unsafe partial class JointSolver
             {
                 rows->Error[k] = fresh.Error[k];
             }
+
+            if (_step.Drifts)
+            {
+                JointRows.ForgetErrors(rows);
+            }
         }
     }
 
@@ -76,6 +81,10 @@ internal sealed unsafe partial class JointSolver
         rows.Count = 0;
         rows.Hard = 0;
         WriteInto(index, ref rows);
+        if (_step.Drifts)
+        {
+            JointRows.ForgetErrors(_rows.Pointer + index);
+        }
     }
 
     private void WriteInto(int index, ref JointRows rows)

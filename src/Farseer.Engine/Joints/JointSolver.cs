@@ -25,6 +25,9 @@ internal unsafe struct JointStep
     /// <summary>Ratio of this step's substep to the last one's.</summary>
     public double ImpulseScale;
 
+    /// <summary>Errors stay: joints only stop what would make them larger.</summary>
+    public bool Drifts;
+
     /// <summary>A joint that breaks still acts in the step.</summary>
     public bool BreaksLate;
 }

@@ -48,6 +48,18 @@ internal sealed class WorldSettings
     /// <summary>Share of a deep overlap that is removed in one step, without becoming speed. 0 to 1; default 0.8.</summary>
     public float Recovery { get; set; } = 0.8f;
 
+    /// <summary>
+    /// Contacts and joints start a step from the impulses of the one before. False: from nothing, so that each step stands for itself, and
+    /// stacks sink and ropes stretch. Default true.
+    /// </summary>
+    public bool KeepImpulses { get; set; } = true;
+
+    /// <summary>
+    /// Overlaps are pushed out and joints that drifted apart pulled together. False: surfaces and joints only stop what would make it worse.
+    /// Default true.
+    /// </summary>
+    public bool CorrectPositions { get; set; } = true;
+
     /// <summary>Bodies that move by more than their size in a step are looked after (continuous collision). Default true.</summary>
     public bool Continuous { get; set; } = true;
 

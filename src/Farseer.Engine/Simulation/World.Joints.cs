@@ -141,7 +141,8 @@ internal sealed partial class World
         step.Dt = dt;
         step.Substep = substep;
         step.BreaksLate = Settings.JointsBreakLate;
-        step.ImpulseScale = _lastSubstep > 0 ? (double)substep / _lastSubstep : 1;
+        step.ImpulseScale = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? (double)substep / _lastSubstep : 1;
+        step.Drifts = !Settings.CorrectPositions;
         _jointSolver.Begin(step);
         for (int i = 0; i < _jointSolver.BrokenCount; i++)
         {

@@ -101,7 +101,7 @@ internal sealed partial class World
         input.Moves = _lists.Moves;
         input.Settings = Settings;
         input.Dt = dt;
-        input.ImpulseScale = _lastSubstep > 0 ? substep / _lastSubstep : 1f;
+        input.ImpulseScale = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? substep / _lastSubstep : 1f;
         System.Numerics.Vector2 g = Settings.Gravity;
         float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
         input.Coefficients = new ContactCoefficients(substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold);
@@ -158,7 +158,7 @@ internal sealed partial class World
         input.Substeps = _substeps;
         input.Substep = substep;
         input.Coefficients = coefficients;
-        input.Recovery = Settings.Recovery;
+        input.Recovery = Settings.CorrectPositions ? Settings.Recovery : 0;
         input.Springs = _springs;
         input.AnyDeep = anyDeep;
         input.AnyBounce = _contactStage.AnyBounce;

@@ -118,7 +118,7 @@ internal sealed unsafe class SubstepSolver
                 input.Audit?.Book(SolverPart.UserJoints);
             }
 
-            if (input.AnyDeep)
+            if (input.AnyDeep && input.Recovery > 0)
             {
                 PushOutAndMove(input.Colors, (float)recovery * coefficients.InverseSubstep);
             }
