@@ -137,6 +137,11 @@ internal static unsafe class ContactKernel
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
+                if (WideLanes.Bits(deep) == 0)
+                {
+                    continue;
+                }
+
                 GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1);
                 BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
                 BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);

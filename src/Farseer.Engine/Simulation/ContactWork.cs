@@ -1,7 +1,9 @@
 using System;
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
@@ -26,6 +28,9 @@ internal sealed unsafe class ContactWork : IStageWork
     /// <summary>Pieces that are worth another worker's while, some 2 µs, and bundles, some 0.5 µs.</summary>
     private const int LeastPieces = 256;
     private const int LeastBundles = 8;
+
+    /// <summary>Sides and poses of more pieces than that are no longer all near: half a megabyte.</summary>
+    private const int MostNear = 5000;
 
     private readonly Column<PairLanes> _pairs = new Column<PairLanes>();
     private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
@@ -129,11 +134,18 @@ internal sealed unsafe class ContactWork : IStageWork
     private void UpdateRows(in ContactUpdateInput input, int from, int to)
     {
         BundleOutcome* outcomes = _outcomes.Pointer;
+        bool far = Prefetch.IsUseful && input.Shapes.PieceIds.End > MostNear;
         while (from < to)
         {
             ContactBundle* bundle = _ranges.From(from, to, out int end);
             for (; from < end; from++, bundle++)
             {
+                for (int lane = 0; far && from + 1 < end && lane < ContactBundle.Lanes; lane++)
+                {
+                    AskFor(input, bundle[1].PieceA[lane], bundle[1].BodyA[lane]);
+                    AskFor(input, bundle[1].PieceB[lane], bundle[1].BodyB[lane]);
+                }
+
                 outcomes[from].Fates = ContactUpdate.UpdateRows(input, bundle);
                 outcomes[from].Bounces = BounceKernel.Bounces(bundle);
             }
@@ -146,6 +158,7 @@ internal sealed unsafe class ContactWork : IStageWork
         for (int i = from; i < to; i++)
         {
             int first = i * ContactBundle.Lanes;
+            AskForIdle(input, first + ContactBundle.Lanes);
             for (int lane = 0; lane < ContactBundle.Lanes; lane++)
             {
                 if (first + lane < contacts.IdleCount)
@@ -161,6 +174,39 @@ internal sealed unsafe class ContactWork : IStageWork
 
             _outcomes[i].Fates = ContactUpdate.UpdateIdle(input, bundle);
         }
+    }
+
+    /// <summary>What the next bundle of idle pairs reads is asked for, and the records of the one behind: to wait for them was a twentieth of a step.</summary>
+    private static void AskForIdle(in ContactUpdateInput input, int first)
+    {
+        if (!Prefetch.IsUseful)
+        {
+            return;
+        }
+
+        ContactStore contacts = input.Contacts;
+        ContactRecord* records = contacts.Records.Pointer;
+        int* idle = contacts.IdleList;
+        int end = Math.Min(first + ContactBundle.Lanes, contacts.IdleCount);
+        for (int i = first; i < end; i++)
+        {
+            ContactRecord* record = records + idle[i];
+            AskFor(input, record->PieceA, record->BodyA);
+            AskFor(input, record->PieceB, record->BodyB);
+        }
+
+        int far = Math.Min(first + (2 * ContactBundle.Lanes), contacts.IdleCount);
+        for (int i = first + ContactBundle.Lanes; i < far; i++)
+        {
+            Prefetch.Line(records + idle[i]);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void AskFor(in ContactUpdateInput input, int piece, int body)
+    {
+        Prefetch.Line(input.Sides + piece);
+        Prefetch.Line(input.Bodies.Pose.Pointer + body);
     }
 
     // Two bundles of new rows may write different lanes of the same bundle of a colour: those are different places of memory.

@@ -1,4 +1,5 @@
 using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
@@ -12,6 +13,9 @@ internal sealed unsafe class PairWork : IStageWork
 {
     /// <summary>Pairs that are worth another worker's while, some 2 µs.</summary>
     private const int LeastPairs = 128;
+
+    /// <summary>Look-ups ahead for which the map is asked: a table of many pairs lies far away.</summary>
+    private const int Ahead = 12;
 
     private readonly Column<byte> _marks = new Column<byte>();
     private World _world = null!;
@@ -37,8 +41,15 @@ internal sealed unsafe class PairWork : IStageWork
 
     void IStageWork.Run(int worker, int from, int to)
     {
+        PairMap known = _world.KnownPairs;
+        int asked = from;
         for (int i = from; i < to; i++)
         {
+            for (; Prefetch.IsUseful && asked < to && asked < i + Ahead; asked++)
+            {
+                known.AskFor(_pairs[asked]);
+            }
+
             _marks[i] = _world.IsNewPair(_pairs[i]) ? (byte)1 : (byte)0;
         }
     }

@@ -103,12 +103,14 @@ internal sealed partial class World
         for (int i = 0; i < _pairs.Count; i++)
         {
             // A user's search may name a pair twice.
-            if (!_contacts.Map.Contains(_pairs[i]))
+            if (i == 0 || _pairs[i] != _pairs[i - 1])
             {
                 TryCreatePair(_pairs[i]);
             }
         }
     }
+
+    internal PairMap KnownPairs => _contacts.Map;
 
     /// <summary>The pair is not known, and nothing but a listener can refuse it. Workers ask.</summary>
     internal bool IsNewPair(ulong key)

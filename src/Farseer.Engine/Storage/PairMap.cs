@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Storage;
 
@@ -52,6 +53,9 @@ internal sealed unsafe class PairMap
     }
 
     public bool Contains(ulong key) => Find(key) >= 0;
+
+    /// <summary>Asks for what <see cref="Contains"/> is going to read.</summary>
+    public void AskFor(ulong key) => Prefetch.Line(_keys.Pointer + Home(key + 1));
 
     /// <summary>Adds the key, or changes the value of one that is there. Returns true if the key is new.</summary>
     public bool Set(ulong key, int value)

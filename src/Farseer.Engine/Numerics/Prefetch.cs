@@ -1,0 +1,31 @@
+using System.Runtime.CompilerServices;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics.X86;
+#endif
+
+namespace Farseer.Engine.Numerics;
+
+/// <summary>
+/// Asks for memory that is read soon and at places that the processor cannot foresee: records reached by an index. Changes nothing but
+/// time, and any address will do.
+/// </summary>
+internal static unsafe class Prefetch
+{
+    /// <summary>False where nothing would be asked for: the walk to what might be can be left out.</summary>
+#if NET8_0_OR_GREATER
+    public static bool IsUseful => Sse.IsSupported;
+#else
+    public static bool IsUseful => false;
+#endif
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Line(void* address)
+    {
+#if NET8_0_OR_GREATER
+        if (Sse.IsSupported)
+        {
+            Sse.Prefetch0(address);
+        }
+#endif
+    }
+}
