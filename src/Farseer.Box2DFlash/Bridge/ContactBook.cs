@@ -9,6 +9,10 @@ internal sealed class ContactBook
 {
     private readonly Dictionary<ulong, b2Contact> _byPair = new Dictionary<ulong, b2Contact>();
 
+    /// <summary>Ended contacts, accepted and refused ones, for those to come: steps are not to allocate.</summary>
+    private readonly Stack<b2Contact> _spare = new Stack<b2Contact>();
+    private readonly Stack<b2Contact> _spareRefused = new Stack<b2Contact>();
+
     public b2Contact? First { get; private set; }
 
     public int Count => _byPair.Count;
@@ -23,7 +27,18 @@ internal sealed class ContactBook
     public b2Contact Add(b2Shape shapeA, b2Shape shapeB, bool accepted)
     {
         (b2Shape first, b2Shape second) = IsSwapped(shapeA, shapeB) ? (shapeB, shapeA) : (shapeA, shapeB);
-        b2Contact contact = accepted ? new b2Contact(first, second) : new b2NullContact(first, second);
+        Stack<b2Contact> spare = accepted ? _spare : _spareRefused;
+        b2Contact contact;
+        if (spare.Count > 0)
+        {
+            contact = spare.Pop();
+            contact.Begin(first, second);
+        }
+        else
+        {
+            contact = accepted ? new b2Contact(first, second) : new b2NullContact(first, second);
+        }
+
         contact.Key = Key(shapeA.Link.Collider.Index, shapeB.Link.Collider.Index);
         contact.Next = First;
         if (First is not null)
@@ -52,6 +67,8 @@ internal sealed class ContactBook
         {
             contact.Next.Previous = contact.Previous;
         }
+
+        (contact.IsAccepted ? _spare : _spareRefused).Push(contact);
     }
 
     /// <summary>As in the original a polygon comes before a circle; otherwise the older shape comes first.</summary>

@@ -51,6 +51,13 @@ internal sealed class ContactPoints
 
     public bool IsThere(uint feature) => Find(_now, Count, feature);
 
+    /// <summary>As if nothing had touched yet.</summary>
+    public void Begin()
+    {
+        Clear();
+        Step = -1;
+    }
+
     public void Clear()
     {
         Count = 0;

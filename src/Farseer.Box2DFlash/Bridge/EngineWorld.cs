@@ -225,19 +225,16 @@ internal sealed class EngineWorld : IStepHooks
         return true;
     }
 
-    /// <summary>Hands over the shapes whose boxes overlap a box, in the order of their making.</summary>
-    public void Find(Vector2 lower, Vector2 upper, Func<b2Shape, bool> take)
+    /// <summary>Finds what overlaps a box with its own box, in the order of the making: to be asked for by <see cref="Found"/>.</summary>
+    /// <returns>How many there are.</returns>
+    public int Find(Vector2 lower, Vector2 upper)
     {
         World.Queries.FindInBox(new Box { MinX = lower.X, MinY = lower.Y, MaxX = upper.X, MaxY = upper.Y }, QueryFilter.All, _found);
-        for (int i = 0; i < _found.Count; i++)
-        {
-            b2Shape? shape = _shapes[_found[i]];
-            if (shape is not null && !take(shape))
-            {
-                return;
-            }
-        }
+        return _found.Count;
     }
+
+    /// <summary>What <see cref="Find"/> found at a place; null if it is no shape any more.</summary>
+    public b2Shape? Found(int place) => _shapes[_found[place]];
 
     /// <summary>
     /// Calls for each pair of shapes whose boxes overlap now, whatever bodies they belong to; to within a slop, for what a

@@ -1,6 +1,6 @@
 using System;
+using System.Numerics;
 using Box2D.Collision;
-using Box2D.Common.Math;
 using Box2D.Dynamics;
 using Box2D.Dynamics.Contacts;
 using Farseer.Engine.Simulation;
@@ -134,7 +134,8 @@ internal sealed class ListenerRelay
         _point.restitution = Math.Max(contact.Shape1.GetRestitution(), contact.Shape2.GetRestitution());
         a.Link.Arm(point.X, point.Y, out double ax, out double ay);
         b.Link.Arm(point.X, point.Y, out double bx, out double by);
-        _point.velocity.SetV(b2Math.SubtractVV(b.VelocityAtArm(bx, by), a.VelocityAtArm(ax, ay)));
+        Vector2 velocity = b.VelocityAtArm(bx, by) - a.VelocityAtArm(ax, ay);
+        _point.velocity.Set(velocity.X, velocity.Y);
         try
         {
             switch (happening)

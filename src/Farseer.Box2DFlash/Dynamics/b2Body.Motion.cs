@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 
@@ -133,7 +134,8 @@ public partial class b2Body
         Require.Vector(localPoint, nameof(localPoint));
         Link.ToWorld(localPoint.x, localPoint.y, out double x, out double y);
         Link.Arm(x, y, out double rx, out double ry);
-        return VelocityAtArm(rx, ry);
+        Vector2 velocity = VelocityAtArm(rx, ry);
+        return new b2Vec2(velocity.X, velocity.Y);
     }
 
     /// <summary>Whether the body is a bullet.</summary>
@@ -150,14 +152,14 @@ public partial class b2Body
     }
 
     /// <summary>As the original's contact points have it where the quirk is on, whose formula is that of the local point.</summary>
-    internal b2Vec2 VelocityAtArm(double rx, double ry)
+    internal Vector2 VelocityAtArm(double rx, double ry)
     {
         if ((World.Quirks & Box2DFlash202Quirks.LocalPointVelocity) != 0)
         {
-            return new b2Vec2((float)(Link.Velocity.X + (Link.Spin * ry)), (float)(Link.Velocity.X - (Link.Spin * rx)));
+            return new Vector2((float)(Link.Velocity.X + (Link.Spin * ry)), (float)(Link.Velocity.X - (Link.Spin * rx)));
         }
 
-        return new b2Vec2((float)(Link.Velocity.X - (Link.Spin * ry)), (float)(Link.Velocity.Y + (Link.Spin * rx)));
+        return new Vector2((float)(Link.Velocity.X - (Link.Spin * ry)), (float)(Link.Velocity.Y + (Link.Spin * rx)));
     }
 
     internal void WakeBySetter()

@@ -27,7 +27,17 @@ public partial class b2World
             throw new ArgumentOutOfRangeException(nameof(maxCount), maxCount, "The count must be 0 or more, and the array must have room for it.");
         }
 
-        return Find(aabb, maxCount, (i, shape) => shapes[i] = shape);
+        int count = 0;
+        int found = Find(aabb);
+        for (int i = 0; i < found && count < maxCount; i++)
+        {
+            if (Engine.Found(i) is { } shape)
+            {
+                shapes[count++] = shape;
+            }
+        }
+
+        return count;
     }
 
     /// <summary>Finds the shapes whose boxes overlap a box, as the other overload.</summary>
@@ -47,7 +57,18 @@ public partial class b2World
             throw new ArgumentOutOfRangeException(nameof(maxCount), maxCount, "The count must be 0 or more.");
         }
 
-        return Find(aabb, maxCount, (_, shape) => shapes.Add(shape));
+        int count = 0;
+        int found = Find(aabb);
+        for (int i = 0; i < found && count < maxCount; i++)
+        {
+            if (Engine.Found(i) is { } shape)
+            {
+                shapes.Add(shape);
+                count++;
+            }
+        }
+
+        return count;
     }
 
     private static void CheckBox(b2AABB aabb)
@@ -59,20 +80,6 @@ public partial class b2World
         }
     }
 
-    private int Find(b2AABB aabb, int maxCount, Action<int, b2Shape> take)
-    {
-        var lower = new Vector2(aabb.lowerBound.x, aabb.lowerBound.y);
-        var upper = new Vector2(aabb.upperBound.x, aabb.upperBound.y);
-        int count = 0;
-        if (maxCount > 0)
-        {
-            Engine.Find(lower, upper, shape =>
-            {
-                take(count++, shape);
-                return count < maxCount;
-            });
-        }
-
-        return count;
-    }
+    private int Find(b2AABB aabb) =>
+        Engine.Find(new Vector2(aabb.lowerBound.x, aabb.lowerBound.y), new Vector2(aabb.upperBound.x, aabb.upperBound.y));
 }

@@ -69,8 +69,7 @@ public class b2CircleShape : b2Shape
         double ny = start.Y + (at * way.Y);
         double length = Math.Sqrt((nx * nx) + (ny * ny));
         lambda[0] = (float)at;
-        var local = new b2Vec2((float)(nx / length), (float)(ny / length));
-        normal.SetV(b2Math.b2MulMV(xf.R, local));
+        SetTurned(normal, xf, (float)(nx / length), (float)(ny / length));
         return true;
     }
 

@@ -180,7 +180,7 @@ public class b2PolygonShape : b2Shape
         }
 
         lambda[0] = (float)lower;
-        normal.SetV(b2Math.b2MulMV(xf.R, Of(_normals[index])));
+        SetTurned(normal, xf, _normals[index].X, _normals[index].Y);
         return true;
     }
 

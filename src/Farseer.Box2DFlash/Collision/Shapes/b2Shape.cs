@@ -162,6 +162,13 @@ public abstract class b2Shape
         return new Vector2((float)((x * r.col1.x) + (y * r.col1.y)), (float)((x * r.col2.x) + (y * r.col2.y)));
     }
 
+    /// <summary>Sets a vector to one of the body, turned into the world.</summary>
+    private protected static void SetTurned(b2Vec2 target, b2XForm xf, float x, float y)
+    {
+        b2Mat22 r = xf.R;
+        target.Set((r.col1.x * x) + (r.col2.x * y), (r.col1.y * x) + (r.col2.y * y));
+    }
+
     private protected static void CheckSegment(b2XForm xf, float[] lambda, b2Vec2 normal, b2Segment segment, float maxLambda)
     {
         Require.NotNull(xf, nameof(xf));

@@ -4,7 +4,8 @@ using Box2D.Collision.Shapes;
 namespace Box2D.Dynamics.Contacts;
 
 /// <summary>
-/// Two shapes whose boxes overlap, whether or not they touch. The engine makes and ends it; see <see cref="b2World.GetContactList"/>.
+/// Two shapes whose boxes overlap, whether or not they touch. The engine makes and ends it; see <see cref="b2World.GetContactList"/>. Once
+/// ended the object is used for another contact: nothing is to be kept of it from one step to the next.
 /// </summary>
 public class b2Contact
 {
@@ -15,9 +16,9 @@ public class b2Contact
         Shape2 = shape2;
     }
 
-    internal b2Shape Shape1 { get; }
+    internal b2Shape Shape1 { get; private set; }
 
-    internal b2Shape Shape2 { get; }
+    internal b2Shape Shape2 { get; private set; }
 
     internal b2Contact? Next { get; set; }
 
@@ -28,6 +29,15 @@ public class b2Contact
     internal ContactPoints Points { get; }
 
     internal virtual bool IsAccepted => true;
+
+    /// <summary>Makes an ended contact one of two other shapes, as if it were new.</summary>
+    internal void Begin(b2Shape shape1, b2Shape shape2)
+    {
+        Shape1 = shape1;
+        Shape2 = shape2;
+        Previous = null;
+        Points.Begin();
+    }
 
     /// <summary>First shape; of a polygon and a circle the polygon.</summary>
     /// <returns>The shape.</returns>
