@@ -1,4 +1,5 @@
 using System;
+using Farseer.Benchmarks.Memory;
 using Farseer.Benchmarks.Pairs;
 using Farseer.Benchmarks.Queries;
 using Farseer.Benchmarks.Scenes;
@@ -23,6 +24,8 @@ switch (args.Length > 0 ? args[0] : "")
         return SuiteCommand.Run(args[1..], Console.Out);
     case "trees":
         return TreeTiming.Run(args.AsSpan(1), Console.Out);
+    case "memory":
+        return MemoryCommand.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "unused":
         return UnusedFeatures.Run(Console.Out);
     default:
@@ -38,6 +41,8 @@ switch (args.Length > 0 ? args[0] : "")
         Console.WriteLine("          the suites of BenchmarkDotNet: kernels, pairs, joints, whole scenes; FILE takes the figures as CSV");
         Console.WriteLine($"  {TreeTiming.Usage}");
         Console.WriteLine("          time of trees of joints, ns a body and substep");
+        Console.WriteLine($"  {MemoryCommand.Usage}");
+        Console.WriteLine("          what a scene keeps in memory, bytes a body by store");
         Console.WriteLine("  unused  time and bits of features that have nothing to do");
         return 0;
 }
