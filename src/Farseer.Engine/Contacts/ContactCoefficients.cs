@@ -47,8 +47,14 @@ internal readonly struct ContactCoefficients
     /// <param name="gravity">Length of the gravity vector.</param>
     /// <param name="rest">Depth at which contacts rest.</param>
     /// <param name="bounceThreshold">Approach slower than this does not bounce.</param>
-    public ContactCoefficients(float substep, float gravity, float rest, float bounceThreshold)
+    /// <param name="coarseness">
+    /// How many times as long as usual the substep is against the step. For small pieces the sag is in proportion to their size, whatever
+    /// the substep; with this it falls with each doubling of the substeps as well.
+    /// </param>
+    public ContactCoefficients(float substep, float gravity, float rest, float bounceThreshold, float coarseness = 1f)
     {
+        // Without gravity nothing sinks; a finite number keeps lanes without a piece, of size 0, at 0.
+        _smallness = System.Math.Min(coarseness / (LargeSize * gravity * substep * substep), float.MaxValue);
         Gravity = gravity;
         Rest = rest;
         BounceThreshold = bounceThreshold;
@@ -56,6 +62,8 @@ internal readonly struct ContactCoefficients
         InverseSubstep = 1f / substep;
         BiasRate = AngularStep / Denominator * InverseSubstep;
     }
+
+    private readonly float _smallness;
 
     /// <summary>h, seconds.</summary>
     public float Substep { get; }
@@ -83,17 +91,12 @@ internal readonly struct ContactCoefficients
     /// <summary>η for a contact whose smaller piece has the size <paramref name="size"/>.</summary>
     public Wide FeedShare(Wide size)
     {
-        Wide fall = Wide.Splat(LargeSize * Gravity * Substep * Substep);
-        Wide share = Wide.Select(size < fall, size / fall, Wide.One);
+        Wide share = Wide.Min(size * Wide.Splat(_smallness), Wide.One);
         return Wide.One - Wide.Max(Wide.Splat(FeedRest) * share, Wide.Splat(SmallestFeedRest));
     }
 
     /// <summary>1 - η for a contact whose smaller piece has the size <paramref name="size"/>.</summary>
-    public float FeedRestOf(float size)
-    {
-        float fall = LargeSize * Gravity * Substep * Substep;
-        return System.Math.Max(FeedRest * (size < fall ? size / fall : 1f), SmallestFeedRest);
-    }
+    public float FeedRestOf(float size) => System.Math.Max(FeedRest * System.Math.Min(size * _smallness, 1f), SmallestFeedRest);
 
     /// <summary>Static sag per unit of speed held up, λ·k: s = λ·k·h/(ωh)².</summary>
     public float Sag(float load) => load * Substep * (1f / (AngularStep * AngularStep));

@@ -1,6 +1,7 @@
 using System;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Settings;
 using Farseer.Engine.Solver;
 using Farseer.Engine.Stepping;
 
@@ -104,7 +105,8 @@ internal sealed partial class World
         input.ImpulseScale = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? substep / _lastSubstep : 1f;
         System.Numerics.Vector2 g = Settings.Gravity;
         float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
-        input.Coefficients = new ContactCoefficients(substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold);
+        float coarseness = WorldSettings.DefaultSubsteps / (float)_substeps;
+        input.Coefficients = new ContactCoefficients(substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold, coarseness);
         return input;
     }
 

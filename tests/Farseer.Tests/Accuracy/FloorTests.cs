@@ -10,7 +10,7 @@ public class FloorTests
 {
     private const double Factor = 1.5;
 
-    private static readonly int[] _dials = [4, 8, 16];
+    private static readonly int[] _dials = [1, 2, 4, 8, 16, 32, 64];
 
     [Theory]
     [InlineData("S03_bounce=0.8")]
