@@ -27,6 +27,7 @@ internal static class Cli
           sweep [--out FILE] [--runs N]
                                 the dials of ten scenes: error against cost, hypervolume, time to 1 %, floors
           aims                  the figures that were aimed at, beside those reached and the best of other engines
+          costs                 nanoseconds a body-step of the aims' scenes at the default dial, beside another engine's
           neighbours [SCENE..] [--seed N] [--count N]
                                 the aims at parameters that nobody published: ends of ranges and random values between
           extremes [WORD..]     how far masses, sizes, steps, speeds can be driven until a scene stops holding
@@ -53,6 +54,9 @@ internal static class Cli
                     return Goals.Print(args[1..], output) ? 0 : Failed;
                 case "aims":
                     AimTable.Print(output);
+                    return 0;
+                case "costs":
+                    Costs.Print(output);
                     return 0;
                 case "neighbours":
                     return Neighbours.Run(args[1..], output) ? 0 : Failed;

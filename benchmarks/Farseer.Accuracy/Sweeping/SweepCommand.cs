@@ -71,7 +71,7 @@ internal static class SweepCommand
     /// Scenes of one body end before the code that they run is compiled to its last stage, and the first of them paid four times what
     /// it costs: all scenes run once before any is timed, and again when the compiler has had time.
     /// </summary>
-    private static void WarmUp()
+    public static void WarmUp()
     {
         for (int i = 0; i < 3; i++)
         {

@@ -61,6 +61,20 @@ internal static class SweepData
         return null;
     }
 
+    /// <summary>Nanoseconds a body-step of an engine at its default dial, or null if the comparison has none.</summary>
+    public static double? PeerDefaultCost(string engine, string scene)
+    {
+        foreach (string[] row in Rows(PeersResource))
+        {
+            if (row[7] == "default" && row[0] == engine && row[1] == scene)
+            {
+                return Number(row[6]);
+            }
+        }
+
+        return null;
+    }
+
     /// <summary>The stored sweep of this library.</summary>
     public static List<SweepPoint> Stored()
     {
