@@ -72,6 +72,10 @@ internal sealed partial class Rig
             DampingRatio = (float)dampingRatio,
         });
 
+    /// <summary>A rod between the centres of two bodies, which turn on its ends.</summary>
+    public void AddRod(Actor a, Actor b, double length) =>
+        _simulator.Add(new DistanceJoint(a.Body, Vector2.Zero, b.Body, Vector2.Zero) { TargetDistance = (float)length });
+
     public double LargestHingeError()
     {
         double largest = 0;

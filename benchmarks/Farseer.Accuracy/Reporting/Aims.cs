@@ -38,6 +38,7 @@ internal static class Aims
         new("line of 4 balls", "S10_newton_line=4", "velocity_l1_error", 0.02),
         new("cradle of 5 balls", "S10b_cradle=5", "energy_rel_change_20s", 0.02),
         new("cradle of 5 balls without friction", "S10c_smooth_cradle=5", "energy_rel_change_20s", 0.02),
+        new("cradle of 5 balls that turn on pins", "S10d_pinned_cradle=5", "energy_rel_change_20s", 0.02),
         new("rope, load 100", "S11_rope=100", "stretch_pct", 1e-3),
         new("rope, load 1000", "S11_rope=1000", "stretch_pct", 1e-3),
         new("rope, load 10⁶", "S11_rope=1e6", "stretch_pct", 1e-2),

@@ -13,13 +13,16 @@ internal static class Cradle
     public static IReadOnlyList<SceneInfo> Scenes { get; } =
     [
         new("S10b_cradle", "balls", new(2, 50, WholeNumber: true), ["5"],
-            ["last_ball_speed_rel_error", "energy_rel_change_20s"], trial => Swing(trial, 0.6)),
+            ["last_ball_speed_rel_error", "energy_rel_change_20s"], trial => Swing(trial, 0.6, pinned: false)),
         new("S10c_smooth_cradle", "balls, which do not rub", new(2, 50, WholeNumber: true), ["5"],
-            ["last_ball_speed_rel_error", "energy_rel_change_20s"], trial => Swing(trial, 0)),
+            ["last_ball_speed_rel_error", "energy_rel_change_20s"], trial => Swing(trial, 0, pinned: false)),
+        new("S10d_pinned_cradle", "balls, each on a rod that ends in a pin", new(2, 50, WholeNumber: true), ["5"],
+            ["last_ball_speed_rel_error", "energy_rel_change_20s"], trial => Swing(trial, 0.6, pinned: true)),
     ];
 
-    // On their rods the balls turn as they swing: with friction each impact takes the share friction·radius/length of the turn.
-    private static void Swing(Trial trial, double friction) => trial.World(
+    // Fixed to their rods the balls turn as they swing, and rub: each impact takes the share friction·radius/length of the turn. On pins they
+    // do not turn, and there is nothing that rubs.
+    private static void Swing(Trial trial, double friction, bool pinned) => trial.World(
         rig =>
         {
             int n = (int)trial.Parameter;
@@ -33,7 +36,16 @@ internal static class Cradle
                 Vec pivot = new(i, Length);
                 Vec place = pivot + new Vec(0, -Length).Turned(angle);
                 Actor ball = rig.AddCircle(place.X, place.Y, 0.5, angle: angle);
-                rig.AddHinge(rig.AddAnchor(pivot.X, pivot.Y), ball, pivot);
+                Actor anchor = rig.AddAnchor(pivot.X, pivot.Y);
+                if (pinned)
+                {
+                    rig.AddRod(anchor, ball, Length);
+                }
+                else
+                {
+                    rig.AddHinge(anchor, ball, pivot);
+                }
+
                 balls.Add(ball);
             }
 

@@ -43,7 +43,8 @@ internal static class FreeMotion
     private static void Spin(Trial trial) => trial.World(
         rig =>
         {
-            double omega = trial.Parameter;
+            // As the body receives it.
+            double omega = (float)trial.Parameter;
             Actor box = rig.AddBox(0, 0, 2, 0.2);
             box.Velocity = new Vec(3, 0);
             box.Spin = omega;
