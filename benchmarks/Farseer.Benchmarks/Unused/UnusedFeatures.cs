@@ -32,6 +32,7 @@ internal static class UnusedFeatures
         new Feature("a sensor that nothing is near", (simulator, far) => GeomFactory.Instance.CreateRectangleGeom(simulator, far[2], 1f, 1f).IsSensor = true),
         new Feature("sleeping allowed, nothing rests", AllowSleep),
         new Feature("a handler added and removed again", (simulator, far) => ListenAndLeave(simulator)),
+        new Feature("a report and a budget, off again", (simulator, far) => ReportAndStop(simulator)),
         new Feature("a controller without bodies", (simulator, far) => simulator.Add(Fluid())),
     ];
 
@@ -102,6 +103,15 @@ internal static class UnusedFeatures
     {
         simulator.TimeToSleep = 1e6f;
         simulator.AllowSleep = true;
+    }
+
+    /// <summary>For the step that follows nothing is asked any more.</summary>
+    private static void ReportAndStop(PhysicsSimulator simulator)
+    {
+        simulator.ErrorBudget = ErrorBudget.OfLength(1f);
+        simulator.EnableReport = true;
+        simulator.EnableReport = false;
+        simulator.ErrorBudget = ErrorBudget.None;
     }
 
     private static void ListenAndLeave(PhysicsSimulator simulator)
