@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Storage;
@@ -152,6 +153,7 @@ internal sealed unsafe partial class JointSolver
         {
             int i = _trees[at];
             _forest.Trees[i].HasRows = false;
+            _forest.Trees[i].Group = i;
         }
 
         _agendaCount = 0;
@@ -170,6 +172,11 @@ internal sealed unsafe partial class JointSolver
         {
             uint contact = (uint)_contacts[i].Bundle->Contact[_contacts[i].Lane];
             Enlist(_contacts[i].Ends, ~i, contact | 0x80000000u);
+        }
+
+        for (int at = 0; at < _treeCount; at++)
+        {
+            _forest.Trees[_trees[at]].Group = GroupOf(_trees[at]);
         }
 
         _sort.Sort(_agendaKeys.Pointer, _agenda.Pointer, _agendaCount);
@@ -218,7 +225,27 @@ internal sealed unsafe partial class JointSolver
             _forest.Trees[_forest.Nodes[ends.NodeB].Tree].HasRows = true;
         }
 
+        if (ends.NodeA >= 0 && ends.NodeB >= 0 && !ends.Coupled)
+        {
+            int a = GroupOf(_forest.Nodes[ends.NodeA].Tree);
+            int b = GroupOf(_forest.Nodes[ends.NodeB].Tree);
+            _forest.Trees[Math.Max(a, b)].Group = Math.Min(a, b);
+        }
+
         _agendaKeys[_agendaCount] = ((ulong)(uint)first << 32) | key;
         _agenda[_agendaCount++] = item;
+    }
+
+    /// <summary>The first tree of a tree's group; ways to it become shorter.</summary>
+    private int GroupOf(int tree)
+    {
+        JointTree* trees = _forest.Trees;
+        while (trees[tree].Group != tree)
+        {
+            trees[tree].Group = trees[trees[tree].Group].Group;
+            tree = trees[tree].Group;
+        }
+
+        return tree;
     }
 }

@@ -1,4 +1,3 @@
-using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Lanes;
 using Farseer.Engine.Joints.Trees;
@@ -11,8 +10,8 @@ internal sealed unsafe partial class JointSolver
 {
     private readonly TreeLanes _lanes = new TreeLanes();
 
-    /// <summary>Tests compare both ways.</summary>
-    internal bool UsesLanes { get; set; } = true;
+    /// <summary>Trees that can go side by side do.</summary>
+    public bool UsesLanes { get; set; } = true;
 
     /// <summary>Moves the trees that can be solved side by side out of the lists of the passes.</summary>
     private void TakeToLanes()
@@ -97,12 +96,12 @@ internal sealed unsafe partial class JointSolver
             int firstJoint = _jointCount;
             TakeFromLanes(index);
             JointTree* tree = _forest.Trees + index;
-            for (int i = tree->First; i < tree->End; i++)
+            for (int i = tree->First; i < tree->End && _lanes.HasMoved; i++)
             {
                 LoadPose(_forest.Nodes + i);
             }
 
-            for (int at = firstJoint; at < _jointCount; at++)
+            for (int at = firstJoint; at < _jointCount && _lanes.HasMoved; at++)
             {
                 WriteJoint(_joints[at]);
             }
@@ -119,8 +118,22 @@ internal sealed unsafe partial class JointSolver
             _lanes.CorrectPositions();
             for (int k = 0; k < _lanes.GivenCount; k++)
             {
+                int firstJoint = _jointCount;
                 TakeFromLanes(_lanes.Given(k));
+                for (int at = firstJoint; at < _jointCount; at++)
+                {
+                    SetGoals(_joints[at]);
+                }
             }
+        }
+    }
+
+    /// <summary>Where limits that do not hold were to be by the substep's end, as the biased pass leaves it.</summary>
+    private void SetGoals(int index)
+    {
+        for (int row = _rows[index].Hard; row < _rows[index].Count; row++)
+        {
+            LimitTarget(_active.Pointer + index, _rows.Pointer + index, row, TargetKind.Biased);
         }
     }
 

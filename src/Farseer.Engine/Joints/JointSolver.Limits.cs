@@ -28,7 +28,7 @@ internal sealed unsafe partial class JointSolver
         {
             int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
-            if (!tree->Eliminates || (again && !(tree->HasLimits && tree->HasRows)))
+            if (!tree->Eliminates || (again && !(tree->HasLimits && tree->HasRows && LimitsTurn(tree, kind))))
             {
                 continue;
             }
@@ -43,6 +43,55 @@ internal sealed unsafe partial class JointSolver
         }
 
         return refactored;
+    }
+
+    /// <summary>
+    /// After rows have pushed: whether a limit that holds would pull, or another is passed. If not, the tree meets its joints as it is,
+    /// since impulses go through it along with them, and to solve it again would change nothing but roundings.
+    /// </summary>
+    private bool LimitsTurn(JointTree* tree, TargetKind kind)
+    {
+        for (int i = tree->First + 1; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            for (int r = node->HardRows; r < node->Rows; r++)
+            {
+                if (_active[node->RowJoint[r]].Lambda[node->RowIndex[r]] < 0)
+                {
+                    return true;
+                }
+            }
+
+            if (node->HasLimits && FindPassed(node, kind, out _) >= 0)
+            {
+                return true;
+            }
+        }
+
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
+        {
+            TreeAnchor* anchor = _forest.Anchors + i;
+            if (!_active[anchor->Active].BlockLimits)
+            {
+                continue;
+            }
+
+            int hard = _rows[anchor->Active].Hard;
+            for (int r = hard; r < anchor->Rows; r++)
+            {
+                if (_active[anchor->Active].Lambda[anchor->RowIndex[r]] < 0)
+                {
+                    return true;
+                }
+            }
+
+            if (FindPassed(anchor, kind) >= 0)
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     private void SolveTree(JointTree* tree, TargetKind kind)
@@ -75,13 +124,15 @@ internal sealed unsafe partial class JointSolver
         TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
     }
 
-    /// <summary>The masses of trees whose limits changed, and the responses of their rows.</summary>
+    /// <summary>The masses of trees whose limits changed, and the responses of their rows; their groups are marked.</summary>
     private void PrepareAgain()
     {
+        ClearGroups();
         for (int at = 0; at < _treeCount; at++)
         {
             int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
+            _forest.Trees[tree->Group].GroupActs |= tree->Refactored;
             if (tree->Refactored && tree->HasRows)
             {
                 TreeFactor.CompleteMasses(_forest, tree);
@@ -91,7 +142,7 @@ internal sealed unsafe partial class JointSolver
         for (int i = 0; i < _agendaCount; i++)
         {
             int item = _agenda[i];
-            ref RowEnds ends = ref item < 0 ? ref _contacts[~item].Ends : ref _active[item].Ends;
+            ref RowEnds ends = ref EndsOf(item);
             if (IsRefactored(ends.NodeA) || IsRefactored(ends.NodeB))
             {
                 Prepare(item);
@@ -202,22 +253,35 @@ internal sealed unsafe partial class JointSolver
     private bool LockEdge(TreeNode* node, TargetKind kind)
     {
         bool changed = false;
-        for (int k = 0; k < node->EdgeCount; k++)
+        for (int row = FindPassed(node, kind, out int index); row >= 0; row = FindPassed(node, kind, out index))
         {
-            int index = _forest.EdgeJoints[node->EdgeFirst + k];
+            node->RowJoint[node->Rows] = index;
+            node->RowIndex[node->Rows++] = row;
+            changed = true;
+        }
+
+        return changed;
+    }
+
+    /// <summary>A limit of an edge that is passed and does not hold yet, if there is room for it.</summary>
+    /// <returns>Its row in the joint, -1: none.</returns>
+    private int FindPassed(TreeNode* node, TargetKind kind, out int index)
+    {
+        index = -1;
+        for (int k = 0; k < node->EdgeCount && node->Rows < TreeFactor.MostRows; k++)
+        {
+            index = _forest.EdgeJoints[node->EdgeFirst + k];
             JointRows* rows = _rows.Pointer + index;
-            for (int row = rows->Hard; row < rows->Count && node->Rows < TreeFactor.MostRows; row++)
+            for (int row = rows->Hard; row < rows->Count && _active[index].BlockLimits; row++)
             {
-                if (_active[index].BlockLimits && !Holds(node, index, row) && IsPassed(_active.Pointer + index, rows, row, kind))
+                if (!Holds(node, index, row) && IsPassed(_active.Pointer + index, rows, row, kind))
                 {
-                    node->RowJoint[node->Rows] = index;
-                    node->RowIndex[node->Rows++] = row;
-                    changed = true;
+                    return row;
                 }
             }
         }
 
-        return changed;
+        return -1;
     }
 
     private static bool Holds(TreeNode* node, int joint, int row)
@@ -290,6 +354,17 @@ internal sealed unsafe partial class JointSolver
     private bool LockAnchor(TreeAnchor* anchor, TargetKind kind)
     {
         bool changed = false;
+        for (int row = FindPassed(anchor, kind); row >= 0; row = FindPassed(anchor, kind))
+        {
+            anchor->RowIndex[anchor->Rows++] = row;
+            changed = true;
+        }
+
+        return changed;
+    }
+
+    private int FindPassed(TreeAnchor* anchor, TargetKind kind)
+    {
         JointRows* rows = _rows.Pointer + anchor->Active;
         for (int row = rows->Hard; row < rows->Count && anchor->Rows < TreeFactor.MostRows; row++)
         {
@@ -301,12 +376,11 @@ internal sealed unsafe partial class JointSolver
 
             if (!held && IsPassed(_active.Pointer + anchor->Active, rows, row, kind))
             {
-                anchor->RowIndex[anchor->Rows++] = row;
-                changed = true;
+                return row;
             }
         }
 
-        return changed;
+        return -1;
     }
 
     /// <summary>A limit that does not hold is passed within the substep, or is open beyond it and not closing fast enough.</summary>

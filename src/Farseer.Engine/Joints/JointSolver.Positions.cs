@@ -110,24 +110,24 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
-    /// <summary>A tree takes part if its error is too large, or if it has rows and another of those does.</summary>
+    /// <summary>A tree takes part if its error is too large, or that of another to which rows tie it.</summary>
     private bool ChooseTrees()
     {
         bool any = false;
-        bool anyRows = false;
+        ClearGroups();
         for (int at = 0; at < _treeCount; at++)
         {
             int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
             tree->Corrects = tree->Eliminates && tree->Worst > Tolerance && !tree->Astray;
             any |= tree->Corrects;
-            anyRows |= tree->Corrects && tree->HasRows;
+            _forest.Trees[tree->Group].GroupActs |= tree->Corrects && tree->HasRows;
         }
 
-        for (int at = 0; anyRows && at < _treeCount; at++)
+        for (int at = 0; any && at < _treeCount; at++)
         {
-            int i = _trees[at];
-            _forest.Trees[i].Corrects |= _forest.Trees[i].HasRows;
+            JointTree* tree = _forest.Trees + _trees[at];
+            tree->Corrects |= tree->HasRows && _forest.Trees[tree->Group].GroupActs;
         }
 
         return any;
@@ -159,7 +159,7 @@ internal sealed unsafe partial class JointSolver
 
         for (int sweep = 0; anyRows && sweep < CorrectionSweeps; sweep++)
         {
-            Sweep(Pass.Correction);
+            Sweep(Pass.Correction, true);
         }
 
         double h = _step.Substep;

@@ -213,14 +213,16 @@ internal sealed unsafe partial class JointSolver : IStageWork
         Sweep(pass);
         if (_agendaCount > 0 && SolveTrees(kind, true))
         {
-            Sweep(pass);
+            Sweep(pass, true);
         }
 
         StoreVelocities();
     }
 
     /// <summary>One sweep over all iterated rows, in the order of the trees.</summary>
-    private void Sweep(Pass pass)
+    /// <param name="pass">What the rows do.</param>
+    /// <param name="some">Only in the groups of trees that are marked: what others do is no concern of a tree that no row ties to them.</param>
+    private void Sweep(Pass pass, bool some = false)
     {
         if (_agendaCount == 0)
         {
@@ -230,16 +232,21 @@ internal sealed unsafe partial class JointSolver : IStageWork
         JointForestView view = _forest.View;
         for (int at = 0; at < _treeCount; at++)
         {
-            int i = _trees[at];
-            if (_forest.Trees[i].HasRows)
+            JointTree* tree = _forest.Trees + _trees[at];
+            if (tree->HasRows && Acts(tree, some))
             {
-                TreeWalk.Begin(view, _forest.Trees + i);
+                TreeWalk.Begin(view, tree);
             }
         }
 
         for (int i = 0; i < _agendaCount; i++)
         {
             int item = _agenda[i];
+            if (some && !_forest.Trees[_forest.Trees[TreeOf(EndsOf(item))].Group].GroupActs)
+            {
+                continue;
+            }
+
             if (item < 0)
             {
                 Solve(_contacts.Pointer + ~item, pass);
@@ -254,7 +261,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         {
             int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
-            if (tree->HasRows && tree->Carries)
+            if (tree->HasRows && Acts(tree, some) && tree->Carries)
             {
                 TreeWalk.End(view, tree);
                 if (pass < Pass.PushOut)
@@ -265,6 +272,18 @@ internal sealed unsafe partial class JointSolver : IStageWork
             }
         }
     }
+
+    private bool Acts(JointTree* tree, bool some) => !some || _forest.Trees[tree->Group].GroupActs;
+
+    private void ClearGroups()
+    {
+        for (int at = 0; at < _treeCount; at++)
+        {
+            _forest.Trees[_trees[at]].GroupActs = false;
+        }
+    }
+
+    private ref RowEnds EndsOf(int item) => ref item < 0 ? ref _contacts[~item].Ends : ref _active[item].Ends;
 
     private void Solve(TreeContact* contact, Pass pass)
     {

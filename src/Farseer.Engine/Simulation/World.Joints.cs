@@ -10,6 +10,13 @@ internal sealed partial class World
 {
     private readonly JointSolver _jointSolver;
 
+    /// <summary>Trees of joints go side by side where they can; both ways give the same bits, which tests compare.</summary>
+    internal bool TreesOnLanes
+    {
+        get => _jointSolver.UsesLanes;
+        set => _jointSolver.UsesLanes = value;
+    }
+
     /// <summary>The frame of the world: joints with a fixed point hold on to it.</summary>
     public static Handle WorldFrame => new Handle(0, 1);
 

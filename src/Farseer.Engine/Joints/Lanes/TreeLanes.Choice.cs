@@ -25,6 +25,7 @@ internal sealed unsafe partial class TreeLanes
         _count = 0;
         _nodeCount = 0;
         _anchorCount = 0;
+        HasMoved = false;
         _bundles.EnsureCapacity(treeCount);
         _given.EnsureCapacity(treeCount);
     }

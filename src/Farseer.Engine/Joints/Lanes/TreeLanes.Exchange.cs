@@ -51,7 +51,27 @@ internal sealed unsafe partial class TreeLanes
             LanePoses.Turn(_nodes.Pointer + trees->First, trees->Nodes);
             LoadStill(trees);
             Place(trees);
+            LoadAnchorRows(trees);
             Factor(trees);
+        }
+    }
+
+    /// <summary>The rows of the first substep are of the step's start: since then kinematic bodies have moved, by the whole step.</summary>
+    private void LoadAnchorRows(LaneTrees* trees)
+    {
+        for (int i = 0; i < trees->Anchors; i++)
+        {
+            for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
+            {
+                LaneJoint* joint = &DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + i, lane)->Joint;
+                JointRows* rows = _rows + _anchorPlaces[trees->AnchorFirst + i].Active[lane < trees->Count ? lane : 0];
+                joint->ArmA[0] = -rows->A[5];
+                joint->ArmA[Y] = rows->A[2];
+                joint->ArmB[0] = rows->B[5];
+                joint->ArmB[Y] = -rows->B[2];
+                joint->Error[0] = rows->Error[0];
+                joint->Error[Y] = rows->Error[1];
+            }
         }
     }
 
@@ -90,6 +110,12 @@ internal sealed unsafe partial class TreeLanes
         joint->Given[0] = 0;
         joint->Given[Y] = 0;
         joint->Given[W] = 0;
+
+        // None of the limits holds: what they gave in the step before is no start.
+        for (int row = _rows[active].Hard; row < _rows[active].Count; row++)
+        {
+            _active[active].Lambda[row] = 0;
+        }
     }
 
     /// <summary>Pose and velocity of what anchors hold on to.</summary>
@@ -270,8 +296,30 @@ internal sealed unsafe partial class TreeLanes
         }
 
         PutJointsBack(trees, lane);
+        PutLimitsBack(trees, lane);
         _given[GivenCount++] = trees->Tree[lane];
     }
+
+    /// <summary>What the limits were off by at the start of the substep: their goals for a projection follow from it.</summary>
+    private void PutLimitsBack(LaneTrees* trees, int lane)
+    {
+        LaneNode* nodes = DoubleLanes.Shift(_nodes.Pointer + trees->First, lane);
+        LanePlace* places = _places.Pointer + trees->First;
+        for (int i = 1; i < trees->Nodes; i++)
+        {
+            if (places[i].HasLimits)
+            {
+                double own = StartAngle(nodes + i);
+                double other = StartAngle(nodes + places[i].Parent);
+                double bend = (places[i].IsA ? other - own : own - other) - nodes[i].Joint.Target[0];
+                JointRows* rows = _rows + places[i].Active[lane];
+                rows->Error[2] = bend - nodes[i].Joint.Lower[0];
+                rows->Error[3] = nodes[i].Joint.Upper[0] - bend;
+            }
+        }
+    }
+
+    private static double StartAngle(LaneNode* node) => node->StartAngle[0] + (node->StartMove[W] + node->Lead[0]);
 
     private void PutJointsBack(LaneTrees* trees, int lane)
     {
@@ -291,6 +339,11 @@ internal sealed unsafe partial class TreeLanes
     {
         PutBack(joint->Given, _active[active].Given);
         PutBack(joint->PlainGiven, _active[active].PlainGiven);
+        for (int k = 0; k < JointRows.Most; k++)
+        {
+            _active[active].PlainLambda[k] = _active[active].Lambda[k];
+        }
+
         _rows[active].ArmX = joint->ArmB[0];
         _rows[active].ArmY = joint->ArmB[Y];
     }

@@ -33,6 +33,9 @@ internal sealed unsafe partial class TreeLanes
 
     public bool Any => _count > 0;
 
+    /// <summary>The rows of the step's start are no longer those of the present poses.</summary>
+    public bool HasMoved { get; private set; }
+
     public int Given(int index) => _given[index];
 
     /// <summary>The velocities in double stand as long as the store has their rounding.</summary>
@@ -171,6 +174,7 @@ internal sealed unsafe partial class TreeLanes
     public void CorrectPositions()
     {
         GivenCount = 0;
+        HasMoved = true;
         Refresh();
         for (int b = 0; b < _count; b++)
         {
@@ -181,6 +185,7 @@ internal sealed unsafe partial class TreeLanes
             }
 
             LanePoses.Move(_nodes.Pointer + trees->First, trees->Nodes, _step.Substep);
+            LoadStill(trees);
             Correct(trees);
             LeaveAstray(trees);
             Factor(trees);

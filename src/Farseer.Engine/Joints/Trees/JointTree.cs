@@ -54,6 +54,12 @@ internal struct JointTree
     /// <summary>Takes part in the present round of the position correction.</summary>
     public bool Corrects;
 
+    /// <summary>The first of the trees that iterated rows tie to this one, itself among them.</summary>
+    public int Group;
+
+    /// <summary>Of the first tree of a group: the group takes part in the sweep that is made for some only.</summary>
+    public bool GroupActs;
+
     /// <summary>It is solved on lanes in this step, and in no list of the other passes.</summary>
     public bool OnLanes;
 

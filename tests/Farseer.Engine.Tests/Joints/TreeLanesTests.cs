@@ -1,0 +1,126 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints;
+using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
+using Xunit;
+
+namespace Farseer.Engine.Tests.Joints;
+
+/// <summary>Trees of hinges on lanes give the bits of trees that are solved one by one, whatever happens to them.</summary>
+public class TreeLanesTests
+{
+    private const float Dt = 1f / 60;
+
+    [Fact]
+    public void RandomTrees_SideBySideOrOneByOne_GiveTheSameBits()
+    {
+        for (int seed = 0; seed < 40; seed++)
+        {
+            using World lanes = Build(seed, onLanes: true, out List<Handle> bodies, out List<Handle> joints);
+            using World single = Build(seed, onLanes: false, out _, out _);
+            var random = new Random(seed);
+            for (int step = 0; step < 90; step++)
+            {
+                lanes.Step(Dt);
+                single.Step(Dt);
+                Assert.True(single.StateHash() == lanes.StateHash(), $"seed {seed}, step {step}");
+                foreach (Handle joint in joints)
+                {
+                    ref JointState a = ref single.JointState(joint);
+                    ref JointState b = ref lanes.JointState(joint);
+                    Assert.Equal(a.ForceX, b.ForceX);
+                    Assert.Equal(a.ForceY, b.ForceY);
+                    Assert.Equal(a.Torque, b.Torque);
+                    Assert.Equal(a.Error, b.Error);
+                    Assert.Equal(a.Drift, b.Drift);
+                }
+
+                if (step % 20 == 19)
+                {
+                    // An error that is put there from outside, and a speed that makes corrections go astray.
+                    int index = bodies[random.Next(bodies.Count)].Index;
+                    double shift = random.NextDouble() - 0.5;
+                    float spin = (float)(60 * (random.NextDouble() - 0.5));
+                    foreach (World world in new[] { lanes, single })
+                    {
+                        world.Bodies.Pose[index].X += shift;
+                        world.Bodies.State[index].AngularVelocity += spin;
+                    }
+                }
+            }
+        }
+    }
+
+    /// <summary>Trees of a few shapes, some equal: random parents, anchors, orders of the two bodies, limits, masses and speeds.</summary>
+    private static World Build(int seed, bool onLanes, out List<Handle> bodies, out List<Handle> joints)
+    {
+        var random = new Random(seed);
+        var world = new World { TreesOnLanes = onLanes };
+        world.Settings.Gravity = new Vector2(0, -10);
+        bodies = new List<Handle>();
+        joints = new List<Handle>();
+        Handle carriage = world.CreateBody(new BodyDef { Mass = 1, Inertia = 1, Flags = BodyFlags.Enabled | BodyFlags.Kinematic });
+        world.Bodies.State[carriage.Index].LinearVelocity = new Vector2(0.5f, 0);
+        world.Bodies.State[carriage.Index].AngularVelocity = 0.3f;
+        int trees = 1 + random.Next(9);
+        int shape = 0;
+        for (int tree = 0; tree < trees; tree++)
+        {
+            shape = random.Next(3) == 0 ? random.Next() : shape;
+            AddTree(world, new Random(shape), random, tree == 2 ? carriage : World.WorldFrame, 20.0 * tree, bodies, joints);
+        }
+
+        return world;
+    }
+
+    private static void AddTree(World world, Random shape, Random random, Handle ground, double x, List<Handle> bodies, List<Handle> joints)
+    {
+        int count = 1 + shape.Next(8);
+        bool chain = shape.Next(2) == 0;
+        bool limits = shape.Next(2) == 0;
+        var own = new Handle[count];
+        for (int i = 0; i < count; i++)
+        {
+            float mass = (float)Math.Pow(10, 3 * random.NextDouble());
+            own[i] = world.CreateBody(new BodyDef { X = x + i, Y = 0, Mass = mass, Inertia = mass / 6, Flags = BodyFlags.Enabled });
+            world.Bodies.State[own[i].Index].LinearVelocity = new Vector2((float)random.NextDouble(), (float)random.NextDouble());
+            world.Bodies.State[own[i].Index].AngularVelocity = (float)(20 * (random.NextDouble() - 0.5));
+            bodies.Add(own[i]);
+            if (i > 0)
+            {
+                int parent = chain ? i - 1 : shape.Next(i);
+                bool first = shape.Next(2) == 0;
+                double a = 0.5 * (i - parent);
+                joints.Add(Hinge(world, first ? own[parent] : own[i], first ? own[i] : own[parent], first ? a : -a, first ? -a : a, limits, random));
+            }
+        }
+
+        if (shape.Next(3) > 0)
+        {
+            double at = ground.Index == World.WorldFrame.Index ? x : x - world.Bodies.Pose[ground.Index].X;
+            bool first = shape.Next(2) == 0;
+            joints.Add(Hinge(world, first ? ground : own[0], first ? own[0] : ground, first ? at : 0, first ? 0 : at, false, random));
+            if (count > 3 && shape.Next(2) == 0)
+            {
+                joints.Add(Hinge(world, World.WorldFrame, own[count - 1], x + count - 1, 0, false, random));
+            }
+        }
+    }
+
+    private static Handle Hinge(World world, Handle a, Handle b, double anchorA, double anchorB, bool limits, Random random)
+    {
+        JointSettings settings = default;
+        settings.AnchorAX = anchorA;
+        settings.AnchorBX = anchorB;
+        settings.BiasFactor = 0.2;
+        settings.MaxImpulse = double.PositiveInfinity;
+        settings.Breakpoint = random.Next(4) == 0 ? 1e6 : double.PositiveInfinity;
+        settings.BreakForce = double.PositiveInfinity;
+        settings.Lower = -random.NextDouble();
+        settings.Upper = random.NextDouble();
+        return world.CreateJoint(JointKind.Revolute, a, b, settings, limits ? JointFlags.Enabled | JointFlags.Limit : JointFlags.Enabled);
+    }
+}
