@@ -35,7 +35,7 @@ internal sealed unsafe partial class TreeLanes
     public bool Take(int index)
     {
         JointTree* tree = _forest.Trees + index;
-        if (!tree->Eliminates || tree->HasRows || tree->Pulled || tree->Guest || !IsOfHinges(tree))
+        if (!tree->Eliminates || tree->HasRows || tree->Pulled || tree->Guest || tree->Wheel || !IsOfHinges(tree))
         {
             return false;
         }
