@@ -1,13 +1,18 @@
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints;
 
 /// <content>Masses, poses and velocities: from the store and back.</content>
 internal sealed unsafe partial class JointSolver
 {
+    private readonly TurnTable _turns = new TurnTable();
+    private readonly Column<int> _moved = new Column<int>();
+
     private void LoadMasses()
     {
         for (int at = 0; at < _nodeCount; at++)
@@ -149,37 +154,89 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>The displacements, as they stand in the store.</summary>
-    private void LoadMoves()
+    /// <param name="first">Of the nodes that take part, the first that is loaded.</param>
+    private void LoadMoves(int first)
     {
-        for (int at = 0; at < _nodeCount; at++)
+        _turns.Clear(2 * (_nodeCount - first));
+        for (int at = first; at < _nodeCount; at++)
         {
-            int i = _nodes[at];
-            TreeNode* node = _forest.Nodes + i;
+            TreeNode* node = _forest.Nodes + _nodes[at];
             double middle = _step.Bodies.Pose[node->Body].Angle + _step.Bodies.Drive[node->Body].Lead;
-            StableMath.SinCos(middle, out node->MiddleSin, out node->MiddleCos);
-            LoadMove(node);
+            ReadMove(node);
+            _turns.Add(middle);
+            _turns.Add(node->Move[2]);
+        }
+
+        _turns.Find();
+        for (int at = first, k = 0; at < _nodeCount; at++, k += 2)
+        {
+            TreeNode* node = _forest.Nodes + _nodes[at];
+            node->MiddleSin = _turns.Sin(k);
+            node->MiddleCos = _turns.Cos(k);
+            node->TurnSin = _turns.Sin(k + 1);
+            node->TurnCos = _turns.Cos(k + 1);
         }
     }
 
     private void LoadMove(TreeNode* node)
     {
+        ReadMove(node);
+        StableMath.SinCos(node->Move[2], out node->TurnSin, out node->TurnCos);
+    }
+
+    private void ReadMove(TreeNode* node)
+    {
         BodyState* state = _step.Bodies.State.Pointer + node->Body;
         node->Move[0] = state->DeltaPosition.X;
         node->Move[1] = state->DeltaPosition.Y;
         node->Move[2] = _step.Bodies.Motion[node->Body].Turned;
-        StableMath.SinCos(node->Move[2], out node->TurnSin, out node->TurnCos);
     }
 
     private void SetMove(TreeNode* node, double x, double y, double turned)
     {
-        BodyState* state = _step.Bodies.State.Pointer + node->Body;
         node->Move[0] = x;
         node->Move[1] = y;
         node->Move[2] = turned;
         StableMath.SinCos(turned, out node->TurnSin, out node->TurnCos);
-        state->DeltaPosition.X = (float)x;
-        state->DeltaPosition.Y = (float)y;
-        _step.Bodies.Motion[node->Body].Turned = (float)turned;
+        StoreMove(node);
+    }
+
+    /// <summary>As <see cref="SetMove"/>, with sines and cosines found together: <see cref="StoreMoves"/> must follow.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void NoteMove(int index, double x, double y, double turned)
+    {
+        TreeNode* node = _forest.Nodes + index;
+        node->Move[0] = x;
+        node->Move[1] = y;
+        node->Move[2] = turned;
+        _moved[_turns.Count] = index;
+        _turns.Add(turned);
+    }
+
+    private void ClearMoves()
+    {
+        _turns.Clear(_nodeCount);
+        _moved.EnsureCapacity(_nodeCount);
+    }
+
+    private void StoreMoves()
+    {
+        _turns.Find();
+        for (int k = 0; k < _turns.Count; k++)
+        {
+            TreeNode* node = _forest.Nodes + _moved[k];
+            node->TurnSin = _turns.Sin(k);
+            node->TurnCos = _turns.Cos(k);
+            StoreMove(node);
+        }
+    }
+
+    private void StoreMove(TreeNode* node)
+    {
+        BodyState* state = _step.Bodies.State.Pointer + node->Body;
+        state->DeltaPosition.X = (float)node->Move[0];
+        state->DeltaPosition.Y = (float)node->Move[1];
+        _step.Bodies.Motion[node->Body].Turned = (float)node->Move[2];
         state->DeltaSin = (float)node->TurnSin;
         state->DeltaCos = (float)node->TurnCos;
     }

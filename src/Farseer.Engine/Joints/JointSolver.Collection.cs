@@ -74,7 +74,7 @@ internal sealed unsafe partial class JointSolver
             Build();
             Choose(All);
             LoadMasses();
-            LoadMoves();
+            LoadMoves(0);
             LoadPoses();
         }
 
@@ -95,7 +95,7 @@ internal sealed unsafe partial class JointSolver
     {
         Choose(All);
         LoadMasses();
-        LoadMoves();
+        LoadMoves(0);
         LoadPoses();
         WriteRows(true);
     }
@@ -240,6 +240,9 @@ internal sealed unsafe partial class JointSolver
         {
             _active[i].BlockLimits = _active[i].Limited && _active[i].Role != JointRole.Iterated && HasRoom(i);
         }
+
+        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _forest.TreeCount);
+        _lanes.Reserve();
     }
 
     /// <summary>The block of an eliminated joint has room for a limit.</summary>

@@ -64,6 +64,7 @@ internal sealed unsafe partial class JointSolver
     private void Move(bool pushed)
     {
         double h = _step.Substep;
+        ClearMoves();
         for (int at = 0; at < _nodeCount; at++)
         {
             int i = _nodes[at];
@@ -72,7 +73,7 @@ internal sealed unsafe partial class JointSolver
             {
                 double* v = node->Velocity;
                 double turned = pushed && _forest.Trees[node->Tree].Wheel ? TurnOf(node) : node->Move[2] + (h * v[2]);
-                SetMove(node, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), turned);
+                NoteMove(i, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), turned);
             }
             else
             {
@@ -87,6 +88,8 @@ internal sealed unsafe partial class JointSolver
 
             node->Bent = 0;
         }
+
+        StoreMoves();
 
         for (int i = 0; i < _contactCount; i++)
         {
@@ -163,6 +166,7 @@ internal sealed unsafe partial class JointSolver
         }
 
         double h = _step.Substep;
+        ClearMoves();
         for (int at = 0; at < _nodeCount; at++)
         {
             int i = _nodes[at];
@@ -174,7 +178,7 @@ internal sealed unsafe partial class JointSolver
                 if (tree->Corrects)
                 {
                     node->Bent += Math.Abs(h * change[2]);
-                    SetMove(node, node->Move[0] + (h * change[0]), node->Move[1] + (h * change[1]), node->Move[2] + (h * change[2]));
+                    NoteMove(i, node->Move[0] + (h * change[0]), node->Move[1] + (h * change[1]), node->Move[2] + (h * change[2]));
                 }
 
                 change[0] += node->Saved[0];
@@ -183,6 +187,7 @@ internal sealed unsafe partial class JointSolver
             }
         }
 
+        StoreMoves();
         StoreVelocities();
     }
 

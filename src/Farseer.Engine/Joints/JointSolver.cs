@@ -69,6 +69,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     /// <summary>Starts the substeps: contacts with trees have been taken.</summary>
     public void Start(in ContactCoefficients coefficients)
     {
+        int own = _nodeCount;
         Collate();
         _pass.Enter(_forest.View, _step.Bodies.State.Pointer);
         _contactPass.Enter(_forest.View, _step.Bodies, coefficients, _fineness);
@@ -87,8 +88,10 @@ internal sealed unsafe partial class JointSolver : IStageWork
         }
 
         MarkFree();
+
+        // Nothing has moved since the rows were written, unless somebody was told of a broken joint; guests are new.
+        LoadMoves(BrokenCount > 0 ? 0 : own);
         TakeToLanes();
-        LoadMoves();
         Factor();
         _nets.Start(_step);
     }

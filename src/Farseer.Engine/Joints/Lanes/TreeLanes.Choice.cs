@@ -30,6 +30,17 @@ internal sealed unsafe partial class TreeLanes
         _given.EnsureCapacity(treeCount);
     }
 
+    /// <summary>Makes room for all trees that could be taken, so that one that is let go of late in a run does not allocate.</summary>
+    public void Reserve()
+    {
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            Take(i);
+        }
+
+        _count = 0;
+    }
+
     /// <summary>Takes a tree if its kind can be solved here.</summary>
     /// <returns>True if it was taken.</returns>
     public bool Take(int index)

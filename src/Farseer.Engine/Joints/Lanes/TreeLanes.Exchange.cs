@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
@@ -42,13 +43,6 @@ internal sealed unsafe partial class TreeLanes
                 }
             }
 
-            for (int i = 0; i < trees->Nodes; i++)
-            {
-                LaneNode* node = _nodes.Pointer + trees->First + i;
-                StableMath.SinCos(node->Angle, node->MiddleSin, node->MiddleCos);
-            }
-
-            LanePoses.Turn(_nodes.Pointer + trees->First, trees->Nodes);
             LoadStill(trees);
             Place(trees);
             LoadAnchorRows(trees);
@@ -78,23 +72,22 @@ internal sealed unsafe partial class TreeLanes
     private void LoadNode(LaneNode* node, TreeNode* from)
     {
         ref BodyPose pose = ref _step.Bodies.Pose[from->Body];
-        ref BodyState state = ref _step.Bodies.State[from->Body];
-        float lead = _step.Bodies.Drive[from->Body].Lead;
         node->Velocity[0] = from->Velocity[0];
         node->Velocity[Y] = from->Velocity[1];
         node->Velocity[W] = from->Velocity[2];
-        node->Move[0] = state.DeltaPosition.X;
-        node->Move[Y] = state.DeltaPosition.Y;
-        node->Move[W] = _step.Bodies.Motion[from->Body].Turned;
+        node->Move[0] = from->Move[0];
+        node->Move[Y] = from->Move[1];
+        node->Move[W] = from->Move[2];
+        node->MiddleSin[0] = from->MiddleSin;
+        node->MiddleCos[0] = from->MiddleCos;
+        node->TurnSin[0] = from->TurnSin;
+        node->TurnCos[0] = from->TurnCos;
         node->InverseMass[0] = from->InverseMass;
         node->InverseInertia[0] = from->InverseInertia;
         node->StartX[0] = pose.X;
         node->StartY[0] = pose.Y;
         node->StartAngle[0] = pose.Angle;
-        node->Lead[0] = lead;
-
-        // In the middle of the step, for the sines; poses come later.
-        node->Angle[0] = pose.Angle + lead;
+        node->Lead[0] = _step.Bodies.Drive[from->Body].Lead;
     }
 
     private void LoadJoint(LaneJoint* joint, int active)
@@ -110,11 +103,15 @@ internal sealed unsafe partial class TreeLanes
         joint->Given[0] = 0;
         joint->Given[Y] = 0;
         joint->Given[W] = 0;
+        joint->PlainGiven[0] = 0;
+        joint->PlainGiven[Y] = 0;
+        joint->PlainGiven[W] = 0;
 
         // None of the limits holds: what they gave in the step before is no start.
         for (int row = _rows[active].Hard; row < _rows[active].Count; row++)
         {
             _active[active].Lambda[row] = 0;
+            _active[active].PlainLambda[row] = 0;
         }
     }
 
@@ -339,15 +336,11 @@ internal sealed unsafe partial class TreeLanes
     {
         PutBack(joint->Given, _active[active].Given);
         PutBack(joint->PlainGiven, _active[active].PlainGiven);
-        for (int k = 0; k < JointRows.Most; k++)
-        {
-            _active[active].PlainLambda[k] = _active[active].Lambda[k];
-        }
-
         _rows[active].ArmX = joint->ArmB[0];
         _rows[active].ArmY = joint->ArmB[Y];
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void PutBack(double* from, double* to)
     {
         to[0] = from[0];
@@ -366,8 +359,19 @@ internal sealed unsafe partial class TreeLanes
             {
                 if (IsLive(trees, lane))
                 {
-                    Leave(trees, lane, false);
-                    _forest.Trees[trees->Tree[lane]].Astray = false;
+                    JointTree* tree = _forest.Trees + trees->Tree[lane];
+                    for (int i = 0; i < trees->Nodes; i++)
+                    {
+                        LaneNode* from = DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane);
+                        TreeNode* node = _forest.Nodes + tree->First + i;
+                        PutBack(from->Velocity, node->Velocity);
+                        PutBack(from->Move, node->Move);
+                        node->TurnSin = from->TurnSin[0];
+                        node->TurnCos = from->TurnCos[0];
+                    }
+
+                    PutJointsBack(trees, lane);
+                    _given[GivenCount++] = trees->Tree[lane];
                 }
             }
         }
