@@ -9,7 +9,7 @@ namespace Farseer.Engine.Joints;
 /// The iterated rows of joints: motors, springs, limits that no block holds, and the blocks of joints that close a loop. Each is
 /// solved in turn against the full inverse mass of its bodies' trees.
 /// </summary>
-internal sealed unsafe class JointPass
+internal sealed unsafe partial class JointPass
 {
     /// <summary>Share of an overrun of a limit that is taken away in a substep.</summary>
     public const double LimitRecovery = 0.2;
@@ -27,17 +27,17 @@ internal sealed unsafe class JointPass
     /// </summary>
     private const double LeastFreedom = 0.125;
 
-    /// <summary>
-    /// ρ of a loop's block in terms of its rows' own responses; blocks are iterated, so a soft direction still closes. To move a row by
-    /// its error takes the energy v²/2K: at 1e-4 a loop of welds with errors of a blow doubled the energy of its wall.
-    /// </summary>
-    private const double DeadLoop = 1e-3;
-
     // Blocks of a net are soft, tied to the substep rate as contacts are: ωh = π/2, ζ = 2.
     private const double AngularStep = 1.5707963267948966;
     private const double NetDamping = 4 + AngularStep;
     public const double NetProduct = AngularStep * NetDamping;
     public const double NetBias = AngularStep / NetDamping;
+
+    /// <summary>
+    /// How many of its sizes, or how many radians, a joint of a net may close in a step. Errors from outside (joints switched on that had
+    /// drifted apart) contradict each other: at the full rate their speeds were a thousand sizes a second, of which much stayed.
+    /// </summary>
+    public const double NetHurry = 0.3;
 
     private BodyState* _states;
     private JointForestView _view;
@@ -117,56 +117,6 @@ internal sealed unsafe class JointPass
         }
     }
 
-    /// <summary>In the position correction: a joint that closes a loop takes out its own error.</summary>
-    public void Correct(ActiveJoint* joint, JointRows* r, double h)
-    {
-        if (joint->Role != JointRole.Iterated || r->Hard == 0 || !joint->Ends.Coupled)
-        {
-            return;
-        }
-
-        RowEnds.Visit(_view, &joint->Ends);
-        double* residual = stackalloc double[3];
-        for (int k = 0; k < r->Hard; k++)
-        {
-            bool servo = r->Type[k] == (byte)RowType.Servo;
-            residual[k] = RowSpeed(joint, r, k) + (servo ? 0 : r->Error[k] / h);
-        }
-
-        for (int k = 0; k < r->Hard; k++)
-        {
-            double impulse = 0;
-            for (int q = 0; q < r->Hard; q++)
-            {
-                impulse -= joint->Block[(k * r->Hard) + q] * residual[q];
-            }
-
-            joint->Lambda[k] += impulse;
-            Apply(joint, r, k, impulse);
-        }
-    }
-
-    /// <summary>
-    /// Of the impulses of a block that closes a loop, those that move nothing are dropped: K (K² + ρ²)⁻¹ K is 1 where there is a
-    /// response and 0 where there is none. They gather in groups of welds, a million times as large as any blow, and when a joint of such
-    /// a group broke, its bodies were shot off by them.
-    /// </summary>
-    private void ForgetDead(ActiveJoint* joint, JointRows* r)
-    {
-        double* speed = stackalloc double[3];
-        int n = r->Hard;
-        for (int p = 0; p < n; p++)
-        {
-            speed[p] = 0;
-            for (int q = 0; q < n; q++)
-            {
-                speed[p] += Coupling(joint, r, p, q) * joint->Lambda[q];
-            }
-        }
-
-        TreeSolve.Multiply(joint->Block, speed, n, joint->Lambda);
-    }
-
     private static void Scale(double* j, double factor, double* r)
     {
         r[0] = j[0] * factor;
@@ -240,57 +190,6 @@ internal sealed unsafe class JointPass
         }
 
         SmallMatrix.Invert(k, n, joint->Block);
-    }
-
-    /// <summary>
-    /// Of a block that closes a loop: with K in terms of the rows' own responses, K (K² + ρ²)⁻¹ is the inverse wherever there is a
-    /// response, and goes to 0 with it. In a grid of welds the tree alone holds what the block would, and a linkage has dead
-    /// centres; the plain inverse would divide rounding by rounding there. See <see cref="RowEnds.Dead"/>.
-    /// </summary>
-    private void InvertWithin(ActiveJoint* joint, JointRows* r, double* k, int n)
-    {
-        double* scale = stackalloc double[3];
-        double* square = stackalloc double[9];
-        double* inverse = stackalloc double[9];
-        for (int p = 0; p < n; p++)
-        {
-            double own = RowEnds.Own(_view.Nodes, &joint->Ends, r->A + (p * 3), r->B + (p * 3));
-            scale[p] = own > 0 ? 1 / Math.Sqrt(own) : 0;
-        }
-
-        for (int i = 0; i < n * n; i++)
-        {
-            k[i] *= scale[i / n] * scale[i % n];
-        }
-
-        for (int p = 0; p < n; p++)
-        {
-            for (int q = 0; q < n; q++)
-            {
-                double sum = p == q ? DeadLoop * DeadLoop : 0;
-                for (int i = 0; i < n; i++)
-                {
-                    sum += k[(p * n) + i] * k[(i * n) + q];
-                }
-
-                square[(p * n) + q] = sum;
-            }
-        }
-
-        SmallMatrix.Invert(square, n, inverse);
-        for (int p = 0; p < n; p++)
-        {
-            for (int q = 0; q < n; q++)
-            {
-                double sum = 0;
-                for (int i = 0; i < n; i++)
-                {
-                    sum += k[(p * n) + i] * inverse[(i * n) + q];
-                }
-
-                joint->Block[(p * n) + q] = scale[p] * sum * scale[q];
-            }
-        }
     }
 
     private double RowSpeed(ActiveJoint* joint, JointRows* r, int k) =>
@@ -440,21 +339,6 @@ internal sealed unsafe class JointPass
 
         double over = Math.Min(0, gap + r->Share[k]);
         return -(v + (LimitRecovery * over / h) + (r->Damping[k] * joint->Lambda[k])) / (response + r->Damping[k]);
-    }
-
-    /// <summary>As of a tree's rows: a large error came from outside and goes at the rate of the bias factor.</summary>
-    private static double Bias(ActiveJoint* joint, JointRows* r, int k, in JointStep step)
-    {
-        double error = r->Error[k];
-        if (!joint->Ends.Coupled)
-        {
-            return error * NetBias / step.Substep;
-        }
-
-        double small = JointSolver.Small * r->SizeOf(k);
-        double magnitude = Math.Abs(error);
-        double rest = Math.Max(0, magnitude - small) * Math.Min(1, r->Bias * step.Substep / step.Dt);
-        return (error < 0 ? -1 : 1) * (Math.Min(small, magnitude) + rest) / step.Substep;
     }
 
     private void SolveBlock(ActiveJoint* joint, JointRows* r, in JointStep step, bool biased)

@@ -256,7 +256,16 @@ internal sealed unsafe partial class JointSolver
             return 0;
         }
 
-        double rest = (magnitude - small) * Math.Min(1, rows->Bias * _step.Substep / _step.Dt);
-        return -(error < 0 ? -1 : 1) * (small + rest) / _step.Substep;
+        return -PullSpeed(rows, r, _step);
+    }
+
+    /// <summary>A displacement as a speed: a small error at once, what is beyond at the rate of the bias factor.</summary>
+    internal static double PullSpeed(JointRows* rows, int r, in JointStep step)
+    {
+        double error = rows->Error[r];
+        double magnitude = Math.Abs(error);
+        double small = Math.Min(magnitude, Small * rows->SizeOf(r));
+        double rest = (magnitude - small) * Math.Min(1, rows->Bias * step.Substep / step.Dt);
+        return (error < 0 ? -1 : 1) * (small + rest) / step.Substep;
     }
 }

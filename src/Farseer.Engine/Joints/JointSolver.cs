@@ -332,6 +332,9 @@ internal sealed unsafe partial class JointSolver : IStageWork
             case Pass.Correction:
                 _pass.Correct(joint, rows, _step.Substep);
                 break;
+            case Pass.Pull:
+                _pass.Pull(joint, rows, _step);
+                break;
         }
     }
 

@@ -32,7 +32,7 @@ public unsafe class NetRowsTests
             pair.Rows.WarmStart(0, pair.Rows.BundleCount, pair.Motion);
             pair.WarmStart();
             pair.Compare("warm");
-            pair.Rows.Solve(0, pair.Rows.BundleCount, pair.Motion, NetSoftness.Soft(H));
+            pair.Rows.Solve(0, pair.Rows.BundleCount, pair.Motion, NetSoftness.Soft(H, H * 1e-9));
             pair.Solve(biased: true);
             pair.Compare("biased");
             pair.Move();

@@ -71,6 +71,12 @@ internal unsafe struct NetEnds
         y = (b.Y - a.Y) + ((b.W * Wide.Load(e->ArmBX + lane)) - (a.W * Wide.Load(e->ArmAX + lane)));
     }
 
+    /// <summary>How large the joints are: both arms, each as the way along the axes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Wide SizeOf(NetEnds* e, int lane) =>
+        (Wide.Abs(Wide.Load(e->ArmAX + lane)) + Wide.Abs(Wide.Load(e->ArmAY + lane)))
+        + (Wide.Abs(Wide.Load(e->ArmBX + lane)) + Wide.Abs(Wide.Load(e->ArmBY + lane)));
+
     /// <summary>Gives B the impulse at its anchor, and A its opposite.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Push(NetEnds* e, int lane, ref WideVelocity a, ref WideVelocity b, Wide x, Wide y)
@@ -115,17 +121,32 @@ internal readonly struct NetSoftness
     public readonly float MassScale;
     public readonly float ImpulseScale;
 
-    private NetSoftness(float biasRate, float massScale, float impulseScale)
+    /// <summary>The fastest recovery in terms of a joint's size, 1/s; <see cref="JointPass.NetHurry"/>.</summary>
+    public readonly float Fastest;
+
+    private NetSoftness(float biasRate, float massScale, float impulseScale, float fastest)
     {
+        Fastest = fastest;
         BiasRate = biasRate;
         MassScale = massScale;
         ImpulseScale = impulseScale;
     }
 
     /// <summary>No error, no leak.</summary>
-    public static NetSoftness Hard => new NetSoftness(0, 1, 0);
+    public static NetSoftness Hard => new NetSoftness(0, 1, 0, 0);
+
+    /// <summary>The speed at which an error of a joint of a size goes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Wide Bias(Wide rate, Wide error, Wide fastest)
+    {
+        Wide speed = rate * error;
+        return Wide.Max(Wide.Zero - fastest, Wide.Min(fastest, speed));
+    }
 
     /// <summary>As soft as <see cref="JointPass"/> says, tied to the substep as contacts are.</summary>
-    public static NetSoftness Soft(double substep) => new NetSoftness(
-        (float)(JointPass.NetBias / substep), (float)(JointPass.NetProduct / (1 + JointPass.NetProduct)), (float)(1 / (1 + JointPass.NetProduct)));
+    public static NetSoftness Soft(double substep, double dt) => new NetSoftness(
+        (float)(JointPass.NetBias / substep),
+        (float)(JointPass.NetProduct / (1 + JointPass.NetProduct)),
+        (float)(1 / (1 + JointPass.NetProduct)),
+        (float)(JointPass.NetHurry / dt));
 }

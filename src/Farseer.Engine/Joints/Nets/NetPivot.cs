@@ -74,6 +74,7 @@ internal static unsafe class NetPivotKernel
         Wide biasRate = Wide.Splat(softness.BiasRate);
         Wide massScale = Wide.Splat(softness.MassScale);
         Wide leak = Wide.Splat(softness.ImpulseScale);
+        Wide fastest = Wide.Splat(softness.Fastest);
         for (int i = 0; i < count; i++)
         {
             NetPivotBundle* row = bundles + i;
@@ -81,8 +82,9 @@ internal static unsafe class NetPivotKernel
             {
                 BodyLanes.GatherVelocity(bodies, row->Ends.BodyA + lane, out WideVelocity a);
                 BodyLanes.GatherVelocity(bodies, row->Ends.BodyB + lane, out WideVelocity b);
-                Wide biasX = biasRate * Wide.Load(row->ErrorX + lane);
-                Wide biasY = biasRate * Wide.Load(row->ErrorY + lane);
+                Wide most = fastest * NetEnds.SizeOf(&row->Ends, lane);
+                Wide biasX = NetSoftness.Bias(biasRate, Wide.Load(row->ErrorX + lane), most);
+                Wide biasY = NetSoftness.Bias(biasRate, Wide.Load(row->ErrorY + lane), most);
                 Step(row, lane, ref a, ref b, biasX, biasY, massScale, leak);
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyB + lane, b);

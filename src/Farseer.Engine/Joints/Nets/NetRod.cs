@@ -73,6 +73,7 @@ internal static unsafe class NetRodKernel
         Wide biasRate = Wide.Splat(softness.BiasRate);
         Wide massScale = Wide.Splat(softness.MassScale);
         Wide leak = Wide.Splat(softness.ImpulseScale);
+        Wide fastest = Wide.Splat(softness.Fastest);
         for (int i = 0; i < count; i++)
         {
             NetRodBundle* row = bundles + i;
@@ -80,7 +81,8 @@ internal static unsafe class NetRodKernel
             {
                 BodyLanes.GatherVelocity(bodies, row->Ends.BodyA + lane, out WideVelocity a);
                 BodyLanes.GatherVelocity(bodies, row->Ends.BodyB + lane, out WideVelocity b);
-                Step(row, lane, ref a, ref b, biasRate * Wide.Load(row->Error + lane), massScale, leak);
+                Wide most = fastest * (NetEnds.SizeOf(&row->Ends, lane) + Wide.Load(row->Length + lane));
+                Step(row, lane, ref a, ref b, NetSoftness.Bias(biasRate, Wide.Load(row->Error + lane), most), massScale, leak);
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyB + lane, b);
             }

@@ -87,7 +87,7 @@ internal sealed unsafe partial class NetSolver
         }
     }
 
-    public void SolveBiased() => Sweep(NetWork.Pass.Solve, _step.Drifts ? NetSoftness.Hard : NetSoftness.Soft(_step.Substep));
+    public void SolveBiased() => Sweep(NetWork.Pass.Solve, _step.Drifts ? NetSoftness.Hard : NetSoftness.Soft(_step.Substep, _step.Dt));
 
     /// <summary>After the positions moved.</summary>
     public void Moved()

@@ -70,6 +70,7 @@ internal static unsafe class NetWeldKernel
         Wide biasRate = Wide.Splat(softness.BiasRate);
         Wide massScale = Wide.Splat(softness.MassScale);
         Wide leak = Wide.Splat(softness.ImpulseScale);
+        Wide fastest = Wide.Splat(softness.Fastest);
         for (int i = 0; i < count; i++)
         {
             NetWeldBundle* row = bundles + i;
@@ -78,7 +79,7 @@ internal static unsafe class NetWeldKernel
             {
                 BodyLanes.GatherVelocity(bodies, ends->BodyA + lane, out WideVelocity a);
                 BodyLanes.GatherVelocity(bodies, ends->BodyB + lane, out WideVelocity b);
-                Step(row, lane, ref a, ref b, biasRate, massScale, leak);
+                Step(row, lane, ref a, ref b, biasRate, fastest, massScale, leak);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyB + lane, b);
             }
@@ -99,7 +100,7 @@ internal static unsafe class NetWeldKernel
                 TurnAngle(row, lane, motions);
                 BodyLanes.GatherVelocity(bodies, ends->BodyA + lane, out WideVelocity a);
                 BodyLanes.GatherVelocity(bodies, ends->BodyB + lane, out WideVelocity b);
-                Step(row, lane, ref a, ref b, Wide.Zero, Wide.One, Wide.Zero);
+                Step(row, lane, ref a, ref b, Wide.Zero, Wide.Zero, Wide.One, Wide.Zero);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyB + lane, b);
             }
@@ -133,13 +134,14 @@ internal static unsafe class NetWeldKernel
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Step(
-        NetWeldBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide biasRate, Wide massScale, Wide leak)
+        NetWeldBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide biasRate, Wide fastest, Wide massScale, Wide leak)
     {
         NetEnds* ends = &row->Pivot.Ends;
         NetEnds.Speed(ends, lane, a, b, out Wide x, out Wide y);
-        x = x + (biasRate * Wide.Load(row->Pivot.ErrorX + lane));
-        y = y + (biasRate * Wide.Load(row->Pivot.ErrorY + lane));
-        Wide w = (b.W - a.W) + (biasRate * Wide.Load(row->Error + lane));
+        Wide most = fastest * NetEnds.SizeOf(ends, lane);
+        x = x + NetSoftness.Bias(biasRate, Wide.Load(row->Pivot.ErrorX + lane), most);
+        y = y + NetSoftness.Bias(biasRate, Wide.Load(row->Pivot.ErrorY + lane), most);
+        Wide w = (b.W - a.W) + NetSoftness.Bias(biasRate, Wide.Load(row->Error + lane), fastest);
         Wide ax = Wide.Load(ends->ArmAX + lane);
         Wide ay = Wide.Load(ends->ArmAY + lane);
         Wide bx = Wide.Load(ends->ArmBX + lane);
