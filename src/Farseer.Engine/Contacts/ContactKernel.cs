@@ -15,6 +15,12 @@ namespace Farseer.Engine.Contacts;
 /// </summary>
 internal static unsafe class ContactKernel
 {
+    /// <summary>Bundles of a colour of a world whose rows are no longer near, some 8 MB in all colours.</summary>
+    private const int MostNear = 384;
+
+    /// <summary>Bundles ahead for which memory is asked.</summary>
+    private const int Ahead = 3;
+
     /// <summary>
     /// Applies the impulses of the substep before, extrapolated by a third of their change (a free momentum term for the
     /// block solver), friction kept within its cone.
@@ -27,6 +33,7 @@ internal static unsafe class ContactKernel
         for (int i = 0; i < count; i++)
         {
             ContactBundle* row = bundles + i;
+            AskAhead(row, i, count);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
@@ -63,6 +70,7 @@ internal static unsafe class ContactKernel
         for (int i = 0; i < count; i++)
         {
             ContactBundle* row = bundles + i;
+            AskAhead(row, i, count);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
@@ -134,6 +142,7 @@ internal static unsafe class ContactKernel
         for (int i = 0; i < count; i++)
         {
             ContactBundle* row = bundles + i;
+            AskAhead(row, i, count);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
@@ -176,6 +185,7 @@ internal static unsafe class ContactKernel
         for (int i = 0; i < count; i++)
         {
             ContactBundle* row = bundles + i;
+            AskAhead(row, i, count);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
@@ -237,6 +247,24 @@ internal static unsafe class ContactKernel
                 Wide feedRate = Wide.Load(row->FeedRate + lane);
                 Wide.Min(x0, feed0 + (feedRate * (target - feed0))).Store(row->Point0.Feed + lane);
                 Wide.Min(x1, feed1 + (feedRate * (target - feed1))).Store(row->Point1.Feed + lane);
+            }
+        }
+    }
+
+    /// <summary>
+    /// Rows of a large world come from memory, and their lines are not read in order, which the processor's own foresight needs. Rows that
+    /// are near lose by it (a pyramid of 100: a fifth of the solver's time).
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void AskAhead(ContactBundle* row, int i, int count)
+    {
+        if (Prefetch.IsUseful && count > MostNear && i + Ahead < count)
+        {
+            byte* line = (byte*)(row + Ahead);
+            byte* end = (byte*)(row + Ahead)->Contact;
+            for (; line < end; line += Prefetch.LineBytes)
+            {
+                Prefetch.Line(line);
             }
         }
     }

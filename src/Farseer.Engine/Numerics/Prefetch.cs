@@ -11,6 +11,8 @@ namespace Farseer.Engine.Numerics;
 /// </summary>
 internal static unsafe class Prefetch
 {
+    public const int LineBytes = 64;
+
     /// <summary>False where nothing would be asked for: the walk to what might be can be left out.</summary>
 #if NET8_0_OR_GREATER
     public static bool IsUseful => Sse.IsSupported;

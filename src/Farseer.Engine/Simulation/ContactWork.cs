@@ -140,10 +140,9 @@ internal sealed unsafe class ContactWork : IStageWork
             ContactBundle* bundle = _ranges.From(from, to, out int end);
             for (; from < end; from++, bundle++)
             {
-                for (int lane = 0; far && from + 1 < end && lane < ContactBundle.Lanes; lane++)
+                if (far)
                 {
-                    AskFor(input, bundle[1].PieceA[lane], bundle[1].BodyA[lane]);
-                    AskFor(input, bundle[1].PieceB[lane], bundle[1].BodyB[lane]);
+                    AskAhead(input, bundle, end - from);
                 }
 
                 outcomes[from].Fates = ContactUpdate.UpdateRows(input, bundle);
@@ -202,11 +201,27 @@ internal sealed unsafe class ContactWork : IStageWork
         }
     }
 
+    /// <summary>What the next bundle of rows reads is asked for, and the rows of the one behind.</summary>
+    private static void AskAhead(in ContactUpdateInput input, ContactBundle* bundle, int left)
+    {
+        for (int lane = 0; left > 1 && lane < ContactBundle.Lanes; lane++)
+        {
+            AskFor(input, bundle[1].PieceA[lane], bundle[1].BodyA[lane]);
+            AskFor(input, bundle[1].PieceB[lane], bundle[1].BodyB[lane]);
+        }
+
+        for (int line = 0; left > 2 && line < sizeof(ContactBundle); line += Prefetch.LineBytes)
+        {
+            Prefetch.Line((byte*)(bundle + 2) + line);
+        }
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void AskFor(in ContactUpdateInput input, int piece, int body)
     {
         Prefetch.Line(input.Sides + piece);
         Prefetch.Line(input.Bodies.Pose.Pointer + body);
+        Prefetch.Line(input.Fat + piece);
     }
 
     // Two bundles of new rows may write different lanes of the same bundle of a colour: those are different places of memory.
