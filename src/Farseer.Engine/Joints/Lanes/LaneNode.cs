@@ -141,9 +141,6 @@ internal unsafe struct LaneTrees
     public int Anchors;
     public bool HasLimits;
 
-    /// <summary>The arms are those of the present poses.</summary>
-    public bool Posed;
-
     /// <summary>All bits set for the lanes that take part in a round of the correction.</summary>
     public fixed long Corrects[4];
     public fixed double Worst[4];
