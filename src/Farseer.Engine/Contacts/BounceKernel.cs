@@ -25,47 +25,18 @@ internal static unsafe class BounceKernel
     /// <summary>Share of the substep within which impacts are at the same moment.</summary>
     public const double SameMoment = 1e-3;
 
-    /// <summary>A contact of the bundle has restitution.</summary>
+    /// <summary>A contact of the bundle can bounce.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool Bounces(ContactBundle* row)
+    public static bool Bounces(ContactBundle* row) => BouncingLanes(row) != 0;
+
+    /// <summary>A bit for each lane whose contact can bounce.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int BouncingLanes(ContactBundle* row)
     {
         int bits = 0;
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            bits |= WideLanes.Bits(Wide.Load(row->Restitution + lane) > Wide.Zero);
-        }
-
-        return bits != 0;
-    }
-
-    /// <summary>
-    /// Takes the restitution of the step from the contacts of deep islands whose surfaces were in each other a step ago already, as fast
-    /// as they approach: what has never been apart does not meet.
-    /// </summary>
-    /// <returns>A bit for each lane that can bounce.</returns>
-    [MethodImpl(KernelMethod.Optimized)]
-    public static int Begin(ContactBundle* row, BodyState* bodies, in ContactCoefficients c, float step)
-    {
-        int bits = 0;
-        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
-        {
-            Wide restitution = Wide.Load(row->Restitution + lane);
-            WideMask can = restitution > Wide.Zero;
-            WideMask deep = can & (Wide.Load(row->Deep + lane) > Wide.Zero);
-            if (WideLanes.Bits(deep) != 0)
-            {
-                Wide rest = Wide.Splat(c.Rest);
-                Wide time = Wide.Splat(step);
-                ContactKernel.GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1);
-                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
-                ContactKernel.NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
-                WideMask inside = ((s0 - rest) < (Wide.Min(v0, Wide.Zero) * time)) | ((s1 - rest) < (Wide.Min(v1, Wide.Zero) * time));
-                can = can & ~(deep & inside);
-                Wide.Keep(can, restitution).Store(row->Restitution + lane);
-            }
-
-            bits |= WideLanes.Bits(can) << lane;
+            bits |= WideLanes.Bits(Wide.Load(row->Restitution + lane) > Wide.Zero) << lane;
         }
 
         return bits;
@@ -84,6 +55,7 @@ internal static unsafe class BounceKernel
         bounce->Struck = 0;
         bounce->Held = 0;
         bounce->Met = 0;
+        bounce->Heavy = 0;
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
             Wide restitution = Wide.Load(row->Restitution + lane);
@@ -113,13 +85,20 @@ internal static unsafe class BounceKernel
     /// After the passes: the points that have come through each other, when they met, and at what speed they are to part. A point that
     /// was held back is stopped at least; another bounces if it approaches fast by now, because something else struck its bodies.
     /// </summary>
+    /// <param name="bounce">The bundle.</param>
+    /// <param name="bodies">States of the bodies.</param>
+    /// <param name="motions">What their velocities were at the start of the substep.</param>
+    /// <param name="c">Of the substep.</param>
+    /// <param name="lanes">Bits of the lanes to look at.</param>
     /// <returns>A bit for each lane with an impact.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static int Find(BounceLanes* bounce, BodyState* bodies, BodyMotion* motions, in ContactCoefficients c)
+    public static int Find(BounceLanes* bounce, BodyState* bodies, BodyMotion* motions, in ContactCoefficients c, int lanes)
     {
         ContactBundle* row = bounce->Row;
         Wide rest = Wide.Splat(c.Rest);
         int hits = 0;
+        float* wanted = stackalloc float[ContactBundle.Lanes];
+        Choose(lanes, wanted);
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
             BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
@@ -128,7 +107,7 @@ internal static unsafe class BounceKernel
             BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
             BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
             ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
-            Wide restitution = Wide.Load(row->Restitution + lane);
+            Wide restitution = Wide.Keep(Wide.Load(wanted + lane) > Wide.Zero, Wide.Load(row->Restitution + lane));
             Wide slow = Wide.Load(bounce->Slow + lane);
             WideMask met = (Met(&bounce->Point0, lane, s0 - rest, v0, slow) | Met(&bounce->Point1, lane, s1 - rest, v1, slow))
                 & (restitution > Wide.Zero);
@@ -161,10 +140,7 @@ internal static unsafe class BounceKernel
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rest = Wide.Splat(c.Rest);
         float* active = stackalloc float[ContactBundle.Lanes];
-        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
-        {
-            active[lane] = (bounce->Hits >> lane) & 1;
-        }
+        Choose(bounce->Hits, active);
 
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
@@ -247,6 +223,16 @@ internal static unsafe class BounceKernel
                 Release(&row->Point0, lane);
                 Release(&row->Point1, lane);
             }
+        }
+    }
+
+    /// <summary>A 1 for each bit.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Choose(int bits, float* lanes)
+    {
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            lanes[lane] = (bits >> lane) & 1;
         }
     }
 

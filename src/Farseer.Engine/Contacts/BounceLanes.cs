@@ -17,6 +17,9 @@ internal unsafe struct BounceLanes
     public int Struck;
     public int Held;
 
+    /// <summary>Bits of the lanes with an impact on a body that is too heavy for others to wait for it.</summary>
+    public int Heavy;
+
     /// <summary>Bits of the lanes whose surfaces have met in this substep, those among them that others preceded.</summary>
     public int Met;
 

@@ -18,10 +18,12 @@ internal sealed unsafe class ImpactPass
     private const int MostRounds = 1024;
 
     /// <summary>
-    /// Visits of bundles in all rounds of a substep but for the first few, and in the turns of what does not bounce: a blow that runs
-    /// through a thousand balls visits few in a round, while in a large pile in which everything strikes each round visits nearly all.
+    /// Visits of bundles in a substep, those of its passes with them, after which there are no rounds but the first few, and one turn of
+    /// what does not bounce: without that one a rotor in a dense heap throws it about with ten times its energy. A blow that runs through
+    /// a thousand balls visits few in a round, while in a large pile in which everything strikes each round visits nearly all.
     /// </summary>
     private const int MostVisits = 1 << 13;
+    private const int PassVisits = 4;
     private const int LeastRounds = 2;
     private const int LeastTurns = 1;
 
@@ -36,10 +38,12 @@ internal sealed unsafe class ImpactPass
     private const int Turns = 6;
 
     /// <summary>
-    /// A body whose part in the response of an impact is smaller goes on as if nothing had been: its impacts do not wait for each other.
-    /// A rotor that strikes a hundred balls in a substep struck one a round.
+    /// A body whose part in the response of an impact is smaller goes on almost as if nothing had been: its impacts do not wait for each
+    /// other. A rotor that strikes a hundred balls in a substep struck one a round. Each looks anew how fast it is when its turn comes:
+    /// with the speed before all of them thirty elastic balls took 0.3 % too much.
     /// </summary>
     private const float Heavy = 1f / 64;
+    private const int AllLanes = (1 << ContactBundle.Lanes) - 1;
 
     private readonly Column<BounceLanes> _bounces = new Column<BounceLanes>();
 
@@ -62,12 +66,8 @@ internal sealed unsafe class ImpactPass
     private bool _any;
 
     /// <summary>Lists the bundles that can bounce.</summary>
-    /// <param name="input">Of the step.</param>
-    public void Begin(in SolverInput input)
+    public void Begin(ReadOnlySpan<GraphColor> colors, BodyStore bodies)
     {
-        ReadOnlySpan<GraphColor> colors = input.Colors;
-        BodyStore bodies = input.Bodies;
-        float step = input.Substep * input.Substeps;
         _count = 0;
         _rows = 0;
         _bounces.EnsureCapacity(LeastBundles + (bodies.Ids.End / 2));
@@ -81,7 +81,7 @@ internal sealed unsafe class ImpactPass
             for (int i = 0; i < color.BundleCount; i++)
             {
                 ContactBundle* row = color.Bundles + i;
-                int can = BounceKernel.Begin(row, bodies.State.Pointer, input.Coefficients, step);
+                int can = BounceKernel.BouncingLanes(row);
                 if (can != 0)
                 {
                     _rows += BitSet.CountBits((uint)can);
@@ -116,7 +116,7 @@ internal sealed unsafe class ImpactPass
         ListMet();
         HoldAll(false);
         bool struck = false;
-        _visits = 0;
+        _visits = PassVisits * _count;
         for (int round = 0; round < MostRounds && (round < LeastRounds || _visits < MostVisits); round++)
         {
             if (!FindFirst(bodies, input.Coefficients, round > 0))
@@ -191,6 +191,7 @@ internal sealed unsafe class ImpactPass
             }
 
             bounce->Struck |= bounce->Hits;
+            bounce->Heavy = HeavyLanes(bounce->Row, bounce->Hits);
         }
 
         return true;
@@ -200,7 +201,7 @@ internal sealed unsafe class ImpactPass
     {
         _visits++;
         BounceLanes* bounce = _bounces.Pointer + index;
-        bounce->Hits = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c);
+        bounce->Hits = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c, AllLanes);
         if (bounce->Hits == 0)
         {
             return;
@@ -225,6 +226,19 @@ internal sealed unsafe class ImpactPass
             _neighbors.Mark(body);
             _latest[body] = Math.Max(_latest[body], time);
         }
+    }
+
+    /// <summary>The lanes of these impacts in which one of two bodies that move takes no noticeable part.</summary>
+    private static int HeavyLanes(ContactBundle* row, int hits)
+    {
+        int heavy = 0;
+        for (int lane = 0; hits >> lane != 0; lane++)
+        {
+            bool moveBoth = row->MassA[lane] + row->InertiaA[lane] > 0 && row->MassB[lane] + row->InertiaB[lane] > 0;
+            heavy |= moveBoth && !(YieldsA(row, lane) && YieldsB(row, lane)) ? 1 << lane : 0;
+        }
+
+        return heavy & hits;
     }
 
     /// <summary>Body A takes a noticeable part in the response of an impact.</summary>
@@ -255,6 +269,13 @@ internal sealed unsafe class ImpactPass
             for (int i = 0; i < _hits.Count; i++)
             {
                 BounceLanes* bounce = _bounces.Pointer + _hits[i];
+                if (sweep == 0 && bounce->Heavy != 0)
+                {
+                    int now = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c, bounce->Heavy);
+                    bounce->Hits &= now | ~bounce->Heavy;
+                    bounce->Heavy = 0;
+                }
+
                 if (bounce->Hits != 0)
                 {
                     BounceKernel.Apply(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c);

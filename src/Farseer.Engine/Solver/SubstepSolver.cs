@@ -82,7 +82,7 @@ internal sealed unsafe class SubstepSolver
 
         if (input.AnyBounce)
         {
-            _impacts.Begin(input);
+            _impacts.Begin(input.Colors, input.Bodies);
         }
 
         int sweeps = !input.ColdStart ? 1 : input.RowCount <= FewRows ? FewRowsSweeps : ColdStartSweeps;
