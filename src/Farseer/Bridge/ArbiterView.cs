@@ -8,6 +8,9 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 /// <summary>The pairs in contact as arbiters, made when asked for, so that nobody pays who does not ask.</summary>
 internal sealed class ArbiterView : IContactVisitor
 {
+    /// <summary>Arbiters to begin with.</summary>
+    private const int LeastSpares = 16;
+
     private readonly PhysicsSimulator _simulator;
     private readonly ObjectTable _table;
     private readonly Pool<Arbiter> _pool = new Pool<Arbiter>();
@@ -18,7 +21,7 @@ internal sealed class ArbiterView : IContactVisitor
         _table = table;
     }
 
-    public ArbiterList List { get; } = new ArbiterList();
+    public ArbiterList List { get; } = new ArbiterList { Capacity = LeastSpares };
 
     /// <summary>Set by each step; the list is filled anew when next asked for.</summary>
     public bool IsStale { get; set; }
@@ -55,6 +58,15 @@ internal sealed class ArbiterView : IContactVisitor
         if (a is null || b is null)
         {
             return;
+        }
+
+        if (_pool.Count == 0)
+        {
+            // As many again as there are: one by one, a pile that bounces would allocate whenever more pairs touch than ever before.
+            for (int more = Math.Max(LeastSpares, List.Count); more > 0; more--)
+            {
+                _pool.Insert(new Arbiter());
+            }
         }
 
         bool flip = a.Id > b.Id;

@@ -16,7 +16,7 @@ namespace Farseer.Tests.Behavior;
 public class AllocationTests
 {
     // The pieces bounce for ever, so pairs may pile up later than ever before: 600 steps did not reach the most of one pair finder.
-    private const int WarmSteps = 2000;
+    private const int WarmSteps = 900;
     private const int CountedSteps = 400;
 
     public static TheoryData<string> Colliders => new() { "default", "sweep", "prune", "brute", "grid", "own" };
