@@ -175,6 +175,9 @@ public sealed class RandomCallbackTests
                 }
             }
 
+            // A static body that was given a velocity is a belt, as in the original: it would carry on what lies on it.
+            Tidy();
+
             // What cannot come to rest goes: circles roll on over a level floor (a body of four of them at 0.25 m/s for a minute), and what has
             // no solid shape falls for ever, since nothing of it can leave the world.
             foreach (b2Body body in Bodies().Where(b => b.IsDynamic() && !CanRest(b)))
@@ -182,8 +185,6 @@ public sealed class RandomCallbackTests
                 _world.DestroyBody(body);
             }
 
-            // A static body that was given a velocity is a belt, as in the original: it would carry on what lies on it.
-            Tidy();
             foreach (b2Body body in Bodies().Where(b => b != _world.GetGroundBody()))
             {
                 body.SetLinearVelocity(new b2Vec2());
