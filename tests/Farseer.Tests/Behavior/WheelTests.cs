@@ -11,7 +11,7 @@ using static Farseer.Tests.Sandbox;
 
 namespace Farseer.Tests.Behavior;
 
-/// <summary>Bodies hinged at their centre that many others touch, and heavy bodies that strike many: see decision 015.</summary>
+/// <summary>Bodies hinged at their centre that many others touch, and heavy bodies that strike many: see decision 017.</summary>
 public class WheelTests
 {
     private const float Half = 10f;
