@@ -120,6 +120,22 @@ public class SceneTests
         return simulator.StateHash();
     }
 
+    [Fact]
+    public void Spinner_WhoseRotorJamsBodiesAgainstTheRing_ThrowsNobodyOff()
+    {
+        PerformanceScene scene = new Spinner();
+        using PhysicsSimulator simulator = new();
+        scene.Build(simulator, scene.DefaultSize);
+        for (int step = 0; step < 80; step++)
+        {
+            scene.Drive(step);
+            simulator.Update(scene.Dt);
+        }
+
+        // The tips of the rotor move at 5 rad/s · 20 m = 100 m/s, and a body that they strike may leave at twice that.
+        Assert.All(simulator.BodyList, body => Assert.InRange(body.LinearVelocity.Length(), 0, 200));
+    }
+
     /// <summary>Bytes of the second half of a run, when the stores have their size, and the number of events heard.</summary>
     private static (long Bytes, int Events) RunAndCount(Scene scene)
     {
