@@ -74,16 +74,12 @@ internal sealed unsafe partial class JointSolver
     /// A motor that could bring its wheel up to many times the wanted speed within a substep: what it jams against a wall has to be solved
     /// with it. On lanes the rotor of the spinner threw a body at 975 m/s in its 60th step, and the heap at kilometres a second after that,
     /// without a limit and with one of 10¹² N·m alike (4·10⁵ times); with 10⁸ (39 times) it did not in 180 steps. The drum of the
-    /// tumbler has 2 times.
+    /// tumbler has 2 times. A brake, a motor of speed 0, drives nothing against a wall.
     /// </summary>
     private bool IsUnstoppable(ref ActiveJoint active, TreeNode* node)
     {
-        if ((active.Flags & JointFlags.Motor) == 0)
-        {
-            return false;
-        }
-
-        return active.Settings.MotorLimit * _step.Substep * node->InverseInertia > MostSpeeds * Math.Abs(active.Settings.MotorSpeed);
+        double speed = (active.Flags & JointFlags.Motor) != 0 ? Math.Abs(active.Settings.MotorSpeed) : 0;
+        return speed > 0 && active.Settings.MotorLimit * _step.Substep * node->InverseInertia > MostSpeeds * speed;
     }
 
     /// <summary>Leaves a contact with a wheel in its lane, if its other body is one of those that move and hang on no tree.</summary>
