@@ -7,8 +7,8 @@ namespace FarseerGames.FarseerPhysics;
 /// default value has no bound on the error. (An addition to the original.)
 /// </summary>
 /// <remarks>
-/// The bound on the work is a number of iterations, not a time: with a clock two runs of one scene would differ. An iteration of a
-/// scene takes about the same time always, so that a time divided by that of one iteration is the number to give.
+/// The bound on the work is a number of iterations: the same scene then gives the same bits on every machine. A bound on the time can be
+/// added (<see cref="WithTimeLimit"/>) and costs that: a clock has a say, and two runs of one scene may differ.
 /// </remarks>
 public readonly struct ErrorBudget
 {
@@ -17,11 +17,12 @@ public readonly struct ErrorBudget
 
     private readonly int _mostIterations;
 
-    private ErrorBudget(float length, float share, int mostIterations)
+    private ErrorBudget(float length, float share, int mostIterations, TimeSpan timeLimit = default)
     {
         Length = length;
         Share = share;
         _mostIterations = mostIterations;
+        TimeLimit = timeLimit;
     }
 
     /// <summary>No bound on the error.</summary>
@@ -35,6 +36,9 @@ public readonly struct ErrorBudget
 
     /// <summary>Most iterations of an update, at least 1; <see cref="PhysicsSimulator.Iterations"/> are done in any case. Default 64.</summary>
     public int MostIterations => _mostIterations == 0 ? DefaultMostIterations : _mostIterations;
+
+    /// <summary>Longest that the step of an update should take on this machine; zero, the default: no such bound.</summary>
+    public TimeSpan TimeLimit { get; }
 
     /// <summary>True if there is a bound on the error.</summary>
     public bool IsBounded => Length > 0 || Share > 0;
@@ -54,4 +58,22 @@ public readonly struct ErrorBudget
     /// <exception cref="ArgumentOutOfRangeException">An argument is out of its range.</exception>
     public static ErrorBudget OfShare(float share, int mostIterations = DefaultMostIterations) =>
         new ErrorBudget(0, Require.Positive(share, nameof(share)), Require.AtLeast(mostIterations, 1, nameof(mostIterations)));
+
+    /// <summary>
+    /// The same budget with a bound on the time: iterations beyond <see cref="PhysicsSimulator.Iterations"/> are taken only as far as the time
+    /// of the last updates says that they fit. A step that took longer all the same says so in <see cref="StepReport.IsWithinTimeLimit"/>,
+    /// and an error that is missed for want of time in <see cref="StepReport.IsWithinBudget"/>.
+    /// </summary>
+    /// <param name="timeLimit">Longest time of a step; above zero.</param>
+    /// <returns>The budget.</returns>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="timeLimit"/> is zero or negative.</exception>
+    public ErrorBudget WithTimeLimit(TimeSpan timeLimit)
+    {
+        if (timeLimit <= TimeSpan.Zero)
+        {
+            throw new ArgumentOutOfRangeException(nameof(timeLimit), timeLimit, "The time must be above zero.");
+        }
+
+        return new ErrorBudget(Length, Share, _mostIterations, timeLimit);
+    }
 }

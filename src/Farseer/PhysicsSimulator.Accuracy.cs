@@ -1,3 +1,5 @@
+using System;
+using System.Diagnostics;
 using Farseer.Engine.Accuracy;
 
 namespace FarseerGames.FarseerPhysics;
@@ -5,6 +7,7 @@ namespace FarseerGames.FarseerPhysics;
 /// <content>What an update says of its own error, and the error that is asked for. (Additions to the original.)</content>
 public partial class PhysicsSimulator
 {
+    private readonly PaceControl _pace = new PaceControl();
     private ErrorBudget _errorBudget;
 
     /// <summary>
@@ -25,8 +28,8 @@ public partial class PhysicsSimulator
     /// <summary>
     /// The error that updates may have. The simulator then takes the iterations that keep <see cref="StepReport.Error"/> below it, at least
     /// <see cref="Iterations"/> and at most those of the budget, and says in <see cref="StepReport.IsWithinBudget"/> whether it could. It
-    /// goes by the errors of the updates before, so the first updates of a new load may miss. No clock has a say: the same scene gives
-    /// the same bits. Default <see cref="FarseerPhysics.ErrorBudget.None"/>.
+    /// goes by the errors of the updates before, so the first updates of a new load may miss. No clock has a say, and the same scene gives
+    /// the same bits, unless the budget has an <see cref="FarseerPhysics.ErrorBudget.TimeLimit"/>. Default <see cref="FarseerPhysics.ErrorBudget.None"/>.
     /// </summary>
     public ErrorBudget ErrorBudget
     {
@@ -38,10 +41,34 @@ public partial class PhysicsSimulator
             World.Budget.Share = value.Share;
             World.Budget.MostSubsteps = value.MostIterations;
             World.Budget.Reset();
+            _pace.Reset();
         }
     }
 
-    private void FillReport()
+    /// <summary>A step of the world, with no more iterations than the budget's time allows.</summary>
+    private void StepWorld(float dt)
+    {
+        TimeSpan limit = _errorBudget.TimeLimit;
+        if (limit == TimeSpan.Zero || !_errorBudget.IsBounded)
+        {
+            World.Step(dt);
+            FillReport(TimeSpan.Zero, TimeSpan.Zero);
+            return;
+        }
+
+        World.Budget.MostSubsteps = Math.Min(_errorBudget.MostIterations, _pace.Most(limit.TotalSeconds));
+        long start = Stopwatch.GetTimestamp();
+        World.Step(dt);
+        double seconds = (Stopwatch.GetTimestamp() - start) / (double)Stopwatch.Frequency;
+        if (World.HasMeasured)
+        {
+            _pace.Learn(seconds, World.Measures.Substeps);
+        }
+
+        FillReport(new TimeSpan((long)(seconds * TimeSpan.TicksPerSecond)), limit);
+    }
+
+    private void FillReport(TimeSpan stepTime, TimeSpan timeLimit)
     {
         if (!World.HasMeasured)
         {
@@ -53,6 +80,8 @@ public partial class PhysicsSimulator
             measures,
             measures.WorstBody >= 0 ? _table.Body(measures.WorstBody) : null,
             measures.WorstPartner >= 0 ? _table.Body(measures.WorstPartner) : null,
-            World.Budget.Load(measures));
+            World.Budget.Load(measures),
+            stepTime,
+            timeLimit);
     }
 }

@@ -85,8 +85,7 @@ public partial class PhysicsSimulator
                 }
 
                 StepCount++;
-                World.Step(step);
-                FillReport();
+                StepWorld(step);
                 if (World.QuarantinedCount > 0)
                 {
                     TellQuarantined();

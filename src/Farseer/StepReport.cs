@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Accuracy;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -15,8 +16,11 @@ public readonly struct StepReport
 {
     private readonly StepMeasures _measures;
 
-    internal StepReport(in StepMeasures measures, Body? worstBody, Body? worstPartner, double budgetLoad)
+    internal StepReport(
+        in StepMeasures measures, Body? worstBody, Body? worstPartner, double budgetLoad, TimeSpan stepTime, TimeSpan timeLimit)
     {
+        StepTime = stepTime;
+        IsWithinTimeLimit = timeLimit == TimeSpan.Zero || stepTime <= timeLimit;
         _measures = measures;
         WorstBody = worstBody;
         WorstPartner = worstPartner;
@@ -79,6 +83,12 @@ public readonly struct StepReport
 
     /// <summary>True unless there is an <see cref="PhysicsSimulator.ErrorBudget"/> that the update did not keep.</summary>
     public bool IsWithinBudget => BudgetLoad <= 1;
+
+    /// <summary>Time that the step of the update took; zero unless the budget has an <see cref="ErrorBudget.TimeLimit"/>.</summary>
+    public TimeSpan StepTime { get; }
+
+    /// <summary>True unless the budget has an <see cref="ErrorBudget.TimeLimit"/> and the step took longer.</summary>
+    public bool IsWithinTimeLimit { get; }
 
     /// <summary>Kinetic energy of all bodies after the update.</summary>
     public double KineticEnergy => _measures.Kinetic;

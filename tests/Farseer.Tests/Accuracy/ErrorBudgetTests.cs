@@ -94,12 +94,45 @@ public class ErrorBudgetTests
     }
 
     [Fact]
+    public void Budget_WithATimeThatNothingFitsIn_KeepsToTheDialAndSaysSo()
+    {
+        using Rig rig = StepReportTests.Build("stack");
+        rig.Simulator.ErrorBudget = ErrorBudget.OfLength(1e-8f).WithTimeLimit(TimeSpan.FromTicks(1));
+        rig.Run(10);
+        Assert.Equal(5, rig.Simulator.Report.Iterations);
+        Assert.False(rig.Simulator.Report.IsWithinBudget);
+        Assert.False(rig.Simulator.Report.IsWithinTimeLimit);
+        Assert.True(rig.Simulator.Report.StepTime > TimeSpan.FromTicks(1));
+    }
+
+    [Fact]
+    public void Budget_WithAllTheTime_IsTheSameAsWithout()
+    {
+        using Rig free = StepReportTests.Build("falling boxes");
+        using Rig timed = StepReportTests.Build("falling boxes");
+        free.Simulator.ErrorBudget = ErrorBudget.OfShare(1e-4f);
+        timed.Simulator.ErrorBudget = ErrorBudget.OfShare(1e-4f).WithTimeLimit(TimeSpan.FromHours(1));
+        for (int i = 0; i < 120; i++)
+        {
+            free.Step();
+            timed.Step();
+            Assert.Equal(free.Simulator.StateHash(), timed.Simulator.StateHash());
+        }
+
+        Assert.True(timed.Simulator.Report.IsWithinTimeLimit);
+        Assert.Equal(TimeSpan.Zero, free.Simulator.Report.StepTime);
+        Assert.True(free.Simulator.Report.IsWithinTimeLimit);
+    }
+
+    [Fact]
     public void Budget_WithAMistake_IsRefused()
     {
         Assert.Throws<ArgumentOutOfRangeException>(() => ErrorBudget.OfLength(0));
         Assert.Throws<ArgumentOutOfRangeException>(() => ErrorBudget.OfLength(float.NaN));
         Assert.Throws<ArgumentOutOfRangeException>(() => ErrorBudget.OfShare(-1));
         Assert.Throws<ArgumentOutOfRangeException>(() => ErrorBudget.OfShare(0.1f, 0));
+        Assert.Throws<ArgumentOutOfRangeException>(() => ErrorBudget.None.WithTimeLimit(TimeSpan.Zero));
+        Assert.Throws<ArgumentOutOfRangeException>(() => ErrorBudget.None.WithTimeLimit(TimeSpan.FromSeconds(-1)));
         Assert.Equal(ErrorBudget.None, default);
         Assert.False(ErrorBudget.None.IsBounded);
         Assert.NotEqual(ErrorBudget.OfShare(0.1f), ErrorBudget.OfShare(0.1f, 3));
