@@ -8,7 +8,6 @@ namespace Farseer.Accuracy.Reporting;
 /// <summary>What the scenes of the aims cost at the default dial, beside another engine's default.</summary>
 internal static class Costs
 {
-    private const string Peer = "Box2D.NET";
     private const int Runs = 5;
 
     private static readonly string[] _scenes =
@@ -21,12 +20,12 @@ internal static class Costs
     /// <summary>The table as lines of Markdown.</summary>
     public static List<string> Lines()
     {
-        var lines = new List<string> { $"| scene | ns a body-step | {Peer} | ratio |", "|---|---|---|---|" };
+        var lines = new List<string> { $"| scene | ns a body-step | {SweepData.DefaultPeer} | ratio |", "|---|---|---|---|" };
         foreach (string scene in _scenes)
         {
             List<Row> rows = Runner.Run(Options.ParseScene(scene), new Dial(Options.DefaultIterations, Options.DefaultDt, 0), Runs);
             double own = rows[0].NanosecondsPerBodyStep;
-            double? peer = SweepData.PeerDefaultCost(Peer, scene);
+            double? peer = SweepData.PeerDefaultCost(SweepData.DefaultPeer, scene);
             string other = peer is null ? "– | –" : string.Create(CultureInfo.InvariantCulture, $"{peer:F0} | {own / peer:F2}");
             lines.Add(string.Create(CultureInfo.InvariantCulture, $"| `{scene}` | {own:F0} | {other} |"));
         }

@@ -104,6 +104,17 @@ internal static class ReportCommand
             lines.Add(line.ToString());
         }
 
+        lines.Add(string.Empty);
+        lines.Add($"Least time with no larger an error than {SweepData.DefaultPeer} has at its default, also at longer steps:");
+        lines.Add(string.Empty);
+        lines.Add("| scene | its error, share of the scale | its time, ns | Farseer | ratio | setting |");
+        lines.Add("|---|---|---|---|---|---|");
+        foreach (PeerMatch match in SweepTables.ToDefaultOf(points, SweepData.DefaultPeer))
+        {
+            string own = match.Own is null ? "never | –" : Invariant($"{match.Own.Cost:F0} | {match.Ratio:F2}");
+            lines.Add(Invariant($"| {match.Scene.Title} | {match.Error:G2} | {match.PeerCost:F0} | {own} | {match.Setting} |"));
+        }
+
         return lines;
     }
 

@@ -15,6 +15,10 @@ internal static class SweepCommand
     /// <summary>Shorter outer steps with fewer iterations each.</summary>
     private static readonly (int Divisor, int Iterations)[] _outer = [(2, 1), (2, 3), (4, 1), (4, 2), (8, 1)];
 
+    /// <summary>Longer outer steps, as multiples, with the iterations tried in each.</summary>
+    private static readonly int[] _longSteps = [2, 4];
+    private static readonly int[] _longIterations = [1, 2, 4, 5, 8];
+
     private static readonly (string Scene, string Metric)[] _stepLengthScenes =
     [
         ("S03_bounce=0.8", "apex_max_rel_error"), ("S05_friction_slide=0.3", "dist_rel_error"), ("S08_pendulum=90", "energy_rel_drift_60s"),
@@ -98,6 +102,14 @@ internal static class SweepCommand
             foreach ((int divisor, int iterations) in _outer)
             {
                 points.Add(Show(Measure(scene, SweepKind.Dial, iterations, Options.DefaultDt / divisor, runs), output));
+            }
+
+            foreach (int factor in _longSteps)
+            {
+                foreach (int iterations in _longIterations)
+                {
+                    points.Add(Show(Measure(scene, SweepKind.LongStep, iterations, Options.DefaultDt * factor, runs), output));
+                }
             }
         }
 

@@ -10,6 +10,9 @@ internal static class SweepData
 {
     public const string SweepHeader = "engine,scene,dial,dt,error_share,cost60_ns,kind,outcome";
 
+    /// <summary>The engine beside which costs are set.</summary>
+    public const string DefaultPeer = "Box2D.NET";
+
     private const string PeersResource = "peers.csv";
     private const string SweepResource = "sweep.csv";
 
@@ -84,7 +87,7 @@ internal static class SweepData
             points.Add(new SweepPoint(
                 row[0],
                 row[1],
-                row[6] == "dt" ? SweepKind.StepLength : SweepKind.Dial,
+                Array.Find(Enum.GetValues<SweepKind>(), kind => Text(kind) == row[6]),
                 int.Parse(row[2], CultureInfo.InvariantCulture),
                 Number(row[3]),
                 Number(row[4]),
@@ -104,9 +107,16 @@ internal static class SweepData
         {
             file.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{p.Engine},{p.Scene},{p.Dial},{p.Dt:G6},{p.Error:G6},{p.Cost:G4},{(p.Kind == SweepKind.Dial ? "dial" : "dt")},{(p.Failed ? "failed" : string.Empty)}"));
+                $"{p.Engine},{p.Scene},{p.Dial},{p.Dt:G6},{p.Error:G6},{p.Cost:G4},{Text(p.Kind)},{(p.Failed ? "failed" : string.Empty)}"));
         }
     }
+
+    private static string Text(SweepKind kind) => kind switch
+    {
+        SweepKind.StepLength => "dt",
+        SweepKind.LongStep => "long",
+        _ => "dial",
+    };
 
     private static string Key(string[] row) => $"{row[0]} {row[1]} {row[2]} {row[3]} {row[7]}";
 

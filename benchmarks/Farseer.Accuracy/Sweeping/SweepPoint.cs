@@ -8,6 +8,12 @@ internal enum SweepKind
 
     /// <summary>The default dial at other step lengths.</summary>
     StepLength,
+
+    /// <summary>
+    /// Longer outer steps with few iterations. The comparison has none of other engines, so they count in nothing but in what it takes to
+    /// be as exact as another engine at its default.
+    /// </summary>
+    LongStep,
 }
 
 /// <summary>One setting of one engine on one scene.</summary>

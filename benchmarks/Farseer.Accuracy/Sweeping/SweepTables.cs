@@ -76,6 +76,32 @@ internal static class SweepTables
         return (Math.Pow(10, logs / SweepScene.All.Count), reached);
     }
 
+    /// <summary>
+    /// Scenes of which another engine's default is no failure: its error there and what it takes, and this library's least time with an
+    /// error no larger, longer steps included.
+    /// </summary>
+    public static List<PeerMatch> ToDefaultOf(IReadOnlyList<SweepPoint> points, string peer)
+    {
+        var matches = new List<PeerMatch>();
+        foreach (SweepScene scene in SweepScene.All)
+        {
+            double? value = SweepData.PeerDefault(peer, scene.Scene, scene.Metric);
+            double? cost = SweepData.PeerDefaultCost(peer, scene.Scene);
+            double error = Math.Abs(value ?? double.NaN) / scene.Scale;
+            if (cost is null || !(error < 1))
+            {
+                continue;
+            }
+
+            List<SweepPoint> tried = Of(points, SweepPoint.Own, scene.Scene, SweepKind.Dial);
+            tried.AddRange(Of(points, SweepPoint.Own, scene.Scene, SweepKind.LongStep));
+            SweepPoint? own = Pareto.Cheapest(tried, error);
+            matches.Add(new PeerMatch(scene, error, cost.Value, own));
+        }
+
+        return matches;
+    }
+
     /// <summary>Scenes on which a doubling of the own dial does not divide the error by 1.5 although it is no rounding yet.</summary>
     public static List<string> Floors(IReadOnlyList<SweepPoint> points, string engine)
     {
@@ -128,6 +154,15 @@ internal static class SweepTables
         }
 
         output.WriteLine();
+        output.WriteLine($"least ns a body and 1/60 s with no larger an error than {SweepData.DefaultPeer} at its default:");
+        foreach (PeerMatch match in ToDefaultOf(points, SweepData.DefaultPeer))
+        {
+            output.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{match.Scene.Scene,-26} error {match.Error,9:G3}  {match.PeerCost,7:F0} -> {match.Own?.Cost,7:F0}  {match.Ratio:F2}  ({match.Setting})"));
+        }
+
+        output.WriteLine();
         foreach (string engine in engines)
         {
             List<string> floors = Floors(points, engine);
@@ -138,4 +173,19 @@ internal static class SweepTables
             }
         }
     }
+}
+
+/// <summary>What it takes to be as exact as another engine is at its default.</summary>
+/// <param name="Scene">The scene.</param>
+/// <param name="Error">The other engine's error as a share of the scale.</param>
+/// <param name="PeerCost">What that takes there, ns a body-step.</param>
+/// <param name="Own">The cheapest setting with an error no larger; null: the sweep has none.</param>
+internal sealed record PeerMatch(SweepScene Scene, double Error, double PeerCost, SweepPoint? Own)
+{
+    public double? Ratio => Own?.Cost / PeerCost;
+
+    /// <summary>The setting, for people.</summary>
+    public string Setting => Own is null
+        ? "none"
+        : string.Create(CultureInfo.InvariantCulture, $"{Own.Dial} iterations at 1/{1 / Own.Dt:F0} s");
 }
