@@ -56,6 +56,13 @@ internal unsafe struct ActiveJoint
     public fixed double PlainLambda[JointRows.Most];
     public fixed double PlainGiven[3];
 
+    /// <summary>
+    /// What h·v left of each hard row in the last substep although its target was met, over h²: the bend of the ways that its bodies took. And
+    /// that foreseen for the next one.
+    /// </summary>
+    public fixed double Bend[3];
+    public fixed double Foreseen[3];
+
     /// <summary>Response k of a row.</summary>
     public fixed double Response[JointRows.Most];
 

@@ -53,6 +53,41 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
+    /// <summary>
+    /// After <see cref="Start"/>: sweeps over rows of trees may follow each other without a look at anything else, as far as the joints are
+    /// concerned. Nets and wheels have rows on lanes, and limits of trees are asked for after each sweep.
+    /// </summary>
+    public bool SweepsByItself()
+    {
+        bool alone = !_nets.Any && !_anyWheels;
+        for (int at = 0; alone && at < _treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            alone = !(tree->HasLimits && tree->HasRows);
+        }
+
+        return alone;
+    }
+
+    /// <summary>A contact that was left on lanes concerns a body of the trees.</summary>
+    public bool SharesBodies(ContactBundle* bundles, int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            ContactBundle* bundle = bundles + i;
+            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            {
+                if (bundle->Contact[lane] >= 0 && Exists(&bundle->Point0, lane)
+                    && (_forest.NodeOf(bundle->BodyA[lane]) >= 0 || _forest.NodeOf(bundle->BodyB[lane]) >= 0))
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
+
     private bool IsInTree(int body)
     {
         int node = _forest.NodeOf(body);

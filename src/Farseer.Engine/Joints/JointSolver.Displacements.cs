@@ -86,10 +86,7 @@ internal sealed unsafe partial class JointSolver
             _contacts[i].Point1.Plain = 0;
         }
 
-        for (int sweep = 0; sweep < PullSweeps; sweep++)
-        {
-            Sweep(Pass.Pull);
-        }
+        Sweep(Pass.Pull, PullSweeps);
 
         MoveAndForget();
     }
@@ -99,10 +96,7 @@ internal sealed unsafe partial class JointSolver
     {
         _pushRate = rate / _step.Substep;
         PutVelocitiesAside();
-        for (int sweep = 0; sweep < PushOutSweeps; sweep++)
-        {
-            Sweep(Pass.PushOut);
-        }
+        Sweep(Pass.PushOut, PushOutSweeps);
 
         MoveAndForget();
         TakeBackPushes();

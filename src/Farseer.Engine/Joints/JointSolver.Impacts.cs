@@ -37,11 +37,7 @@ internal sealed unsafe partial class JointSolver
             struck = true;
             SaveVelocities();
             int sweeps = _hitCount > 1 ? BounceKernel.Sweeps : 1;
-            for (int sweep = 0; sweep < sweeps; sweep++)
-            {
-                Sweep(Pass.Impact);
-            }
-
+            Sweep(Pass.Impact, sweeps);
             CatchUp();
             for (int i = 0; i < _contactCount; i++)
             {

@@ -245,6 +245,11 @@ internal sealed unsafe partial class JointSolver
         double small = Small * size;
         double magnitude = Math.Abs(error);
         tree->Worst = Math.Max(tree->Worst, size > 0 ? magnitude / size : 0);
+        if (kind == TargetKind.Biased && magnitude <= small && tree->HasRows)
+        {
+            return -(error / _step.Substep) - (joint->Foreseen[r] * _step.Substep);
+        }
+
         if ((positions && kind != TargetKind.Pull) || magnitude <= small)
         {
             return -error / _step.Substep;

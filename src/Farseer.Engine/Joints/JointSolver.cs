@@ -85,6 +85,10 @@ internal sealed unsafe partial class JointSolver : IStageWork
             _active[i].Given[0] = 0;
             _active[i].Given[1] = 0;
             _active[i].Given[2] = 0;
+            if (!_forest.Trees[TreeOf(_active[i].Ends)].HasRows)
+            {
+                ForgetBends(_active.Pointer + i);
+            }
         }
 
         MarkFree();
@@ -146,21 +150,26 @@ internal sealed unsafe partial class JointSolver : IStageWork
     }
 
     /// <summary>The biased pass: rows of errors and bias.</summary>
-    public void Solve(bool again)
+    /// <param name="again">The pass has been made in this substep.</param>
+    /// <param name="sweeps">Over the rows.</param>
+    public void Solve(bool again, int sweeps)
     {
         _nets.SolveBiased();
         SolveLanes(false, again);
         LoadVelocities();
-        Run(TargetKind.Biased, Pass.Biased, again);
+        Run(TargetKind.Biased, Pass.Biased, again, sweeps);
     }
 
     /// <summary>The relax pass at the new positions: no errors, no bias.</summary>
-    public void Relax(bool again, bool rub)
+    /// <param name="again">The pass has been made in this substep.</param>
+    /// <param name="rub">With friction; of several sweeps in the second half of them.</param>
+    /// <param name="sweeps">Over the rows.</param>
+    public void Relax(bool again, bool rub, int sweeps)
     {
         _nets.Relax(again);
         SolveLanes(true, again);
         LoadVelocities();
-        Run(TargetKind.Relaxed, rub ? Pass.Relaxed : Pass.RelaxedSmooth, again);
+        Run(TargetKind.Relaxed, rub ? Pass.Relaxed : Pass.RelaxedSmooth, again, sweeps);
     }
 
     /// <summary>Keeps the impulses for the next step.</summary>
@@ -210,22 +219,26 @@ internal sealed unsafe partial class JointSolver : IStageWork
     /// The trees, then the rows. Where rows pushed at limits, which then are to be held or let go, both once more: a contact that opens
     /// a limit would have a whole substep for it otherwise.
     /// </summary>
-    private void Run(TargetKind kind, Pass pass, bool again)
+    private void Run(TargetKind kind, Pass pass, bool again, int sweeps)
     {
         SolveTrees(kind, again);
-        Sweep(pass);
+        Sweep(pass, sweeps);
         if (_agendaCount > 0 && SolveTrees(kind, true))
         {
-            Sweep(pass, true);
+            Sweep(pass, some: true);
         }
 
         StoreVelocities();
     }
 
-    /// <summary>One sweep over all iterated rows, in the order of the trees.</summary>
+    /// <summary>
+    /// Sweeps over all iterated rows, in the order of the trees. Several are one walk: the bodies between the rows wait for their velocities
+    /// until the last of them.
+    /// </summary>
     /// <param name="pass">What the rows do.</param>
+    /// <param name="sweeps">How often; friction waits for the second half.</param>
     /// <param name="some">Only in the groups of trees that are marked: what others do is no concern of a tree that no row ties to them.</param>
-    private void Sweep(Pass pass, bool some = false)
+    private void Sweep(Pass pass, int sweeps = 1, bool some = false)
     {
         if (_agendaCount == 0)
         {
@@ -242,6 +255,31 @@ internal sealed unsafe partial class JointSolver : IStageWork
             }
         }
 
+        for (int sweep = 0; sweep < sweeps; sweep++)
+        {
+            SweepOnce(pass == Pass.Relaxed && sweep * 2 < sweeps - 1 ? Pass.RelaxedSmooth : pass, some);
+        }
+
+        for (int at = 0; at < _treeCount; at++)
+        {
+            int i = _trees[at];
+            JointTree* tree = _forest.Trees + i;
+            if (tree->HasRows && Acts(tree, some) && tree->Carries)
+            {
+                if (pass < Pass.PushOut)
+                {
+                    TreeReactions.EndWalk(_forest, tree, _active.Pointer, _rows.Pointer);
+                }
+                else
+                {
+                    TreeWalk.End(view, tree);
+                }
+            }
+        }
+    }
+
+    private void SweepOnce(Pass pass, bool some)
+    {
         for (int i = 0; i < _agendaCount; i++)
         {
             int item = _agenda[i];
@@ -257,21 +295,6 @@ internal sealed unsafe partial class JointSolver : IStageWork
             else
             {
                 Solve(_active.Pointer + item, _rows.Pointer + item, pass);
-            }
-        }
-
-        for (int at = 0; at < _treeCount; at++)
-        {
-            int i = _trees[at];
-            JointTree* tree = _forest.Trees + i;
-            if (tree->HasRows && Acts(tree, some) && tree->Carries)
-            {
-                TreeWalk.End(view, tree);
-                if (pass < Pass.PushOut)
-                {
-                    TreeReactions.OfWalk(_forest, tree);
-                    TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
-                }
             }
         }
     }

@@ -347,7 +347,7 @@ internal sealed unsafe class ImpactPass
             _visits += _count;
             HoldAll(true);
             passes.Relax(input.Colors, true, false);
-            input.Joints?.Relax(true, true);
+            input.Joints?.Relax(true, true, 1);
             HoldAll(false);
             _hits.Clear();
             for (int i = 0; i < _met.Count; i++)

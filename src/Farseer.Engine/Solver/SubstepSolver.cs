@@ -86,6 +86,9 @@ internal sealed unsafe class SubstepSolver
         }
 
         int sweeps = !input.ColdStart ? 1 : input.RowCount <= FewRows ? FewRowsSweeps : ColdStartSweeps;
+
+        // Trees that no contact on lanes concerns make all their sweeps in one walk.
+        int jointSweeps = sweeps > 1 && input.Joints != null && IsApart(input.Colors, input.Joints) ? 1 : sweeps;
         for (int substep = 0; substep < input.Substeps; substep++)
         {
             if (input.AnyBounce)
@@ -108,7 +111,11 @@ internal sealed unsafe class SubstepSolver
             {
                 _passes.SolveBiased(input.Colors, input.AnyDeep);
                 input.Audit?.Book(SolverPart.Contacts);
-                input.Joints?.Solve(sweep > 0);
+                if (sweep < jointSweeps)
+                {
+                    input.Joints?.Solve(sweep > 0, sweeps / jointSweeps);
+                }
+
                 input.Audit?.Book(SolverPart.Joints);
             }
 
@@ -136,7 +143,11 @@ internal sealed unsafe class SubstepSolver
                 bool rub = sweep * 2 >= sweeps - 1;
                 _passes.Relax(input.Colors, rub, sweep == 0);
                 input.Audit?.Book(SolverPart.Contacts);
-                input.Joints?.Relax(sweep > 0, rub);
+                if (sweep < jointSweeps)
+                {
+                    input.Joints?.Relax(sweep > 0, rub || jointSweeps == 1, sweeps / jointSweeps);
+                }
+
                 input.Audit?.Book(SolverPart.Joints);
             }
 
@@ -168,6 +179,17 @@ internal sealed unsafe class SubstepSolver
             GraphColor color = colors[i];
             joints.Take(color.Bundles, color.BundleCount);
         }
+    }
+
+    private static bool IsApart(ReadOnlySpan<GraphColor> colors, JointSolver joints)
+    {
+        bool apart = joints.SweepsByItself();
+        for (int i = 0; apart && i < colors.Length; i++)
+        {
+            apart = !joints.SharesBodies(colors[i].Bundles, colors[i].BundleCount);
+        }
+
+        return apart;
     }
 
     /// <summary>Moves everything with the velocities that push deep islands apart, and then forgets these velocities.</summary>

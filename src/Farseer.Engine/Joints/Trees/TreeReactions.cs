@@ -23,31 +23,31 @@ internal static unsafe class TreeReactions
         Finish(forest, tree, true);
     }
 
-    /// <summary>Finds the multipliers of the last walk.</summary>
-    public static void OfWalk(JointForest forest, JointTree* tree)
+    /// <summary>
+    /// Ends a walk and adds its multipliers to the joints. Velocities, multipliers and what they give are one way down the tree: a node is a
+    /// thousand bytes, and to come by again costs as much as the sums.
+    /// </summary>
+    public static void EndWalk(JointForest forest, JointTree* tree, ActiveJoint* active, JointRows* rows)
     {
         TreeNode* nodes = forest.Nodes;
-        double* fall = stackalloc double[3];
-        double* answer = stackalloc double[3];
+        TreeWalk.Visit(forest.View, tree->First);
+        bool anchored = tree->AnchorEnd > tree->AnchorFirst;
         for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = nodes + i;
             TreeNode* parent = nodes + node->Parent;
-            for (int r = 0; r < node->Rows; r++)
+            OfWalk(node, parent);
+            TreeWalk.Cross(nodes, i);
+            if (anchored)
             {
-                double* s = node->ParentS + (r * 3);
-                fall[r] = (s[0] * (parent->Velocity[0] - parent->Start[0])) + (s[1] * (parent->Velocity[1] - parent->Start[1]))
-                    + (s[2] * (parent->Velocity[2] - parent->Start[2]));
+                PushEnds(node, parent);
             }
 
-            TreeSolve.Multiply(node->E, fall, node->Rows, answer);
-            for (int r = 0; r < node->Rows; r++)
-            {
-                node->Edge[r] = -SmallMatrix.Dot(node->G + (r * 3), node->Through) - answer[r];
-            }
+            GiveEdge(node, active, rows);
         }
 
-        Finish(forest, tree, false);
+        FinishAnchors(forest, tree, false);
+        GiveAnchors(forest, tree, active, rows);
     }
 
     /// <summary>Finds the multipliers that answer impulses which anchored bodies got from elsewhere, and did not follow.</summary>
@@ -58,14 +58,62 @@ internal static unsafe class TreeReactions
     {
         for (int i = tree->First + 1; i < tree->End; i++)
         {
-            TreeNode* node = forest.Nodes + i;
-            for (int r = 0; r < node->Rows; r++)
-            {
-                int joint = node->RowJoint[r];
-                Give(active + joint, rows + joint, node->RowIndex[r], node->Edge[r]);
-            }
+            GiveEdge(forest.Nodes + i, active, rows);
         }
 
+        GiveAnchors(forest, tree, active, rows);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void OfWalk(TreeNode* node, TreeNode* parent)
+    {
+        double x = parent->Velocity[0] - parent->Start[0];
+        double y = parent->Velocity[1] - parent->Start[1];
+        double w = parent->Velocity[2] - parent->Start[2];
+        double* s = node->ParentS;
+        double* e = node->E;
+        if (node->Rows == 2)
+        {
+            double fall0 = (s[0] * x) + (s[1] * y) + (s[2] * w);
+            double fall1 = (s[3] * x) + (s[4] * y) + (s[5] * w);
+            node->Edge[0] = -SmallMatrix.Dot(node->G, node->Through) - (0d + (e[0] * fall0) + (e[1] * fall1));
+            node->Edge[1] = -SmallMatrix.Dot(node->G + 3, node->Through) - (0d + (e[2] * fall0) + (e[3] * fall1));
+        }
+        else
+        {
+            OfWalk(node, x, y, w);
+        }
+    }
+
+    private static void OfWalk(TreeNode* node, double x, double y, double w)
+    {
+        double* fall = stackalloc double[3];
+        double* answer = stackalloc double[3];
+        double* s = node->ParentS;
+        for (int r = 0; r < node->Rows; r++)
+        {
+            fall[r] = (s[r * 3] * x) + (s[(r * 3) + 1] * y) + (s[(r * 3) + 2] * w);
+        }
+
+        TreeSolve.Multiply(node->E, fall, node->Rows, answer);
+        for (int r = 0; r < node->Rows; r++)
+        {
+            node->Edge[r] = -SmallMatrix.Dot(node->G + (r * 3), node->Through) - answer[r];
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void GiveEdge(TreeNode* node, ActiveJoint* active, JointRows* rows)
+    {
+        for (int r = 0; r < node->Rows; r++)
+        {
+            int joint = node->RowJoint[r];
+            Give(active + joint, rows + joint, node->RowIndex[r], node->Edge[r]);
+        }
+    }
+
+    private static void GiveAnchors(JointForest forest, JointTree* tree, ActiveJoint* active, JointRows* rows)
+    {
         for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
         {
             TreeAnchor* anchor = forest.Anchors + i;
@@ -91,27 +139,38 @@ internal static unsafe class TreeReactions
 
     private static void Finish(JointForest forest, JointTree* tree, bool solved)
     {
-        TreeNode* nodes = forest.Nodes;
         if (tree->AnchorEnd == tree->AnchorFirst)
         {
             return;
         }
 
+        TreeNode* nodes = forest.Nodes;
         for (int i = tree->First + 1; i < tree->End; i++)
         {
-            TreeNode* node = nodes + i;
-            TreeNode* parent = nodes + node->Parent;
-            if (node->Anchored)
-            {
-                Push(node->ChildS, node->Edge, node->Rows, node->Got);
-            }
-
-            if (parent->Anchored)
-            {
-                Push(node->ParentS, node->Edge, node->Rows, parent->Got);
-            }
+            PushEnds(nodes + i, nodes + nodes[i].Parent);
         }
 
+        FinishAnchors(forest, tree, solved);
+    }
+
+    /// <summary>Anchored bodies note what the edge's multipliers give them.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void PushEnds(TreeNode* node, TreeNode* parent)
+    {
+        if (node->Anchored)
+        {
+            Push(node->ChildS, node->Edge, node->Rows, node->Got);
+        }
+
+        if (parent->Anchored)
+        {
+            Push(node->ParentS, node->Edge, node->Rows, parent->Got);
+        }
+    }
+
+    private static void FinishAnchors(JointForest forest, JointTree* tree, bool solved)
+    {
+        TreeNode* nodes = forest.Nodes;
         for (int i = tree->AnchorEnd - 1; i >= tree->AnchorFirst; i--)
         {
             TreeAnchor* anchor = forest.Anchors + i;

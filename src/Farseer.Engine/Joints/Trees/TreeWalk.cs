@@ -126,7 +126,7 @@ internal static unsafe class TreeWalk
 
     /// <summary>Takes the parent's change since the last crossing down to the child.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Cross(TreeNode* nodes, int index)
+    public static void Cross(TreeNode* nodes, int index)
     {
         TreeNode* node = nodes + index;
         double* v = nodes[node->Parent].Velocity;
