@@ -42,15 +42,25 @@ internal static unsafe class BounceKernel
         return bits;
     }
 
+    /// <summary>The slowest approach that is an impact.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Wide Slowest(ContactBundle* row, int lane, BodyDrive* drives, in ContactCoefficients c)
+    {
+        BodyLanes.Gather((float*)drives, row->BodyA + lane, out Wide driveAX, out Wide driveAY, out _, out _);
+        BodyLanes.Gather((float*)drives, row->BodyB + lane, out Wide driveBX, out Wide driveBY, out _, out _);
+        Wide nx = Wide.Load(row->NormalX + lane);
+        Wide ny = Wide.Load(row->NormalY + lane);
+        Wide fall = Wide.Max(Wide.Abs((nx * driveAX) + (ny * driveAY)), Wide.Abs((nx * driveBX) + (ny * driveBY)));
+        return Wide.Max(Wide.Splat(RestSubsteps) * fall, Wide.Splat(c.BounceThreshold));
+    }
+
     /// <summary>Before a substep: notes where surfaces are, and holds back the points that approach fast.</summary>
     /// <returns>True if there are such points.</returns>
     [MethodImpl(KernelMethod.Optimized)]
     public static bool Prepare(BounceLanes* bounce, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
     {
         ContactBundle* row = bounce->Row;
-        Wide slowest = Wide.Splat(RestSubsteps);
         Wide rest = Wide.Splat(c.Rest);
-        Wide threshold = Wide.Splat(c.BounceThreshold);
         bounce->Hits = 0;
         bounce->Struck = 0;
         bounce->Held = 0;
@@ -63,12 +73,7 @@ internal static unsafe class BounceKernel
             BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
             BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
             ContactKernel.NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
-            BodyLanes.Gather((float*)drives, row->BodyA + lane, out Wide driveAX, out Wide driveAY, out _, out _);
-            BodyLanes.Gather((float*)drives, row->BodyB + lane, out Wide driveBX, out Wide driveBY, out _, out _);
-            Wide nx = Wide.Load(row->NormalX + lane);
-            Wide ny = Wide.Load(row->NormalY + lane);
-            Wide slow = slowest * Wide.Max(Wide.Abs((nx * driveAX) + (ny * driveAY)), Wide.Abs((nx * driveBX) + (ny * driveBY)));
-            slow = Wide.Max(slow, threshold);
+            Wide slow = Slowest(row, lane, drives, c);
             slow.Store(bounce->Slow + lane);
             WideMask can = restitution > Wide.Zero;
             WideMask held0 = can & HoldBack(&bounce->Point0, lane, s0 - rest, v0, slow);

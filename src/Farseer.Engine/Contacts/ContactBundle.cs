@@ -71,6 +71,9 @@ internal unsafe struct ContactBundle
     /// <summary>Combined restitution; 0: the restitution pass skips the contact.</summary>
     public fixed float Restitution[Lanes];
 
+    /// <summary>The same of contacts that bounce by Newton's rule, which have a restitution of 0: see <see cref="ReboundKernel"/>.</summary>
+    public fixed float Rebound[Lanes];
+
     /// <summary>Impulse of the last bounce of the pair in this step, else 0: by the step's end nothing else tells of an impact.</summary>
     public fixed float Struck[Lanes];
 
@@ -84,7 +87,6 @@ internal unsafe struct ContactBundle
     public fixed int PieceB[Lanes];
     public fixed int Island[Lanes];
     public fixed int Level[Lanes];
-    public fixed int Spare[Lanes];
 }
 
 /// <summary>One point of each contact of a bundle.</summary>
@@ -111,7 +113,7 @@ internal unsafe struct ContactPointLanes
     public fixed float PreviousNormal[Lanes];
     public fixed float PreviousTangent[Lanes];
 
-    /// <summary>Speed at which the surfaces are to part after an impact; 0: no impact in this substep.</summary>
+    /// <summary>Speed at which the surfaces are to part if they meet in this substep, by Newton's rule.</summary>
     public fixed float Bounce[Lanes];
 
     public fixed uint Id[Lanes];

@@ -161,6 +161,7 @@ internal static unsafe class ContactRowWriter
         row->Single[lane] = 0;
         row->Deep[lane] = 0;
         row->Restitution[lane] = 0;
+        row->Rebound[lane] = 0;
         row->Struck[lane] = 0;
         row->Island[lane] = 0;
         row->Level[lane] = 0;
@@ -352,6 +353,7 @@ internal static unsafe class ContactRowWriter
             ? Wide.Max(restitutionA, restitutionB)
             : (restitutionA + restitutionB) * half;
         restitution.Store(row->Restitution + lane);
+        Wide.Zero.Store(row->Rebound + lane);
     }
 
     /// <summary>How fully the load is fed forward, and deepness: a row stays deep until its depth is under half of what made it so.</summary>

@@ -108,6 +108,7 @@ internal sealed unsafe partial class JointSolver
         contact->NormalY = bundle->NormalY[lane];
         contact->Friction = bundle->Friction[lane];
         contact->Restitution = bundle->Restitution[lane];
+        contact->Rebound = bundle->Rebound[lane];
         contact->RadiusA = bundle->RadiusA[lane];
         contact->RadiusB = bundle->RadiusB[lane];
         contact->FeedRate = bundle->FeedRate[lane];

@@ -67,6 +67,7 @@ internal sealed unsafe class SubstepSolver
     private readonly ContactPasses _passes = new ContactPasses();
     private readonly UserJointPass _userJoints = new UserJointPass();
     private readonly ImpactPass _impacts = new ImpactPass();
+    private readonly ReboundPass _rebounds = new ReboundPass();
 
     public void Solve(in SolverInput input)
     {
@@ -74,6 +75,11 @@ internal sealed unsafe class SubstepSolver
         _bodies.Begin(input.Runner, input.Bodies, input.List, input.PaddedCount, input.Substep);
         _passes.Begin(input.Runner, input.Bodies, coefficients);
         double recovery = input.AnyDeep ? RecoveryRate(input.Recovery, input.Substeps) : 0;
+        if (input.AnyBounce)
+        {
+            _rebounds.Begin(input.Colors, input.RowCount);
+        }
+
         if (input.Joints != null)
         {
             TakeTreeContacts(input.Colors, input.Joints);
@@ -93,6 +99,7 @@ internal sealed unsafe class SubstepSolver
         {
             if (input.AnyBounce)
             {
+                _rebounds.Prepare(input.Bodies, coefficients);
                 _impacts.Prepare(input.Bodies, coefficients);
                 input.Joints?.PrepareBounce();
             }
@@ -153,6 +160,7 @@ internal sealed unsafe class SubstepSolver
 
             if (input.AnyBounce)
             {
+                _rebounds.Run(input.Bodies, coefficients);
                 _impacts.Run(input, _passes);
             }
 

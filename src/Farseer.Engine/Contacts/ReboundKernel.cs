@@ -1,0 +1,118 @@
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
+
+namespace Farseer.Engine.Contacts;
+
+/// <summary>
+/// Restitution by Newton's rule, for weak bounces in large piles: the passes of the substep stop what approaches, all of it together, and
+/// afterwards contacts that they stopped part with e times their speed of approach. Held back and taken one by one
+/// (<see cref="BounceKernel"/>) the impacts of such a pile do not end within a substep; what was still held back carried nothing, and the
+/// pile ran through itself. A contact that pressed before is pressed, not struck, and does not bounce.
+/// </summary>
+internal static unsafe class ReboundKernel
+{
+    /// <summary>A bounce that gives back less than a quarter of the energy is weak: in a pile it is gone after the next contact.</summary>
+    private const float Weak = 0.5f;
+
+    /// <summary>Contacts of these islands that bounce weakly are to do so by Newton's rule.</summary>
+    /// <returns>True if there are some.</returns>
+    public static bool Take(ContactBundle* row, byte* large)
+    {
+        bool any = false;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            float restitution = row->Restitution[lane];
+            if (restitution > 0 && restitution < Weak && large[row->Island[lane]] != 0)
+            {
+                row->Rebound[lane] = restitution;
+                row->Restitution[lane] = 0;
+                any = true;
+            }
+        }
+
+        return any;
+    }
+
+    /// <summary>Before a substep: notes at what speed the surfaces are to part if they meet in it.</summary>
+    /// <returns>True if some approach fast enough.</returns>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static bool Note(ContactBundle* row, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
+    {
+        bool any = false;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            Wide restitution = Wide.Load(row->Rebound + lane);
+            Wide load = Wide.Load(row->Point0.Normal + lane) + Wide.Load(row->Point1.Normal + lane);
+            WideMask can = (restitution > Wide.Zero) & (load <= Wide.Zero);
+            Wide speed0 = Wide.Zero;
+            Wide speed1 = Wide.Zero;
+            if (WideLanes.Bits(can) != 0)
+            {
+                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
+                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+                ContactKernel.NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
+                Wide slow = Wide.Zero - BounceKernel.Slowest(row, lane, drives, c);
+                speed0 = Wide.Keep(can & (v0 < slow), Wide.Zero - (restitution * v0));
+                speed1 = Wide.Keep(can & (v1 < slow), Wide.Zero - (restitution * v1));
+                any |= WideLanes.Bits(Wide.Max(speed0, speed1) > Wide.Zero) != 0;
+            }
+
+            speed0.Store(row->Point0.Bounce + lane);
+            speed1.Store(row->Point1.Bounce + lane);
+        }
+
+        return any;
+    }
+
+    /// <summary>After the passes: what they have stopped parts. The impulses are let go, for they are not to be repeated.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Part(ContactBundle* row, BodyState* bodies, in ContactCoefficients c)
+    {
+        Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
+        Wide rest = Wide.Splat(c.Rest);
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
+            Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
+            Wide speed0 = Wide.Keep(lambda0 > Wide.Zero, Wide.Load(row->Point0.Bounce + lane));
+            Wide speed1 = Wide.Keep(lambda1 > Wide.Zero, Wide.Load(row->Point1.Bounce + lane));
+            WideMask parts = Wide.Max(speed0, speed1) > Wide.Zero;
+            if (WideLanes.Bits(parts) == 0)
+            {
+                continue;
+            }
+
+            BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
+            BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+            BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
+            BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
+            ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
+            ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
+            Wide r0 = v0 + Wide.Select(speed0 > Wide.Zero, Wide.Zero - speed0, Wide.Max(s0 - rest, Wide.Zero) * inverseSubstep);
+            Wide r1 = v1 + Wide.Select(speed1 > Wide.Zero, Wide.Zero - speed1, Wide.Max(s1 - rest, Wide.Zero) * inverseSubstep);
+            ContactKernel.SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
+            x0 = Wide.Select(parts, x0, lambda0);
+            x1 = Wide.Select(parts, x1, lambda1);
+            ContactKernel.ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
+            ContactKernel.SolveFriction(row, lane, ref a, ref b, movedA, movedB, x0, x1, parts, out _, out _);
+            BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
+            BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
+            WideLanes.Replace(parts, x0 + x1, row->Struck + lane);
+            Release(&row->Point0, lane, parts);
+            Release(&row->Point1, lane, parts);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Release(ContactPointLanes* point, int lane, WideMask parts)
+    {
+        WideLanes.Replace(parts, Wide.Zero, point->Normal + lane);
+        WideLanes.Replace(parts, Wide.Zero, point->PreviousNormal + lane);
+        WideLanes.Replace(parts, Wide.Zero, point->Tangent + lane);
+        WideLanes.Replace(parts, Wide.Zero, point->PreviousTangent + lane);
+    }
+}
