@@ -18,17 +18,45 @@ internal static unsafe class ReboundKernel
     /// <summary>A bounce that gives back less than a quarter of the energy is weak: in a pile it is gone after the next contact.</summary>
     private const float Weak = 0.5f;
 
+    /// <summary>Bits of the lanes whose contacts bounce weakly.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static int WeakLanes(ContactBundle* row)
+    {
+        int bits = 0;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            Wide restitution = Wide.Load(row->Restitution + lane);
+            bits |= WideLanes.Bits((restitution > Wide.Zero) & (restitution < Wide.Splat(Weak))) << lane;
+        }
+
+        return bits;
+    }
+
+    /// <summary>Bits of the lanes whose surfaces approach fast enough to bounce.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static int FastLanes(ContactBundle* row, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
+    {
+        int bits = 0;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            Speeds(row, lane, bodies, drives, c, out Wide v0, out Wide v1, out Wide slow);
+            bits |= WideLanes.Bits(Wide.Min(v0, v1) < slow) << lane;
+        }
+
+        return bits;
+    }
+
     /// <summary>Contacts of these islands that bounce weakly are to do so by Newton's rule.</summary>
     /// <returns>True if there are some.</returns>
-    public static bool Take(ContactBundle* row, byte* large)
+    public static bool Take(ContactBundle* row, byte* inTurmoil)
     {
         bool any = false;
-        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        int weak = WeakLanes(row);
+        for (int lane = 0; weak >> lane != 0; lane++)
         {
-            float restitution = row->Restitution[lane];
-            if (restitution > 0 && restitution < Weak && large[row->Island[lane]] != 0)
+            if (((weak >> lane) & 1) != 0 && inTurmoil[row->Island[lane]] != 0)
             {
-                row->Rebound[lane] = restitution;
+                row->Rebound[lane] = row->Restitution[lane];
                 row->Restitution[lane] = 0;
                 any = true;
             }
@@ -52,10 +80,7 @@ internal static unsafe class ReboundKernel
             Wide speed1 = Wide.Zero;
             if (WideLanes.Bits(can) != 0)
             {
-                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
-                ContactKernel.NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
-                Wide slow = Wide.Zero - BounceKernel.Slowest(row, lane, drives, c);
+                Speeds(row, lane, bodies, drives, c, out Wide v0, out Wide v1, out Wide slow);
                 speed0 = Wide.Keep(can & (v0 < slow), Wide.Zero - (restitution * v0));
                 speed1 = Wide.Keep(can & (v1 < slow), Wide.Zero - (restitution * v1));
                 any |= WideLanes.Bits(Wide.Max(speed0, speed1) > Wide.Zero) != 0;
@@ -105,6 +130,17 @@ internal static unsafe class ReboundKernel
             Release(&row->Point0, lane, parts);
             Release(&row->Point1, lane, parts);
         }
+    }
+
+    /// <summary>At what speeds the surfaces of the points part, and below which they strike.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Speeds(
+        ContactBundle* row, int lane, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c, out Wide v0, out Wide v1, out Wide slow)
+    {
+        BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
+        BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+        ContactKernel.NormalVelocities(row, lane, a, b, out v0, out v1);
+        slow = Wide.Zero - BounceKernel.Slowest(row, lane, drives, c);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -8,27 +8,29 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Solver;
 
 /// <summary>
-/// The weak bounces of large piles, which are not worth the order of <see cref="ImpactPass"/> and would not be through with it within a
+/// The weak bounces of large piles in turmoil, which are not worth the order of <see cref="ImpactPass"/> and would not be through with it within a
 /// substep: see <see cref="ReboundKernel"/>.
 /// </summary>
 internal sealed unsafe class ReboundPass
 {
     /// <summary>
-    /// Contacts that can bounce from which on an island is large: as many bundles as a substep may visit for its impacts at least
-    /// sixteen times each, if all strike.
+    /// Contacts of an island that bounce weakly, and those among them that strike as the step begins, from which on it is in turmoil. A pile
+    /// that a few bodies hit keeps the exact order: they come back from it as fast as they should, which by Newton's rule they do not.
     /// </summary>
     private const int Many = 2048;
+    private const int ManyStrikes = 256;
 
     private readonly Column<Entry> _entries = new Column<Entry>();
     private readonly Column<int> _rows = new Column<int>();
-    private readonly Column<byte> _large = new Column<byte>();
+    private readonly Column<int> _strikes = new Column<int>();
+    private readonly Column<byte> _inTurmoil = new Column<byte>();
     private int _count;
 
-    /// <summary>Takes the weak bounces out of the rows of large islands.</summary>
-    public void Begin(ReadOnlySpan<GraphColor> colors, int rowCount)
+    /// <summary>Takes the weak bounces out of the rows of islands in turmoil.</summary>
+    public void Begin(ReadOnlySpan<GraphColor> colors, int rowCount, BodyStore bodies, in ContactCoefficients c)
     {
         _count = 0;
-        if (rowCount < Many || !FindLarge(colors))
+        if (rowCount < Many || !FindTurmoil(colors, bodies, c))
         {
             return;
         }
@@ -38,7 +40,7 @@ internal sealed unsafe class ReboundPass
             GraphColor color = colors[k];
             for (int i = 0; i < color.BundleCount; i++)
             {
-                if (ReboundKernel.Take(color.Bundles + i, _large.Pointer))
+                if (ReboundKernel.Take(color.Bundles + i, _inTurmoil.Pointer))
                 {
                     _entries.EnsureCapacity(_count + 1);
                     _entries[_count++].Row = color.Bundles + i;
@@ -69,10 +71,49 @@ internal sealed unsafe class ReboundPass
         }
     }
 
-    /// <summary>Counts the rows of each island that can bounce.</summary>
-    private bool FindLarge(ReadOnlySpan<GraphColor> colors)
+    private bool FindTurmoil(ReadOnlySpan<GraphColor> colors, BodyStore bodies, in ContactCoefficients c)
     {
-        int end = 0;
+        int end = IslandEnd(colors);
+        _rows.EnsureCapacity(end);
+        _strikes.EnsureCapacity(end);
+        _inTurmoil.EnsureCapacity(end);
+        for (int i = 0; i < end; i++)
+        {
+            _rows[i] = 0;
+            _strikes[i] = 0;
+        }
+
+        for (int k = 0; k < colors.Length; k++)
+        {
+            GraphColor color = colors[k];
+            for (int i = 0; i < color.BundleCount; i++)
+            {
+                ContactBundle* row = color.Bundles + i;
+                int weak = ReboundKernel.WeakLanes(row);
+                int strikes = weak == 0 ? 0 : weak & ReboundKernel.FastLanes(row, bodies.State.Pointer, bodies.Drive.Pointer, c);
+                for (int lane = 0; weak >> lane != 0; lane++)
+                {
+                    _rows[row->Island[lane]] += (weak >> lane) & 1;
+                    _strikes[row->Island[lane]] += (strikes >> lane) & 1;
+                }
+            }
+        }
+
+        bool any = false;
+        for (int i = 0; i < end; i++)
+        {
+            bool turmoil = _rows[i] >= Many && _strikes[i] >= ManyStrikes;
+            _inTurmoil[i] = (byte)(turmoil ? 1 : 0);
+            any |= turmoil;
+        }
+
+        return any;
+    }
+
+    /// <summary>One past the last island of the rows.</summary>
+    private static int IslandEnd(ReadOnlySpan<GraphColor> colors)
+    {
+        int end = 1;
         for (int k = 0; k < colors.Length; k++)
         {
             GraphColor color = colors[k];
@@ -86,35 +127,7 @@ internal sealed unsafe class ReboundPass
             }
         }
 
-        _rows.EnsureCapacity(end);
-        _large.EnsureCapacity(end);
-        for (int i = 0; i < end; i++)
-        {
-            _rows[i] = 0;
-        }
-
-        for (int k = 0; k < colors.Length; k++)
-        {
-            GraphColor color = colors[k];
-            for (int i = 0; i < color.BundleCount; i++)
-            {
-                ContactBundle* row = color.Bundles + i;
-                int can = BounceKernel.BouncingLanes(row);
-                for (int lane = 0; can >> lane != 0; lane++)
-                {
-                    _rows[row->Island[lane]] += (can >> lane) & 1;
-                }
-            }
-        }
-
-        bool any = false;
-        for (int i = 0; i < end; i++)
-        {
-            _large[i] = (byte)(_rows[i] >= Many ? 1 : 0);
-            any |= _rows[i] >= Many;
-        }
-
-        return any;
+        return end;
     }
 
     /// <summary>A bundle with such contacts.</summary>

@@ -77,7 +77,7 @@ internal sealed unsafe class SubstepSolver
         double recovery = input.AnyDeep ? RecoveryRate(input.Recovery, input.Substeps) : 0;
         if (input.AnyBounce)
         {
-            _rebounds.Begin(input.Colors, input.RowCount);
+            _rebounds.Begin(input.Colors, input.RowCount, input.Bodies, coefficients);
         }
 
         if (input.Joints != null)
