@@ -112,6 +112,9 @@ internal enum BodyFlags : uint
 
     /// <summary>Asleep, and somebody got hold of its velocity: the next step looks whether it was set.</summary>
     Handled = 8192,
+
+    /// <summary>How many times the step's substeps its island takes, chosen by the user: see <see cref="ChosenSubsteps"/>.</summary>
+    Substeps = 7 * 16384,
 }
 
 /// <summary>What a step's motion of a body is measured by. 8 bytes; a body without colliders is never fast.</summary>

@@ -30,6 +30,9 @@ internal sealed class WorldSettings
     /// <summary>Substeps a step: the accuracy dial. At least 1; default 5. The error falls fourfold for each doubling.</summary>
     public int Substeps { get; set; } = DefaultSubsteps;
 
+    /// <summary>Islands that need more substeps than the step has take them. Default true.</summary>
+    public bool AdaptSubsteps { get; set; } = true;
+
     /// <summary>Depth at which a contact rests, a length of the scene. 0 or more; default 0.05 (the original's).</summary>
     public float AllowedPenetration { get; set; } = 0.05f;
 

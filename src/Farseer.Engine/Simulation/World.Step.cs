@@ -193,7 +193,8 @@ internal sealed partial class World
 
     private unsafe bool FindClasses(JointSolver? joints, in ContactCoefficients c)
     {
-        if (!_classes.Find(joints, _sagForecast, _islands, _feedForward, _graph, Bodies, _lists.Moves, _lists.Solver, _lists.SolverCount, c))
+        if (!_classes.Find(
+            Settings.AdaptSubsteps, joints, _sagForecast, _islands, _feedForward, _graph, Bodies, _lists.Moves, _lists.Solver, _lists.SolverCount, c))
         {
             return false;
         }

@@ -12,8 +12,8 @@ namespace Farseer.Engine.Solver;
 
 /// <summary>
 /// Islands (bodies joined by joints or contacts) by how many substeps they need: class k takes 2ᵏ times those of the step. Which
-/// class an island belongs to follows from its state alone: from the loads that its trees pass on. Islands of class 0 stay where
-/// they are; the rows of the others are borrowed from the graph while they are solved.
+/// class an island belongs to follows from its state alone, from the loads that its trees pass on and the sag of its contacts, unless the
+/// user chose for one of its bodies. Islands of class 0 stay where they are; the rows of the others are borrowed from the graph while they are solved.
 /// </summary>
 internal sealed unsafe class IslandClasses
 {
@@ -25,6 +25,7 @@ internal sealed unsafe class IslandClasses
     private readonly Column<int> _parent = new Column<int>();
     private readonly Column<byte> _class = new Column<byte>();
     private readonly Column<byte> _listed = new Column<byte>();
+    private readonly Column<byte> _chosen = new Column<byte>();
     private readonly Column<Loan> _loans = new Column<Loan>();
     private readonly Column<int>[] _lists = new Column<int>[Count];
     private readonly int[] _counts = new int[Count];
@@ -36,6 +37,8 @@ internal sealed unsafe class IslandClasses
     private ConstraintGraph _graph = null!;
     private int _loanCount;
     private float _substep;
+    private bool _adapts;
+    private bool _anyChosen;
 
     public IslandClasses()
     {
@@ -59,9 +62,10 @@ internal sealed unsafe class IslandClasses
     /// <summary>Count of <see cref="List"/> filled up to whole bundles with body 0.</summary>
     public int PaddedCount(int index) => _padded[index];
 
-    /// <summary>Asks for the loads of trees, and for the islands that sink too far.</summary>
+    /// <summary>Asks for what the user chose and, unless nothing is to adapt by itself, for the loads of trees and the islands that sink too far.</summary>
     /// <returns>True if an island needs more substeps.</returns>
     public bool Find(
+        bool adapts,
         JointSolver? joints,
         SagForecast forecast,
         IslandStore islands,
@@ -78,10 +82,17 @@ internal sealed unsafe class IslandClasses
             return false;
         }
 
-        bool any = graph.RowCount > 0 && forecast.Find(islands, feedForward, graph, bodies, list, count, c);
+        _adapts = adapts;
+        _anyChosen = IsAnyChosen(bodies, list, count);
+        bool any = _anyChosen;
+        any |= adapts && graph.RowCount > 0 && forecast.Find(islands, feedForward, graph, bodies, list, count, c);
         if (joints != null)
         {
             joints.ClearLoads();
+        }
+
+        if (adapts && joints != null)
+        {
             foreach (GraphColor color in graph.Used)
             {
                 joints.AddLoads(color.Bundles, color.BundleCount);
@@ -130,13 +141,18 @@ internal sealed unsafe class IslandClasses
         MarkJointed(joints);
 
         // Joints carry loads past the contacts: the sag of their islands is not foreseen.
-        for (int i = 0; i < count; i++)
+        for (int i = 0; _adapts && i < count; i++)
         {
             int root = Root(list[i]);
             if ((_listed[root] & Jointed) == 0 && graph.Degree(list[i]) > 0)
             {
                 _class[root] = (byte)Math.Max(_class[root], forecast.DoublingsOf(islands.Of(list[i])));
             }
+        }
+
+        if (_anyChosen)
+        {
+            Choose(bodies, list, count);
         }
 
         // Springs are fixed for the step's own substep: what they pull at keeps to it, and so do nets.
@@ -253,6 +269,41 @@ internal sealed unsafe class IslandClasses
         _rowCounts[index]++;
         _loans.EnsureCapacity(_loanCount + 1);
         _loans[_loanCount++] = new Loan { Color = color, Row = row, Class = index, Copy = _used[index] - 1, Place = place };
+    }
+
+    private static bool IsAnyChosen(BodyStore bodies, int* list, int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            if ((bodies.Flags[list[i]] & BodyFlags.Substeps) != 0)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Where the user chose, the islands' own needs do not count; of several choices the finest does.</summary>
+    private void Choose(BodyStore bodies, int* list, int count)
+    {
+        _chosen.EnsureCapacity(bodies.Ids.End);
+        for (int i = 0; i < count; i++)
+        {
+            _chosen[Root(list[i])] = 0;
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            int root = Root(list[i]);
+            _chosen[root] = (byte)Math.Max(_chosen[root], ChosenSubsteps.Bits(bodies.Flags[list[i]]));
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            int root = Root(list[i]);
+            _class[root] = _chosen[root] > 0 ? (byte)(_chosen[root] - 1) : _class[root];
+        }
     }
 
     private void MarkJointed(JointSolver? joints)

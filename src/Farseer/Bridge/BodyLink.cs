@@ -275,7 +275,7 @@ internal sealed class BodyLink
         if (_world is not null)
         {
             const BodyFlags Owned = BodyFlags.Enabled | BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.IgnoreGravity | BodyFlags.QuadraticDrag
-                | BodyFlags.NeverSleeps | BodyFlags.Bullet | BodyFlags.Discrete;
+                | BodyFlags.NeverSleeps | BodyFlags.Bullet | BodyFlags.Discrete | BodyFlags.Substeps;
             BodyFlags flags = EngineFlags;
             _world.SetFlags(_handle, flags & Owned, Owned & ~flags);
         }
