@@ -25,13 +25,9 @@ internal sealed unsafe partial class JointPass
             return Math.Max(-fastest, Math.Min(fastest, error * NetBias / step.Substep));
         }
 
-        if (Math.Abs(error) > JointSolver.Small * r->SizeOf(k))
-        {
-            _view.Trees[_view.Nodes[joint->Ends.NodeA].Tree].Disturbed = true;
-            return 0;
-        }
-
-        return error / step.Substep;
+        JointTree* tree = _view.Trees + _view.Nodes[joint->Ends.NodeA].Tree;
+        tree->Disturbed |= tree->IsOutside(Math.Abs(error) / r->SizeOf(k));
+        return tree->Disturbed ? 0 : error / step.Substep;
     }
 
     /// <summary>While disturbed trees are pulled together: what closes a loop takes part; no impulse of it is kept.</summary>
@@ -71,11 +67,12 @@ internal sealed unsafe partial class JointPass
         }
 
         RowEnds.Visit(_view, &joint->Ends);
+        bool disturbed = _view.Trees[_view.Nodes[joint->Ends.NodeA].Tree].Disturbed;
         double* residual = stackalloc double[3];
         for (int k = 0; k < r->Hard; k++)
         {
             bool servo = r->Type[k] == (byte)RowType.Servo;
-            bool large = Math.Abs(r->Error[k]) > JointSolver.Small * r->SizeOf(k);
+            bool large = disturbed || Math.Abs(r->Error[k]) > JointSolver.Small * r->SizeOf(k);
             residual[k] = RowSpeed(joint, r, k) + (servo || large ? 0 : r->Error[k] / h);
         }
 

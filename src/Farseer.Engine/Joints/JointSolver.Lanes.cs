@@ -21,7 +21,7 @@ internal sealed unsafe partial class JointSolver
         for (int at = 0; at < _treeCount; at++)
         {
             int index = _trees[at];
-            bool taken = UsesLanes && !_step.Drifts && _lanes.Take(index);
+            bool taken = UsesLanes && !_step.Drifts && !_forest.Trees[index].Disturbed && _lanes.Take(index);
             _forest.Trees[index].OnLanes = taken;
             if (!taken)
             {

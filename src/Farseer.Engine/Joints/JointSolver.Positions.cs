@@ -57,6 +57,11 @@ internal sealed unsafe partial class JointSolver
 
         CorrectLanes();
         Displace(Project(), pushRate);
+    }
+
+    /// <summary>The bodies stand where they stay in this substep.</summary>
+    public void EndPositions()
+    {
         LoadPoses();
         WriteRows(false);
         Factor();

@@ -180,8 +180,23 @@ internal sealed unsafe partial class JointSolver
     /// <summary>Writes what the rows of a tree's blocks are to reach, and finds the tree's largest error.</summary>
     private void SetTargets(JointTree* tree, TargetKind kind)
     {
+        if (kind == TargetKind.Biased)
+        {
+            tree->Unsettled = tree->Disturbed;
+            tree->Disturbed = false;
+        }
+
+        WriteTargets(tree, kind);
+        if (kind == TargetKind.Biased && tree->Disturbed)
+        {
+            // The rows before the one that was found to be off.
+            WriteTargets(tree, kind);
+        }
+    }
+
+    private void WriteTargets(JointTree* tree, TargetKind kind)
+    {
         tree->Worst = 0;
-        tree->Disturbed &= kind != TargetKind.Biased;
         for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = _forest.Nodes + i;
@@ -220,7 +235,8 @@ internal sealed unsafe partial class JointSolver
     /// <summary>
     /// An error up to the share <see cref="Small"/> of the joint's size comes from the motion and is taken out at once. What is
     /// beyond it was put there from outside (a body moved by hand or exchanged, another length) and goes at the rate of the bias factor,
-    /// by displacements alone.
+    /// by displacements alone, and so do all errors of its tree until none is left: the last 2 % as speeds, six sizes a second and more,
+    /// threw bodies off that had been pulled together from afar.
     /// </summary>
     private double Target(ActiveJoint* joint, JointRows* rows, int r, TargetKind kind, JointTree* tree)
     {
@@ -242,26 +258,28 @@ internal sealed unsafe partial class JointSolver
 
         double error = rows->Error[r];
         double size = rows->SizeOf(r);
-        double small = Small * size;
         double magnitude = Math.Abs(error);
         tree->Worst = Math.Max(tree->Worst, size > 0 ? magnitude / size : 0);
-        if (kind == TargetKind.Biased && magnitude <= small && tree->HasRows)
+        if (kind == TargetKind.Pull)
         {
-            return -(error / _step.Substep) - (joint->Foreseen[r] * _step.Substep);
-        }
-
-        if ((positions && kind != TargetKind.Pull) || magnitude <= small)
-        {
-            return -error / _step.Substep;
+            return -PullSpeed(rows, r, _step);
         }
 
         if (kind == TargetKind.Biased)
         {
-            tree->Disturbed = true;
-            return 0;
+            tree->Disturbed |= tree->IsOutside(magnitude / size);
+            if (tree->Disturbed)
+            {
+                return 0;
+            }
+
+            if (tree->HasRows)
+            {
+                return -(error / _step.Substep) - (joint->Foreseen[r] * _step.Substep);
+            }
         }
 
-        return -PullSpeed(rows, r, _step);
+        return -error / _step.Substep;
     }
 
     /// <summary>A displacement as a speed: a small error at once, what is beyond at the rate of the bias factor.</summary>

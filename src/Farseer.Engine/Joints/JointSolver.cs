@@ -25,6 +25,13 @@ internal unsafe struct JointStep
     /// <summary>Ratio of this step's substep to the last one's.</summary>
     public double ImpulseScale;
 
+    /// <summary>
+    /// The share of the last impulses to start from: those of a longer substep by the ratio, those of a shorter one as they are. Of an impulse
+    /// nothing says how much was a blow, which does not go by the length of the substep; a step of 1/60 s after one of 10⁻⁴ s would repeat
+    /// it 167 times as hard.
+    /// </summary>
+    public readonly double StartScale => Math.Min(1, ImpulseScale);
+
     /// <summary>Errors stay: joints only stop what would make them larger.</summary>
     public bool Drifts;
 
@@ -63,6 +70,25 @@ internal sealed unsafe partial class JointSolver : IStageWork
     /// <summary>The pivots of nets, which have rows on lanes.</summary>
     public NetSolver Nets => _nets;
 
+    /// <summary>Joints of nets have errors from outside: <see cref="PullNets"/> is to give displacements, and <see cref="NetsPulled"/> follows them.</summary>
+    public bool NetsDisturbed => _nets.Disturbed;
+
+    public void PullNets() => _nets.Pull();
+
+    /// <summary>Single bodies that also take part as trees follow the displacements of their nets.</summary>
+    public void NetsPulled()
+    {
+        _nets.Displaced();
+        for (int at = 0; at < _nodeCount; at++)
+        {
+            TreeNode* node = _forest.Nodes + _nodes[at];
+            if (_nets.Search.IsNet(node->Body))
+            {
+                LoadMove(node);
+            }
+        }
+    }
+
     /// <summary>True if the solver must move a body because of its joints.</summary>
     public bool Holds(int body) => _forest.NodeOf(body) >= 0 || _nets.Holds(body);
 
@@ -79,7 +105,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
             ref JointState state = ref _store.States[_active[i].Joint];
             for (int k = 0; k < JointRows.Most; k++)
             {
-                _active[i].Lambda[k] = state.Impulse[k] * _step.ImpulseScale / _fineness;
+                _active[i].Lambda[k] = state.Impulse[k] * _step.StartScale / _fineness;
             }
 
             _active[i].Given[0] = 0;

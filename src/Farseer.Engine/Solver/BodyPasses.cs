@@ -1,3 +1,4 @@
+using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
@@ -26,6 +27,7 @@ internal sealed unsafe class BodyPasses : IStageWork
         Velocities,
         Positions,
         Save,
+        Stop,
         Restore,
     }
 
@@ -54,6 +56,9 @@ internal sealed unsafe class BodyPasses : IStageWork
     /// <summary>Keeps the velocities for <see cref="RestoreVelocities"/>.</summary>
     public void SaveVelocities() => Run(Pass.Save);
 
+    /// <summary>Velocities of 0, and from here on they move the bodies plainly in this substep.</summary>
+    public void Stop() => Run(Pass.Stop);
+
     public void RestoreVelocities() => Run(Pass.Restore);
 
     void IStageWork.Run(int worker, int from, int to)
@@ -72,6 +77,18 @@ internal sealed unsafe class BodyPasses : IStageWork
                 for (int i = first; i < end; i++)
                 {
                     _saved[i] = _states[_list[i]];
+                }
+
+                break;
+            case Pass.Stop:
+                for (int i = first; i < end; i++)
+                {
+                    _states[_list[i]].LinearVelocity = Vector2.Zero;
+                    _states[_list[i]].AngularVelocity = 0;
+                    BodyMotion* motion = _motions + _list[i];
+                    motion->ChangeX = 0;
+                    motion->ChangeY = 0;
+                    motion->ChangeW = 0;
                 }
 
                 break;

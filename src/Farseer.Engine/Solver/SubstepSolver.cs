@@ -141,7 +141,17 @@ internal sealed unsafe class SubstepSolver
                 _bodies.IntegratePositions();
             }
 
-            input.Joints?.CorrectPositions(recovery);
+            if (input.Joints != null)
+            {
+                input.Joints.CorrectPositions(recovery);
+                if (input.Joints.NetsDisturbed)
+                {
+                    PullNets(input.Joints);
+                }
+
+                input.Joints.EndPositions();
+            }
+
             input.Audit?.Book(SolverPart.Joints);
 
             // Friction waits for the second half: it would answer turns that the normals make only until they have settled.
@@ -207,6 +217,17 @@ internal sealed unsafe class SubstepSolver
         _passes.PushOut(colors, rate);
         _bodies.IntegratePositions();
         _bodies.RestoreVelocities();
+    }
+
+    /// <summary>Displaces the bodies of nets; the velocities that do it are forgotten.</summary>
+    private void PullNets(JointSolver joints)
+    {
+        _bodies.SaveVelocities();
+        _bodies.Stop();
+        joints.PullNets();
+        _bodies.IntegratePositions();
+        _bodies.RestoreVelocities();
+        joints.NetsPulled();
     }
 
     /// <summary>Share r a substep with which n substeps remove the share of a step: 1 - (1 - r)^n = share, by bisection.</summary>

@@ -11,19 +11,45 @@ namespace Farseer.Tests.Regression;
 
 /// <summary>
 /// A net of rods of which a third is switched on or off every so often: what was off drifts apart, and contradicts the rest when it is
-/// switched on. Such errors were taken out by speeds, and 27 of 60 nets threw bodies off, at up to 2·10⁸ a second.
+/// switched on. Such errors were taken out by speeds, and 27 of 60 nets threw bodies off, at up to 2·10⁸ a second; when these speeds were
+/// bounded, still 10 in a hundred, those whose bodies collide at up to 10¹⁵.
 /// </summary>
 public class DriftedNetTests
 {
     [Theory]
+    [InlineData(15)]
     [InlineData(20)]
     [InlineData(24)]
     [InlineData(27)]
+    [InlineData(31)]
     [InlineData(44)]
-    public void Joints_SwitchedAtRandom_ThrowNothingOff(int seed)
+    [InlineData(71)]
+    [InlineData(72)]
+    [InlineData(165)]
+    [InlineData(174)]
+    [InlineData(214)]
+    public void Joints_SwitchedAtRandom_ThrowNothingOff(int seed) => Run(seed, 1 / 60f);
+
+    // What the impulses of the short step were, blows, was repeated 167 to 16,667 times as hard: 10 of 60 nets blew up in the step after it.
+    [Theory]
+    [InlineData(17, 1e-4f)]
+    [InlineData(31, 1e-4f)]
+    [InlineData(165, 1e-6f)]
+    [InlineData(181, 1e-6f)]
+    [InlineData(191, 1e-6f)]
+    [InlineData(197, 1e-6f)]
+    public void Joints_AfterAShortStep_ThrowNothingOff(int seed, float first) => Run(seed, first);
+
+    private static void Run(int seed, float first)
     {
         var random = new Random(seed);
         List<Joint> joints = Build(random, out PhysicsSimulator simulator, out int period);
+        if (first < 1 / 60f)
+        {
+            simulator.Update(first);
+        }
+
+        float fastest = 0;
         for (int step = 0; step < 600; step++)
         {
             if (step % period == 0)
@@ -35,11 +61,15 @@ public class DriftedNetTests
             }
 
             simulator.Update(1 / 60f);
+            foreach (Body body in simulator.BodyList)
+            {
+                fastest = Math.Max(fastest, body.LinearVelocity.Length());
+            }
         }
 
-        // A fall of ten seconds, and some sizes of the net a second from what its joints fight out among themselves.
+        // A fall of ten seconds, and some sizes of the net a second from overlaps that the joints' displacements make.
         Assert.All(simulator.BodyList, b => Assert.True(b.Enabled));
-        Assert.All(simulator.BodyList, b => Assert.InRange(b.LinearVelocity.Length(), 0, 300));
+        Assert.InRange(fastest, 0, 130);
         Assert.All(simulator.BodyList, b => Assert.InRange(b.Position.Length(), 0, 1000));
     }
 

@@ -116,6 +116,9 @@ internal struct NetAnchors
 /// <summary>How the rows of a pass respond: softly with a bias, or hard without.</summary>
 internal readonly struct NetSoftness
 {
+    /// <summary>Share of an error from outside that goes in a step: the usual bias factor.</summary>
+    private const double Hurry = 0.2;
+
     /// <summary>Speed of recovery per unit of error, 1/s.</summary>
     public readonly float BiasRate;
     public readonly float MassScale;
@@ -131,6 +134,9 @@ internal readonly struct NetSoftness
         MassScale = massScale;
         ImpulseScale = impulseScale;
     }
+
+    /// <summary>Displacements, as speeds, that take out what came from outside.</summary>
+    public static NetSoftness Displacing(double dt) => new NetSoftness((float)(Hurry / dt), 1, 0, (float)(JointPass.NetHurry / dt));
 
     /// <summary>No error, no leak.</summary>
     public static NetSoftness Hard => new NetSoftness(0, 1, 0, 0);

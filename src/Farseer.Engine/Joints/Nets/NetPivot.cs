@@ -40,6 +40,10 @@ internal unsafe struct NetPivotBundle
     /// <summary>φ at the start of the step.</summary>
     public fixed float StartX[Lanes];
     public fixed float StartY[Lanes];
+
+    /// <summary>What was put into φ from outside, and so is left out of it above; see <see cref="NetShift"/>.</summary>
+    public fixed float OutsideX[Lanes];
+    public fixed float OutsideY[Lanes];
 }
 
 /// <summary>The passes of a substep over pivots of a colour, on lanes; each takes any run of its bundles.</summary>
@@ -112,18 +116,88 @@ internal static unsafe class NetPivotKernel
     }
 
     /// <summary>Arms and errors where the step begins.</summary>
+    /// <returns>True if any error came from outside.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Begin(NetPivotBundle* bundles, int count, BodyState* bodies)
+    public static bool Begin(NetPivotBundle* bundles, int count, BodyState* bodies, float keep)
     {
+        bool disturbed = false;
+        for (int i = 0; i < count; i++)
+        {
+            for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
+            {
+                disturbed |= BeginLanes(bundles + i, lane, bodies, keep);
+            }
+        }
+
+        return disturbed;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static bool BeginLanes(NetPivotBundle* row, int lane, BodyState* bodies, float keep)
+    {
+        Wide lastX = Wide.Load(row->ErrorX + lane);
+        Wide lastY = Wide.Load(row->ErrorY + lane);
+        Turn(row, lane, bodies, out Wide x, out Wide y);
+        Wide outsideX = Wide.Load(row->OutsideX + lane);
+        Wide outsideY = Wide.Load(row->OutsideY + lane);
+        (x + outsideX).Store(row->StartX + lane);
+        (y + outsideY).Store(row->StartY + lane);
+        Wide size = NetEnds.SizeOf(&row->Ends, lane);
+        Wide shiftX = NetShift.Of(lastX, x, outsideX, size, keep);
+        Wide shiftY = NetShift.Of(lastY, y, outsideY, size, keep);
+        Shift(row, lane, shiftX, shiftY);
+        return NetShift.IsDisturbed(outsideX + shiftX) | NetShift.IsDisturbed(outsideY + shiftY);
+    }
+
+    /// <summary>Displaces the bodies to where less is left of what came from outside; the impulses stay as they are.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Pull(NetPivotBundle* bundles, int count, BodyState* bodies, in NetSoftness softness)
+    {
+        Wide rate = Wide.Splat(softness.BiasRate);
+        Wide fastest = Wide.Splat(softness.Fastest);
         for (int i = 0; i < count; i++)
         {
             NetPivotBundle* row = bundles + i;
             for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
             {
-                Turn(row, lane, bodies, out Wide x, out Wide y);
-                x.Store(row->StartX + lane);
-                y.Store(row->StartY + lane);
+                Wide x = Wide.Load(row->ImpulseX + lane);
+                Wide y = Wide.Load(row->ImpulseY + lane);
+                BodyLanes.GatherVelocity(bodies, row->Ends.BodyA + lane, out WideVelocity a);
+                BodyLanes.GatherVelocity(bodies, row->Ends.BodyB + lane, out WideVelocity b);
+                Wide most = fastest * NetEnds.SizeOf(&row->Ends, lane);
+                Wide biasX = NetSoftness.Bias(rate, Wide.Load(row->OutsideX + lane), most);
+                Wide biasY = NetSoftness.Bias(rate, Wide.Load(row->OutsideY + lane), most);
+                Step(row, lane, ref a, ref b, biasX, biasY, Wide.One, Wide.Zero);
+                BodyLanes.ScatterVelocity(bodies, row->Ends.BodyA + lane, a);
+                BodyLanes.ScatterVelocity(bodies, row->Ends.BodyB + lane, b);
+                x.Store(row->ImpulseX + lane);
+                y.Store(row->ImpulseY + lane);
             }
+        }
+    }
+
+    /// <summary>The arms where the bodies are now; what a displacement changed of φ is no motion.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Turn(NetPivotBundle* bundles, int count, BodyState* bodies, bool displaced)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
+            {
+                TurnLanes(bundles + i, lane, bodies, displaced);
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void TurnLanes(NetPivotBundle* row, int lane, BodyState* bodies, bool displaced)
+    {
+        Wide lastX = Wide.Load(row->ErrorX + lane);
+        Wide lastY = Wide.Load(row->ErrorY + lane);
+        Turn(row, lane, bodies, out Wide x, out Wide y);
+        if (displaced)
+        {
+            Shift(row, lane, x - lastX, y - lastY);
         }
     }
 
@@ -136,6 +210,18 @@ internal static unsafe class NetPivotKernel
         y = Wide.Load(row->BaseY + lane) + movedY;
         x.Store(row->ErrorX + lane);
         y.Store(row->ErrorY + lane);
+    }
+
+    /// <summary>Of φ, so much came from outside.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Shift(NetPivotBundle* row, int lane, Wide x, Wide y)
+    {
+        (Wide.Load(row->OutsideX + lane) + x).Store(row->OutsideX + lane);
+        (Wide.Load(row->OutsideY + lane) + y).Store(row->OutsideY + lane);
+        (Wide.Load(row->BaseX + lane) - x).Store(row->BaseX + lane);
+        (Wide.Load(row->BaseY + lane) - y).Store(row->BaseY + lane);
+        (Wide.Load(row->ErrorX + lane) - x).Store(row->ErrorX + lane);
+        (Wide.Load(row->ErrorY + lane) - y).Store(row->ErrorY + lane);
     }
 
     /// <summary>The impulse that brings dφ/dt to minus the bias, by the share that the softness lets through.</summary>
@@ -192,7 +278,14 @@ internal sealed unsafe class NetPivots : NetRows
         }
     }
 
-    public override void Begin(int first, int count, in NetMotion motion) => NetPivotKernel.Begin(Bundles + first, count, motion.States);
+    public override bool Begin(int first, int count, in NetMotion motion, float keep) =>
+        NetPivotKernel.Begin(Bundles + first, count, motion.States, keep);
+
+    public override void Pull(int first, int count, in NetMotion motion, in NetSoftness softness) =>
+        NetPivotKernel.Pull(Bundles + first, count, motion.States, softness);
+
+    public override void Turn(int first, int count, in NetMotion motion, bool displaced) =>
+        NetPivotKernel.Turn(Bundles + first, count, motion.States, displaced);
 
     public override void WarmStart(int first, int count, in NetMotion motion) =>
         NetPivotKernel.WarmStart(Bundles + first, count, motion.States);
@@ -211,8 +304,8 @@ internal sealed unsafe class NetPivots : NetRows
     internal static float Place(NetPivotBundle* bundle, int lane, NetPose* poses, in NetAnchors anchors, float impulseScale)
     {
         float scale = PlaceEnds(&bundle->Ends, lane, poses, anchors, impulseScale, out double x, out double y);
-        bundle->BaseX[lane] = (float)x;
-        bundle->BaseY[lane] = (float)y;
+        bundle->BaseX[lane] = (float)(x - bundle->OutsideX[lane]);
+        bundle->BaseY[lane] = (float)(y - bundle->OutsideY[lane]);
         float impulseX = bundle->ImpulseX[lane] * scale;
         float impulseY = bundle->ImpulseY[lane] * scale;
         bundle->ImpulseX[lane] = impulseX;

@@ -43,6 +43,9 @@ internal unsafe struct NetRodBundle
     /// <summary>Sum of the impulses of the step; n turns in it.</summary>
     public fixed float SumX[Lanes];
     public fixed float SumY[Lanes];
+
+    /// <summary>What was put into φ from outside; <see cref="Length"/> is longer by it.</summary>
+    public fixed float Outside[Lanes];
 }
 
 /// <summary>The passes of a substep over rods of a colour, on lanes; each takes any run of its bundles.</summary>
@@ -81,7 +84,7 @@ internal static unsafe class NetRodKernel
             {
                 BodyLanes.GatherVelocity(bodies, row->Ends.BodyA + lane, out WideVelocity a);
                 BodyLanes.GatherVelocity(bodies, row->Ends.BodyB + lane, out WideVelocity b);
-                Wide most = fastest * (NetEnds.SizeOf(&row->Ends, lane) + Wide.Load(row->Length + lane));
+                Wide most = fastest * SizeOf(row, lane);
                 Step(row, lane, ref a, ref b, NetSoftness.Bias(biasRate, Wide.Load(row->Error + lane), most), massScale, leak);
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyB + lane, b);
@@ -109,18 +112,90 @@ internal static unsafe class NetRodKernel
     }
 
     /// <summary>Arms and errors where the step begins.</summary>
+    /// <returns>True if any error came from outside.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Begin(NetRodBundle* bundles, int count, BodyState* bodies)
+    public static bool Begin(NetRodBundle* bundles, int count, BodyState* bodies, float keep)
+    {
+        bool disturbed = false;
+        for (int i = 0; i < count; i++)
+        {
+            NetRodBundle* row = bundles + i;
+            for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
+            {
+                Wide last = Wide.Load(row->Error + lane);
+                Turn(row, lane, bodies);
+                Wide error = Wide.Load(row->Error + lane);
+                Wide outside = Wide.Load(row->Outside + lane);
+                (error + outside).Store(row->Start + lane);
+                Wide shift = NetShift.Of(last, error, outside, SizeOf(row, lane), keep);
+                Shift(row, lane, shift);
+                disturbed |= NetShift.IsDisturbed(outside + shift);
+            }
+        }
+
+        return disturbed;
+    }
+
+    /// <summary>Displaces the bodies to where less is left of what came from outside; the impulses stay as they are.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Pull(NetRodBundle* bundles, int count, BodyState* bodies, in NetSoftness softness)
+    {
+        Wide rate = Wide.Splat(softness.BiasRate);
+        Wide fastest = Wide.Splat(softness.Fastest);
+        for (int i = 0; i < count; i++)
+        {
+            NetRodBundle* row = bundles + i;
+            for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
+            {
+                Wide kept = Wide.Load(row->Impulse + lane);
+                Wide keptX = Wide.Load(row->SumX + lane);
+                Wide keptY = Wide.Load(row->SumY + lane);
+                BodyLanes.GatherVelocity(bodies, row->Ends.BodyA + lane, out WideVelocity a);
+                BodyLanes.GatherVelocity(bodies, row->Ends.BodyB + lane, out WideVelocity b);
+                Wide bias = NetSoftness.Bias(rate, Wide.Load(row->Outside + lane), fastest * SizeOf(row, lane));
+                Step(row, lane, ref a, ref b, bias, Wide.One, Wide.Zero);
+                BodyLanes.ScatterVelocity(bodies, row->Ends.BodyA + lane, a);
+                BodyLanes.ScatterVelocity(bodies, row->Ends.BodyB + lane, b);
+                kept.Store(row->Impulse + lane);
+                keptX.Store(row->SumX + lane);
+                keptY.Store(row->SumY + lane);
+            }
+        }
+    }
+
+    /// <summary>The arms where the bodies are now; what a displacement changed of φ is no motion.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Turn(NetRodBundle* bundles, int count, BodyState* bodies, bool displaced)
     {
         for (int i = 0; i < count; i++)
         {
             NetRodBundle* row = bundles + i;
             for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
             {
+                Wide last = Wide.Load(row->Error + lane);
                 Turn(row, lane, bodies);
-                Wide.Load(row->Error + lane).Store(row->Start + lane);
+                if (displaced)
+                {
+                    Shift(row, lane, Wide.Load(row->Error + lane) - last);
+                }
             }
         }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Wide SizeOf(NetRodBundle* row, int lane) => NetEnds.SizeOf(&row->Ends, lane) + Wide.Load(row->Length + lane);
+
+    /// <summary>Of φ, so much came from outside: L grows by it, and L² by that times the sum of both lengths.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Shift(NetRodBundle* row, int lane, Wide change)
+    {
+        Wide length = Wide.Load(row->Length + lane);
+        Wide longer = Wide.Max(length + change, Wide.Zero);
+        change = Wide.Select(longer > Wide.Zero, change, longer - length);
+        longer.Store(row->Length + lane);
+        (Wide.Load(row->Excess + lane) - (change * (longer + length))).Store(row->Excess + lane);
+        (Wide.Load(row->Outside + lane) + change).Store(row->Outside + lane);
+        (Wide.Load(row->Error + lane) - change).Store(row->Error + lane);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -186,7 +261,7 @@ internal sealed unsafe class NetRods : NetRows
         {
             NetRodBundle* bundle = (NetRodBundle*)EndsOf(row);
             int lane = LaneOf(row);
-            double length = AnchorsOf(row).Target;
+            double length = AnchorsOf(row).Target + bundle->Outside[lane];
             bundle->Impulse[lane] *= PlaceEnds(&bundle->Ends, lane, poses, AnchorsOf(row), impulseScale, out double x, out double y);
             bundle->BaseX[lane] = (float)x;
             bundle->BaseY[lane] = (float)y;
@@ -197,7 +272,14 @@ internal sealed unsafe class NetRods : NetRows
         }
     }
 
-    public override void Begin(int first, int count, in NetMotion motion) => NetRodKernel.Begin(Bundles + first, count, motion.States);
+    public override bool Begin(int first, int count, in NetMotion motion, float keep) =>
+        NetRodKernel.Begin(Bundles + first, count, motion.States, keep);
+
+    public override void Pull(int first, int count, in NetMotion motion, in NetSoftness softness) =>
+        NetRodKernel.Pull(Bundles + first, count, motion.States, softness);
+
+    public override void Turn(int first, int count, in NetMotion motion, bool displaced) =>
+        NetRodKernel.Turn(Bundles + first, count, motion.States, displaced);
 
     public override void WarmStart(int first, int count, in NetMotion motion) => NetRodKernel.WarmStart(Bundles + first, count, motion.States);
 

@@ -76,14 +76,32 @@ internal abstract unsafe class NetRows
         PlaceRows(first * _lanesUsed, end < RowCount ? end : RowCount, poses, impulseScale);
     }
 
+    /// <summary>Errors of the rows came from outside, and are to go by displacements.</summary>
+    public bool Disturbed { get; set; }
+
     /// <summary>Arms and errors where the step begins.</summary>
-    public abstract void Begin(int first, int count, in NetMotion motion);
+    /// <param name="first">The first bundle.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="motion">The bodies.</param>
+    /// <param name="keep">Share of the errors of the last step that remain errors of motion.</param>
+    /// <returns>True if any error came from outside.</returns>
+    public abstract bool Begin(int first, int count, in NetMotion motion, float keep);
 
     public abstract void WarmStart(int first, int count, in NetMotion motion);
 
     public abstract void Solve(int first, int count, in NetMotion motion, in NetSoftness softness);
 
     public abstract void TurnAndRelax(int first, int count, in NetMotion motion);
+
+    /// <summary>One sweep of velocities that take out what came from outside, of which nothing is kept.</summary>
+    public abstract void Pull(int first, int count, in NetMotion motion, in NetSoftness softness);
+
+    /// <summary>Arms and errors where the bodies are now.</summary>
+    /// <param name="first">The first bundle.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="motion">The bodies.</param>
+    /// <param name="displaced">They have been displaced since the last time.</param>
+    public abstract void Turn(int first, int count, in NetMotion motion, bool displaced);
 
     /// <summary>Takes over the impulses of the last substep, in terms of a response of 1, and the error.</summary>
     public abstract void Take(int row, in JointState state);

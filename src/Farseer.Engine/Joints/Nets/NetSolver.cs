@@ -10,6 +10,7 @@ namespace Farseer.Engine.Joints.Nets;
 internal sealed unsafe partial class NetSolver
 {
     private const int Forms = 3;
+    private const int PullSweeps = 4;
 
     private readonly JointStore _store;
     private readonly BodyColors _bodyColors = new BodyColors();
@@ -56,6 +57,9 @@ internal sealed unsafe partial class NetSolver
     /// <summary>Nets keep to the substeps of the step.</summary>
     public void Select(int index) => _runs = Any && index == 0;
 
+    /// <summary>Errors came from outside and go by displacements.</summary>
+    public bool Disturbed { get; private set; }
+
     /// <summary>Before <see cref="Start"/>: all nets fly, until something is said to bind them.</summary>
     public void Release() => _bodies.Release();
 
@@ -65,6 +69,7 @@ internal sealed unsafe partial class NetSolver
     /// <summary>Starts the substeps: arms in the middle of the step, and what the bodies weigh.</summary>
     public void Start(in JointStep step)
     {
+        Disturbed = false;
         if (!_runs)
         {
             return;
@@ -74,7 +79,16 @@ internal sealed unsafe partial class NetSolver
         _bodies.BindTouched(step.Touches);
         _work.Begin(step);
         _work.Run(NetWork.Pass.StartBodies);
+        for (int i = 0; i < _solvedCount; i++)
+        {
+            _solved[i].Disturbed = false;
+        }
+
         Sweep(NetWork.Pass.Start, NetSoftness.Hard);
+        for (int i = 0; i < _solvedCount; i++)
+        {
+            Disturbed |= _solved[i].Disturbed;
+        }
     }
 
     /// <summary>After the velocities took gravity and forces: bodies move by h·v from here on, and the last impulses act again.</summary>
@@ -88,6 +102,21 @@ internal sealed unsafe partial class NetSolver
     }
 
     public void SolveBiased() => Sweep(NetWork.Pass.Solve, _step.Drifts ? NetSoftness.Hard : NetSoftness.Soft(_step.Substep, _step.Dt));
+
+    /// <summary>
+    /// Gives the bodies, which stand still, velocities that pull disturbed joints together. <see cref="Displaced"/> follows when they have moved.
+    /// </summary>
+    public void Pull()
+    {
+        Sweep(NetWork.Pass.Turn, NetSoftness.Hard);
+        for (int sweep = 0; sweep < PullSweeps; sweep++)
+        {
+            Sweep(NetWork.Pass.Pull, NetSoftness.Displacing(_step.Dt));
+        }
+    }
+
+    /// <summary>The bodies have moved with the velocities of <see cref="Pull"/>.</summary>
+    public void Displaced() => Sweep(NetWork.Pass.Displaced, NetSoftness.Hard);
 
     /// <summary>After the positions moved.</summary>
     public void Moved()

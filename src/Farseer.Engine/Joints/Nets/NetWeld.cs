@@ -33,6 +33,9 @@ internal unsafe struct NetWeldBundle
     public fixed float Error[Lanes];
     public fixed float Base[Lanes];
     public fixed float Sum[Lanes];
+
+    /// <summary>What was put into the angle from outside, and so is left out of its error.</summary>
+    public fixed float Outside[Lanes];
 }
 
 /// <summary>The passes of a substep over welds of a colour, on lanes; each takes any run of its bundles.</summary>
@@ -79,7 +82,11 @@ internal static unsafe class NetWeldKernel
             {
                 BodyLanes.GatherVelocity(bodies, ends->BodyA + lane, out WideVelocity a);
                 BodyLanes.GatherVelocity(bodies, ends->BodyB + lane, out WideVelocity b);
-                Step(row, lane, ref a, ref b, biasRate, fastest, massScale, leak);
+                Wide most = fastest * NetEnds.SizeOf(ends, lane);
+                Wide biasX = NetSoftness.Bias(biasRate, Wide.Load(row->Pivot.ErrorX + lane), most);
+                Wide biasY = NetSoftness.Bias(biasRate, Wide.Load(row->Pivot.ErrorY + lane), most);
+                Wide biasW = NetSoftness.Bias(biasRate, Wide.Load(row->Error + lane), fastest);
+                Step(row, lane, ref a, ref b, biasX, biasY, biasW, massScale, leak);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyB + lane, b);
             }
@@ -100,7 +107,7 @@ internal static unsafe class NetWeldKernel
                 TurnAngle(row, lane, motions);
                 BodyLanes.GatherVelocity(bodies, ends->BodyA + lane, out WideVelocity a);
                 BodyLanes.GatherVelocity(bodies, ends->BodyB + lane, out WideVelocity b);
-                Step(row, lane, ref a, ref b, Wide.Zero, Wide.Zero, Wide.One, Wide.Zero);
+                Step(row, lane, ref a, ref b, Wide.Zero, Wide.Zero, Wide.Zero, Wide.One, Wide.Zero);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyB + lane, b);
             }
@@ -108,20 +115,86 @@ internal static unsafe class NetWeldKernel
     }
 
     /// <summary>Arms and errors where the step begins.</summary>
+    /// <returns>True if any error came from outside.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Begin(NetWeldBundle* bundles, int count, BodyState* bodies, BodyMotion* motions)
+    public static bool Begin(NetWeldBundle* bundles, int count, BodyState* bodies, BodyMotion* motions, float keep)
+    {
+        bool disturbed = false;
+        for (int i = 0; i < count; i++)
+        {
+            NetWeldBundle* row = bundles + i;
+            for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
+            {
+                disturbed |= NetPivotKernel.BeginLanes(&row->Pivot, lane, bodies, keep);
+                Wide last = Wide.Load(row->Error + lane);
+                TurnAngle(row, lane, motions);
+                Wide outside = Wide.Load(row->Outside + lane);
+                Wide shift = NetShift.Of(last, Wide.Load(row->Error + lane), outside, Wide.One, keep);
+                Shift(row, lane, shift);
+                disturbed |= NetShift.IsDisturbed(outside + shift);
+            }
+        }
+
+        return disturbed;
+    }
+
+    /// <summary>Displaces the bodies to where less is left of what came from outside; the impulses stay as they are.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Pull(NetWeldBundle* bundles, int count, BodyState* bodies, in NetSoftness softness)
+    {
+        Wide rate = Wide.Splat(softness.BiasRate);
+        Wide fastest = Wide.Splat(softness.Fastest);
+        for (int i = 0; i < count; i++)
+        {
+            NetWeldBundle* row = bundles + i;
+            NetEnds* ends = &row->Pivot.Ends;
+            for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
+            {
+                Wide x = Wide.Load(row->Pivot.ImpulseX + lane);
+                Wide y = Wide.Load(row->Pivot.ImpulseY + lane);
+                Wide w = Wide.Load(row->Impulse + lane);
+                BodyLanes.GatherVelocity(bodies, ends->BodyA + lane, out WideVelocity a);
+                BodyLanes.GatherVelocity(bodies, ends->BodyB + lane, out WideVelocity b);
+                Wide most = fastest * NetEnds.SizeOf(ends, lane);
+                Wide biasX = NetSoftness.Bias(rate, Wide.Load(row->Pivot.OutsideX + lane), most);
+                Wide biasY = NetSoftness.Bias(rate, Wide.Load(row->Pivot.OutsideY + lane), most);
+                Wide biasW = NetSoftness.Bias(rate, Wide.Load(row->Outside + lane), fastest);
+                Step(row, lane, ref a, ref b, biasX, biasY, biasW, Wide.One, Wide.Zero);
+                BodyLanes.ScatterVelocity(bodies, ends->BodyA + lane, a);
+                BodyLanes.ScatterVelocity(bodies, ends->BodyB + lane, b);
+                x.Store(row->Pivot.ImpulseX + lane);
+                y.Store(row->Pivot.ImpulseY + lane);
+                w.Store(row->Impulse + lane);
+            }
+        }
+    }
+
+    /// <summary>The arms where the bodies are now; what a displacement changed of the errors is no motion.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Turn(NetWeldBundle* bundles, int count, BodyState* bodies, BodyMotion* motions, bool displaced)
     {
         for (int i = 0; i < count; i++)
         {
             NetWeldBundle* row = bundles + i;
             for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
             {
-                NetPivotKernel.Turn(&row->Pivot, lane, bodies, out Wide x, out Wide y);
-                x.Store(row->Pivot.StartX + lane);
-                y.Store(row->Pivot.StartY + lane);
+                NetPivotKernel.TurnLanes(&row->Pivot, lane, bodies, displaced);
+                Wide last = Wide.Load(row->Error + lane);
                 TurnAngle(row, lane, motions);
+                if (displaced)
+                {
+                    Shift(row, lane, Wide.Load(row->Error + lane) - last);
+                }
             }
         }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Shift(NetWeldBundle* row, int lane, Wide angle)
+    {
+        (Wide.Load(row->Outside + lane) + angle).Store(row->Outside + lane);
+        (Wide.Load(row->Base + lane) - angle).Store(row->Base + lane);
+        (Wide.Load(row->Error + lane) - angle).Store(row->Error + lane);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -134,14 +207,13 @@ internal static unsafe class NetWeldKernel
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Step(
-        NetWeldBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide biasRate, Wide fastest, Wide massScale, Wide leak)
+        NetWeldBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide biasX, Wide biasY, Wide biasW, Wide massScale, Wide leak)
     {
         NetEnds* ends = &row->Pivot.Ends;
         NetEnds.Speed(ends, lane, a, b, out Wide x, out Wide y);
-        Wide most = fastest * NetEnds.SizeOf(ends, lane);
-        x = x + NetSoftness.Bias(biasRate, Wide.Load(row->Pivot.ErrorX + lane), most);
-        y = y + NetSoftness.Bias(biasRate, Wide.Load(row->Pivot.ErrorY + lane), most);
-        Wide w = (b.W - a.W) + NetSoftness.Bias(biasRate, Wide.Load(row->Error + lane), fastest);
+        x = x + biasX;
+        y = y + biasY;
+        Wide w = (b.W - a.W) + biasW;
         Wide ax = Wide.Load(ends->ArmAX + lane);
         Wide ay = Wide.Load(ends->ArmAY + lane);
         Wide bx = Wide.Load(ends->ArmBX + lane);
@@ -209,15 +281,22 @@ internal sealed unsafe class NetWelds : NetRows
             bundle->PartA[lane] = ends->TurnA[lane] * inverse;
             bundle->PartB[lane] = ends->TurnB[lane] * inverse;
             bundle->InverseTurn[lane] = inverse;
-            bundle->Base[lane] = (float)((poses[ends->BodyB[lane]].Angle - poses[ends->BodyA[lane]].Angle) - anchors.Target);
+            double angle = (poses[ends->BodyB[lane]].Angle - poses[ends->BodyA[lane]].Angle) - anchors.Target;
+            bundle->Base[lane] = (float)(angle - bundle->Outside[lane]);
             float impulse = bundle->Impulse[lane] * scale;
             bundle->Impulse[lane] = impulse;
             bundle->Sum[lane] = -impulse;
         }
     }
 
-    public override void Begin(int first, int count, in NetMotion motion) =>
-        NetWeldKernel.Begin(Bundles + first, count, motion.States, motion.Motions);
+    public override bool Begin(int first, int count, in NetMotion motion, float keep) =>
+        NetWeldKernel.Begin(Bundles + first, count, motion.States, motion.Motions, keep);
+
+    public override void Pull(int first, int count, in NetMotion motion, in NetSoftness softness) =>
+        NetWeldKernel.Pull(Bundles + first, count, motion.States, softness);
+
+    public override void Turn(int first, int count, in NetMotion motion, bool displaced) =>
+        NetWeldKernel.Turn(Bundles + first, count, motion.States, motion.Motions, displaced);
 
     public override void WarmStart(int first, int count, in NetMotion motion) =>
         NetWeldKernel.WarmStart(Bundles + first, count, motion.States);

@@ -26,6 +26,9 @@ internal sealed unsafe class NetWork : IStageWork
         Solve,
         MoveBodies,
         TurnAndRelax,
+        Turn,
+        Pull,
+        Displaced,
     }
 
     public void Begin(in JointStep step) => _step = step;
@@ -56,8 +59,12 @@ internal sealed unsafe class NetWork : IStageWork
                 _bodies.Start(_step, body, end);
                 break;
             case Pass.Start:
-                _rows.Place(from, count, _bodies.Poses, (float)_step.ImpulseScale);
-                _rows.Begin(from, count, motion);
+                _rows.Place(from, count, _bodies.Poses, (float)_step.StartScale);
+                if (_rows.Begin(from, count, motion, NetShift.Keep(_step.ImpulseScale)))
+                {
+                    _rows.Disturbed = true;
+                }
+
                 break;
             case Pass.EnterBodies:
                 _bodies.Enter(_step.Bodies, body, end);
@@ -73,6 +80,13 @@ internal sealed unsafe class NetWork : IStageWork
                 break;
             case Pass.TurnAndRelax:
                 _rows.TurnAndRelax(from, count, motion);
+                break;
+            case Pass.Turn:
+            case Pass.Displaced:
+                _rows.Turn(from, count, motion, _pass == Pass.Displaced);
+                break;
+            case Pass.Pull:
+                _rows.Pull(from, count, motion, _softness);
                 break;
         }
     }

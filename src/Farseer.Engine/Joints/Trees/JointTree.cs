@@ -37,6 +37,9 @@ internal struct JointTree
     /// <summary>Springs pull at it in this step.</summary>
     public bool Pulled;
 
+    /// <summary>It was disturbed in the substep before: until nothing is left of its errors they count as put there from outside.</summary>
+    public bool Unsettled;
+
     /// <summary>An error that was put there from outside waits to be taken out; the correction went astray; its limits changed.</summary>
     public bool Disturbed;
     public bool Astray;
@@ -74,6 +77,9 @@ internal struct JointTree
 
     /// <summary>How long before the end of the substep its impact was.</summary>
     public double Since;
+
+    /// <summary>Whether an error, in terms of its joint's size, is one from outside.</summary>
+    public readonly bool IsOutside(double error) => error > (Disturbed || Unsettled ? JointSolver.Loose : JointSolver.Small);
 
     /// <summary>Largest error of the tree now and a round ago, in terms of its joints' sizes.</summary>
     public double Worst;
