@@ -52,8 +52,25 @@ internal sealed unsafe partial class JointSolver
         }
 
         RestoreImpulses(true);
+        ForgetBendsAstray();
         StoreVelocities();
         return true;
+    }
+
+    /// <summary>
+    /// Where a tree went astray nothing is foreseen: an error along a taut chain is met by the biased pass only with a far larger bend, which
+    /// lost the load of a bridge.
+    /// </summary>
+    private void ForgetBendsAstray()
+    {
+        for (int at = 0; at < _jointCount; at++)
+        {
+            ActiveJoint* joint = _active.Pointer + _joints[at];
+            if (_forest.Trees[TreeOf(joint->Ends)].Astray)
+            {
+                ForgetBends(joint);
+            }
+        }
     }
 
     private double ProjectedSpeed(TreeNode* node, int k) => (node->Move[k] - node->StartMove[k]) / _step.Substep;
