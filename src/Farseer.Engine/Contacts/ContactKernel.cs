@@ -15,9 +15,6 @@ namespace Farseer.Engine.Contacts;
 /// </summary>
 internal static unsafe class ContactKernel
 {
-    /// <summary>Bundles of a colour of a world whose rows are no longer near, some 8 MB in all colours.</summary>
-    private const int MostNear = 384;
-
     /// <summary>Bundles ahead for which memory is asked.</summary>
     private const int Ahead = 3;
 
@@ -26,14 +23,14 @@ internal static unsafe class ContactKernel
     /// block solver), friction kept within its cone.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void WarmStart<TScatter>(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c)
+    public static void WarmStart<TScatter>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c)
         where TScatter : struct, IVelocityScatter
     {
         Wide fall = Wide.Splat(c.Gravity * c.Substep);
-        for (int i = 0; i < count; i++)
+        ContactBundle* end = rows.Bundles + rows.Count;
+        for (ContactBundle* row = rows.Bundles; row < end; row++)
         {
-            ContactBundle* row = bundles + i;
-            AskAhead(row, i, count);
+            AskAhead(rows, row);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
@@ -57,7 +54,7 @@ internal static unsafe class ContactKernel
     /// their overlap goes in <see cref="PushOut"/>.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void SolveBiased<TScatter>(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
+    public static void SolveBiased<TScatter>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
         where TScatter : struct, IVelocityScatter
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
@@ -67,10 +64,10 @@ internal static unsafe class ContactKernel
         Wide rest = Wide.Splat(c.Rest);
         Wide settle = Wide.Splat(c.BiasRate * c.Rest);
         Wide settleShare = Wide.Splat(ContactCoefficients.SettleShare);
-        for (int i = 0; i < count; i++)
+        ContactBundle* end = rows.Bundles + rows.Count;
+        for (ContactBundle* row = rows.Bundles; row < end; row++)
         {
-            ContactBundle* row = bundles + i;
-            AskAhead(row, i, count);
+            AskAhead(rows, row);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
@@ -134,15 +131,15 @@ internal static unsafe class ContactKernel
     /// the impulses, so that a deep overlap never becomes speed.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void PushOut<TScatter>(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, float recoveryRate)
+    public static void PushOut<TScatter>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, float recoveryRate)
         where TScatter : struct, IVelocityScatter
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rate = Wide.Splat(recoveryRate);
-        for (int i = 0; i < count; i++)
+        ContactBundle* end = rows.Bundles + rows.Count;
+        for (ContactBundle* row = rows.Bundles; row < end; row++)
         {
-            ContactBundle* row = bundles + i;
-            AskAhead(row, i, count);
+            AskAhead(rows, row);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
@@ -176,16 +173,16 @@ internal static unsafe class ContactKernel
     /// into spin. (To leave every open surface to the next substep cured that as well, but cost a tipping box 9e-4 rad/s.)
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Relax<TScatter>(ContactBundle* bundles, int count, BodyState* bodies, in ContactCoefficients c, bool rub, bool first)
+    public static void Relax<TScatter>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, bool rub, bool first)
         where TScatter : struct, IVelocityScatter
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rest = Wide.Splat(c.Rest);
         Wide level = Wide.Splat(c.Level);
-        for (int i = 0; i < count; i++)
+        ContactBundle* end = rows.Bundles + rows.Count;
+        for (ContactBundle* row = rows.Bundles; row < end; row++)
         {
-            ContactBundle* row = bundles + i;
-            AskAhead(row, i, count);
+            AskAhead(rows, row);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
@@ -256,13 +253,15 @@ internal static unsafe class ContactKernel
     /// are near lose by it (a pyramid of 100: a fifth of the solver's time).
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void AskAhead(ContactBundle* row, int i, int count)
+    private static void AskAhead(in BundleRun rows, ContactBundle* row)
     {
-        if (Prefetch.IsUseful && count > MostNear && i + Ahead < count)
+        if (Prefetch.IsUseful && rows.IsFar)
         {
-            byte* line = (byte*)(row + Ahead);
-            byte* end = (byte*)(row + Ahead)->Contact;
-            for (; line < end; line += Prefetch.LineBytes)
+            ContactBundle* ahead = row + Ahead;
+            long past = ahead - (rows.Bundles + rows.Count);
+            ahead = past < 0 ? ahead : rows.Following + past;
+            byte* end = (byte*)ahead->Contact;
+            for (byte* line = (byte*)ahead; line < end; line += Prefetch.LineBytes)
             {
                 Prefetch.Line(line);
             }

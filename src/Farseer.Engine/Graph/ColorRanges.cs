@@ -1,5 +1,4 @@
 using System;
-using Farseer.Engine.Contacts;
 
 namespace Farseer.Engine.Graph;
 
@@ -7,7 +6,7 @@ namespace Farseer.Engine.Graph;
 /// The bundles of several colours numbered one after the other: a phase that does not care for colours is then one range for the workers,
 /// and not one a colour.
 /// </summary>
-internal sealed unsafe class ColorRanges
+internal sealed class ColorRanges
 {
     private readonly GraphColor[] _colors = new GraphColor[ConstraintGraph.ColorCount];
     private readonly int[] _first = new int[ConstraintGraph.ColorCount + 1];
@@ -29,11 +28,11 @@ internal sealed unsafe class ColorRanges
         _first[colors.Length] = Count;
     }
 
-    /// <summary>Bundles in a row.</summary>
+    /// <summary>The bundles of one colour of a range.</summary>
     /// <param name="from">The number of the first.</param>
     /// <param name="to">One past the last that is wanted.</param>
-    /// <param name="end">One past the last that lies behind the first in memory, at most <paramref name="to"/>.</param>
-    public ContactBundle* From(int from, int to, out int end)
+    /// <param name="end">One past the last that is of the first one's colour, at most <paramref name="to"/>.</param>
+    public BundleRuns From(int from, int to, out int end)
     {
         int color = 0;
         while (_first[color + 1] <= from)
@@ -42,6 +41,6 @@ internal sealed unsafe class ColorRanges
         }
 
         end = Math.Min(to, _first[color + 1]);
-        return _colors[color].Bundles + (from - _first[color]);
+        return _colors[color].Part(from - _first[color], end - _first[color]);
     }
 }

@@ -21,6 +21,7 @@ internal sealed unsafe class ConstraintGraph
 
     private readonly Column<GraphChange> _changes = new Column<GraphChange>();
     private readonly BodyColors _bodies = new BodyColors();
+    private readonly RowArena _arena = new RowArena();
     private readonly Column<int> _degree = new Column<int>();
     private readonly GraphColor[] _colors = new GraphColor[ColorCount + 1];
 
@@ -37,7 +38,7 @@ internal sealed unsafe class ConstraintGraph
         _changes.EnsureCapacity(MostChanges);
         for (int i = 0; i < ColorCount; i++)
         {
-            _colors[i] = new GraphColor(i >= BodyColors.Masked, BodyColors.IsGrounded(i));
+            _colors[i] = new GraphColor(_arena, i >= BodyColors.Masked, BodyColors.IsGrounded(i));
         }
 
         for (int i = 0; i < ColorCount; i++)
@@ -46,7 +47,7 @@ internal sealed unsafe class ConstraintGraph
         }
 
         System.Diagnostics.Debug.Assert(Dormant == ColorCount, "the colour of those asleep is none of the others");
-        _colors[Dormant] = new GraphColor();
+        _colors[Dormant] = new GraphColor(_arena);
     }
 
     public int RowCount { get; private set; }
@@ -86,6 +87,12 @@ internal sealed unsafe class ConstraintGraph
 
     public GraphColor this[int color] => _colors[color];
 
+    /// <summary>Where the rows of all colours are.</summary>
+    public RowArena Arena => _arena;
+
+    /// <summary>The bundle of a row, whatever its colour.</summary>
+    public ContactBundle* BundleOf(int row) => _arena.BundleOf(row);
+
     /// <summary>Number of rows at a body.</summary>
     public int Degree(int body) => _degree[body];
 
@@ -103,9 +110,7 @@ internal sealed unsafe class ConstraintGraph
         GraphColor rows = _colors[color];
         _usedChanged |= rows.RowCount == 0;
         int row = rows.AddRow();
-        ContactBundle* bundle = rows.BundleOf(row);
-        int lane = rows.LaneOf(row);
-        ContactRowWriter.Name(bundle, lane, contact, record);
+        ContactRowWriter.Name(_arena.BundleOf(row), RowArena.LaneOf(row), contact, record);
         record.Color = (sbyte)color;
         record.Row = row;
         Mark(record.BodyA, color, movesA);
@@ -135,10 +140,8 @@ internal sealed unsafe class ConstraintGraph
     /// <summary>Lays a row to rest as it is.</summary>
     public void LayDown(ref ContactRecord record, Column<ContactRecord> records)
     {
-        GraphColor from = _colors[record.Color];
-        GraphColor to = _colors[Dormant];
-        int row = to.AddRow();
-        ContactRowWriter.MoveLane(from.BundleOf(record.Row), from.LaneOf(record.Row), to.BundleOf(row), to.LaneOf(row));
+        int row = _colors[Dormant].AddRow();
+        Move(record.Row, row);
         Remove(ref record, records);
         record.Color = Dormant;
         record.Row = row;
@@ -147,12 +150,10 @@ internal sealed unsafe class ConstraintGraph
     /// <summary>Takes a row up again, with the impulses that it had.</summary>
     public void TakeUp(int contact, ref ContactRecord record, Column<ContactRecord> records, bool movesA, bool movesB)
     {
-        GraphColor from = _colors[Dormant];
         int row = record.Row;
         Add(contact, ref record, movesA, movesB);
-        GraphColor to = _colors[record.Color];
-        ContactRowWriter.MoveLane(from.BundleOf(row), from.LaneOf(row), to.BundleOf(record.Row), to.LaneOf(record.Row));
-        int moved = from.RemoveRow(row);
+        Move(row, record.Row);
+        int moved = _colors[Dormant].RemoveRow(row);
         if (moved >= 0)
         {
             records[moved].Row = row;
@@ -165,6 +166,9 @@ internal sealed unsafe class ConstraintGraph
         Changed = false;
         ChangeCount = 0;
     }
+
+    private void Move(int from, int to) =>
+        ContactRowWriter.MoveLane(_arena.BundleOf(from), RowArena.LaneOf(from), _arena.BundleOf(to), RowArena.LaneOf(to));
 
     private void Note(in ContactRecord record, int contact)
     {

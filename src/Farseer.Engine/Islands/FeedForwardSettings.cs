@@ -85,17 +85,18 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     {
         while (from < to)
         {
-            ContactBundle* rows = _ranges.From(from, to, out int end);
-            if (_writes)
+            BundleRuns runs = _ranges.From(from, to, out from);
+            while (runs.Next())
             {
-                WriteRows(rows, end - from);
+                if (_writes)
+                {
+                    WriteRows(runs.Bundles, runs.Count);
+                }
+                else
+                {
+                    CollectSag(runs.Bundles, runs.Count, _sags.Pointer + ((long)worker * _slots), _coefficients);
+                }
             }
-            else
-            {
-                CollectSag(rows, end - from, _sags.Pointer + ((long)worker * _slots), _coefficients);
-            }
-
-            from = end;
         }
     }
 

@@ -47,8 +47,7 @@ internal sealed unsafe partial class IslandStore
             int contact = changes[i].Contact;
             if (contact != GraphChange.Gone && records[contact].Color >= 0 && records[contact].Color < ConstraintGraph.ColorCount)
             {
-                GraphColor color = graph[records[contact].Color];
-                WriteLane(color.BundleOf(records[contact].Row), color.LaneOf(records[contact].Row), moves);
+                WriteLane(graph.BundleOf(records[contact].Row), RowArena.LaneOf(records[contact].Row), moves);
             }
         }
 

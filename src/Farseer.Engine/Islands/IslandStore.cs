@@ -85,8 +85,7 @@ internal sealed unsafe partial class IslandStore
         int edgeCount = 0;
         foreach (GraphColor color in graph.Used)
         {
-            int count = color.BundleCount;
-            for (ContactBundle* row = color.Bundles; count > 0; count--, row++)
+            foreach (ContactBundle* row in color.Bundles)
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
@@ -230,8 +229,7 @@ internal sealed unsafe partial class IslandStore
     {
         foreach (GraphColor color in graph.Used)
         {
-            int count = color.BundleCount;
-            for (ContactBundle* row = color.Bundles; count > 0; count--, row++)
+            foreach (ContactBundle* row in color.Bundles)
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {

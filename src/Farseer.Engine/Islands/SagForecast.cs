@@ -221,13 +221,14 @@ internal sealed unsafe class SagForecast
 
         foreach (GraphColor color in graph.Used)
         {
-            for (int row = 0; row < color.RowCount; row++)
+            foreach (ContactBundle* bundle in color.Bundles)
             {
-                ContactBundle* bundle = color.BundleOf(row);
-                int lane = color.LaneOf(row);
-                if (_islands[bundle->Island[lane]].Wanted)
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    AddRow(bundle, lane, bodies.Size.Pointer, c);
+                    if (bundle->Contact[lane] >= 0 && _islands[bundle->Island[lane]].Wanted)
+                    {
+                        AddRow(bundle, lane, bodies.Size.Pointer, c);
+                    }
                 }
             }
         }
@@ -314,13 +315,14 @@ internal sealed unsafe class SagForecast
         _loads.Begin(_islandCount);
         foreach (GraphColor color in graph.Used)
         {
-            for (int row = 0; row < color.RowCount; row++)
+            foreach (ContactBundle* bundle in color.Bundles)
             {
-                ContactBundle* bundle = color.BundleOf(row);
-                int lane = color.LaneOf(row);
-                if (_islands[bundle->Island[lane]].Starts)
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    _loads.Add(bundle->Island[lane], bundle, lane);
+                    if (bundle->Contact[lane] >= 0 && _islands[bundle->Island[lane]].Starts)
+                    {
+                        _loads.Add(bundle->Island[lane], bundle, lane);
+                    }
                 }
             }
         }

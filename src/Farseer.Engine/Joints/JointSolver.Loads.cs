@@ -48,19 +48,16 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>Counts the contacts of a colour.</summary>
-    public void AddLoads(ContactBundle* bundles, int count)
+    public void AddLoads(ContactBundle* bundle)
     {
-        for (int i = 0; i < count; i++)
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
         {
-            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            int a = bundle->BodyA[lane];
+            int b = bundle->BodyB[lane];
+            if (a != b && Exists(&bundle->Point0, lane))
             {
-                int a = bundles[i].BodyA[lane];
-                int b = bundles[i].BodyB[lane];
-                if (a != b && Exists(&bundles[i].Point0, lane))
-                {
-                    AddLoad(a, b);
-                    AddLoad(b, a);
-                }
+                AddLoad(a, b);
+                AddLoad(b, a);
             }
         }
     }

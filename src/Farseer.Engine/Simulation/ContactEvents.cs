@@ -367,8 +367,7 @@ internal sealed unsafe class ContactEvents
             record.Flags &= ~ContactFlags.Vetoed;
             if (record.Color >= 0)
             {
-                GraphColor color = graph[record.Color];
-                color.BundleOf(record.Row)->Flags[color.LaneOf(record.Row)] = (int)record.Flags;
+                graph.BundleOf(record.Row)->Flags[RowArena.LaneOf(record.Row)] = (int)record.Flags;
             }
         }
     }

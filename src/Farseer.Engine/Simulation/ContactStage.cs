@@ -129,13 +129,12 @@ internal sealed unsafe class ContactStage
         BundleOutcome* outcome = _work.Outcomes;
         foreach (GraphColor color in graph.Used)
         {
-            ContactBundle* bundle = color.Bundles;
-            int count = color.BundleCount;
-            for (; count > 0; count--, bundle++, outcome++)
+            foreach (ContactBundle* bundle in color.Bundles)
             {
                 ref ContactFates fates = ref outcome->Fates;
                 Count(fates);
                 AnyBounce |= outcome->Bounces;
+                outcome++;
                 DeferAll(input.Contacts, bundle->Contact, fates.Deferred);
                 int leaving = fates.Idle | fates.Dropped;
                 for (int lane = 0; leaving != 0; lane++, leaving >>= 1)

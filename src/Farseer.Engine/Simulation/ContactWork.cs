@@ -137,16 +137,21 @@ internal sealed unsafe class ContactWork : IStageWork
         bool far = Prefetch.IsUseful && input.Shapes.PieceIds.End > MostNear;
         while (from < to)
         {
-            ContactBundle* bundle = _ranges.From(from, to, out int end);
-            for (; from < end; from++, bundle++)
+            BundleOutcome* outcome = outcomes + from;
+            BundleRuns runs = _ranges.From(from, to, out from);
+            while (runs.Next())
             {
-                if (far)
+                ContactBundle* last = runs.Bundles + runs.Count - 1;
+                for (ContactBundle* bundle = runs.Bundles; bundle <= last; bundle++, outcome++)
                 {
-                    AskAhead(input, bundle, end - from);
-                }
+                    if (far)
+                    {
+                        AskAhead(input, bundle < last ? bundle + 1 : runs.Following, bundle + 1 < last ? bundle + 2 : null);
+                    }
 
-                outcomes[from].Fates = ContactUpdate.UpdateRows(input, bundle);
-                outcomes[from].Bounces = BounceKernel.Bounces(bundle);
+                    outcome->Fates = ContactUpdate.UpdateRows(input, bundle);
+                    outcome->Bounces = BounceKernel.Bounces(bundle);
+                }
             }
         }
     }
@@ -202,17 +207,17 @@ internal sealed unsafe class ContactWork : IStageWork
     }
 
     /// <summary>What the next bundle of rows reads is asked for, and the rows of the one behind.</summary>
-    private static void AskAhead(in ContactUpdateInput input, ContactBundle* bundle, int left)
+    private static void AskAhead(in ContactUpdateInput input, ContactBundle* next, ContactBundle* behind)
     {
-        for (int lane = 0; left > 1 && lane < ContactBundle.Lanes; lane++)
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
         {
-            AskFor(input, bundle[1].PieceA[lane], bundle[1].BodyA[lane]);
-            AskFor(input, bundle[1].PieceB[lane], bundle[1].BodyB[lane]);
+            AskFor(input, next->PieceA[lane], next->BodyA[lane]);
+            AskFor(input, next->PieceB[lane], next->BodyB[lane]);
         }
 
-        for (int line = 0; left > 2 && line < sizeof(ContactBundle); line += Prefetch.LineBytes)
+        for (int line = 0; behind != null && line < sizeof(ContactBundle); line += Prefetch.LineBytes)
         {
-            Prefetch.Line((byte*)(bundle + 2) + line);
+            Prefetch.Line((byte*)behind + line);
         }
     }
 
@@ -243,8 +248,7 @@ internal sealed unsafe class ContactWork : IStageWork
             for (int lane = 0; lane < count; lane++)
             {
                 ref ContactRecord record = ref records[gained[lane]];
-                GraphColor color = _graph[record.Color];
-                ContactRowWriter.MoveLane(bundle, lane, color.BundleOf(record.Row), color.LaneOf(record.Row));
+                ContactRowWriter.MoveLane(bundle, lane, _graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
             }
         }
     }

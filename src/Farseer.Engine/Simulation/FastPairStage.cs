@@ -198,8 +198,7 @@ internal sealed unsafe class FastPairStage : IStageWork
         ContactRowWriter.Name(bundle, 0, contact, record);
         ContactUpdate.FillImpact(input, bundle, impact);
         AnyBounce = AnyBounce || bundle->Restitution[0] > 0;
-        GraphColor color = graph[record.Color];
-        ContactRowWriter.MoveLane(bundle, 0, color.BundleOf(record.Row), color.LaneOf(record.Row));
+        ContactRowWriter.MoveLane(bundle, 0, graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
         Given++;
     }
 

@@ -104,9 +104,8 @@ internal sealed partial class World
         }
 
         ref ContactRecord record = ref _contacts.Records[index];
-        Graph.GraphColor color = _graph[record.Color];
-        ContactBundle* bundle = color.BundleOf(record.Row);
-        int lane = color.LaneOf(record.Row);
+        ContactBundle* bundle = _graph.BundleOf(record.Row);
+        int lane = Graph.RowArena.LaneOf(record.Row);
         if (bundle->Point0.Id[lane] == feature)
         {
             normal = ImpulseOf(bundle, lane, bundle->Point0.Normal[lane]);
@@ -196,9 +195,8 @@ internal sealed partial class World
             return;
         }
 
-        Graph.GraphColor color = _graph[record.Color];
-        ContactBundle* bundle = color.BundleOf(record.Row);
-        int lane = color.LaneOf(record.Row);
+        ContactBundle* bundle = _graph.BundleOf(record.Row);
+        int lane = Graph.RowArena.LaneOf(record.Row);
         for (int k = from; k < from + count; k++)
         {
             ref ContactPoint point = ref _visitPoints[k];

@@ -204,15 +204,15 @@ internal sealed partial class World
     {
         for (int c = 0; c < ConstraintGraph.ColorCount; c++)
         {
-            GraphColor color = _graph[c];
-            for (int k = 0; k < color.BundleCount * ContactBundle.Lanes; k++)
+            foreach (ContactBundle* row in _graph[c].Bundles)
             {
-                ContactBundle* row = color.Bundles + (k / ContactBundle.Lanes);
-                int lane = k % ContactBundle.Lanes;
-                if (row->Contact[lane] >= 0 && (IsDriven(row->BodyA[lane]) || IsDriven(row->BodyB[lane])))
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    _rest.Restart(row->BodyA[lane]);
-                    _rest.Restart(row->BodyB[lane]);
+                    if (row->Contact[lane] >= 0 && (IsDriven(row->BodyA[lane]) || IsDriven(row->BodyB[lane])))
+                    {
+                        _rest.Restart(row->BodyA[lane]);
+                        _rest.Restart(row->BodyB[lane]);
+                    }
                 }
             }
         }
@@ -249,14 +249,14 @@ internal sealed partial class World
         _layDown.Clear();
         for (int c = 0; c < ConstraintGraph.ColorCount; c++)
         {
-            GraphColor color = _graph[c];
-            for (int k = 0; k < color.BundleCount * ContactBundle.Lanes; k++)
+            foreach (ContactBundle* row in _graph[c].Bundles)
             {
-                ContactBundle* row = color.Bundles + (k / ContactBundle.Lanes);
-                int lane = k % ContactBundle.Lanes;
-                if (row->Contact[lane] >= 0 && Sleeps(row->BodyA[lane], row->BodyB[lane]))
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    _layDown.Add(row->Contact[lane]);
+                    if (row->Contact[lane] >= 0 && Sleeps(row->BodyA[lane], row->BodyB[lane]))
+                    {
+                        _layDown.Add(row->Contact[lane]);
+                    }
                 }
             }
         }

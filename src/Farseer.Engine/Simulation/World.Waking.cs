@@ -261,16 +261,16 @@ internal sealed partial class World
     {
         for (int c = 0; c < ConstraintGraph.ColorCount; c++)
         {
-            GraphColor color = _graph[c];
-            for (int k = 0; k < color.BundleCount * ContactBundle.Lanes; k++)
+            foreach (ContactBundle* row in _graph[c].Bundles)
             {
-                ContactBundle* row = color.Bundles + (k / ContactBundle.Lanes);
-                int lane = k % ContactBundle.Lanes;
-                int a = row->BodyA[lane];
-                int b = row->BodyB[lane];
-                if (IsAsleep(a) != IsAsleep(b) && !(IsStill(a) && IsStill(b)))
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    _layDown.Add(IsAsleep(a) ? a : b);
+                    int a = row->BodyA[lane];
+                    int b = row->BodyB[lane];
+                    if (IsAsleep(a) != IsAsleep(b) && !(IsStill(a) && IsStill(b)))
+                    {
+                        _layDown.Add(IsAsleep(a) ? a : b);
+                    }
                 }
             }
         }

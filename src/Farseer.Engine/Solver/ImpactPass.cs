@@ -77,10 +77,8 @@ internal sealed unsafe class ImpactPass
         _hitsAt.EnsureCapacity(bodies.Ids.End);
         for (int k = 0; k < colors.Length; k++)
         {
-            GraphColor color = colors[k];
-            for (int i = 0; i < color.BundleCount; i++)
+            foreach (ContactBundle* row in colors[k].Bundles)
             {
-                ContactBundle* row = color.Bundles + i;
                 int can = BounceKernel.BouncingLanes(row);
                 if (can != 0)
                 {

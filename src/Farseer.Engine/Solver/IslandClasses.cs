@@ -95,7 +95,10 @@ internal sealed unsafe class IslandClasses
         {
             foreach (GraphColor color in graph.Used)
             {
-                joints.AddLoads(color.Bundles, color.BundleCount);
+                foreach (ContactBundle* bundle in color.Bundles)
+                {
+                    joints.AddLoads(bundle);
+                }
             }
 
             any |= joints.FindLoads();
@@ -217,14 +220,15 @@ internal sealed unsafe class IslandClasses
         for (int k = 0; k < _graph.InOrder.Length; k++)
         {
             GraphColor source = _graph.InOrder[k];
-            for (int row = 0; row < source.RowCount; row++)
+            foreach (ContactBundle* bundle in source.Bundles)
             {
-                ContactBundle* bundle = source.BundleOf(row);
-                int lane = source.LaneOf(row);
-                int index = ClassOf(bundle->BodyA[lane], bundle->BodyB[lane]);
-                if (index > 0)
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    Lend(k, row, bundle, lane, index);
+                    int index = ClassOf(bundle->BodyA[lane], bundle->BodyB[lane]);
+                    if (index > 0)
+                    {
+                        Lend(k, bundle, lane, index);
+                    }
                 }
             }
         }
@@ -236,16 +240,22 @@ internal sealed unsafe class IslandClasses
         for (int i = 0; i < _loanCount; i++)
         {
             ref Loan loan = ref _loans[i];
-            GraphColor home = _graph.InOrder[loan.Color];
-            GraphColor copy = _borrowed[loan.Class][loan.Copy];
-            ContactBundle* bundle = copy.BundleOf(loan.Place);
-            int lane = copy.LaneOf(loan.Place);
+            ContactBundle* bundle = _graph.BundleOf(loan.Place);
+            int lane = RowArena.LaneOf(loan.Place);
             ContactRowWriter.Scale(bundle, lane, 1 << loan.Class);
-            ContactRowWriter.MoveLane(bundle, lane, home.BundleOf(loan.Row), home.LaneOf(loan.Row));
+            ContactRowWriter.MoveLane(bundle, lane, loan.Home, loan.Lane);
+        }
+
+        for (int index = 1; index < Count; index++)
+        {
+            for (int i = 0; i < _used[index]; i++)
+            {
+                _borrowed[index][i].Clear();
+            }
         }
     }
 
-    private void Lend(int color, int row, ContactBundle* bundle, int lane, int index)
+    private void Lend(int color, ContactBundle* bundle, int lane, int index)
     {
         GraphColor? target = _used[index] > 0 ? _borrowed[index][_used[index] - 1] : null;
         if (target == null || target.Source != color)
@@ -256,8 +266,8 @@ internal sealed unsafe class IslandClasses
 
         float share = 1f / (1 << index);
         int place = target.AddRow();
-        ContactBundle* copy = target.BundleOf(place);
-        int to = target.LaneOf(place);
+        ContactBundle* copy = _graph.BundleOf(place);
+        int to = RowArena.LaneOf(place);
         ContactRowWriter.MoveLane(bundle, lane, copy, to);
         ContactRowWriter.Mute(bundle, lane);
         ContactRowWriter.Scale(copy, to, share);
@@ -268,7 +278,7 @@ internal sealed unsafe class IslandClasses
         copy->FeedRate[to] = jointed ? copy->FeedRate[to] * share : Math.Min(copy->FeedRate[to], fastest);
         _rowCounts[index]++;
         _loans.EnsureCapacity(_loanCount + 1);
-        _loans[_loanCount++] = new Loan { Color = color, Row = row, Class = index, Copy = _used[index] - 1, Place = place };
+        _loans[_loanCount++] = new Loan { Home = bundle, Lane = lane, Class = index, Place = place };
     }
 
     private static bool IsAnyChosen(BodyStore bodies, int* list, int count)
@@ -332,11 +342,12 @@ internal sealed unsafe class IslandClasses
 
         foreach (GraphColor color in graph.InOrder)
         {
-            for (int row = 0; row < color.RowCount; row++)
+            foreach (ContactBundle* bundle in color.Bundles)
             {
-                ContactBundle* bundle = color.BundleOf(row);
-                int lane = color.LaneOf(row);
-                Unite(bundle->BodyA[lane], bundle->BodyB[lane], moves);
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+                {
+                    Unite(bundle->BodyA[lane], bundle->BodyB[lane], moves);
+                }
             }
         }
     }
@@ -376,11 +387,12 @@ internal sealed unsafe class IslandClasses
 
         foreach (GraphColor color in graph.InOrder)
         {
-            for (int row = 0; row < color.RowCount; row++)
+            foreach (ContactBundle* bundle in color.Bundles)
             {
-                ContactBundle* bundle = color.BundleOf(row);
-                int lane = color.LaneOf(row);
-                AddKinematic(bundle->BodyA[lane], bundle->BodyB[lane], bodies, moves);
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+                {
+                    AddKinematic(bundle->BodyA[lane], bundle->BodyB[lane], bodies, moves);
+                }
             }
         }
     }
@@ -406,17 +418,16 @@ internal sealed unsafe class IslandClasses
     private GraphColor Take(int index, int color)
     {
         GraphColor source = _graph.InOrder[color];
-        GraphColor copy = _pool[index][color] ??= new GraphColor(source.IsSequential, source.IsGrounded, color);
-        copy.Clear();
-        return copy;
+        return _pool[index][color] ??= new GraphColor(_graph.Arena, source.IsSequential, source.IsGrounded, color);
     }
 
     private struct Loan
     {
-        public int Color;
-        public int Row;
+        public ContactBundle* Home;
+        public int Lane;
         public int Class;
-        public int Copy;
+
+        /// <summary>Its row in the class's copy.</summary>
         public int Place;
     }
 }

@@ -194,8 +194,11 @@ internal sealed unsafe class SubstepSolver
     {
         for (int i = 0; i < colors.Length; i++)
         {
-            GraphColor color = colors[i];
-            joints.Take(color.Bundles, color.BundleCount);
+            BundleRuns runs = colors[i].Runs;
+            while (runs.Next())
+            {
+                joints.Take(runs.Bundles, runs.Count);
+            }
         }
     }
 

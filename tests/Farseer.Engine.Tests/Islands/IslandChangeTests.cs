@@ -96,9 +96,8 @@ public sealed unsafe class IslandChangeTests
         var rows = new List<(int, int)>();
         foreach (int contact in present)
         {
-            GraphColor color = graph[records[contact].Color];
-            ContactBundle* row = color.BundleOf(records[contact].Row);
-            int lane = color.LaneOf(records[contact].Row);
+            ContactBundle* row = graph.BundleOf(records[contact].Row);
+            int lane = RowArena.LaneOf(records[contact].Row);
             rows.Add((row->Island[lane], row->Level[lane]));
         }
 

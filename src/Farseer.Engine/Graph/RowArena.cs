@@ -1,0 +1,159 @@
+using System;
+using System.Collections.Generic;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Graph;
+
+/// <summary>Bundles that lie behind each other in memory, all in the hands of one colour.</summary>
+internal unsafe struct RowExtent
+{
+    /// <summary>Nobody: the end of a list.</summary>
+    public const int None = -1;
+
+    public ContactBundle* Bundles;
+
+    /// <summary>Bundles that it has.</summary>
+    public int Count;
+
+    /// <summary>The next one of its colour, or of those that nobody has, and the one before of its colour.</summary>
+    public int Next;
+    public int Previous;
+}
+
+/// <summary>
+/// The memory of the rows of all colours. Rows move from colour to colour as a pile packs, so a colour that grew by itself went on
+/// allocating long after the number of rows had come to rest, and each kept a quarter to spare. Here a colour takes extents of bundles,
+/// larger ones the more it has, and returns them when they are empty; only when all are taken does the arena grow, and nothing is ever
+/// copied. A bundle is known by its number in the arena, which never changes.
+/// </summary>
+internal sealed unsafe class RowArena
+{
+    /// <summary>Bundles of the smallest extent, 3.5 KB: most colours of a small world have a row or two.</summary>
+    private const int Granule = 1 << GranuleShift;
+    private const int GranuleShift = 1;
+
+    /// <summary>Sizes of extents: 2, 4, 8, … 128 bundles.</summary>
+    private const int Sizes = 7;
+
+    /// <summary>Up to so many bundles a colour takes as many again; beyond, so many until that is the share by which it grows.</summary>
+    private const int FewBundles = 8;
+    private const int Share = 16;
+
+    /// <summary>The arena grows by an eighth: growing copies nothing, so often is cheap, and a sixteenth lies idle on average.</summary>
+    private const int GrowthShift = 3;
+
+    private readonly List<Column<ContactBundle>> _segments = new List<Column<ContactBundle>>();
+
+    // One for each granule; of an extent the first one counts.
+    private readonly Column<RowExtent> _extents = new Column<RowExtent>();
+    private readonly int[] _free = new int[Sizes];
+    private int _granules;
+
+    public RowArena()
+    {
+        for (int i = 0; i < Sizes; i++)
+        {
+            _free[i] = RowExtent.None;
+        }
+    }
+
+    /// <summary>All extents by their number: valid until one is taken.</summary>
+    public RowExtent* Extents => _extents.Pointer;
+
+    /// <summary>Bundles that there is memory for.</summary>
+    public int Capacity => _granules << GranuleShift;
+
+    public ContactBundle* BundleOf(int row)
+    {
+        int bundle = row / ContactBundle.Lanes;
+        return _extents.Pointer[bundle >> GranuleShift].Bundles + (bundle & (Granule - 1));
+    }
+
+    public static int LaneOf(int row) => row % ContactBundle.Lanes;
+
+    /// <summary>Number of the first row of an extent.</summary>
+    public static int FirstRow(int extent) => (extent << GranuleShift) * ContactBundle.Lanes;
+
+    /// <summary>Hands out an extent for a colour that has so many bundles. It may be smaller than is good if there is no other.</summary>
+    public int Take(int bundles)
+    {
+        int wanted = bundles <= FewBundles ? bundles : Math.Max(FewBundles, bundles / Share);
+        int size = SizeOf(Math.Max(wanted, Granule));
+        int taken = size;
+        while (taken < Sizes && _free[taken] < 0)
+        {
+            taken++;
+        }
+
+        if (taken == Sizes)
+        {
+            taken = size;
+            while (taken >= 0 && _free[taken] < 0)
+            {
+                taken--;
+            }
+        }
+
+        if (taken < 0)
+        {
+            Grow(Granule << size);
+            return Take(bundles);
+        }
+
+        int extent = _free[taken];
+        _free[taken] = _extents[extent].Next;
+        while (taken > size)
+        {
+            taken--;
+            _extents[extent].Count = Granule << taken;
+            Free(extent + (1 << taken), taken);
+        }
+
+        return extent;
+    }
+
+    /// <summary>Takes an extent back.</summary>
+    public void Return(int extent) => Free(extent, SizeOf(_extents[extent].Count));
+
+    /// <summary>The largest size of at most so many bundles.</summary>
+    private static int SizeOf(int bundles)
+    {
+        int size = 0;
+        while (size < Sizes - 1 && (Granule << (size + 1)) <= bundles)
+        {
+            size++;
+        }
+
+        return size;
+    }
+
+    private void Free(int extent, int size)
+    {
+        _extents[extent].Count = Granule << size;
+        _extents[extent].Next = _free[size];
+        _free[size] = extent;
+    }
+
+    private void Grow(int least)
+    {
+        int first = _granules;
+        int count = Math.Max(least, Capacity >> GrowthShift) >> GranuleShift;
+        var segment = new Column<ContactBundle>(count << GranuleShift);
+        _segments.Add(segment);
+        _granules += count;
+        _extents.EnsureCapacity(_granules);
+        for (int i = 0; i < count; i++)
+        {
+            _extents[first + i].Bundles = segment.Pointer + (i << GranuleShift);
+        }
+
+        // From the end, so that what lies first is taken first.
+        while (count > 0)
+        {
+            int size = SizeOf(count << GranuleShift);
+            count -= 1 << size;
+            Free(first + count, size);
+        }
+    }
+}
