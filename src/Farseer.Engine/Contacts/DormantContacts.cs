@@ -19,10 +19,15 @@ internal sealed class DormantContacts
     /// <summary>Next pair of the same body.</summary>
     public int Next(int entry) => Side(entry).Next - 1;
 
+    /// <summary>Makes room for so many contacts and bodies, so that a pile that falls asleep bit by bit does not allocate each time.</summary>
+    public void Reserve(int contacts, int bodies)
+    {
+        _links.EnsureCapacity(contacts);
+        _first.EnsureCapacity(bodies);
+    }
+
     public void Add(int contact, in ContactRecord record)
     {
-        _links.EnsureCapacity(contact + 1);
-        _first.EnsureCapacity(System.Math.Max(record.BodyA, record.BodyB) + 1);
         Link(record.BodyA, contact * 2);
         Link(record.BodyB, (contact * 2) + 1);
     }

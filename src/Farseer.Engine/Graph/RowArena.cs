@@ -43,6 +43,9 @@ internal sealed unsafe class RowArena
     /// <summary>The arena grows by an eighth: growing copies nothing, so often is cheap, and a sixteenth lies idle on average.</summary>
     private const int GrowthShift = 3;
 
+    /// <summary>Least bundles by which it grows, 112 KB: a small world may need a further colour late, and is not to allocate for it.</summary>
+    private const int LeastGrowth = 64;
+
     private readonly List<Column<ContactBundle>> _segments = new List<Column<ContactBundle>>();
 
     // One for each granule; of an extent the first one counts.
@@ -97,7 +100,7 @@ internal sealed unsafe class RowArena
 
         if (taken < 0)
         {
-            Grow(Granule << size);
+            Grow();
             return Take(bundles);
         }
 
@@ -135,10 +138,10 @@ internal sealed unsafe class RowArena
         _free[size] = extent;
     }
 
-    private void Grow(int least)
+    private void Grow()
     {
         int first = _granules;
-        int count = Math.Max(least, Capacity >> GrowthShift) >> GranuleShift;
+        int count = Math.Max(LeastGrowth, Capacity >> GrowthShift) >> GranuleShift;
         var segment = new Column<ContactBundle>(count << GranuleShift);
         _segments.Add(segment);
         _granules += count;

@@ -247,6 +247,7 @@ internal sealed partial class World
     private unsafe void LayDownContacts()
     {
         _layDown.Clear();
+        _layDown.Reserve(_contacts.Records.Capacity);
         for (int c = 0; c < ConstraintGraph.ColorCount; c++)
         {
             foreach (ContactBundle* row in _graph[c].Bundles)
@@ -268,6 +269,11 @@ internal sealed partial class World
             {
                 _layDown.Add(_contacts.Idle(i));
             }
+        }
+
+        if (_layDown.Count > 0)
+        {
+            _dormant.Reserve(_contacts.Records.Capacity, Bodies.State.Capacity);
         }
 
         for (int i = 0; i < _layDown.Count; i++)

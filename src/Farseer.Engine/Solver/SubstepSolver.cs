@@ -207,7 +207,11 @@ internal sealed unsafe class SubstepSolver
         bool apart = joints.SweepsByItself();
         for (int i = 0; apart && i < colors.Length; i++)
         {
-            apart = !joints.SharesBodies(colors[i].Bundles, colors[i].BundleCount);
+            BundleRuns runs = colors[i].Runs;
+            while (apart && runs.Next())
+            {
+                apart = !joints.SharesBodies(runs.Bundles, runs.Count);
+            }
         }
 
         return apart;
