@@ -37,13 +37,12 @@ internal sealed unsafe class ReboundPass
 
         for (int k = 0; k < colors.Length; k++)
         {
-            GraphColor color = colors[k];
-            for (int i = 0; i < color.BundleCount; i++)
+            foreach (ContactBundle* row in colors[k].Bundles)
             {
-                if (ReboundKernel.Take(color.Bundles + i, _inTurmoil.Pointer))
+                if (ReboundKernel.Take(row, _inTurmoil.Pointer))
                 {
                     _entries.EnsureCapacity(_count + 1);
-                    _entries[_count++].Row = color.Bundles + i;
+                    _entries[_count++].Row = row;
                 }
             }
         }
@@ -85,10 +84,8 @@ internal sealed unsafe class ReboundPass
 
         for (int k = 0; k < colors.Length; k++)
         {
-            GraphColor color = colors[k];
-            for (int i = 0; i < color.BundleCount; i++)
+            foreach (ContactBundle* row in colors[k].Bundles)
             {
-                ContactBundle* row = color.Bundles + i;
                 int weak = ReboundKernel.WeakLanes(row);
                 int strikes = weak == 0 ? 0 : weak & ReboundKernel.FastLanes(row, bodies.State.Pointer, bodies.Drive.Pointer, c);
                 for (int lane = 0; weak >> lane != 0; lane++)
@@ -116,13 +113,11 @@ internal sealed unsafe class ReboundPass
         int end = 1;
         for (int k = 0; k < colors.Length; k++)
         {
-            GraphColor color = colors[k];
-            for (int i = 0; i < color.BundleCount; i++)
+            foreach (ContactBundle* row in colors[k].Bundles)
             {
-                int* island = color.Bundles[i].Island;
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    end = Math.Max(end, island[lane] + 1);
+                    end = Math.Max(end, row->Island[lane] + 1);
                 }
             }
         }
