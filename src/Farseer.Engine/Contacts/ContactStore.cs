@@ -57,6 +57,9 @@ internal struct ContactRecord
     /// <summary>A collider of the pair has several pieces: the pair of colliders may have further records.</summary>
     public bool OfSeveral;
 
+    /// <summary>Group of its row.</summary>
+    public byte Group;
+
     /// <summary>True if the pair sleeps: both bodies are asleep, or one is and the other does not move.</summary>
     public readonly bool IsDormant => Color == DormantIdle || Color == DormantRow;
 }

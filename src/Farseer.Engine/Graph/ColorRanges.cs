@@ -8,8 +8,10 @@ namespace Farseer.Engine.Graph;
 /// </summary>
 internal sealed class ColorRanges
 {
-    private readonly GraphColor[] _colors = new GraphColor[ConstraintGraph.ColorCount];
-    private readonly int[] _first = new int[ConstraintGraph.ColorCount + 1];
+    private GraphColor[] _colors = new GraphColor[ConstraintGraph.ColorCount];
+    private int[] _first = new int[ConstraintGraph.ColorCount + 1];
+
+    private int _count;
 
     /// <summary>Bundles in all.</summary>
     public int Count { get; private set; }
@@ -17,6 +19,12 @@ internal sealed class ColorRanges
     /// <summary>Takes the colours as they are; valid until a row is added or removed.</summary>
     public void Find(ReadOnlySpan<GraphColor> colors)
     {
+        if (_colors.Length < colors.Length)
+        {
+            _colors = new GraphColor[2 * colors.Length];
+            _first = new int[_colors.Length + 1];
+        }
+
         Count = 0;
         for (int i = 0; i < colors.Length; i++)
         {
@@ -26,6 +34,7 @@ internal sealed class ColorRanges
         }
 
         _first[colors.Length] = Count;
+        _count = colors.Length;
     }
 
     /// <summary>The bundles of one colour of a range.</summary>
@@ -35,9 +44,11 @@ internal sealed class ColorRanges
     public BundleRuns From(int from, int to, out int end)
     {
         int color = 0;
-        while (_first[color + 1] <= from)
+        for (int above = _count; above - color > 1;)
         {
-            color++;
+            int middle = (color + above) / 2;
+            color = _first[middle] <= from ? middle : color;
+            above = _first[middle] <= from ? above : middle;
         }
 
         end = Math.Min(to, _first[color + 1]);

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Farseer.Engine.Constraints;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Storage;
@@ -23,31 +24,22 @@ internal sealed unsafe class ConstraintGraph
     private readonly BodyColors _bodies = new BodyColors();
     private readonly RowArena _arena = new RowArena();
     private readonly Column<int> _degree = new Column<int>();
-    private readonly GraphColor[] _colors = new GraphColor[ColorCount + 1];
-
-    private readonly GraphColor[] _inOrder = new GraphColor[ColorCount];
+    // By group and colour; the first also has the colour of those asleep.
+    private readonly List<GraphColor[]> _colors = new List<GraphColor[]>();
+    private readonly IndexList _moving = new IndexList();
+    private readonly int[] _counts = new int[RowGroups.Most];
 
     // The colours that have rows: a small world has one or two, and to ask all of them in every pass was most of its step.
-    private readonly GraphColor[] _solved = new GraphColor[ColorCount];
-    private readonly GraphColor[] _used = new GraphColor[ColorCount];
+    private GraphColor[] _solved = new GraphColor[ColorCount];
+    private GraphColor[] _used = new GraphColor[ColorCount];
     private int _usedCount;
     private bool _usedChanged;
 
     public ConstraintGraph()
     {
-        _changes.EnsureCapacity(MostChanges);
-        for (int i = 0; i < ColorCount; i++)
-        {
-            _colors[i] = new GraphColor(_arena, i >= BodyColors.Masked, BodyColors.IsGrounded(i));
-        }
-
-        for (int i = 0; i < ColorCount; i++)
-        {
-            _inOrder[i] = _colors[BodyColors.InOrder(i)];
-        }
-
         System.Diagnostics.Debug.Assert(Dormant == ColorCount, "the colour of those asleep is none of the others");
-        _colors[Dormant] = new GraphColor(_arena);
+        _changes.EnsureCapacity(MostChanges);
+        AddGroup();
     }
 
     public int RowCount { get; private set; }
@@ -62,10 +54,10 @@ internal sealed unsafe class ConstraintGraph
 
     public bool ChangesAreKnown => ChangeCount <= Math.Min(MostChanges, (RowCount / 4) + 1);
 
-    /// <summary>The colours in the order of solving: moving pairs, their overflow, ground pairs, their overflow.</summary>
-    public GraphColor[] InOrder => _inOrder;
-
-    /// <summary>The colours that have rows, in the order of solving. Valid until a row is added or removed.</summary>
+    /// <summary>
+    /// The colours that have rows, in the order of solving: moving pairs, their overflow, ground pairs, their overflow; each of all groups.
+    /// Valid until a row is added or removed.
+    /// </summary>
     public ReadOnlySpan<GraphColor> Solved
     {
         get
@@ -85,7 +77,8 @@ internal sealed unsafe class ConstraintGraph
         }
     }
 
-    public GraphColor this[int color] => _colors[color];
+    /// <summary>Which rows lie side by side.</summary>
+    public RowGroups Groups { get; } = new RowGroups();
 
     /// <summary>Where the rows of all colours are.</summary>
     public RowArena Arena => _arena;
@@ -102,16 +95,19 @@ internal sealed unsafe class ConstraintGraph
     {
         _bodies.EnsureBodies(capacity);
         _degree.EnsureCapacity(capacity);
+        Groups.EnsureBodies(capacity);
     }
 
     public void Add(int contact, ref ContactRecord record, bool movesA, bool movesB)
     {
         int color = _bodies.Choose(record.BodyA, record.BodyB, movesA, movesB);
-        GraphColor rows = _colors[color];
+        int group = Groups.Choose(record.BodyA, record.BodyB, movesA, movesB, _degree[record.BodyA], _degree[record.BodyB]);
+        GraphColor rows = _colors[group][color];
         _usedChanged |= rows.RowCount == 0;
         int row = rows.AddRow();
         ContactRowWriter.Name(_arena.BundleOf(row), RowArena.LaneOf(row), contact, record);
         record.Color = (sbyte)color;
+        record.Group = (byte)group;
         record.Row = row;
         Mark(record.BodyA, color, movesA);
         Mark(record.BodyB, color, movesB);
@@ -122,17 +118,11 @@ internal sealed unsafe class ConstraintGraph
     public void Remove(ref ContactRecord record, Column<ContactRecord> records)
     {
         int color = record.Color;
-        int row = record.Row;
-        int moved = _colors[color].RemoveRow(row);
-        if (moved >= 0)
-        {
-            records[moved].Row = row;
-        }
-
-        _usedChanged |= _colors[color].RowCount == 0;
+        TakeOut(_colors[record.Group][color], record.Row, records);
         Unmark(record.BodyA, color);
         Unmark(record.BodyB, color);
         record.Color = -1;
+        record.Group = 0;
         RowCount--;
         Note(record, GraphChange.Gone);
     }
@@ -140,7 +130,7 @@ internal sealed unsafe class ConstraintGraph
     /// <summary>Lays a row to rest as it is.</summary>
     public void LayDown(ref ContactRecord record, Column<ContactRecord> records)
     {
-        int row = _colors[Dormant].AddRow();
+        int row = _colors[0][Dormant].AddRow();
         Move(record.Row, row);
         Remove(ref record, records);
         record.Color = Dormant;
@@ -153,11 +143,38 @@ internal sealed unsafe class ConstraintGraph
         int row = record.Row;
         Add(contact, ref record, movesA, movesB);
         Move(row, record.Row);
-        int moved = _colors[Dormant].RemoveRow(row);
-        if (moved >= 0)
+        TakeOut(_colors[0][Dormant], row, records);
+    }
+
+    /// <summary>
+    /// Moves all rows to the groups of their bodies. Rows of one colour share no body, and those of one group keep their order, so that no
+    /// result follows from it but by rounding where the contacts of an island are listed.
+    /// </summary>
+    /// <param name="records">Where the rows are.</param>
+    /// <param name="moves">1 for a body that can move.</param>
+    public void Regroup(Column<ContactRecord> records, byte* moves)
+    {
+        while (_colors.Count < Groups.Count)
         {
-            records[moved].Row = row;
+            AddGroup();
         }
+
+        for (int color = 0; color < ColorCount; color++)
+        {
+            ListMoving(color, moves);
+            for (int i = 0; i < _moving.Count; i++)
+            {
+                ref ContactRecord record = ref records[_moving[i]];
+                int group = GroupOf(record.BodyA, record.BodyB, moves);
+                int row = _colors[group][color].AddRow();
+                Move(record.Row, row);
+                TakeOut(_colors[record.Group][color], record.Row, records);
+                record.Row = row;
+                record.Group = (byte)group;
+            }
+        }
+
+        _usedChanged = true;
     }
 
     /// <summary>The islands are up to date.</summary>
@@ -165,6 +182,67 @@ internal sealed unsafe class ConstraintGraph
     {
         Changed = false;
         ChangeCount = 0;
+    }
+
+    private int GroupOf(int a, int b, byte* moves) => Groups.Of(a, b, moves[a] != 0, moves[b] != 0);
+
+    /// <summary>Lists the contacts of a colour whose rows are in another group than they belong to, and takes room for them.</summary>
+    private void ListMoving(int color, byte* moves)
+    {
+        _moving.Clear();
+        for (int i = 0; i < Groups.Count; i++)
+        {
+            _counts[i] = 0;
+        }
+
+        for (int i = 0; i < _colors.Count; i++)
+        {
+            foreach (ContactBundle* bundle in _colors[i][color].Bundles)
+            {
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+                {
+                    int group = GroupOf(bundle->BodyA[lane], bundle->BodyB[lane], moves);
+                    if (bundle->Contact[lane] >= 0 && group != i)
+                    {
+                        _moving.Add(bundle->Contact[lane]);
+                        _counts[group]++;
+                    }
+                }
+            }
+        }
+
+        for (int i = 0; i < Groups.Count; i++)
+        {
+            if (_counts[i] > 0)
+            {
+                _colors[i][color].Reserve(_counts[i]);
+            }
+        }
+    }
+
+    private void TakeOut(GraphColor color, int row, Column<ContactRecord> records)
+    {
+        int moved = color.RemoveRow(row);
+        if (moved >= 0)
+        {
+            records[moved].Row = row;
+        }
+
+        _usedChanged |= color.RowCount == 0;
+    }
+
+    private void AddGroup()
+    {
+        int group = _colors.Count;
+        var colors = new GraphColor[ColorCount + 1];
+        for (int i = 0; i < ColorCount; i++)
+        {
+            int color = BodyColors.InOrder(i);
+            colors[color] = new GraphColor(_arena, color >= BodyColors.Masked, BodyColors.IsGrounded(color), i, group);
+        }
+
+        colors[Dormant] = new GraphColor(_arena);
+        _colors.Add(colors);
     }
 
     private void Move(int from, int to) =>
@@ -190,17 +268,27 @@ internal sealed unsafe class ConstraintGraph
 
         _usedChanged = false;
         _usedCount = 0;
+        if (_used.Length < ColorCount * _colors.Count)
+        {
+            _used = new GraphColor[ColorCount * _colors.Count];
+            _solved = new GraphColor[_used.Length];
+        }
+
         int solved = 0;
         for (int i = 0; i < ColorCount; i++)
         {
-            if (_colors[i].RowCount > 0)
+            int next = BodyColors.InOrder(i);
+            foreach (GraphColor[] colors in _colors)
             {
-                _used[_usedCount++] = _colors[i];
-            }
+                if (colors[i].RowCount > 0)
+                {
+                    _used[_usedCount++] = colors[i];
+                }
 
-            if (_inOrder[i].RowCount > 0)
-            {
-                _solved[solved++] = _inOrder[i];
+                if (colors[next].RowCount > 0)
+                {
+                    _solved[solved++] = colors[next];
+                }
             }
         }
     }
@@ -213,7 +301,10 @@ internal sealed unsafe class ConstraintGraph
 
     private void Unmark(int body, int color)
     {
-        _degree[body]--;
         _bodies.Unmark(body, color);
+        if (--_degree[body] == 0)
+        {
+            Groups.Put(body, 0);
+        }
     }
 }

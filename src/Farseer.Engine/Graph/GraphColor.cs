@@ -17,20 +17,25 @@ internal sealed unsafe class GraphColor
     /// <param name="arena">Where its rows are.</param>
     /// <param name="sequential">True for the overflow, whose contacts may share bodies: one filled lane a bundle.</param>
     /// <param name="grounded">True for a colour of contacts with the ground.</param>
-    /// <param name="source">Of a copy: the colour whose rows it borrows.</param>
-    public GraphColor(RowArena arena, bool sequential = false, bool grounded = false, int source = -1)
+    /// <param name="place">Its place in the order of solving.</param>
+    /// <param name="group">The group that its rows are of.</param>
+    public GraphColor(RowArena arena, bool sequential = false, bool grounded = false, int place = -1, int group = 0)
     {
         _arena = arena;
         _lanesUsed = sequential ? 1 : WideLanes.BundleLanes;
         IsGrounded = grounded;
-        Source = source;
+        Place = place;
+        Group = group;
     }
 
     /// <summary>One body of each contact does not move, and several contacts may share it.</summary>
     public bool IsGrounded { get; }
 
-    /// <summary>Place of the colour whose rows this one borrows; -1 if they are its own.</summary>
-    public int Source { get; }
+    /// <summary>Its place in the order of solving, which the same colour of another group shares; -1: none.</summary>
+    public int Place { get; }
+
+    /// <summary>See <see cref="RowGroups"/>.</summary>
+    public int Group { get; }
 
     public int RowCount { get; private set; }
 
@@ -58,6 +63,24 @@ internal sealed unsafe class GraphColor
         }
     }
 
+    /// <summary>Takes room for so many more rows, in one place if there is one.</summary>
+    public void Reserve(int rows)
+    {
+        int bundles = (RowCount + rows + _lanesUsed - 1) / _lanesUsed;
+        int extent = RowExtent.None;
+        for (int next = _first; next >= 0; next = _arena.Extents[next].Next)
+        {
+            extent = next;
+            bundles -= _arena.Extents[next].Count;
+        }
+
+        while (bundles > 0)
+        {
+            extent = Lengthen(extent, bundles);
+            bundles -= _arena.Extents[extent].Count;
+        }
+    }
+
     /// <summary>Appends an empty row; the caller fills it.</summary>
     /// <returns>Its number in the arena.</returns>
     public int AddRow()
@@ -65,11 +88,7 @@ internal sealed unsafe class GraphColor
         int lane = RowCount % _lanesUsed;
         if (lane == 0)
         {
-            if (_last < 0 || _inLast == _arena.Extents[_last].Count)
-            {
-                Lengthen();
-            }
-
+            GoOn();
             _inLast++;
             ContactBundle* bundle = _arena.Extents[_last].Bundles + (_inLast - 1);
             for (int i = 0; i < WideLanes.BundleLanes; i++)
@@ -108,32 +127,51 @@ internal sealed unsafe class GraphColor
 
     private int LastRow => RowArena.FirstRow(_last) + ((_inLast - 1) * ContactBundle.Lanes) + ((RowCount - 1) % _lanesUsed);
 
-    private void Lengthen()
+    /// <summary>Goes on to the next extent if the last one is full.</summary>
+    private void GoOn()
     {
-        int extent = _arena.Take(BundleCount);
-        RowExtent* extents = _arena.Extents;
-        extents[extent].Previous = _last;
-        extents[extent].Next = RowExtent.None;
-        if (_last >= 0)
+        if (_last >= 0 && _inLast < _arena.Extents[_last].Count)
         {
-            extents[_last].Next = extent;
+            return;
+        }
+
+        int next = _last < 0 ? _first : _arena.Extents[_last].Next;
+        _last = next >= 0 ? next : Lengthen(_last, RowArena.Share(BundleCount));
+        _inLast = 0;
+    }
+
+    /// <returns>An extent behind another one, which was the last; it is empty.</returns>
+    private int Lengthen(int previous, int bundles)
+    {
+        int extent = _arena.Take(bundles);
+        RowExtent* extents = _arena.Extents;
+        extents[extent].Previous = previous;
+        extents[extent].Next = RowExtent.None;
+        if (previous >= 0)
+        {
+            extents[previous].Next = extent;
         }
         else
         {
             _first = extent;
         }
 
-        _last = extent;
-        _inLast = 0;
+        return extent;
     }
 
-    /// <summary>Returns the last extent, which is empty.</summary>
+    /// <summary>Returns the last extent, which is empty, and those behind it.</summary>
     private void Shorten()
     {
-        int extent = _last;
         RowExtent* extents = _arena.Extents;
-        _last = extents[extent].Previous;
-        _arena.Return(extent);
+        int previous = extents[_last].Previous;
+        for (int extent = _last; extent >= 0;)
+        {
+            int next = extents[extent].Next;
+            _arena.Return(extent);
+            extent = next;
+        }
+
+        _last = previous;
         if (_last >= 0)
         {
             extents[_last].Next = RowExtent.None;

@@ -36,9 +36,9 @@ internal sealed unsafe class RowArena
     /// <summary>Sizes of extents: 2, 4, 8, … 128 bundles.</summary>
     private const int Sizes = 7;
 
-    /// <summary>Up to so many bundles a colour takes as many again; beyond, so many until that is the share by which it grows.</summary>
-    private const int FewBundles = 8;
-    private const int Share = 16;
+    /// <summary>Up to so many bundles a colour takes as many again; beyond, so many, or this part of what it has.</summary>
+    private const int FewBundles = 32;
+    private const int Parts = 8;
 
     /// <summary>The arena grows by an eighth: growing copies nothing, so often is cheap, and a sixteenth lies idle on average.</summary>
     private const int GrowthShift = 3;
@@ -78,11 +78,13 @@ internal sealed unsafe class RowArena
     /// <summary>Number of the first row of an extent.</summary>
     public static int FirstRow(int extent) => (extent << GranuleShift) * ContactBundle.Lanes;
 
-    /// <summary>Hands out an extent for a colour that has so many bundles. It may be smaller than is good if there is no other.</summary>
+    /// <summary>Bundles by which a colour grows that has so many.</summary>
+    public static int Share(int bundles) => bundles <= FewBundles ? Math.Max(bundles, Granule) : Math.Max(FewBundles, bundles / Parts);
+
+    /// <summary>Hands out an extent of about so many bundles. It may be smaller if there is no other, and larger than one.</summary>
     public int Take(int bundles)
     {
-        int wanted = bundles <= FewBundles ? bundles : Math.Max(FewBundles, bundles / Share);
-        int size = SizeOf(Math.Max(wanted, Granule));
+        int size = SizeOf(bundles);
         int taken = size;
         while (taken < Sizes && _free[taken] < 0)
         {

@@ -202,9 +202,9 @@ internal sealed partial class World
 
     private unsafe void RestartBesideDriven()
     {
-        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        foreach (GraphColor color in _graph.Used)
         {
-            foreach (ContactBundle* row in _graph[c].Bundles)
+            foreach (ContactBundle* row in color.Bundles)
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
@@ -248,9 +248,9 @@ internal sealed partial class World
     {
         _layDown.Clear();
         _layDown.Reserve(_contacts.Records.Capacity);
-        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        foreach (GraphColor color in _graph.Used)
         {
-            foreach (ContactBundle* row in _graph[c].Bundles)
+            foreach (ContactBundle* row in color.Bundles)
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {

@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Solver;
@@ -11,6 +12,10 @@ namespace Farseer.Engine.Simulation;
 internal sealed partial class World
 {
     private readonly IslandClasses _classes = new IslandClasses();
+    private readonly SolverUnits _units = new SolverUnits();
+
+    /// <summary>Sorts the rows of large worlds.</summary>
+    public IslandGroups IslandGroups { get; } = new IslandGroups();
 
     private void RunStages(float dt)
     {
@@ -130,6 +135,11 @@ internal sealed partial class World
             _groupsChanged = true;
         }
 
+        if (!_contactStage.AnyBounce && Joints.Count == 0 && _springs.Count == 0)
+        {
+            IslandGroups.Sort(_islands, _graph, _contacts.Records, _lists.Moves);
+        }
+
         _sagForecast.Begin(_islands, _graph, Bodies, dt, Settings.Gravity, rebuilt);
         return _feedForward.Apply(_runner, _islands, _graph, coefficients);
     }
@@ -181,7 +191,14 @@ internal sealed partial class World
         if (input.PaddedCount > 0)
         {
             AuditSolve(input);
-            _solver.Solve(input);
+            if (!classes && ByUnits(input) && _units.Find(_runner, _graph, _lists.Moves, _lists.Solver, _lists.SolverCount))
+            {
+                _units.Solve(input, _solver);
+            }
+            else
+            {
+                _solver.Solve(input);
+            }
         }
 
         Queries.PosesChange = false;
@@ -190,6 +207,14 @@ internal sealed partial class World
             SolveClasses(input, joints, dt);
         }
     }
+
+    /// <summary>
+    /// Islands are independent only while nothing but contacts holds bodies, and impacts are found among all of them. A body that only just
+    /// began to move still has the rows of one that does not, in as many groups as it touches.
+    /// </summary>
+    private bool ByUnits(in SolverInput input) =>
+        input.Joints == null && input.UserJoints == null && !input.AnyBounce && input.Audit == null
+        && _springs.Count == 0 && !_bodiesSwitched;
 
     private unsafe bool FindClasses(JointSolver? joints, in ContactCoefficients c)
     {

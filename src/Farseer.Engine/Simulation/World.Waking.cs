@@ -259,9 +259,9 @@ internal sealed partial class World
 
     private unsafe void FindTouchingAwake()
     {
-        for (int c = 0; c < ConstraintGraph.ColorCount; c++)
+        foreach (GraphColor color in _graph.Used)
         {
-            foreach (ContactBundle* row in _graph[c].Bundles)
+            foreach (ContactBundle* row in color.Bundles)
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {

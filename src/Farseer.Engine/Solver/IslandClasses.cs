@@ -217,9 +217,8 @@ internal sealed unsafe class IslandClasses
             _rowCounts[index] = 0;
         }
 
-        for (int k = 0; k < _graph.InOrder.Length; k++)
+        foreach (GraphColor source in _graph.Solved)
         {
-            GraphColor source = _graph.InOrder[k];
             foreach (ContactBundle* bundle in source.Bundles)
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
@@ -227,7 +226,7 @@ internal sealed unsafe class IslandClasses
                     int index = ClassOf(bundle->BodyA[lane], bundle->BodyB[lane]);
                     if (index > 0)
                     {
-                        Lend(k, bundle, lane, index);
+                        Lend(source, bundle, lane, index);
                     }
                 }
             }
@@ -255,12 +254,12 @@ internal sealed unsafe class IslandClasses
         }
     }
 
-    private void Lend(int color, ContactBundle* bundle, int lane, int index)
+    private void Lend(GraphColor source, ContactBundle* bundle, int lane, int index)
     {
         GraphColor? target = _used[index] > 0 ? _borrowed[index][_used[index] - 1] : null;
-        if (target == null || target.Source != color)
+        if (target == null || target.Place != source.Place)
         {
-            target = Take(index, color);
+            target = Take(index, source);
             _borrowed[index][_used[index]++] = target;
         }
 
@@ -340,7 +339,7 @@ internal sealed unsafe class IslandClasses
             Unite(a, b, moves);
         }
 
-        foreach (GraphColor color in graph.InOrder)
+        foreach (GraphColor color in graph.Solved)
         {
             foreach (ContactBundle* bundle in color.Bundles)
             {
@@ -385,7 +384,7 @@ internal sealed unsafe class IslandClasses
             AddKinematic(a, b, bodies, moves);
         }
 
-        foreach (GraphColor color in graph.InOrder)
+        foreach (GraphColor color in graph.Solved)
         {
             foreach (ContactBundle* bundle in color.Bundles)
             {
@@ -415,11 +414,8 @@ internal sealed unsafe class IslandClasses
     }
 
     /// <summary>The class's own copy of a colour, empty.</summary>
-    private GraphColor Take(int index, int color)
-    {
-        GraphColor source = _graph.InOrder[color];
-        return _pool[index][color] ??= new GraphColor(_graph.Arena, source.IsSequential, source.IsGrounded, color);
-    }
+    private GraphColor Take(int index, GraphColor source) =>
+        _pool[index][source.Place] ??= new GraphColor(_graph.Arena, source.IsSequential, source.IsGrounded, source.Place);
 
     private struct Loan
     {
