@@ -21,8 +21,10 @@ internal sealed unsafe partial class JointSolver
     /// Takes the contacts with trees out of a colour's lanes, which are inert from then on. Both of a contact's bodies take part in
     /// the joints' passes: one that has no joints as a guest.
     /// </summary>
-    public void Take(ContactBundle* bundles, int count)
+    /// <returns>True if the lanes have contacts left.</returns>
+    public bool Take(ContactBundle* bundles, int count)
     {
+        bool left = false;
         for (int i = 0; i < count; i++)
         {
             ContactBundle* bundle = bundles + i;
@@ -30,12 +32,16 @@ internal sealed unsafe partial class JointSolver
             for (int lane = 0; lane < ContactBundle.Lanes; lane++)
             {
                 bool touches = IsInTree(bundle->BodyA[lane]) || IsInTree(bundle->BodyB[lane]);
-                if (!touches || bundle->Contact[lane] < 0 || !Exists(&bundle->Point0, lane))
+                if (bundle->Contact[lane] < 0 || !Exists(&bundle->Point0, lane))
                 {
                     continue;
                 }
 
-                if (_anyWheels && TakeWheel(bundle, lane))
+                if (!touches)
+                {
+                    left = true;
+                }
+                else if (_anyWheels && TakeWheel(bundle, lane))
                 {
                     wheels = true;
                 }
@@ -49,8 +55,11 @@ internal sealed unsafe partial class JointSolver
             if (wheels)
             {
                 ContactRowWriter.WriteResponses(bundle);
+                left = true;
             }
         }
+
+        return left;
     }
 
     /// <summary>

@@ -80,9 +80,10 @@ internal sealed unsafe class SubstepSolver
             _rebounds.Begin(input.Colors, input.RowCount, input.Bodies, coefficients);
         }
 
+        ReadOnlySpan<GraphColor> colors = input.Colors;
         if (input.Joints != null)
         {
-            TakeTreeContacts(input.Colors, input.Joints);
+            colors = TakeTreeContacts(colors, input.Joints) ? colors : default;
             input.Joints.Start(coefficients);
         }
 
@@ -94,7 +95,7 @@ internal sealed unsafe class SubstepSolver
         int sweeps = !input.ColdStart ? 1 : input.RowCount <= FewRows ? FewRowsSweeps : ColdStartSweeps;
 
         // Trees that no contact on lanes concerns make all their sweeps in one walk.
-        int jointSweeps = sweeps > 1 && input.Joints != null && IsApart(input.Colors, input.Joints) ? 1 : sweeps;
+        int jointSweeps = sweeps > 1 && input.Joints != null && IsApart(colors, input.Joints) ? 1 : sweeps;
         for (int substep = 0; substep < input.Substeps; substep++)
         {
             if (input.AnyBounce)
@@ -112,11 +113,11 @@ internal sealed unsafe class SubstepSolver
             input.Audit?.Book(SolverPart.Springs);
             input.Joints?.Enter();
             input.Audit?.Book(SolverPart.Joints);
-            _passes.WarmStart(input.Colors);
+            _passes.WarmStart(colors);
             input.Audit?.Book(SolverPart.Contacts);
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
-                _passes.SolveBiased(input.Colors, input.AnyDeep);
+                _passes.SolveBiased(colors, input.AnyDeep);
                 input.Audit?.Book(SolverPart.Contacts);
                 if (sweep < jointSweeps)
                 {
@@ -134,7 +135,7 @@ internal sealed unsafe class SubstepSolver
 
             if (input.AnyDeep && input.Recovery > 0)
             {
-                PushOutAndMove(input.Colors, (float)recovery * coefficients.InverseSubstep);
+                PushOutAndMove(colors, (float)recovery * coefficients.InverseSubstep);
             }
             else
             {
@@ -158,7 +159,7 @@ internal sealed unsafe class SubstepSolver
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
                 bool rub = sweep * 2 >= sweeps - 1;
-                _passes.Relax(input.Colors, rub, sweep == 0);
+                _passes.Relax(colors, rub, sweep == 0);
                 input.Audit?.Book(SolverPart.Contacts);
                 if (sweep < jointSweeps)
                 {
@@ -190,16 +191,20 @@ internal sealed unsafe class SubstepSolver
         input.Joints?.Finish();
     }
 
-    private static void TakeTreeContacts(ReadOnlySpan<GraphColor> colors, JointSolver joints)
+    /// <returns>True if the colours have contacts left.</returns>
+    private static bool TakeTreeContacts(ReadOnlySpan<GraphColor> colors, JointSolver joints)
     {
+        bool left = false;
         for (int i = 0; i < colors.Length; i++)
         {
             BundleRuns runs = colors[i].Runs;
             while (runs.Next())
             {
-                joints.Take(runs.Bundles, runs.Count);
+                left |= joints.Take(runs.Bundles, runs.Count);
             }
         }
+
+        return left;
     }
 
     private static bool IsApart(ReadOnlySpan<GraphColor> colors, JointSolver joints)
