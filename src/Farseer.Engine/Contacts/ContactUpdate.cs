@@ -31,6 +31,9 @@ internal unsafe struct ContactUpdateInput
     public WorldSettings Settings;
     public float Dt;
 
+    /// <summary>How far the blows of this step may throw each body; null while that is not known.</summary>
+    public float* Throws;
+
     /// <summary>Ratio of this step's substep to the last one's.</summary>
     public float ImpulseScale;
     public ContactCoefficients Coefficients;
@@ -52,6 +55,9 @@ internal struct ContactFates
     /// <summary>Touches now and did not before.</summary>
     public int TouchingNow;
     public int Heard;
+
+    /// <summary>Gives impulses and will be struck: see <see cref="PairStage.BlowShare"/>.</summary>
+    public int Blows;
 
     /// <summary>Those of the idle pairs of which the impact, if there is one, must be looked for along the way.</summary>
     public int Deferred;
@@ -80,12 +86,34 @@ internal static unsafe class ContactUpdate
     }
 
     /// <summary>
+    /// Looks again at pairs without rows beside a body that is struck in this step, as far as it may be thrown.
+    /// </summary>
+    /// <returns>Those that are to get a row, a bit for each lane.</returns>
+    public static int FindStruck(in ContactUpdateInput input, ContactBundle* row)
+    {
+        PairBits bits = PairStage.Load(input, row);
+        int lanes = bits.Solid & bits.Exists & ~bits.Fast;
+        if (lanes == 0)
+        {
+            return 0;
+        }
+
+        PairStage.Widen(input, row);
+        PairStage.Collide(input, row, bits);
+        TouchBits touch = PairStage.Touch(input, row);
+        lanes &= touch.Hit;
+        GlancingContact.Drop(input, row, lanes, ref touch);
+        return lanes & touch.Hit & ~FindRefused(row, bits, 0);
+    }
+
+    /// <summary>
     /// Writes the constraints of pairs that have just been given a place in the graph. Their manifolds are found again: to keep those of all
     /// pairs for the few that get a row was a tenth of what a body kept, and no quicker.
     /// </summary>
     public static void FillRows(in ContactUpdateInput input, ContactBundle* row)
     {
         PairBits bits = PairStage.Load(input, row);
+        PairStage.Widen(input, row);
         if ((bits.Fast & bits.Exists) != 0)
         {
             FastPairs.Look(input);
@@ -151,6 +179,7 @@ internal static unsafe class ContactUpdate
         int solid = bits.Solid & hit & bits.Exists & ~fates.Dropped & ~FindRefused(row, bits, due);
         fates.Solid = solid;
         fates.Idle = bits.Exists & ~solid & ~fates.Dropped;
+        fates.Blows = solid & touch.Blows;
         touching = ((touching & ~fates.Dropped) | (touch.Touched & fates.Dropped)) & bits.Exists;
         fates.Touching = touching;
         fates.TouchingNow = touching & ~touch.Touched;

@@ -45,6 +45,9 @@ internal struct TouchBits
 
     /// <summary>The flags of an unheard pair are what they were.</summary>
     public int Same;
+
+    /// <summary>Touches and would sink in by more than <see cref="PairStage.BlowShare"/>: it will be struck.</summary>
+    public int Blows;
 }
 
 /// <summary>
@@ -58,6 +61,12 @@ internal static unsafe class PairStage
     /// hair keeps both points and their impulses.
     /// </summary>
     public const float SkinShare = 0.02f;
+
+    /// <summary>
+    /// A pair that would sink into each other by this share of the smaller extent within the step is struck: what touches it must be ready to
+    /// be struck on. A smaller blow leaves an overlap of a few percent in the worst case.
+    /// </summary>
+    public const float BlowShare = 0.25f;
 
     /// <summary>Gathers both sides of each pair, their bodies' offset, and the distance from which on points are kept.</summary>
     [MethodImpl(KernelMethod.Optimized)]
@@ -115,6 +124,23 @@ internal static unsafe class PairStage
         }
 
         return bits;
+    }
+
+    /// <summary>Keeps points as far apart as the blows of this step may throw the bodies of each pair.</summary>
+    public static void Widen(in ContactUpdateInput input, ContactBundle* row)
+    {
+        if (input.Throws == null)
+        {
+            return;
+        }
+
+        for (int lane = 0; lane < PairLanes.Lanes; lane++)
+        {
+            if (row->Contact[lane] >= 0)
+            {
+                input.Pairs->Margin[lane] += input.Throws[row->BodyA[lane]] + input.Throws[row->BodyB[lane]];
+            }
+        }
     }
 
     /// <summary>Finds the manifolds of all lanes.</summary>
@@ -195,10 +221,16 @@ internal static unsafe class PairStage
             WideMask before = WideLanes.Has(old, (int)ContactFlags.Touching);
             Wide reach = Wide.Keep(before, rest);
             Wide count = Wide.Load(pairs->Count + lane);
-            WideMask touch0 = TouchPoint(pairs, &pairs->Point0, lane, speed, gain, reach, dt);
-            WideMask touch1 = TouchPoint(pairs, &pairs->Point1, lane, speed, gain, reach, dt);
+            WideMask touch0 = TouchPoint(pairs, &pairs->Point0, lane, speed, gain, reach, dt, out Wide sunk0);
+            WideMask touch1 = TouchPoint(pairs, &pairs->Point1, lane, speed, gain, reach, dt, out Wide sunk1);
             WideMask any = count > Wide.Zero;
-            WideMask touch = any & (touch0 | ((count > Wide.One) & touch1));
+            WideMask second = count > Wide.One;
+            WideMask touch = any & (touch0 | (second & touch1));
+            Wide sunk = Wide.Max(sunk0, Wide.Keep(second, sunk1));
+            sunk.Store(pairs->Sinking + lane);
+            Wide size = Wide.Min(Wide.Load(a->Extent + lane), Wide.Load(b->Extent + lane));
+            WideMask blow = touch & (sunk > (Wide.Splat(BlowShare) * size));
+            bits.Blows |= WideLanes.Bits(blow) << lane;
             WideMask solid = WideLanes.Has(flagsA & flagsB, (int)SideFlags.Responds)
                 & WideLanes.Has(flagsA | flagsB, (int)SideFlags.Moves);
             Wide now = Wide.Keep(touch, Wide.FromBits((int)ContactFlags.Touching)) | Wide.Keep(solid, Wide.FromBits((int)ContactFlags.Solid));
@@ -236,7 +268,7 @@ internal static unsafe class PairStage
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideMask TouchPoint(PairLanes* pairs, PointLanes* point, int lane, Wide speed, Wide gain, Wide reach, Wide dt)
+    private static WideMask TouchPoint(PairLanes* pairs, PointLanes* point, int lane, Wide speed, Wide gain, Wide reach, Wide dt, out Wide sunk)
     {
         Wide nx = Wide.Load(pairs->NormalX + lane);
         Wide ny = Wide.Load(pairs->NormalY + lane);
@@ -252,6 +284,7 @@ internal static unsafe class PairStage
         armB.Store(point->TangentArmB + lane);
         Wide closing = speed + (Wide.Load(pairs->B.AngularVelocity + lane) * armB) - (Wide.Load(pairs->A.AngularVelocity + lane) * armA);
         Wide separation = Wide.Load(point->Separation + lane);
+        sunk = Wide.Zero - (Wide.Max(separation, Wide.Zero) + (closing * dt));
         return (separation <= reach) | (separation + ((closing + gain) * dt) <= Wide.Zero);
     }
 

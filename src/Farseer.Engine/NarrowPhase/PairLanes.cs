@@ -140,6 +140,9 @@ internal unsafe struct PairLanes
     public PointLanes Point0;
     public PointLanes Point1;
 
+    /// <summary>How deep the pair would be at the end of the step with the velocities of its start; known of those that touch.</summary>
+    public fixed float Sinking[Lanes];
+
     /// <summary>Corners of the pieces, gathered only for pairs that need them.</summary>
     public HullPairLanes Hulls;
 

@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
@@ -17,6 +18,8 @@ internal sealed unsafe class ContactStage
     private readonly RadixSort _sort = new RadixSort();
     private readonly ContactSides _sides = new ContactSides();
     private readonly FastPairStage _fast = new FastPairStage();
+
+    private readonly StruckPairs _struck = new StruckPairs();
 
     private readonly ContactWork _work = new ContactWork();
     private int _lostCount;
@@ -67,6 +70,7 @@ internal sealed unsafe class ContactStage
         _gained.EnsureCapacity(contacts.Records.Capacity);
         _gainKeys.EnsureCapacity(contacts.Records.Capacity);
         _fast.Begin();
+        _struck.Begin(input.Bodies.Ids.End, joints);
         UpdateGraph(runner, input, graph);
         UpdateIdle(runner, input);
         if (world.AsleepCount > 0)
@@ -77,7 +81,12 @@ internal sealed unsafe class ContactStage
 
         Take(contacts, graph);
         Give(runner, input, graph);
-        _fast.Decide(runner, input, graph, joints, allHeld);
+        _fast.Decide(runner, input, graph, joints, allHeld, _struck);
+        if (_struck.Any)
+        {
+            GiveStruck(runner, input, graph);
+        }
+
         AnyBounce = AnyBounce || _fast.AnyBounce;
         _touching += _fast.Given;
         _touchingNow += _fast.Given;
@@ -133,6 +142,7 @@ internal sealed unsafe class ContactStage
             {
                 ref ContactFates fates = ref outcome->Fates;
                 Count(fates);
+                _struck.Note(input, outcome, bundle->Contact);
                 AnyBounce |= outcome->Bounces;
                 outcome++;
                 DeferAll(input.Contacts, bundle->Contact, fates.Deferred);
@@ -167,6 +177,7 @@ internal sealed unsafe class ContactStage
             ref ContactFates fates = ref outcome->Fates;
             int* pairs = contacts.IdleList + first;
             Count(fates);
+            _struck.Note(input, outcome, pairs);
             DeferAll(contacts, pairs, fates.Deferred);
             int leaving = fates.Solid | fates.Dropped;
             for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
@@ -234,6 +245,23 @@ internal sealed unsafe class ContactStage
         }
 
         AnyBounce |= _work.FillRows(runner, input, graph, _gained.Pointer, _gainedCount);
+    }
+
+    /// <summary>Gives rows to pairs beside a blow.</summary>
+    private void GiveStruck(StageRunner runner, ContactUpdateInput input, ConstraintGraph graph)
+    {
+        _struck.Find(input);
+        ReadOnlySpan<int> found = _struck.Found;
+        _gainedCount = found.Length;
+        for (int i = 0; i < found.Length; i++)
+        {
+            _gainKeys[i] = Shuffle(PairKey(input.Contacts.Records[found[i]]));
+            _gained[i] = found[i];
+        }
+
+        input.Throws = _struck.Throws;
+        Give(runner, input, graph);
+        _struck.Widen(input, graph);
     }
 
     // A fixed mixing of the bits (the finaliser of MurmurHash3); distinct keys stay distinct.

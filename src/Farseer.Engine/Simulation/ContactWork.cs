@@ -10,9 +10,12 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Simulation;
 
 /// <summary>What the update of a bundle found.</summary>
-internal struct BundleOutcome
+internal unsafe struct BundleOutcome
 {
     public ContactFates Fates;
+
+    /// <summary>How deep those that are struck would sink in.</summary>
+    public fixed float Sinking[ContactBundle.Lanes];
 
     /// <summary>A contact of the bundle can bounce.</summary>
     public bool Bounces;
@@ -150,6 +153,7 @@ internal sealed unsafe class ContactWork : IStageWork
                     }
 
                     outcome->Fates = ContactUpdate.UpdateRows(input, bundle);
+                    NoteSinking(input.Pairs, outcome);
                     outcome->Bounces = BounceKernel.Bounces(bundle);
                 }
             }
@@ -177,6 +181,15 @@ internal sealed unsafe class ContactWork : IStageWork
             }
 
             _outcomes[i].Fates = ContactUpdate.UpdateIdle(input, bundle);
+            NoteSinking(input.Pairs, _outcomes.Pointer + i);
+        }
+    }
+
+    private static void NoteSinking(PairLanes* pairs, BundleOutcome* outcome)
+    {
+        for (int lane = 0, blows = outcome->Fates.Blows; blows != 0; lane++, blows >>= 1)
+        {
+            outcome->Sinking[lane] = pairs->Sinking[lane];
         }
     }
 

@@ -28,6 +28,7 @@ internal sealed unsafe class FastPairStage : IStageWork
     private ContactUpdateInput _input;
     private ConstraintGraph _graph = null!;
     private JointStore _joints = null!;
+    private StruckPairs _struck = null!;
     private bool _allHeld;
     private bool _ofMovers;
     private int _count;
@@ -63,8 +64,9 @@ internal sealed unsafe class FastPairStage : IStageWork
         }
     }
 
-    public void Decide(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
+    public void Decide(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld, StruckPairs struck)
     {
+        _struck = struck;
         _sort.Sort(_keys.Pointer, _contacts.Pointer, _count);
         _found.EnsureCapacity(_count);
         _input = input;
@@ -197,6 +199,7 @@ internal sealed unsafe class FastPairStage : IStageWork
         ContactRowWriter.ClearForWrite(bundle);
         ContactRowWriter.Name(bundle, 0, contact, record);
         ContactUpdate.FillImpact(input, bundle, impact);
+        _struck.Note(input, record, input.Pairs->Sinking[0]);
         AnyBounce = AnyBounce || bundle->Restitution[0] > 0;
         ContactRowWriter.MoveLane(bundle, 0, graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
         Given++;

@@ -105,6 +105,7 @@ internal sealed partial class World
         input.Hulls = null;
         input.Pairs = null;
         input.Moves = _lists.Moves;
+        input.Throws = null;
         input.Settings = Settings;
         input.Dt = dt;
         input.ImpulseScale = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? substep / _lastSubstep : 1f;
