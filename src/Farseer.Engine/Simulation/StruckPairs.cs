@@ -70,7 +70,6 @@ internal sealed unsafe class StruckPairs
         float* throws = Throws;
         input.Throws = throws;
         _bundle.EnsureCapacity(1);
-        _found.EnsureCapacity(contacts.IdleCount);
         ContactRecord* records = contacts.Records.Pointer;
         BodyFlags* flags = input.Bodies.Flags.Pointer;
         int filled = 0;
@@ -160,6 +159,7 @@ internal sealed unsafe class StruckPairs
         }
 
         int found = ContactUpdate.FindStruck(input, bundle);
+        _found.EnsureCapacity(_foundCount + filled);
         for (int lane = 0; found != 0; lane++, found >>= 1)
         {
             if ((found & 1) != 0)
