@@ -47,6 +47,7 @@ internal sealed unsafe class ContactSides
 
     private readonly Column<ContactSide> _sides = new Column<ContactSide>();
     private readonly Column<int> _hulls = new Column<int>();
+    private BodySteps? _steps;
 
     /// <summary>A listener hears, or has heard, of a piece.</summary>
     public bool AnyHeard { get; private set; }
@@ -58,8 +59,11 @@ internal sealed unsafe class ContactSides
     public int* Hulls => _hulls.Pointer;
 
     /// <summary>Makes room for the sides of all pieces.</summary>
-    public void Begin(ShapeStore shapes)
+    /// <param name="shapes">The pieces.</param>
+    /// <param name="steps">Where a change of a side is noted; null if nobody asks.</param>
+    public void Begin(ShapeStore shapes, BodySteps? steps)
     {
+        _steps = steps;
         _sides.EnsureCapacity(shapes.PieceIds.End + 1);
         _hulls.EnsureCapacity(shapes.PieceIds.End);
         _sides[0] = new ContactSide { Cos = 1, HalfX = 1, HalfY = 1, Flags = SideFlags.Box };
@@ -95,6 +99,7 @@ internal sealed unsafe class ContactSides
         BodyMass* masses = bodies.Mass.Pointer;
         BodyFlags* flags = bodies.Flags.Pointer;
         SideFlags heard = SideFlags.None;
+        BodyStep* steps = _steps == null ? null : _steps.Pointer;
         for (int i = first; i < end; i++)
         {
             Piece* piece = pieces + i;
@@ -125,7 +130,13 @@ internal sealed unsafe class ContactSides
             // What sleeps can be moved: a contact with it wakes it before it is solved.
             bool moving = moves[body] != 0 || (flags[body] & BodyFlags.Asleep) != 0;
             SideFlags now = (proxies[i].Flags & ProxyFlags.Moved) != 0 ? SideFlags.NewBox : SideFlags.None;
+            SideFlags before = side->Flags;
             side->Flags = now | Describe(piece, collider->Flags, flags[body], moving);
+            if (steps != null)
+            {
+                Note(steps + body, before, side->Flags);
+            }
+
             side->HalfX = (side->Flags & SideFlags.Box) != 0 ? piece->Half.X : piece->Radius;
             heard |= side->Flags;
             hulls[i] = HullLanes.Pack(piece->VertexStart, piece->VertexCount);
@@ -139,6 +150,20 @@ internal sealed unsafe class ContactSides
         if ((heard & SideFlags.Heard) != 0)
         {
             AnyHeard = true;
+        }
+    }
+
+    private static void Note(BodyStep* step, SideFlags before, SideFlags now)
+    {
+        // Several workers may write the same: each flag is a byte of its own, which is only ever set here.
+        if ((now & SideFlags.NewBox) != 0)
+        {
+            step->HasNewBox = 1;
+        }
+
+        if (((before ^ now) & ~SideFlags.NewBox) != 0)
+        {
+            step->IsAltered = 1;
         }
     }
 

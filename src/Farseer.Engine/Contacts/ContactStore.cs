@@ -73,6 +73,7 @@ internal sealed class ContactStore
     private readonly ColumnSet _set = new ColumnSet();
     private readonly Column<int> _free = new Column<int>();
     private readonly Column<int> _idle = new Column<int>();
+    private readonly Column<IdleBundle> _gaps = new Column<IdleBundle>();
     private int _freeCount;
     private bool _keepsManifolds;
 
@@ -105,8 +106,29 @@ internal sealed class ContactStore
 
     public int Idle(int position) => _idle[position];
 
-    /// <summary>The pairs without a row.</summary>
-    public unsafe int* IdleList => _idle.Pointer;
+    /// <summary>Motions of the bodies, while gaps are kept.</summary>
+    public BodySteps Steps { get; } = new BodySteps();
+
+    /// <summary>The gaps of the pairs without a row are kept: worth their while where there are many.</summary>
+    public bool KeepsGaps { get; private set; }
+
+    /// <summary>The gaps of the pairs without a row, while they are kept.</summary>
+    public unsafe IdleBundle* Gaps => _gaps.Pointer;
+
+    /// <summary>Keeps gaps from now on or no longer. Of none of the pairs that there are anything is known at first.</summary>
+    public void KeepGaps(bool value)
+    {
+        if (value && !KeepsGaps)
+        {
+            EnsureGaps();
+            for (int i = 0; i < IdleCount; i++)
+            {
+                NameGap(i, Records[_idle[i]]);
+            }
+        }
+
+        KeepsGaps = value;
+    }
 
     /// <summary>Takes a pair out of the idle list, to sleep.</summary>
     public void LayDown(int index)
@@ -135,6 +157,10 @@ internal sealed class ContactStore
             _set.EnsureCapacity(End);
             _free.EnsureCapacity(Records.Capacity);
             _idle.EnsureCapacity(Records.Capacity);
+            if (KeepsGaps)
+            {
+                EnsureGaps();
+            }
         }
 
         Records[index] = record;
@@ -187,15 +213,29 @@ internal sealed class ContactStore
         ref ContactRecord record = ref Records[index];
         record.Color = -1;
         record.Row = IdleCount;
+        if (KeepsGaps)
+        {
+            NameGap(IdleCount, record);
+        }
+
         _idle[IdleCount++] = index;
     }
 
-    public void RemoveIdle(int index)
+    public unsafe void RemoveIdle(int index)
     {
         int row = Records[index].Row;
         int last = _idle[--IdleCount];
         _idle[row] = last;
+        if (KeepsGaps)
+        {
+            IdleGap.Move(Gaps, IdleCount, row);
+        }
+
         Records[last].Row = row;
         Records[index].Row = -1;
     }
+
+    private void EnsureGaps() => _gaps.EnsureCapacity((Records.Capacity + IdleBundle.Lanes - 1) / IdleBundle.Lanes);
+
+    private unsafe void NameGap(int place, in ContactRecord record) => IdleGap.Name(Gaps, place, record);
 }

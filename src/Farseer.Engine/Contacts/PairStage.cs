@@ -83,6 +83,7 @@ internal static unsafe class PairStage
             BodyLanes.GatherRecords(sides, row->PieceB + lane, (float*)&pairs->B + lane);
             BodyLanes.GatherOffset(input.Bodies.Pose.Pointer, row->BodyA + lane, row->BodyB + lane, out Wide x, out Wide y);
             Wide.Zero.Store(pairs->NormalOwner + lane);
+            Wide.Splat(PairLanes.UnknownGap).Store(pairs->Gap + lane);
             Wide.Zero.Store(pairs->Point0.Owner + lane);
             Wide.Zero.Store(pairs->Point1.Owner + lane);
             x.Store(pairs->OffsetX + lane);

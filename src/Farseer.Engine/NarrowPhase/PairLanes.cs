@@ -118,6 +118,9 @@ internal unsafe struct PairLanes
 {
     public const int Lanes = WideLanes.BundleLanes;
 
+    /// <summary>The gap of a pair of which none was found.</summary>
+    public const float UnknownGap = float.MinValue;
+
     public SideLanes A;
     public SideLanes B;
 
@@ -137,6 +140,12 @@ internal unsafe struct PairLanes
     /// <summary>0, 1 or 2 points.</summary>
     public fixed float Count[Lanes];
 
+    /// <summary>Separation along the axis that separates the pieces, or a number that says nothing; what counts is what is more than the margin.</summary>
+    public fixed float Gap[Lanes];
+
+    /// <summary>-1: that axis turns with A; 1: with B; 0: it leads from one centre to the other.</summary>
+    public fixed float GapOwner[Lanes];
+
     public PointLanes Point0;
     public PointLanes Point1;
 
@@ -151,6 +160,7 @@ internal unsafe struct PairLanes
         pairs->NormalX[lane] = manifold.Normal.X;
         pairs->NormalY[lane] = manifold.Normal.Y;
         pairs->Count[lane] = manifold.Count;
+        pairs->Gap[lane] = UnknownGap;
         Write(&pairs->Point0, lane, manifold.Point0);
         Write(&pairs->Point1, lane, manifold.Point1);
     }

@@ -60,6 +60,8 @@ internal static unsafe class WideBoxBox
         Wide sepB = Wide.Select(axisBx, sepBx, sepBy);
         Wide margin = Wide.Load(pairs->Margin + lane);
         reference.Near = ~((sepA > margin) | (sepB > margin));
+        Wide.Max(sepA, sepB).Store(pairs->Gap + lane);
+        Wide.Select(sepA > sepB, Wide.Zero - Wide.One, Wide.One).Store(pairs->GapOwner + lane);
         Wide scale = Wide.Min(Wide.Load(a->Extent + lane), Wide.Load(b->Extent + lane));
         WideMask flipped = sepB > sepA + (Wide.Splat(ConvexConvex.ReferenceBias) * scale);
 

@@ -36,6 +36,8 @@ internal static unsafe class WideCircleCircle
             WideLanes.Replace(circles, ax + (nx * reach), pairs->Point0.X + lane);
             WideLanes.Replace(circles, ay + (ny * reach), pairs->Point0.Y + lane);
             WideLanes.Replace(circles, separation, pairs->Point0.Separation + lane);
+            WideLanes.Replace(circles, separation, pairs->Gap + lane);
+            WideLanes.Replace(circles, Wide.Zero, pairs->GapOwner + lane);
             WideLanes.Replace(circles, Wide.FromBits((int)CirclePairs.Id), (float*)pairs->Point0.Id + lane);
         }
     }

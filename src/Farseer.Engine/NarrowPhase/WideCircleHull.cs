@@ -52,6 +52,8 @@ internal static unsafe class WideCircleHull
         Wide margin = Wide.Load(pairs->Margin + lane);
         WideMask near = active & ~(best - sum > margin);
         WideLanes.Replace(active, Wide.Keep(near, Wide.One), pairs->Count + lane);
+        WideLanes.Replace(active, best - sum, pairs->Gap + lane);
+        WideLanes.Replace(active, Wide.Select(flipped, Wide.One, Wide.Zero - Wide.One), pairs->GapOwner + lane);
         if (WideLanes.Bits(near) == 0)
         {
             return;

@@ -25,6 +25,11 @@ internal static unsafe class WideConvex
         int cornersB = HullLanes.Gather(&hulls->B, vertices, normals);
         int near = 0;
         int flipped = 0;
+        for (int lane = 0; lane < PairLanes.Lanes; lane++)
+        {
+            hulls->Active[lane] = -((lanes >> lane) & 1);
+        }
+
         for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
         {
             near |= FindAxes(pairs, lanes >> lane, cornersA, cornersB, lane, out int turned) << lane;
@@ -94,13 +99,16 @@ internal static unsafe class WideConvex
     {
         HullPairLanes* hulls = &pairs->Hulls;
         WidePlacement placement = PlaceB(pairs, lane);
-        Wide limit = (Wide.Load(pairs->Margin + lane) + SideLanes.Radius(&pairs->A, lane)) + SideLanes.Radius(&pairs->B, lane);
+        Wide radiusA = SideLanes.Radius(&pairs->A, lane);
+        Wide radiusB = SideLanes.Radius(&pairs->B, lane);
+        Wide limit = (Wide.Load(pairs->Margin + lane) + radiusA) + radiusB;
         WideAxisQuery.Find(&hulls->A, cornersA, &hulls->B, cornersB, placement, lane, &hulls->FromA);
         Wide fromA = Wide.Load(hulls->FromA.Separation + lane);
         int near = ~WideLanes.Bits(fromA > limit) & ((1 << Wide.Count) - 1);
         flipped = 0;
         if ((near & lanes) == 0)
         {
+            NoteGap(pairs, lane, fromA - radiusA - radiusB, Wide.Zero - Wide.One);
             return 0;
         }
 
@@ -108,8 +116,19 @@ internal static unsafe class WideConvex
         WideAxisQuery.Find(&hulls->B, cornersB, &hulls->A, cornersA, placement, lane, &hulls->FromB);
         Wide fromB = Wide.Load(hulls->FromB.Separation + lane);
         Wide scale = Wide.Min(Wide.Load(pairs->A.Extent + lane), Wide.Load(pairs->B.Extent + lane));
+        NoteGap(
+            pairs, lane, Wide.Max(fromA, fromB) - radiusA - radiusB, Wide.Select(fromA > fromB, Wide.Zero - Wide.One, Wide.One));
         flipped = WideLanes.Bits(fromB > fromA + (Wide.Splat(ConvexConvex.ReferenceBias) * scale));
         return near & ~WideLanes.Bits(fromB > limit);
+    }
+
+    /// <summary>Notes what separates the hulls of the named lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void NoteGap(PairLanes* pairs, int lane, Wide gap, Wide owner)
+    {
+        WideMask named = WideLanes.Has(Wide.Load((float*)pairs->Hulls.Active + lane), -1);
+        WideLanes.Replace(named, gap, pairs->Gap + lane);
+        WideLanes.Replace(named, owner, pairs->GapOwner + lane);
     }
 
     /// <summary>Looks up where the features lie that the contact can be made of.</summary>

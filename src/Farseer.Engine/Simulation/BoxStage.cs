@@ -128,6 +128,7 @@ internal sealed unsafe class BoxStage : IStageWork
         }
 
         bodies.Flags[body] = flags & ~(BodyFlags.Moved | BodyFlags.Fast);
+        world.NoteAltered(body);
         Fit(world, body);
         if (Moves(flags))
         {

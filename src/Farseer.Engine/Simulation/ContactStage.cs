@@ -22,11 +22,13 @@ internal sealed unsafe class ContactStage
     private readonly StruckPairs _struck = new StruckPairs();
 
     private readonly ContactWork _work = new ContactWork();
+    private readonly IdleWork _idle = new IdleWork();
     private int _lostCount;
     private int _droppedCount;
     private int _gainedCount;
     private int _touching;
     private int _touchingNow;
+    private int _hulls;
 
     /// <summary>A contact of the graph can bounce.</summary>
     public bool AnyBounce { get; private set; }
@@ -49,7 +51,9 @@ internal sealed unsafe class ContactStage
     public void Update(StageRunner runner, World world, ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
     {
         ContactStore contacts = input.Contacts;
+        _idle.Begin(input, _hulls, graph.RowCount);
         _work.WriteSides(runner, input, _sides);
+        _idle.FindSteps(runner, input);
         if (_sides.AnyHeard)
         {
             contacts.KeepManifolds();
@@ -65,6 +69,7 @@ internal sealed unsafe class ContactStage
         _gainedCount = 0;
         _touching = 0;
         _touchingNow = 0;
+        _hulls = 0;
         _lost.EnsureCapacity(contacts.Records.Capacity);
         _dropped.EnsureCapacity(contacts.Records.Capacity);
         _gained.EnsureCapacity(contacts.Records.Capacity);
@@ -170,30 +175,59 @@ internal sealed unsafe class ContactStage
     private void UpdateIdle(StageRunner runner, in ContactUpdateInput input)
     {
         ContactStore contacts = input.Contacts;
-        _work.UpdateIdle(runner, input);
-        BundleOutcome* outcome = _work.Outcomes;
-        for (int first = 0; first < contacts.IdleCount; first += ContactBundle.Lanes, outcome++)
+        _idle.Update(runner, input);
+        int* pairs = stackalloc int[ContactBundle.Lanes];
+        int next = 0;
+        for (int first = 0; first < _idle.LookedCount; first += ContactBundle.Lanes)
         {
-            ref ContactFates fates = ref outcome->Fates;
-            int* pairs = contacts.IdleList + first;
+            ref ContactFates fates = ref _idle.Outcomes[first / ContactBundle.Lanes].Fates;
             Count(fates);
-            _struck.Note(input, outcome, pairs);
-            DeferAll(contacts, pairs, fates.Deferred);
             int leaving = fates.Solid | fates.Dropped;
+            int lanes = leaving | fates.Deferred;
+            for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
+            {
+                pairs[lane] = (lanes & 1) != 0 ? contacts.Idle(_idle.Place(first + lane)) : 0;
+            }
+
+            _struck.Note(input, _idle.Outcomes + (first / ContactBundle.Lanes), pairs);
+            DeferAll(contacts, pairs, fates.Deferred);
             for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
             {
-                int index = pairs[lane];
                 if ((fates.Dropped & (1 << lane)) != 0)
                 {
-                    _dropped[_droppedCount++] = index;
+                    next = DropParted(contacts, next, _idle.Place(first + lane));
+                    _dropped[_droppedCount++] = pairs[lane];
                 }
                 else if ((fates.Solid & (1 << lane)) != 0)
                 {
-                    _gainKeys[_gainedCount] = Shuffle(PairKey(contacts.Records[index]));
-                    _gained[_gainedCount++] = index;
+                    _gainKeys[_gainedCount] = Shuffle(PairKey(contacts.Records[pairs[lane]]));
+                    _gained[_gainedCount++] = pairs[lane];
                 }
             }
         }
+
+        DropParted(contacts, next, contacts.IdleCount);
+    }
+
+    /// <summary>Notes the pairs of a stretch of the idle list that are forgotten without a look: pairs go in the order of the list, looked at or not.</summary>
+    private int DropParted(ContactStore contacts, int from, int to)
+    {
+        while (from < to && contacts.KeepsGaps)
+        {
+            int end = Math.Min(to, (from | (ContactBundle.Lanes - 1)) + 1);
+            int parted = _idle.Parted(from / ContactBundle.Lanes) >> (from % ContactBundle.Lanes);
+            for (; parted != 0 && from < end; from++, parted >>= 1)
+            {
+                if ((parted & 1) != 0)
+                {
+                    _dropped[_droppedCount++] = contacts.Idle(from);
+                }
+            }
+
+            from = end;
+        }
+
+        return to;
     }
 
     private void DeferAll(ContactStore contacts, int* pairs, int lanes)
@@ -212,6 +246,7 @@ internal sealed unsafe class ContactStage
         _touching += BitSet.CountBits((uint)fates.Touching);
         _touchingNow += BitSet.CountBits((uint)fates.TouchingNow);
         AnyHeard |= fates.Heard != 0;
+        _hulls += BitSet.CountBits((uint)fates.Hulls);
     }
 
     private void Take(ContactStore contacts, ConstraintGraph graph)

@@ -50,7 +50,6 @@ internal sealed unsafe class ContactWork : IStageWork
     {
         Sides,
         Rows,
-        Idle,
         Given,
     }
 
@@ -65,7 +64,7 @@ internal sealed unsafe class ContactWork : IStageWork
     {
         _pairs.EnsureCapacity(runner.Workers);
         _bundles.EnsureCapacity(runner.Workers);
-        sides.Begin(input.Shapes);
+        sides.Begin(input.Shapes, input.Contacts.KeepsGaps ? input.Contacts.Steps : null);
         _input = input;
         _sides = sides;
         _part = Part.Sides;
@@ -79,10 +78,6 @@ internal sealed unsafe class ContactWork : IStageWork
         _ranges.Find(graph.Used);
         Run(runner, input, Part.Rows, _ranges.Count);
     }
-
-    /// <summary>Updates the pairs without a row, eight at a time in a bundle of the worker's own, which has never held an impulse.</summary>
-    public void UpdateIdle(StageRunner runner, in ContactUpdateInput input) =>
-        Run(runner, input, Part.Idle, (input.Contacts.IdleCount + ContactBundle.Lanes - 1) / ContactBundle.Lanes);
 
     /// <summary>Writes the constraints of pairs that have just been given rows, eight at a time, and moves them to their places.</summary>
     /// <returns>True if one of them can bounce.</returns>
@@ -102,6 +97,24 @@ internal sealed unsafe class ContactWork : IStageWork
         return bounces;
     }
 
+    /// <summary>What the sides and boxes of one piece of a pair are read from is asked for.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void AskFor(in ContactUpdateInput input, int piece, int body)
+    {
+        Prefetch.Line(input.Sides + piece);
+        Prefetch.Line(input.Bodies.Pose.Pointer + body);
+        Prefetch.Line(input.Fat + piece);
+    }
+
+    /// <summary>Keeps how deep those of a bundle that are struck would sink in.</summary>
+    public static void NoteSinking(PairLanes* pairs, BundleOutcome* outcome)
+    {
+        for (int lane = 0, blows = outcome->Fates.Blows; blows != 0; lane++, blows >>= 1)
+        {
+            outcome->Sinking[lane] = pairs->Sinking[lane];
+        }
+    }
+
     void IStageWork.Run(int worker, int from, int to)
     {
         ContactUpdateInput input = _input;
@@ -114,9 +127,6 @@ internal sealed unsafe class ContactWork : IStageWork
                 break;
             case Part.Rows:
                 UpdateRows(input, from, to);
-                break;
-            case Part.Idle:
-                UpdateIdle(input, _bundles.Pointer + worker, from, to);
                 break;
             case Part.Given:
                 FillRows(input, _bundles.Pointer + worker, from, to);
@@ -160,65 +170,6 @@ internal sealed unsafe class ContactWork : IStageWork
         }
     }
 
-    private void UpdateIdle(in ContactUpdateInput input, ContactBundle* bundle, int from, int to)
-    {
-        ContactStore contacts = input.Contacts;
-        for (int i = from; i < to; i++)
-        {
-            int first = i * ContactBundle.Lanes;
-            AskForIdle(input, first + ContactBundle.Lanes);
-            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
-            {
-                if (first + lane < contacts.IdleCount)
-                {
-                    int index = contacts.Idle(first + lane);
-                    ContactRowWriter.Name(bundle, lane, index, contacts.Records[index]);
-                }
-                else
-                {
-                    ContactRowWriter.Unname(bundle, lane);
-                }
-            }
-
-            _outcomes[i].Fates = ContactUpdate.UpdateIdle(input, bundle);
-            NoteSinking(input.Pairs, _outcomes.Pointer + i);
-        }
-    }
-
-    private static void NoteSinking(PairLanes* pairs, BundleOutcome* outcome)
-    {
-        for (int lane = 0, blows = outcome->Fates.Blows; blows != 0; lane++, blows >>= 1)
-        {
-            outcome->Sinking[lane] = pairs->Sinking[lane];
-        }
-    }
-
-    /// <summary>What the next bundle of idle pairs reads is asked for, and the records of the one behind: to wait for them was a twentieth of a step.</summary>
-    private static void AskForIdle(in ContactUpdateInput input, int first)
-    {
-        if (!Prefetch.IsUseful)
-        {
-            return;
-        }
-
-        ContactStore contacts = input.Contacts;
-        ContactRecord* records = contacts.Records.Pointer;
-        int* idle = contacts.IdleList;
-        int end = Math.Min(first + ContactBundle.Lanes, contacts.IdleCount);
-        for (int i = first; i < end; i++)
-        {
-            ContactRecord* record = records + idle[i];
-            AskFor(input, record->PieceA, record->BodyA);
-            AskFor(input, record->PieceB, record->BodyB);
-        }
-
-        int far = Math.Min(first + (2 * ContactBundle.Lanes), contacts.IdleCount);
-        for (int i = first + ContactBundle.Lanes; i < far; i++)
-        {
-            Prefetch.Line(records + idle[i]);
-        }
-    }
-
     /// <summary>What the next bundle of rows reads is asked for, and the rows of the one behind.</summary>
     private static void AskAhead(in ContactUpdateInput input, ContactBundle* next, ContactBundle* behind)
     {
@@ -232,14 +183,6 @@ internal sealed unsafe class ContactWork : IStageWork
         {
             Prefetch.Line((byte*)behind + line);
         }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void AskFor(in ContactUpdateInput input, int piece, int body)
-    {
-        Prefetch.Line(input.Sides + piece);
-        Prefetch.Line(input.Bodies.Pose.Pointer + body);
-        Prefetch.Line(input.Fat + piece);
     }
 
     // Two bundles of new rows may write different lanes of the same bundle of a colour: those are different places of memory.

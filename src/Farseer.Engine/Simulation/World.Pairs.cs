@@ -43,6 +43,9 @@ internal sealed partial class World
     /// <summary>A piece has a new box already: it looks for pairs.</summary>
     internal void NoteMoved(int piece) => _movedProxies.Add(piece);
 
+    /// <summary>A body was put elsewhere or its pieces were changed: what is known of the gaps around it does not hold.</summary>
+    internal void NoteAltered(int body) => _contacts.Steps.Alter(body);
+
     /// <summary>After a change of a collider's filter: its pairs are judged anew in the next step.</summary>
     public void Refilter(Handle collider)
     {
@@ -109,6 +112,9 @@ internal sealed partial class World
             }
         }
     }
+
+    /// <summary>All pairs.</summary>
+    internal ContactStore Contacts => _contacts;
 
     internal PairMap KnownPairs => _contacts.Map;
 

@@ -13,6 +13,7 @@ internal sealed partial class World
     {
         Disturb(body);
         Bodies.Flags[body] |= BodyFlags.Moved;
+        NoteAltered(body);
         if (!Queries.IsUsed)
         {
             return;

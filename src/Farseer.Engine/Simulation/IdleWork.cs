@@ -1,0 +1,242 @@
+using System;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Stepping;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>
+/// The narrow phase of the pairs without a row, which workers share. Where there are many, most are passed over by what is known of their
+/// gaps, and the others packed into bundles of eight.
+/// </summary>
+internal sealed unsafe class IdleWork : IStageWork
+{
+    /// <summary>Bundles that are worth another worker's while, some 0.5 µs, those that are only passed over, and words of bodies.</summary>
+    private const int LeastBundles = 8;
+    private const int LeastPasses = 64;
+    private const int LeastWords = 4;
+
+    /// <summary>Idle pairs for each so many bodies from which on their gaps are kept, and down to which they go on being kept.</summary>
+    private const int BodiesToBegin = 2;
+    private const int BodiesToEnd = 4;
+
+    private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
+    private readonly Column<BundleOutcome> _outcomes = new Column<BundleOutcome>();
+    private readonly Column<Glance> _glances = new Column<Glance>();
+    private readonly Column<int> _looked = new Column<int>();
+    private ContactUpdateInput _input;
+    private Part _part;
+
+    private enum Part
+    {
+        Steps,
+        Gaps,
+        Idle,
+    }
+
+    /// <summary>Pairs that were looked at.</summary>
+    public int LookedCount { get; private set; }
+
+    /// <summary>Outcomes of the pairs looked at, in bundles of eight, in the order of the idle list.</summary>
+    public BundleOutcome* Outcomes => _outcomes.Pointer;
+
+    /// <summary>Place in the idle list of a pair that was looked at.</summary>
+    public int Place(int looked) => _input.Contacts.KeepsGaps ? _looked[looked] : looked;
+
+    /// <summary>Of the pairs of a bundle of the idle list those, a bit each, that are forgotten without a look, as their boxes have parted.</summary>
+    public int Parted(int bundle) => _glances[bundle].Parted;
+
+    /// <summary>
+    /// Decides whether gaps are kept, before the sides are written: where there are many such pairs and most are of hulls. To know the gaps
+    /// of boxes and circles takes as long as to look at them.
+    /// </summary>
+    /// <param name="input">Columns and numbers of this step.</param>
+    /// <param name="hulls">Pairs of hulls looked at in the last step.</param>
+    /// <param name="rows">Pairs that have rows, which all are.</param>
+    public void Begin(in ContactUpdateInput input, int hulls, int rows)
+    {
+        ContactStore contacts = input.Contacts;
+        int end = input.Bodies.Ids.End;
+        bool keeps = contacts.IdleCount * (contacts.KeepsGaps ? BodiesToEnd : BodiesToBegin) > end && hulls * 2 > LookedCount + rows;
+        if (keeps)
+        {
+            contacts.Steps.Begin(end, afresh: !contacts.KeepsGaps);
+        }
+
+        if (keeps != contacts.KeepsGaps)
+        {
+            contacts.KeepGaps(keeps);
+        }
+    }
+
+    /// <summary>Finds what the gaps are measured by, once the sides are written.</summary>
+    public void FindSteps(StageRunner runner, in ContactUpdateInput input)
+    {
+        if (input.Contacts.KeepsGaps)
+        {
+            _input = input;
+            _part = Part.Steps;
+            runner.Run(this, (input.Bodies.Ids.End + BitSet.WordBits - 1) / BitSet.WordBits, LeastWords);
+        }
+    }
+
+    /// <summary>Looks at the pairs, eight at a time in a bundle of the worker's own, which has never held an impulse.</summary>
+    /// <param name="runner">Who shares the work out.</param>
+    /// <param name="input">Columns and numbers of this step; the pairs of the first worker.</param>
+    public void Update(StageRunner runner, in ContactUpdateInput input)
+    {
+        ContactStore contacts = input.Contacts;
+        _input = input;
+        LookedCount = contacts.IdleCount;
+        if (contacts.KeepsGaps)
+        {
+            int bundles = Bundles(contacts.IdleCount);
+            _glances.EnsureCapacity(Bundles(contacts.Records.Capacity));
+            _looked.EnsureCapacity(contacts.Records.Capacity);
+            _part = Part.Gaps;
+            runner.Run(this, bundles, LeastPasses);
+            CollectLooked(bundles);
+        }
+
+        _bundles.EnsureCapacity(runner.Workers);
+
+        // Room for as many bundles as all pairs fill: so their number changes without an allocation.
+        _outcomes.EnsureCapacity(Bundles(contacts.Records.Capacity));
+        _part = Part.Idle;
+        runner.Run(this, Bundles(LookedCount), LeastBundles);
+    }
+
+    void IStageWork.Run(int worker, int from, int to)
+    {
+        ContactUpdateInput input = _input;
+        input.Pairs = _input.Pairs + worker;
+        switch (_part)
+        {
+            case Part.Steps:
+                input.Contacts.Steps.Find(input.Bodies, input.Dt, from, to);
+                break;
+            case Part.Gaps:
+                PassOver(input, from, to);
+                break;
+            case Part.Idle:
+                Look(input, _bundles.Pointer + worker, from, to);
+                break;
+        }
+    }
+
+    private static int Bundles(int pairs) => (pairs + ContactBundle.Lanes - 1) / ContactBundle.Lanes;
+
+    /// <summary>Finds the pairs of some bundles that must be looked at, and of the others those whose boxes are new and have parted.</summary>
+    private void PassOver(in ContactUpdateInput input, int from, int to)
+    {
+        ContactStore contacts = input.Contacts;
+        BodyStep* steps = contacts.Steps.Pointer;
+        float pull = (Math.Abs(input.Settings.Gravity.X) + Math.Abs(input.Settings.Gravity.Y)) * input.Dt * input.Dt;
+        for (int i = from; i < to; i++)
+        {
+            IdleBundle* idle = contacts.Gaps + i;
+            int last = Math.Min(ContactBundle.Lanes, contacts.IdleCount - (i * ContactBundle.Lanes));
+            for (int lane = last; lane < IdleBundle.Lanes; lane++)
+            {
+                idle->BodyA[lane] = 0;
+                idle->BodyB[lane] = 0;
+            }
+
+            int exist = (1 << last) - 1;
+            int look = IdleGap.Pass(idle, steps, pull, out int newBoxes) & exist;
+            int parted = 0;
+            newBoxes &= exist & ~look;
+            for (int lane = 0; newBoxes != 0; lane++, newBoxes >>= 1)
+            {
+                if ((newBoxes & 1) != 0 && !Box.Overlap(input.Fat[idle->PieceA[lane]], input.Fat[idle->PieceB[lane]]))
+                {
+                    parted |= 1 << lane;
+                }
+            }
+
+            _glances[i].Look = (byte)look;
+            _glances[i].Parted = (byte)parted;
+        }
+    }
+
+    private void CollectLooked(int bundles)
+    {
+        int* next = _looked.Pointer;
+        for (int i = 0; i < bundles; i++)
+        {
+            int place = i * ContactBundle.Lanes;
+            for (uint look = _glances[i].Look; look != 0; look &= look - 1)
+            {
+                *next++ = place + BitSet.LowestBit(look);
+            }
+        }
+
+        LookedCount = (int)(next - _looked.Pointer);
+    }
+
+    private void Look(in ContactUpdateInput input, ContactBundle* bundle, int from, int to)
+    {
+        ContactStore contacts = input.Contacts;
+        int* places = stackalloc int[ContactBundle.Lanes];
+        for (int i = from; i < to; i++)
+        {
+            int first = i * ContactBundle.Lanes;
+            int count = Math.Min(ContactBundle.Lanes, LookedCount - first);
+            AskAhead(input, first + ContactBundle.Lanes);
+            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            {
+                if (lane < count)
+                {
+                    places[lane] = Place(first + lane);
+                    int index = contacts.Idle(places[lane]);
+                    ContactRowWriter.Name(bundle, lane, index, contacts.Records[index]);
+                }
+                else
+                {
+                    ContactRowWriter.Unname(bundle, lane);
+                }
+            }
+
+            _outcomes[i].Fates = ContactUpdate.UpdateIdle(input, bundle);
+            ContactWork.NoteSinking(input.Pairs, _outcomes.Pointer + i);
+            if (contacts.KeepsGaps)
+            {
+                IdleGap.Note(input.Pairs, contacts.Gaps, places, count);
+            }
+        }
+    }
+
+    /// <summary>What the next bundle of pairs reads is asked for, and the records of the one behind: to wait for them was a twentieth of a step.</summary>
+    private void AskAhead(in ContactUpdateInput input, int first)
+    {
+        if (!Prefetch.IsUseful)
+        {
+            return;
+        }
+
+        ContactStore contacts = input.Contacts;
+        ContactRecord* records = contacts.Records.Pointer;
+        int end = Math.Min(first + ContactBundle.Lanes, LookedCount);
+        for (int i = first; i < end; i++)
+        {
+            ContactRecord* record = records + contacts.Idle(Place(i));
+            ContactWork.AskFor(input, record->PieceA, record->BodyA);
+            ContactWork.AskFor(input, record->PieceB, record->BodyB);
+        }
+
+        int far = Math.Min(first + (2 * ContactBundle.Lanes), LookedCount);
+        for (int i = first + ContactBundle.Lanes; i < far; i++)
+        {
+            Prefetch.Line(records + contacts.Idle(Place(i)));
+        }
+    }
+
+    /// <summary>What a pass over a bundle of the idle list found, a bit a lane.</summary>
+    private struct Glance
+    {
+        public byte Look;
+        public byte Parted;
+    }
+}
