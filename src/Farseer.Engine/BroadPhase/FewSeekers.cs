@@ -22,8 +22,11 @@ internal sealed unsafe class FewSeekers
         _rows.EnsureCapacity(Most);
     }
 
-    /// <summary>Pairs of the boxes of the list that seek, of which there are at most <see cref="Most"/>, with all of the list.</summary>
-    public void Collect(ProxyStore proxies, int* list, int count, PairBuffer pairs)
+    /// <summary>
+    /// Pairs of the boxes of the list that seek with all of the list; with a main group, of the boxes outside of it instead. There are at
+    /// most <see cref="Most"/> of them.
+    /// </summary>
+    public void Collect(ProxyStore proxies, int* list, int count, int mainGroup, PairBuffer pairs)
     {
         Box* boxes = proxies.Fat.Pointer;
         ProxyInfo* info = proxies.Info.Pointer;
@@ -31,7 +34,7 @@ internal sealed unsafe class FewSeekers
         int found = 0;
         for (int i = 0; i < count; i++)
         {
-            if (PairRule.Seeks(info[list[i]].Flags))
+            if (IsOne(info[list[i]], mainGroup))
             {
                 seekers[found++] = list[i];
             }
@@ -44,11 +47,16 @@ internal sealed unsafe class FewSeekers
             wide.Set(i, boxes[seekers[i]]);
         }
 
-        Ask(proxies, list, count, found, pairs);
+        if (found > 0)
+        {
+            Ask(proxies, list, count, found, mainGroup, pairs);
+        }
     }
 
+    private static bool IsOne(in ProxyInfo info, int mainGroup) => mainGroup == 0 ? PairRule.Seeks(info.Flags) : info.Group != mainGroup;
+
     [MethodImpl(KernelMethod.Optimized)]
-    private void Ask(ProxyStore proxies, int* list, int count, int found, PairBuffer pairs)
+    private void Ask(ProxyStore proxies, int* list, int count, int found, int mainGroup, PairBuffer pairs)
     {
         Box* boxes = proxies.Fat.Pointer;
         ProxyInfo* info = proxies.Info.Pointer;
@@ -66,7 +74,7 @@ internal sealed unsafe class FewSeekers
                     int seeker = seekers[k + WideBoxes.LowestLane(mask)];
 
                     // Two that seek find each other twice, and each finds itself.
-                    bool once = seeker < proxy || !PairRule.Seeks(info[proxy].Flags);
+                    bool once = seeker < proxy || !IsOne(info[proxy], mainGroup);
                     if (once && PairRule.Wants(info[proxy], info[seeker]))
                     {
                         pairs.Add(proxy, seeker);

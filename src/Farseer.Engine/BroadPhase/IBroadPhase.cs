@@ -21,6 +21,9 @@ internal struct ProxyInfo
 {
     public int Body;
     public ProxyFlags Flags;
+
+    /// <summary>Those of one group other than 0 never collide: a search may leave out their pairs.</summary>
+    public int Group;
 }
 
 /// <summary>The boxes of all pieces. A fat box is the tight box plus predicted motion; it changes only when the tight box leaves it.</summary>
@@ -53,7 +56,8 @@ internal interface IBroadPhase
 
     /// <summary>
     /// Appends every unordered pair of live proxies whose fat boxes overlap (touching counts), of which at least one is
-    /// <see cref="ProxyFlags.Moved"/>, not both <see cref="ProxyFlags.Static"/>, of different bodies; each pair once, in any order.
+    /// <see cref="ProxyFlags.Moved"/>, not both <see cref="ProxyFlags.Static"/>, of different bodies; each pair once, in any order. Pairs of one group may be left out. Who
+    /// gets another group is removed and added.
     /// </summary>
     void Collect(ProxyStore proxies, PairBuffer pairs);
 }

@@ -33,6 +33,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
     private readonly SizeLevels _levels = new SizeLevels();
     private readonly PackedTree _tree = new PackedTree();
     private readonly FewSeekers _few = new FewSeekers();
+    private readonly MainGroup _mainGroup = new MainGroup();
     private readonly IndexList _active = new IndexList();
     private readonly IndexList _resting = new IndexList();
     private IndexList[] _hits = { new IndexList() };
@@ -51,12 +52,14 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
     {
         Know(proxy + 1);
         Leave(proxy);
+        _mainGroup.Change(proxies.Info[proxy]);
     }
 
     public void Removed(ProxyStore proxies, int proxy)
     {
         Know(proxy + 1);
         Leave(proxy);
+        _mainGroup.Change(proxies.Info[proxy]);
     }
 
     /// <summary>From now on workers share the search.</summary>
@@ -67,6 +70,13 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
         Know(proxies.End);
         Reserve(proxies.End);
         int seekers = GatherActive(proxies);
+        _mainGroup.Find(proxies);
+        if (_mainGroup.Group != 0)
+        {
+            _few.Collect(proxies, _mainGroup.All.Pointer, seekers == 0 ? 0 : _mainGroup.All.Count, _mainGroup.Group, pairs);
+            return;
+        }
+
         _debt += _resting.Count;
         if (_debt > 0 && _debt >= (long)BuildCost * (_tree.Count + _resting.Count))
         {
@@ -88,7 +98,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
 
         if (seekers <= FewSeekers.Most)
         {
-            _few.Collect(proxies, _active.Pointer, _active.Count, pairs);
+            _few.Collect(proxies, _active.Pointer, _active.Count, mainGroup: 0, pairs);
         }
         else
         {

@@ -29,6 +29,13 @@ internal sealed partial class World
             return;
         }
 
+        int group = Shapes.Colliders[Shapes.Pieces[piece].Collider].Group;
+        if (group != info.Group)
+        {
+            RemoveProxy(piece);
+            info.Group = group;
+        }
+
         bool known = (info.Flags & ProxyFlags.Alive) != 0;
         Proxies.Fat[piece] = fat;
         _movedProxies.Add(piece);
