@@ -29,6 +29,59 @@ internal static class TreeScenes
         return world;
     }
 
+    /// <summary>Chains of 20 links of 1 kg and 1 m in the air or at a nail, each of joints of one kind.</summary>
+    /// <param name="chains">How many.</param>
+    /// <param name="kind">The kind of all joints.</param>
+    /// <param name="nailed">The first link hangs on the world by a joint of the kind.</param>
+    public static World Chains(int chains, JointKind kind, bool nailed)
+    {
+        const int Links = 20;
+        World world = Make();
+        for (int chain = 0; chain < chains; chain++)
+        {
+            Handle before = World.WorldFrame;
+            Vector2 held = new Vector2(chain * 50f, 0);
+            for (int i = 0; i < Links; i++)
+            {
+                Handle link = Add(world, ShapeBuilder.Box(1, 2 * Radius), new Vector2((chain * 50f) + i + 0.5f, 0), 0, 1, Inertia, 1, 2);
+                world.Bodies.State[link.Index].LinearVelocity = new Vector2(0, 0.1f * (((7 * i) + chain) % 5));
+                if (nailed || i > 0)
+                {
+                    Join(world, kind, before, link, held);
+                }
+
+                before = link;
+                held = new Vector2(0.5f, 0);
+            }
+        }
+
+        return world;
+    }
+
+    /// <summary>Links that hang one below the other on rods of 1 m, let go from the side.</summary>
+    public static World Pendulums(int pendulums)
+    {
+        const int Weights = 10;
+        World world = Make();
+        for (int pendulum = 0; pendulum < pendulums; pendulum++)
+        {
+            Handle before = World.WorldFrame;
+            Vector2 held = new Vector2(pendulum * 30f, 0);
+            for (int i = 0; i < Weights; i++)
+            {
+                Vector2 at = new Vector2((pendulum * 30f) + i + 1f, 0);
+                Handle weight = Add(world, ShapeBuilder.Box(4 * Radius, 4 * Radius), at, 0, 1, Inertia, 1, 2);
+                JointSettings settings = Rigid(held, default);
+                settings.Target = 1;
+                world.CreateJoint(JointKind.Distance, before, weight, settings, JointFlags.Enabled);
+                before = weight;
+                held = default;
+            }
+        }
+
+        return world;
+    }
+
     /// <summary>Bridges of 20 planks in an arc, each with a crate of ten planks' mass on it.</summary>
     public static World Bridges(int bridges)
     {
@@ -133,15 +186,7 @@ internal static class TreeScenes
 
     private static void Hinge(World world, Handle a, Handle b, Vector2 anchorA, Vector2 anchorB, (double Lower, double Upper, bool Friction)? limits)
     {
-        JointSettings settings = default;
-        settings.AnchorAX = anchorA.X;
-        settings.AnchorAY = anchorA.Y;
-        settings.AnchorBX = anchorB.X;
-        settings.AnchorBY = anchorB.Y;
-        settings.BiasFactor = 0.2;
-        settings.MaxImpulse = double.PositiveInfinity;
-        settings.Breakpoint = double.PositiveInfinity;
-        settings.BreakForce = double.PositiveInfinity;
+        JointSettings settings = Rigid(anchorA, anchorB);
         JointFlags flags = JointFlags.Enabled;
         if (limits is { } bounds)
         {
@@ -152,6 +197,30 @@ internal static class TreeScenes
         }
 
         world.CreateJoint(JointKind.Revolute, a, b, settings, flags);
+    }
+
+    /// <summary>The next link of a chain; slides go across it by a metre to both sides.</summary>
+    private static void Join(World world, JointKind kind, Handle a, Handle b, Vector2 anchorA)
+    {
+        JointSettings settings = Rigid(anchorA, new Vector2(-0.5f, 0));
+        settings.AxisY = 1;
+        settings.Lower = -1;
+        settings.Upper = 1;
+        world.CreateJoint(kind, a, b, settings, JointFlags.Enabled | JointFlags.Limit);
+    }
+
+    private static JointSettings Rigid(Vector2 anchorA, Vector2 anchorB)
+    {
+        JointSettings settings = default;
+        settings.AnchorAX = anchorA.X;
+        settings.AnchorAY = anchorA.Y;
+        settings.AnchorBX = anchorB.X;
+        settings.AnchorBY = anchorB.Y;
+        settings.BiasFactor = 0.2;
+        settings.MaxImpulse = double.PositiveInfinity;
+        settings.Breakpoint = double.PositiveInfinity;
+        settings.BreakForce = double.PositiveInfinity;
+        return settings;
     }
 
     private static Handle Add(World world, ShapeGeometry shape, Vector2 at, float angle, float mass, float inertia, uint category, uint with)

@@ -2,6 +2,7 @@ using System;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
+using Farseer.Engine.Joints;
 using Farseer.Engine.Simulation;
 
 namespace Farseer.Benchmarks.Trees;
@@ -12,7 +13,7 @@ namespace Farseer.Benchmarks.Trees;
 /// </summary>
 internal static class TreeTiming
 {
-    public const string Usage = "trees [NAME] [--runs N]";
+    public const string Usage = "trees [NAME] [--runs N] [--lanes]";
 
     private const float Dt = 1f / 60;
     private const int WarmSteps = 60;
@@ -26,8 +27,12 @@ internal static class TreeTiming
         new("ropes", "64 hanging ropes of 20 links", () => TreeScenes.Ropes(64, 20, false)),
         new("swing", "a rope of 30 links let go from the side", () => TreeScenes.Ropes(1, 30, true)),
         new("swings", "64 ropes of 20 links let go from the side", () => TreeScenes.Ropes(64, 20, true)),
+        new("welds", "64 beams of 20 welded parts, held at one end", () => TreeScenes.Chains(64, JointKind.Weld, true)),
+        new("slides", "64 ladders of 20 slides with limits, in flight", () => TreeScenes.Chains(64, JointKind.Prismatic, false)),
+        new("rods", "64 pendulums of 10 rods let go from the side", () => TreeScenes.Pendulums(64)),
         new("bridge", "ten bridges of 20 planks under ten planks' load", () => TreeScenes.Bridges(10)),
         new("flight", "64 ragdolls in flight, limits in their hinges", () => TreeScenes.Ragdolls(64, false, false)),
+        new("friction", "64 ragdolls in flight, limits and friction in their hinges", () => TreeScenes.Ragdolls(64, true, false)),
         new("ragdolls", "64 ragdolls on a floor, limits in their hinges", () => TreeScenes.Ragdolls(64, false, true)),
         new("puppets", "the same with friction in their hinges", () => TreeScenes.Ragdolls(64, true, true)),
     ];
@@ -36,11 +41,16 @@ internal static class TreeTiming
     {
         string name = "";
         int runs = DefaultRuns;
+        bool lanesOnly = false;
         for (int i = 0; i < arguments.Length; i++)
         {
             if (arguments[i] == "--runs" && i + 1 < arguments.Length)
             {
                 runs = int.Parse(arguments[++i], CultureInfo.InvariantCulture);
+            }
+            else if (arguments[i] == "--lanes")
+            {
+                lanesOnly = true;
             }
             else
             {
@@ -53,17 +63,18 @@ internal static class TreeTiming
         {
             if (name.Length == 0 || name == scene.Name)
             {
-                Time(scene, runs, output);
+                Time(scene, runs, lanesOnly, output);
             }
         }
 
         return 0;
     }
 
-    private static void Time(Scene scene, int runs, TextWriter output)
+    private static void Time(Scene scene, int runs, bool lanesOnly, TextWriter output)
     {
         double lanes = Least(scene, runs, true, out double user, out ulong hash);
-        double single = Least(scene, runs, false, out _, out ulong other);
+        ulong other = hash;
+        double single = lanesOnly ? double.NaN : Least(scene, runs, false, out _, out other);
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
             $"  {scene.Name,-9} {lanes,6:F0} {user,6:F0} {single,6:F0}  {hash:x16} {(hash == other ? "same bits" : "OTHER BITS")}  {scene.Title}"));

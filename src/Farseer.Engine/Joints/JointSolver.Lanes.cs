@@ -103,7 +103,7 @@ internal sealed unsafe partial class JointSolver
 
             for (int at = firstJoint; at < _jointCount && _lanes.HasMoved; at++)
             {
-                WriteJoint(_joints[at]);
+                Rewrite(_joints[at]);
             }
 
             TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
@@ -32,23 +33,28 @@ internal sealed unsafe partial class JointSolver
     /// <summary>The rows at the present poses; servo and motor keep the speeds of the step's start.</summary>
     private void WriteRows(bool begin)
     {
-        double* speeds = stackalloc double[JointRows.Most];
         for (int at = 0; at < _jointCount; at++)
         {
-            int i = _joints[at];
-            JointRows* rows = _rows.Pointer + i;
-            int before = begin ? 0 : rows->Count;
-            for (int k = 0; k < before; k++)
+            if (begin)
             {
-                speeds[k] = rows->Speed[k];
+                WriteJoint(_joints[at]);
             }
-
-            WriteJoint(i);
-            for (int k = 0; k < before; k++)
+            else
             {
-                rows->Speed[k] = speeds[k];
+                Rewrite(_joints[at]);
             }
         }
+    }
+
+    /// <summary>The rows of a joint at the present poses, with the speeds of the step's start.</summary>
+    private void Rewrite(int index)
+    {
+        JointRows* rows = _rows.Pointer + index;
+        double* speeds = stackalloc double[JointRows.Most];
+        Copy(rows->Speed, speeds, rows->Count);
+        int before = rows->Count;
+        WriteJoint(index);
+        Copy(speeds, rows->Speed, before);
     }
 
     private void WriteErrors()
@@ -87,6 +93,8 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
+    /// <summary>Not made part of its callers, in which the budget for inlining runs out before the rows are written.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private void WriteInto(int index, ref JointRows rows)
     {
         ref ActiveJoint joint = ref _active[index];

@@ -9,15 +9,26 @@ using Xunit;
 
 namespace Farseer.Engine.Tests.Joints;
 
-/// <summary>Trees of hinges on lanes give the bits of trees that are solved one by one, whatever happens to them.</summary>
+/// <summary>Trees of joints on lanes give the bits of trees that are solved one by one, whatever happens to them.</summary>
 public class TreeLanesTests
 {
     private const float Dt = 1f / 60;
 
+    private static readonly JointKind[] Kinds =
+    [
+        JointKind.Weld,
+        JointKind.Prismatic,
+        JointKind.Distance,
+        JointKind.Pin,
+        JointKind.Wheel,
+        JointKind.Angle,
+        JointKind.Gear,
+    ];
+
     [Fact]
     public void RandomTrees_SideBySideOrOneByOne_GiveTheSameBits()
     {
-        for (int seed = 0; seed < 40; seed++)
+        for (int seed = 0; seed < 80; seed++)
         {
             using World lanes = Build(seed, onLanes: true, out List<Handle> bodies, out List<Handle> joints);
             using World single = Build(seed, onLanes: false, out _, out _);
@@ -54,7 +65,7 @@ public class TreeLanesTests
         }
     }
 
-    /// <summary>Trees of a few shapes, some equal: random parents, anchors, orders of the two bodies, limits, masses and speeds.</summary>
+    /// <summary>Trees of a few shapes, some equal: random kinds, parents, anchors, orders of the two bodies, limits, masses and speeds.</summary>
     private static World Build(int seed, bool onLanes, out List<Handle> bodies, out List<Handle> joints)
     {
         var random = new Random(seed);
@@ -81,6 +92,7 @@ public class TreeLanesTests
         int count = 1 + shape.Next(8);
         bool chain = shape.Next(2) == 0;
         bool limits = shape.Next(2) == 0;
+        bool plain = shape.Next(3) == 0;
         var own = new Handle[count];
         for (int i = 0; i < count; i++)
         {
@@ -94,7 +106,9 @@ public class TreeLanesTests
                 int parent = chain ? i - 1 : shape.Next(i);
                 bool first = shape.Next(2) == 0;
                 double a = 0.5 * (i - parent);
-                joints.Add(Hinge(world, first ? own[parent] : own[i], first ? own[i] : own[parent], first ? a : -a, first ? -a : a, limits, random));
+                Handle bodyA = first ? own[parent] : own[i];
+                Handle bodyB = first ? own[i] : own[parent];
+                joints.Add(Join(world, KindOf(shape, plain), bodyA, bodyB, first ? a : -a, first ? -a : a, limits, random));
             }
         }
 
@@ -102,15 +116,26 @@ public class TreeLanesTests
         {
             double at = ground.Index == World.WorldFrame.Index ? x : x - world.Bodies.Pose[ground.Index].X;
             bool first = shape.Next(2) == 0;
-            joints.Add(Hinge(world, first ? ground : own[0], first ? own[0] : ground, first ? at : 0, first ? 0 : at, false, random));
+            JointKind kind = KindOf(shape, plain);
+            joints.Add(Join(world, kind, first ? ground : own[0], first ? own[0] : ground, first ? at : 0, first ? 0 : at, limits, random));
             if (count > 3 && shape.Next(2) == 0)
             {
-                joints.Add(Hinge(world, World.WorldFrame, own[count - 1], x + count - 1, 0, false, random));
+                joints.Add(Join(world, KindOf(shape, plain), World.WorldFrame, own[count - 1], x + count - 1, 0, false, random));
             }
         }
     }
 
-    private static Handle Hinge(World world, Handle a, Handle b, double anchorA, double anchorB, bool limits, Random random)
+    private static JointKind KindOf(Random shape, bool plain) => plain || shape.Next(3) == 0 ? JointKind.Revolute : Kinds[shape.Next(Kinds.Length)];
+
+    private static Handle Join(
+        World world,
+        JointKind kind,
+        Handle a,
+        Handle b,
+        double anchorA,
+        double anchorB,
+        bool limits,
+        Random random)
     {
         JointSettings settings = default;
         settings.AnchorAX = anchorA;
@@ -121,6 +146,17 @@ public class TreeLanesTests
         settings.BreakForce = double.PositiveInfinity;
         settings.Lower = -random.NextDouble();
         settings.Upper = random.NextDouble();
-        return world.CreateJoint(JointKind.Revolute, a, b, settings, limits ? JointFlags.Enabled | JointFlags.Limit : JointFlags.Enabled);
+        double turn = 6 * random.NextDouble();
+        settings.AxisX = Math.Cos(turn);
+        settings.AxisY = Math.Sin(turn);
+        settings.Ratio = 3 * (random.NextDouble() - 0.5);
+        if (kind == JointKind.Pin || kind == JointKind.Distance)
+        {
+            // A rod that spans what the anchors of the others share, but now and then for a pin of no length.
+            settings.AnchorBY = random.Next(4) == 0 && kind == JointKind.Pin ? 0 : 0.5;
+            settings.Target = settings.AnchorBY;
+        }
+
+        return world.CreateJoint(kind, a, b, settings, limits ? JointFlags.Enabled | JointFlags.Limit : JointFlags.Enabled);
     }
 }

@@ -8,17 +8,33 @@ using System.Runtime.Intrinsics;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <summary>
-/// The elimination of <see cref="TreeFactor"/> for trees side by side, to the last bit. Of T and full masses nothing is found: they are
+/// The elimination of <see cref="TreeFactor"/> for trees side by side, to the last bit; what has two rows is written out, the rest is in <see cref="LaneBlock"/>. Of T and full masses nothing is found: they are
 /// for rows, and trees on lanes have none.
 /// </summary>
 internal static unsafe class LaneFactor
 {
-    private const int Half = 3 * DoubleLanes.BundleLanes;
+    private const int Half = LaneMatrix.Row;
 
-    /// <summary>Writes the Jacobians of all hinges at the present arms, and factors.</summary>
+    /// <summary>Writes the Jacobians of all joints at the present poses, and factors.</summary>
+    /// <param name="nodes">The bodies.</param>
+    /// <param name="places">Their places.</param>
+    /// <param name="count">Number of bodies.</param>
+    /// <param name="anchors">The anchors.</param>
+    /// <param name="anchorPlaces">Their places.</param>
+    /// <param name="anchorCount">Number of anchors.</param>
+    /// <param name="begin">The Jacobians of the anchors are those of the step's start, and are there.</param>
+    [SkipLocalsInit]
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Run(LaneNode* nodes, LanePlace* places, int count, LaneAnchor* anchors, LanePlace* anchorPlaces, int anchorCount)
+    public static void Run(
+        LaneNode* nodes,
+        LanePlace* places,
+        int count,
+        LaneAnchor* anchors,
+        LanePlace* anchorPlaces,
+        int anchorCount,
+        bool begin)
     {
+        double* space = stackalloc double[LaneBlock.Space];
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             LaneNode* first = DoubleLanes.Shift(nodes, lane);
@@ -30,15 +46,35 @@ internal static unsafe class LaneFactor
             for (int i = 0; i < anchorCount; i++)
             {
                 LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
-                WriteRows(&anchor->Joint, anchor->OtherS, anchorPlaces[i].IsA);
-                EliminateAnchor(anchor, first + anchorPlaces[i].Parent);
+                LanePlace* place = anchorPlaces + i;
+                if (!begin)
+                {
+                    LaneRows.Write(&anchor->Joint, anchor->OtherS, place);
+                }
+
+                if (place->Rows == 2)
+                {
+                    EliminateAnchor(anchor, first + place->Parent);
+                }
+                else
+                {
+                    LaneBlock.EliminateAnchor(anchor, first + place->Parent, place->Rows, space);
+                }
             }
 
             for (int i = count - 1; i > 0; i--)
             {
                 LaneNode* node = first + i;
-                WriteRows(&node->Joint, node->ParentS, places[i].IsA);
-                EliminateEdge(node, first + places[i].Parent);
+                LanePlace* place = places + i;
+                LaneRows.Write(&node->Joint, node->ParentS, place);
+                if (place->Rows == 2)
+                {
+                    EliminateEdge(node, first + place->Parent);
+                }
+                else
+                {
+                    LaneBlock.EliminateEdge(node, first + place->Parent, place->Rows, space);
+                }
             }
         }
     }
@@ -53,49 +89,9 @@ internal static unsafe class LaneFactor
         }
     }
 
-    private static void WriteRows(LaneJoint* joint, double* other, bool isA)
-    {
-        double* a = isA ? joint->S : other;
-        double* b = isA ? other : joint->S;
-        WideDouble one = WideDouble.Splat(1);
-        WideDouble ax = WideDouble.Load(joint->ArmA);
-        WideDouble ay = WideDouble.Load(joint->ArmA + 4);
-        WideDouble bx = WideDouble.Load(joint->ArmB);
-        WideDouble by = WideDouble.Load(joint->ArmB + 4);
-        WriteRow(a, WideDouble.Negate(one), WideDouble.Zero, ay);
-        WriteRow(a + Half, WideDouble.Zero, WideDouble.Negate(one), WideDouble.Negate(ax));
-        WriteRow(b, one, WideDouble.Zero, WideDouble.Negate(by));
-        WriteRow(b + Half, WideDouble.Zero, one, bx);
-        (WideDouble.Sqrt((ax * ax) + (ay * ay)) + WideDouble.Sqrt((bx * bx) + (by * by))).Store(joint->Size);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void WriteRow(double* row, WideDouble x, WideDouble y, WideDouble w)
-    {
-        x.Store(row);
-        y.Store(row + 4);
-        w.Store(row + 8);
-    }
-
-    /// <summary>s·y of a row.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Multiply(double* s, double* y, out WideDouble r0, out WideDouble r1, out WideDouble r2)
-    {
-        WideDouble a = WideDouble.Load(s);
-        WideDouble b = WideDouble.Load(s + 4);
-        WideDouble c = WideDouble.Load(s + 8);
-        r0 = (a * WideDouble.Load(y)) + (b * WideDouble.Load(y + 12)) + (c * WideDouble.Load(y + 24));
-        r1 = (a * WideDouble.Load(y + 4)) + (b * WideDouble.Load(y + 16)) + (c * WideDouble.Load(y + 28));
-        r2 = (a * WideDouble.Load(y + 8)) + (b * WideDouble.Load(y + 20)) + (c * WideDouble.Load(y + 32));
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDouble Dot(WideDouble x, WideDouble y, WideDouble w, double* s) =>
-        (x * WideDouble.Load(s)) + (y * WideDouble.Load(s + 4)) + (w * WideDouble.Load(s + 8));
-
     /// <summary>The response of a body to a row by its own mass.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDouble Own(double* s, LaneNode* node)
+    internal static WideDouble Own(double* s, LaneNode* node)
     {
         WideDouble x = WideDouble.Load(s);
         WideDouble y = WideDouble.Load(s + 4);
@@ -103,28 +99,23 @@ internal static unsafe class LaneFactor
         return (((x * x) + (y * y)) * WideDouble.Load(node->InverseMass)) + (w * w * WideDouble.Load(node->InverseInertia));
     }
 
-    /// <summary>One over a determinant; 0 where it is not positive.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDouble Inverse(WideDouble determinant) =>
-        WideDouble.Select(determinant > WideDouble.Zero, WideDouble.Splat(1) / determinant, WideDouble.Zero);
-
     private static void EliminateAnchor(LaneAnchor* anchor, LaneNode* node)
     {
         double* s = anchor->Joint.S;
         double* y = node->SubtreeMass;
-        Multiply(s, y, out WideDouble a00, out WideDouble a01, out WideDouble a02);
-        Multiply(s + Half, y, out WideDouble a10, out WideDouble a11, out WideDouble a12);
-        WideDouble k00 = Dot(a00, a01, a02, s);
-        WideDouble k01 = Dot(a00, a01, a02, s + Half);
-        WideDouble k10 = Dot(a10, a11, a12, s);
-        WideDouble k11 = Dot(a10, a11, a12, s + Half);
+        LaneMatrix.Multiply(s, y, out WideDouble a00, out WideDouble a01, out WideDouble a02);
+        LaneMatrix.Multiply(s + Half, y, out WideDouble a10, out WideDouble a11, out WideDouble a12);
+        WideDouble k00 = LaneMatrix.Dot(a00, a01, a02, s);
+        WideDouble k01 = LaneMatrix.Dot(a00, a01, a02, s + Half);
+        WideDouble k10 = LaneMatrix.Dot(a10, a11, a12, s);
+        WideDouble k11 = LaneMatrix.Dot(a10, a11, a12, s + Half);
         WideDouble own0 = Own(s, node);
         WideDouble own1 = Own(s + Half, node);
         WideDouble regular = WideDouble.Splat(TreeFactor.Regular);
         WideDoubleMask isRegular = (k00 * k11) - (k01 * k10) > WideDouble.Splat(TreeFactor.Singular) * (own0 * own1);
         k00 = WideDouble.Select(isRegular, k00, k00 + (regular * own0));
         k11 = WideDouble.Select(isRegular, k11, k11 + (regular * own1));
-        WideDouble f = Inverse((k00 * k11) - (k01 * k10));
+        WideDouble f = LaneMatrix.Inverse((k00 * k11) - (k01 * k10));
         WideDouble h00 = f * k11;
         WideDouble h01 = WideDouble.Negate(f) * k01;
         WideDouble h11 = f * k00;
@@ -140,12 +131,12 @@ internal static unsafe class LaneFactor
     {
         double* s = node->Joint.S;
         double* y = node->SubtreeMass;
-        Multiply(s, y, out WideDouble a00, out WideDouble a01, out WideDouble a02);
-        Multiply(s + Half, y, out WideDouble a10, out WideDouble a11, out WideDouble a12);
-        WideDouble k00 = Dot(a00, a01, a02, s);
-        WideDouble k01 = Dot(a00, a01, a02, s + Half);
-        WideDouble k10 = Dot(a10, a11, a12, s);
-        WideDouble k11 = Dot(a10, a11, a12, s + Half);
+        LaneMatrix.Multiply(s, y, out WideDouble a00, out WideDouble a01, out WideDouble a02);
+        LaneMatrix.Multiply(s + Half, y, out WideDouble a10, out WideDouble a11, out WideDouble a12);
+        WideDouble k00 = LaneMatrix.Dot(a00, a01, a02, s);
+        WideDouble k01 = LaneMatrix.Dot(a00, a01, a02, s + Half);
+        WideDouble k10 = LaneMatrix.Dot(a10, a11, a12, s);
+        WideDouble k11 = LaneMatrix.Dot(a10, a11, a12, s + Half);
         WideDouble own0 = Own(s, node);
         WideDouble own1 = Own(s + Half, node);
         WideDouble regular = WideDouble.Splat(TreeFactor.Regular);
@@ -156,12 +147,12 @@ internal static unsafe class LaneFactor
 
         double* p = node->ParentS;
         double* z = parent->SubtreeMass;
-        Multiply(p, z, out WideDouble b00, out WideDouble b01, out WideDouble b02);
-        Multiply(p + Half, z, out WideDouble b10, out WideDouble b11, out WideDouble b12);
-        WideDouble h00 = Dot(b00, b01, b02, p) + k00;
-        WideDouble h01 = Dot(b00, b01, b02, p + Half) + k01;
-        WideDouble h10 = Dot(b10, b11, b12, p) + k10;
-        WideDouble h11 = Dot(b10, b11, b12, p + Half) + k11;
+        LaneMatrix.Multiply(p, z, out WideDouble b00, out WideDouble b01, out WideDouble b02);
+        LaneMatrix.Multiply(p + Half, z, out WideDouble b10, out WideDouble b11, out WideDouble b12);
+        WideDouble h00 = LaneMatrix.Dot(b00, b01, b02, p) + k00;
+        WideDouble h01 = LaneMatrix.Dot(b00, b01, b02, p + Half) + k01;
+        WideDouble h10 = LaneMatrix.Dot(b10, b11, b12, p) + k10;
+        WideDouble h11 = LaneMatrix.Dot(b10, b11, b12, p + Half) + k11;
         own0 += Own(p, parent);
         own1 += Own(p + Half, parent);
         isRegular = (h00 * h11) - (h01 * h10) > singular * (own0 * own1);
@@ -170,7 +161,7 @@ internal static unsafe class LaneFactor
         k00 = WideDouble.Select(isRegular, k00, k00 + (regular * own0));
         k11 = WideDouble.Select(isRegular, k11, k11 + (regular * own1));
 
-        WideDouble f = Inverse((k00 * k11) - (k01 * k10));
+        WideDouble f = LaneMatrix.Inverse((k00 * k11) - (k01 * k10));
         WideDouble e00 = f * k11;
         WideDouble e01 = WideDouble.Negate(f) * k01;
         WideDouble e11 = f * k00;
@@ -186,7 +177,7 @@ internal static unsafe class LaneFactor
         Combine(e01, e11, a00, a10).Store(g + 12);
         Combine(e01, e11, a01, a11).Store(g + 16);
         Combine(e01, e11, a02, a12).Store(g + 20);
-        f = Inverse((h00 * h11) - (h01 * h10));
+        f = LaneMatrix.Inverse((h00 * h11) - (h01 * h10));
         TakeOut(z, f * h11, WideDouble.Negate(f) * h01, f * h00, b00, b01, b02, b10, b11, b12, node->W);
     }
 

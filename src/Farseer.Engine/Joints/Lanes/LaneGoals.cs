@@ -6,15 +6,23 @@ using System.Runtime.Intrinsics;
 
 namespace Farseer.Engine.Joints.Lanes;
 
-/// <summary>What the hinges are to reach, and which trees need more than lanes can give: a limit that is passed, an error from outside.</summary>
+/// <summary>What the joints are to reach, and which trees need more than lanes can give: a limit that is passed, an error from outside.</summary>
 internal static unsafe class LaneGoals
 {
+    private const int Y = DoubleLanes.BundleLanes;
     private const int W = 2 * DoubleLanes.BundleLanes;
 
     /// <summary>The velocities that take the errors away within the substep.</summary>
     /// <returns>Lanes with an error that was put there from outside: their goals are not right.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static int Biased(LaneNode* nodes, int count, LaneAnchor* anchors, int anchorCount, double h)
+    public static int Biased(
+        LaneNode* nodes,
+        LanePlace* places,
+        int count,
+        LaneAnchor* anchors,
+        LanePlace* anchorPlaces,
+        int anchorCount,
+        double h)
     {
         int disturbed = 0;
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
@@ -23,14 +31,14 @@ internal static unsafe class LaneGoals
             WideDouble time = WideDouble.Splat(h);
             for (int i = 1; i < count; i++)
             {
-                large |= Bias(&DoubleLanes.Shift(nodes + i, lane)->Joint, time);
+                large |= Bias(&DoubleLanes.Shift(nodes + i, lane)->Joint, places + i, time);
             }
 
             for (int i = 0; i < anchorCount; i++)
             {
                 LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
-                large |= Bias(&anchor->Joint, time);
-                Lessen(anchor, WideDouble.Load(anchor->Joint.Goal), WideDouble.Load(anchor->Joint.Goal + 4));
+                large |= Bias(&anchor->Joint, anchorPlaces + i, time);
+                Lessen(anchor, anchorPlaces[i].Rows);
             }
 
             disturbed |= DoubleLanes.Bits(large) << lane;
@@ -39,40 +47,47 @@ internal static unsafe class LaneGoals
         return disturbed;
     }
 
-    /// <summary>Standstill.</summary>
-    public static void Relaxed(LaneNode* nodes, int count, LaneAnchor* anchors, int anchorCount)
+    /// <summary>Standstill, and the speeds of servos.</summary>
+    public static void Relaxed(LaneNode* nodes, LanePlace* places, int count, LaneAnchor* anchors, LanePlace* anchorPlaces, int anchorCount)
     {
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             for (int i = 1; i < count; i++)
             {
-                LaneNode* node = DoubleLanes.Shift(nodes + i, lane);
-                WideDouble.Zero.Store(node->Joint.Goal);
-                WideDouble.Zero.Store(node->Joint.Goal + 4);
+                Rest(&DoubleLanes.Shift(nodes + i, lane)->Joint, places + i);
             }
 
             for (int i = 0; i < anchorCount; i++)
             {
-                Lessen(DoubleLanes.Shift(anchors + i, lane), WideDouble.Zero, WideDouble.Zero);
+                LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
+                Rest(&anchor->Joint, anchorPlaces + i);
+                Lessen(anchor, anchorPlaces[i].Rows);
             }
         }
     }
 
-    /// <summary>The errors, in terms of the hinges' sizes; and in the lanes that take part what takes them away.</summary>
+    /// <summary>The errors, in terms of the joints' sizes; and in the lanes that take part what takes them away.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void FindWorst(LaneNode* nodes, int count, LaneAnchor* anchors, int anchorCount, LaneTrees* trees)
+    public static void FindWorst(
+        LaneNode* nodes,
+        LanePlace* places,
+        int count,
+        LaneAnchor* anchors,
+        LanePlace* anchorPlaces,
+        int anchorCount,
+        LaneTrees* trees)
     {
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             WideDouble worst = WideDouble.Zero;
             for (int i = 1; i < count; i++)
             {
-                worst = Worse(worst, &DoubleLanes.Shift(nodes + i, lane)->Joint);
+                worst = Worse(worst, &DoubleLanes.Shift(nodes + i, lane)->Joint, places + i);
             }
 
             for (int i = 0; i < anchorCount; i++)
             {
-                worst = Worse(worst, &DoubleLanes.Shift(anchors + i, lane)->Joint);
+                worst = Worse(worst, &DoubleLanes.Shift(anchors + i, lane)->Joint, anchorPlaces + i);
             }
 
             worst.Store(trees->Worst + lane);
@@ -81,7 +96,15 @@ internal static unsafe class LaneGoals
 
     /// <summary>The velocity changes that take the errors away, in the lanes of the mask; in the others none.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Correction(LaneNode* nodes, int count, LaneAnchor* anchors, int anchorCount, double h, LaneTrees* trees)
+    public static void Correction(
+        LaneNode* nodes,
+        LanePlace* places,
+        int count,
+        LaneAnchor* anchors,
+        LanePlace* anchorPlaces,
+        int anchorCount,
+        double h,
+        LaneTrees* trees)
     {
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
@@ -89,19 +112,27 @@ internal static unsafe class LaneGoals
             WideDouble time = WideDouble.Splat(h);
             for (int i = 1; i < count; i++)
             {
-                Correct(&DoubleLanes.Shift(nodes + i, lane)->Joint, takes, time);
+                Correct(&DoubleLanes.Shift(nodes + i, lane)->Joint, places + i, takes, time);
             }
 
             for (int i = 0; i < anchorCount; i++)
             {
-                Correct(&DoubleLanes.Shift(anchors + i, lane)->Joint, takes, time);
+                Correct(&DoubleLanes.Shift(anchors + i, lane)->Joint, anchorPlaces + i, takes, time);
             }
         }
     }
 
     /// <summary>The lanes in which a limit is passed at the present velocities.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static int Passed(LaneNode* nodes, LanePlace* places, int count, double h, bool relaxed)
+    public static int Passed(
+        LaneNode* nodes,
+        LanePlace* places,
+        int count,
+        LaneAnchor* anchors,
+        LanePlace* anchorPlaces,
+        int anchorCount,
+        double h,
+        bool relaxed)
     {
         int passed = 0;
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
@@ -111,19 +142,21 @@ internal static unsafe class LaneGoals
             WideDouble time = WideDouble.Splat(h);
             for (int i = 1; i < count; i++)
             {
-                if (!places[i].HasLimits)
+                if (places[i].HasLimits)
                 {
-                    continue;
+                    LaneNode* node = first + i;
+                    any |= Passes(&node->Joint, node->ParentS, places + i, node->Velocity, first[places[i].Parent].Velocity, time, relaxed);
                 }
+            }
 
-                LaneJoint* joint = &first[i].Joint;
-                WideDouble own = WideDouble.Load(first[i].Velocity + W);
-                WideDouble other = WideDouble.Load(first[places[i].Parent].Velocity + W);
-                WideDouble speed = places[i].IsA ? other - own : own - other;
-                WideDouble terms = WideDouble.Splat(JointSolver.SpeedRounding) * (WideDouble.Abs(own) + WideDouble.Abs(other));
-                WideDouble bend = WideDouble.Load(joint->Bend);
-                any |= speed < LimitSpeed(bend - WideDouble.Load(joint->Lower), time, relaxed) - terms;
-                any |= WideDouble.Negate(speed) < LimitSpeed(WideDouble.Load(joint->Upper) - bend, time, relaxed) - terms;
+            for (int i = 0; i < anchorCount; i++)
+            {
+                if (anchorPlaces[i].HasLimits)
+                {
+                    LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
+                    double* velocity = first[anchorPlaces[i].Parent].Velocity;
+                    any |= Passes(&anchor->Joint, anchor->OtherS, anchorPlaces + i, velocity, anchor->Still, time, relaxed);
+                }
             }
 
             passed |= DoubleLanes.Bits(any) << lane;
@@ -132,9 +165,47 @@ internal static unsafe class LaneGoals
         return passed;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDoubleMask Passes(
+        LaneJoint* joint,
+        double* otherS,
+        LanePlace* place,
+        double* velocity,
+        double* other,
+        WideDouble h,
+        bool relaxed)
+    {
+        double* a = place->IsA ? velocity : other;
+        double* b = place->IsA ? other : velocity;
+        WideDouble speed;
+        WideDouble terms;
+        bool turns = place->Form == LaneForm.Hinge;
+        if (turns)
+        {
+            WideDouble ofA = WideDouble.Load(a + W);
+            WideDouble ofB = WideDouble.Load(b + W);
+            speed = ofB - ofA;
+            terms = WideDouble.Abs(ofA) + WideDouble.Abs(ofB);
+        }
+        else
+        {
+            double* sA = (place->IsA ? joint->S : otherS) + (2 * LaneMatrix.Row);
+            double* sB = (place->IsA ? otherS : joint->S) + (2 * LaneMatrix.Row);
+            speed = LaneSolve.Dot(sA, a) + LaneSolve.Dot(sB, b);
+            terms = Term(sA, a, 0) + Term(sA, a, Y) + Term(sA, a, W) + Term(sB, b, 0) + Term(sB, b, Y) + Term(sB, b, W);
+        }
+
+        terms = WideDouble.Splat(JointSolver.SpeedRounding) * terms;
+        return (speed < LimitSpeed(WideDouble.Load(joint->Gap), h, relaxed, turns) - terms)
+            | (WideDouble.Negate(speed) < LimitSpeed(WideDouble.Load(joint->Gap + 4), h, relaxed, turns) - terms);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble Term(double* s, double* v, int at) => WideDouble.Abs(WideDouble.Load(s + at) * WideDouble.Load(v + at));
+
     /// <summary>The speed below which a limit is passed, of a gap: see <see cref="JointSolver"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDouble LimitSpeed(WideDouble gap, WideDouble h, bool relaxed)
+    private static WideDouble LimitSpeed(WideDouble gap, WideDouble h, bool relaxed, bool turns)
     {
         WideDouble closing = WideDouble.Negate(gap) / h;
         WideDouble back = WideDouble.Zero;
@@ -142,51 +213,112 @@ internal static unsafe class LaneGoals
         {
             WideDouble fastest = WideDouble.Splat(JointSolver.FastestReturn);
             back = WideDouble.Splat(-JointPass.LimitRecovery) * gap / h;
-            back = WideDouble.Select(back > fastest, fastest, back);
+            back = turns ? WideDouble.Select(back > fastest, fastest, back) : back;
         }
 
         return WideDouble.Select(gap > WideDouble.Zero, closing, back);
     }
 
+    /// <summary>What an error of a row is small against.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDoubleMask Bias(LaneJoint* joint, WideDouble h)
+    private static WideDouble SizeOf(LaneJoint* joint, LanePlace* place, int row) =>
+        ((place->Turning >> row) & 1) != 0 ? WideDouble.Splat(1) : WideDouble.Load(joint->Size);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDoubleMask Bias(LaneJoint* joint, LanePlace* place, WideDouble h)
     {
-        WideDouble x = WideDouble.Load(joint->Error);
-        WideDouble y = WideDouble.Load(joint->Error + 4);
-        WideDouble small = WideDouble.Splat(JointSolver.Small) * WideDouble.Load(joint->Size);
-        (WideDouble.Negate(x) / h).Store(joint->Goal);
-        (WideDouble.Negate(y) / h).Store(joint->Goal + 4);
-        return ~(WideDouble.Abs(x) <= small) | ~(WideDouble.Abs(y) <= small);
+        if (place->Form == LaneForm.Servo)
+        {
+            WideDouble.Load(joint->Axis).Store(joint->Goal);
+            return ~(WideDouble.Zero <= WideDouble.Zero);
+        }
+
+        WideDoubleMask large = BiasRow(joint, place, 0, h);
+        if (place->Rows > 1)
+        {
+            large |= BiasRow(joint, place, 1, h);
+        }
+
+        if (place->Rows > 2)
+        {
+            large |= BiasRow(joint, place, 2, h);
+        }
+
+        return large;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDoubleMask BiasRow(LaneJoint* joint, LanePlace* place, int row, WideDouble h)
+    {
+        WideDouble error = WideDouble.Load(joint->Error + (row * Y));
+        (WideDouble.Negate(error) / h).Store(joint->Goal + (row * Y));
+        return ~(WideDouble.Abs(error) <= WideDouble.Splat(JointSolver.Small) * SizeOf(joint, place, row));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Rest(LaneJoint* joint, LanePlace* place)
+    {
+        WideDouble first = place->Form == LaneForm.Servo ? WideDouble.Load(joint->Axis) : WideDouble.Zero;
+        first.Store(joint->Goal);
+        WideDouble.Zero.Store(joint->Goal + Y);
+        WideDouble.Zero.Store(joint->Goal + W);
     }
 
     /// <summary>What cannot be moved may yet be moving.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Lessen(LaneAnchor* anchor, WideDouble x, WideDouble y)
+    private static void Lessen(LaneAnchor* anchor, int rows)
     {
-        (x - LaneSolve.Dot(anchor->OtherS, anchor->Still)).Store(anchor->Joint.Goal);
-        (y - LaneSolve.Dot(anchor->OtherS + 12, anchor->Still)).Store(anchor->Joint.Goal + 4);
+        for (int row = 0; row < rows; row++)
+        {
+            double* goal = anchor->Joint.Goal + (row * Y);
+            (WideDouble.Load(goal) - LaneSolve.Dot(anchor->OtherS + (row * LaneMatrix.Row), anchor->Still)).Store(goal);
+        }
     }
 
+    /// <summary>The larger one, of the tree's and those of a joint's rows. A servo has no error.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDouble Worse(WideDouble worst, LaneJoint* joint)
+    private static WideDouble Worse(WideDouble worst, LaneJoint* joint, LanePlace* place)
     {
-        WideDouble size = WideDouble.Load(joint->Size);
-        worst = Worse(worst, WideDouble.Load(joint->Error), size);
-        return Worse(worst, WideDouble.Load(joint->Error + 4), size);
+        worst = WorseRow(worst, joint, place, 0);
+        if (place->Rows > 1)
+        {
+            worst = WorseRow(worst, joint, place, 1);
+        }
+
+        return place->Rows > 2 ? WorseRow(worst, joint, place, 2) : worst;
     }
 
-    /// <summary>The larger one; what is no number stays.</summary>
+    /// <summary>What is no number stays.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDouble Worse(WideDouble worst, WideDouble error, WideDouble size)
+    private static WideDouble WorseRow(WideDouble worst, LaneJoint* joint, LanePlace* place, int row)
     {
-        WideDouble share = WideDouble.Select(size > WideDouble.Zero, WideDouble.Abs(error) / size, WideDouble.Zero);
+        WideDouble size = SizeOf(joint, place, row);
+        WideDouble error = WideDouble.Abs(WideDouble.Load(joint->Error + (row * Y)));
+        WideDouble share = WideDouble.Select(size > WideDouble.Zero, error / size, WideDouble.Zero);
         return WideDouble.Select(WideDouble.IsNotNumber(worst) | (share <= worst), worst, share);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Correct(LaneJoint* joint, WideDoubleMask takes, WideDouble h)
+    private static void Correct(LaneJoint* joint, LanePlace* place, WideDoubleMask takes, WideDouble h)
     {
-        WideDouble.Select(takes, WideDouble.Negate(WideDouble.Load(joint->Error)) / h, WideDouble.Zero).Store(joint->Goal);
-        WideDouble.Select(takes, WideDouble.Negate(WideDouble.Load(joint->Error + 4)) / h, WideDouble.Zero).Store(joint->Goal + 4);
+        if (place->Form == LaneForm.Servo)
+        {
+            WideDouble.Zero.Store(joint->Goal);
+            return;
+        }
+
+        CorrectRow(joint, 0, takes, h);
+        if (place->Rows > 1)
+        {
+            CorrectRow(joint, Y, takes, h);
+        }
+
+        if (place->Rows > 2)
+        {
+            CorrectRow(joint, W, takes, h);
+        }
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void CorrectRow(LaneJoint* joint, int at, WideDoubleMask takes, WideDouble h) =>
+        WideDouble.Select(takes, WideDouble.Negate(WideDouble.Load(joint->Error + at)) / h, WideDouble.Zero).Store(joint->Goal + at);
 }

@@ -44,12 +44,15 @@ internal unsafe struct LaneNode
     public fixed double Got[12];
 
     public LaneJoint Joint;
-    public fixed double ParentS[24];
-    public fixed double G[24];
-    public fixed double W[24];
+    public fixed double ParentS[36];
+    public fixed double G[36];
+    public fixed double W[36];
+
+    /// <summary>Nodes of 4,096 bytes would all want the same places of the cache: the passes took half as long again.</summary>
+    public fixed double Odd[8];
 }
 
-/// <summary>A hinge of a bundle: the edge of a node, or an anchor.</summary>
+/// <summary>A joint of a bundle: the edge of a node, or an anchor.</summary>
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct LaneJoint
 {
@@ -57,34 +60,40 @@ internal unsafe struct LaneJoint
     public fixed double AnchorA[8];
     public fixed double AnchorB[8];
 
-    /// <summary>The angle from which limits count, and the limits.</summary>
+    /// <summary>The angle or length that the kind has for its origin, and the limits.</summary>
     public fixed double Target[4];
     public fixed double Lower[4];
     public fixed double Upper[4];
 
-    /// <summary>Arms at the present poses, and what they are apart.</summary>
+    /// <summary>The axis in the frame of A; of gears first the ratio; of a servo first its speed.</summary>
+    public fixed double Axis[8];
+
+    /// <summary>Arms at the present poses, how far the anchors are apart, and the unit vector of the row that has one.</summary>
     public fixed double ArmA[8];
     public fixed double ArmB[8];
-    public fixed double Error[8];
+    public fixed double Apart[8];
+    public fixed double Way[8];
+    public fixed double Error[12];
 
-    /// <summary>Angle of body B to body A, from the limits' origin.</summary>
-    public fixed double Bend[4];
+    /// <summary>What is left to the lower limit and to the upper, now and at the start of the substep.</summary>
+    public fixed double Gap[8];
+    public fixed double StartGap[8];
 
-    /// <summary>The rows' own: arms together at the poses of the rows.</summary>
+    /// <summary>The rows' own: a length against which errors are small, at the poses of the rows.</summary>
     public fixed double Size[4];
 
-    /// <summary>Jacobian at the child of an edge, or at the body of an anchor.</summary>
-    public fixed double S[24];
+    /// <summary>Jacobian at the child of an edge, or at the body of an anchor. Behind two rows that of the lower limit, if there is one.</summary>
+    public fixed double S[36];
 
     /// <summary>E of an edge, H of an anchor.</summary>
-    public fixed double E[16];
-    public fixed double Goal[8];
-    public fixed double Lambda[8];
+    public fixed double E[36];
+    public fixed double Goal[12];
+    public fixed double Lambda[12];
     public fixed double Given[12];
     public fixed double PlainGiven[12];
 }
 
-/// <summary>A hinge between the bodies at one place and something that cannot move, as in <see cref="Trees.TreeAnchor"/>.</summary>
+/// <summary>A joint between the bodies at one place and something that cannot move, as in <see cref="Trees.TreeAnchor"/>.</summary>
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct LaneAnchor
 {
@@ -97,9 +106,9 @@ internal unsafe struct LaneAnchor
     public fixed double Cos[4];
     public fixed double Sin[4];
     public fixed double Still[12];
-    public fixed double OtherS[24];
-    public fixed double Gain[24];
-    public fixed double Residual[8];
+    public fixed double OtherS[36];
+    public fixed double Gain[36];
+    public fixed double Residual[12];
 }
 
 /// <summary>What is the same for all four: a node's place in the tree, or an anchor's; and which bodies and joints they are.</summary>
@@ -111,6 +120,13 @@ internal unsafe struct LanePlace
 
     /// <summary>The child, or the anchored body, is body A of the joint.</summary>
     public bool IsA;
+
+    /// <summary>What the joint is, and how many rows always hold.</summary>
+    public LaneForm Form;
+    public byte Rows;
+
+    /// <summary>A bit for each row of angles, which a radian is the measure of; the others are of lengths.</summary>
+    public byte Turning;
 
     /// <summary>The joint has limits.</summary>
     public bool HasLimits;

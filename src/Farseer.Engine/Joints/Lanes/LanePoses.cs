@@ -6,7 +6,7 @@ using System.Runtime.Intrinsics;
 
 namespace Farseer.Engine.Joints.Lanes;
 
-/// <summary>Displacements, poses, and the arms and errors of the hinges there, for trees side by side.</summary>
+/// <summary>Displacements and poses for trees side by side, and the arms and errors of their joints there.</summary>
 internal static unsafe class LanePoses
 {
     private const int Y = DoubleLanes.BundleLanes;
@@ -81,7 +81,7 @@ internal static unsafe class LanePoses
         }
     }
 
-    /// <summary>Where the bodies are, and arms and errors of the hinges there.</summary>
+    /// <summary>Where the bodies are, and arms and errors of the joints there.</summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static void Place(LaneNode* nodes, LanePlace* places, int count, LaneAnchor* anchors, LanePlace* anchorPlaces, int anchorCount)
     {
@@ -96,11 +96,11 @@ internal static unsafe class LanePoses
                     LaneNode* parent = first + places[i].Parent;
                     if (places[i].IsA)
                     {
-                        Place(&first[i].Joint, first[i].X, parent->X);
+                        LaneRows.Place(&first[i].Joint, places + i, first[i].X, parent->X);
                     }
                     else
                     {
-                        Place(&first[i].Joint, parent->X, first[i].X);
+                        LaneRows.Place(&first[i].Joint, places + i, parent->X, first[i].X);
                     }
                 }
             }
@@ -111,11 +111,11 @@ internal static unsafe class LanePoses
                 LaneNode* node = first + anchorPlaces[i].Parent;
                 if (anchorPlaces[i].IsA)
                 {
-                    Place(&anchor->Joint, node->X, anchor->X);
+                    LaneRows.Place(&anchor->Joint, anchorPlaces + i, node->X, anchor->X);
                 }
                 else
                 {
-                    Place(&anchor->Joint, anchor->X, node->X);
+                    LaneRows.Place(&anchor->Joint, anchorPlaces + i, anchor->X, node->X);
                 }
             }
         }
@@ -133,31 +133,5 @@ internal static unsafe class LanePoses
         (WideDouble.Load(node->StartAngle) + (WideDouble.Load(node->Move + W) + WideDouble.Load(node->Lead))).Store(node->Angle);
         ((middleCos * turnCos) - (middleSin * turnSin)).Store(node->Cos);
         ((middleSin * turnCos) + (middleCos * turnSin)).Store(node->Sin);
-    }
-
-    /// <param name="joint">The hinge.</param>
-    /// <param name="a">Pose of body A: x, y, angle, cosine and sine.</param>
-    /// <param name="b">That of body B.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Place(LaneJoint* joint, double* a, double* b)
-    {
-        Arm(joint->AnchorA, a, joint->ArmA, out WideDouble ax, out WideDouble ay);
-        Arm(joint->AnchorB, b, joint->ArmB, out WideDouble bx, out WideDouble by);
-        ((WideDouble.Load(b) - WideDouble.Load(a)) + (bx - ax)).Store(joint->Error);
-        ((WideDouble.Load(b + 4) - WideDouble.Load(a + 4)) + (by - ay)).Store(joint->Error + 4);
-        (WideDouble.Load(b + 8) - WideDouble.Load(a + 8) - WideDouble.Load(joint->Target)).Store(joint->Bend);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Arm(double* anchor, double* pose, double* arm, out WideDouble x, out WideDouble y)
-    {
-        WideDouble ax = WideDouble.Load(anchor);
-        WideDouble ay = WideDouble.Load(anchor + 4);
-        WideDouble cos = WideDouble.Load(pose + 12);
-        WideDouble sin = WideDouble.Load(pose + 16);
-        x = (cos * ax) - (sin * ay);
-        y = (sin * ax) + (cos * ay);
-        x.Store(arm);
-        y.Store(arm + 4);
     }
 }

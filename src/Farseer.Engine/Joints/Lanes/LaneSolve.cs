@@ -13,7 +13,8 @@ namespace Farseer.Engine.Joints.Lanes;
 /// </summary>
 internal static unsafe class LaneSolve
 {
-    private const int Half = 3 * DoubleLanes.BundleLanes;
+    private const int Half = LaneMatrix.Row;
+    private const int Step = LaneMatrix.Step;
 
     [MethodImpl(KernelMethod.Optimized)]
     public static void Run(LaneNode* nodes, LanePlace* places, int count, LaneAnchor* anchors, LanePlace* anchorPlaces, int anchorCount)
@@ -25,7 +26,7 @@ internal static unsafe class LaneSolve
             {
                 LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
                 LaneNode* node = first + anchorPlaces[i].Parent;
-                Meet(anchor, node->Velocity);
+                Meet(anchor, node->Velocity, anchorPlaces[i].Rows);
                 WideDouble.Zero.Store(node->Got);
                 WideDouble.Zero.Store(node->Got + 4);
                 WideDouble.Zero.Store(node->Got + 8);
@@ -35,40 +36,39 @@ internal static unsafe class LaneSolve
             {
                 LaneNode* node = first + i;
                 double* parent = first[places[i].Parent].Velocity;
-                Residual(node, node->Velocity, parent, out WideDouble r0, out WideDouble r1);
-                Spread(node->W, r0, r1, parent);
+                int n = places[i].Rows;
+                Residual(node, node->Velocity, parent, n, out WideDouble r0, out WideDouble r1, out WideDouble r2);
+                Spread(node->W, r0, r1, r2, n, parent);
             }
 
             for (int i = 1; i < count; i++)
             {
                 LaneNode* node = first + i;
                 LaneNode* parent = first + places[i].Parent;
-                Residual(node, node->Velocity, parent->Velocity, out WideDouble r0, out WideDouble r1);
-                Spread(node->G, r0, r1, node->Velocity);
-                double* e = node->Joint.E;
-                WideDouble l0 = (WideDouble.Load(e) * r0) + (WideDouble.Load(e + 4) * r1);
-                WideDouble l1 = (WideDouble.Load(e + 8) * r0) + (WideDouble.Load(e + 12) * r1);
-                l0.Store(node->Joint.Lambda);
-                l1.Store(node->Joint.Lambda + 4);
+                int n = places[i].Rows;
+                Residual(node, node->Velocity, parent->Velocity, n, out WideDouble r0, out WideDouble r1, out WideDouble r2);
+                Spread(node->G, r0, r1, r2, n, node->Velocity);
+                Multiply(node->Joint.E, r0, r1, r2, n, out WideDouble l0, out WideDouble l1, out WideDouble l2);
+                StoreRows(l0, l1, l2, n, node->Joint.Lambda);
                 if (places[i].Anchored)
                 {
-                    Push(node->Joint.S, l0, l1, node->Got);
+                    Spread(node->Joint.S, l0, l1, l2, n, node->Got);
                 }
 
                 if (places[places[i].Parent].Anchored)
                 {
-                    Push(node->ParentS, l0, l1, parent->Got);
+                    Spread(node->ParentS, l0, l1, l2, n, parent->Got);
                 }
             }
 
             for (int i = anchorCount - 1; i >= 0; i--)
             {
-                Answer(DoubleLanes.Shift(anchors + i, lane), first[anchorPlaces[i].Parent].Got);
+                Answer(DoubleLanes.Shift(anchors + i, lane), first[anchorPlaces[i].Parent].Got, anchorPlaces[i].Rows);
             }
         }
     }
 
-    /// <summary>Adds the impulses to what the hinges gave to their bodies B.</summary>
+    /// <summary>Adds the impulses to what the joints gave to their bodies B.</summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static void Give(LaneNode* nodes, LanePlace* places, int count, LaneAnchor* anchors, LanePlace* anchorPlaces, int anchorCount)
     {
@@ -77,85 +77,165 @@ internal static unsafe class LaneSolve
             for (int i = 1; i < count; i++)
             {
                 LaneNode* node = DoubleLanes.Shift(nodes + i, lane);
-                Give(&node->Joint, places[i].IsA ? node->ParentS : node->Joint.S);
+                Give(&node->Joint, places[i].IsA ? node->ParentS : node->Joint.S, places[i].Rows);
             }
 
             for (int i = 0; i < anchorCount; i++)
             {
                 LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
-                Give(&anchor->Joint, anchorPlaces[i].IsA ? anchor->OtherS : anchor->Joint.S);
+                Give(&anchor->Joint, anchorPlaces[i].IsA ? anchor->OtherS : anchor->Joint.S, anchorPlaces[i].Rows);
             }
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Give(LaneJoint* joint, double* b)
+    private static void Give(LaneJoint* joint, double* b, int n)
     {
-        Push(b, WideDouble.Load(joint->Lambda), WideDouble.Load(joint->Lambda + 4), joint->Given);
+        double* lambda = joint->Lambda;
+        Spread(b, WideDouble.Load(lambda), WideDouble.Load(lambda + 4), WideDouble.Load(lambda + 8), n, joint->Given);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static WideDouble Dot(double* s, double* v) =>
         (WideDouble.Load(s) * WideDouble.Load(v)) + (WideDouble.Load(s + 4) * WideDouble.Load(v + 4)) + (WideDouble.Load(s + 8) * WideDouble.Load(v + 8));
 
+    /// <summary>What n rows lack; rows that are not there have none.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Residual(LaneNode* node, double* v, double* parent, out WideDouble r0, out WideDouble r1)
+    private static void Residual(LaneNode* node, double* v, double* parent, int n, out WideDouble r0, out WideDouble r1, out WideDouble r2)
     {
         double* c = node->Joint.S;
         double* p = node->ParentS;
-        r0 = WideDouble.Load(node->Joint.Goal) - Dot(c, v) - Dot(p, parent);
-        r1 = WideDouble.Load(node->Joint.Goal + 4) - Dot(c + Half, v) - Dot(p + Half, parent);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Spread(double* m, WideDouble r0, WideDouble r1, double* v)
-    {
-        for (int k = 0; k < 3; k++)
+        double* goal = node->Joint.Goal;
+        r0 = WideDouble.Load(goal) - Dot(c, v) - Dot(p, parent);
+        r1 = WideDouble.Zero;
+        r2 = WideDouble.Zero;
+        if (n > 1)
         {
-            int at = k * DoubleLanes.BundleLanes;
-            (WideDouble.Load(v + at) + (WideDouble.Load(m + at) * r0) + (WideDouble.Load(m + Half + at) * r1)).Store(v + at);
+            r1 = WideDouble.Load(goal + 4) - Dot(c + Half, v) - Dot(p + Half, parent);
+        }
+
+        if (n > 2)
+        {
+            r2 = WideDouble.Load(goal + 8) - Dot(c + (2 * Half), v) - Dot(p + (2 * Half), parent);
         }
     }
 
-    /// <summary>r += sᵀ·λ.</summary>
+    /// <summary>v += mᵀ·r.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Push(double* s, WideDouble l0, WideDouble l1, double* r) => Spread(s, l0, l1, r);
+    private static void Spread(double* m, WideDouble r0, WideDouble r1, WideDouble r2, int n, double* v)
+    {
+        WideDouble x = WideDouble.Load(v) + (WideDouble.Load(m) * r0);
+        WideDouble y = WideDouble.Load(v + 4) + (WideDouble.Load(m + 4) * r0);
+        WideDouble w = WideDouble.Load(v + 8) + (WideDouble.Load(m + 8) * r0);
+        if (n > 1)
+        {
+            x += WideDouble.Load(m + 12) * r1;
+            y += WideDouble.Load(m + 16) * r1;
+            w += WideDouble.Load(m + 20) * r1;
+        }
 
-    private static void Meet(LaneAnchor* anchor, double* v)
+        if (n > 2)
+        {
+            x += WideDouble.Load(m + 24) * r2;
+            y += WideDouble.Load(m + 28) * r2;
+            w += WideDouble.Load(m + 32) * r2;
+        }
+
+        x.Store(v);
+        y.Store(v + 4);
+        w.Store(v + 8);
+    }
+
+    /// <summary>l = m·r of n×n.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Multiply(
+        double* m,
+        WideDouble r0,
+        WideDouble r1,
+        WideDouble r2,
+        int n,
+        out WideDouble l0,
+        out WideDouble l1,
+        out WideDouble l2)
+    {
+        l1 = WideDouble.Zero;
+        l2 = WideDouble.Zero;
+        if (n == 2)
+        {
+            l0 = (WideDouble.Load(m) * r0) + (WideDouble.Load(m + 4) * r1);
+            l1 = (WideDouble.Load(m + 8) * r0) + (WideDouble.Load(m + 12) * r1);
+        }
+        else if (n == 1)
+        {
+            l0 = WideDouble.Load(m) * r0;
+        }
+        else
+        {
+            l0 = LaneMatrix.Dot(r0, r1, r2, m);
+            l1 = LaneMatrix.Dot(r0, r1, r2, m + 12);
+            l2 = LaneMatrix.Dot(r0, r1, r2, m + 24);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void StoreRows(WideDouble r0, WideDouble r1, WideDouble r2, int n, double* rows)
+    {
+        r0.Store(rows);
+        if (n > 1)
+        {
+            r1.Store(rows + 4);
+        }
+
+        if (n > 2)
+        {
+            r2.Store(rows + 8);
+        }
+    }
+
+    private static void Meet(LaneAnchor* anchor, double* v, int n)
     {
         double* s = anchor->Joint.S;
-        WideDouble r0 = WideDouble.Load(anchor->Joint.Goal) - Dot(s, v);
-        WideDouble r1 = WideDouble.Load(anchor->Joint.Goal + 4) - Dot(s + Half, v);
-        r0.Store(anchor->Residual);
-        r1.Store(anchor->Residual + 4);
-        for (int k = 0; k < 3; k++)
+        for (int i = 0; i < n; i++)
         {
-            int at = k * DoubleLanes.BundleLanes;
+            (WideDouble.Load(anchor->Joint.Goal + (i * Step)) - Dot(s + (i * Half), v)).Store(anchor->Residual + (i * Step));
+        }
+
+        for (int at = 0; at < Half; at += Step)
+        {
             WideDouble sum = WideDouble.Load(v + at);
             WideDouble terms = WideDouble.Abs(sum);
-            WideDouble term = WideDouble.Load(anchor->Gain + at) * r0;
-            sum += term;
-            terms += WideDouble.Abs(term);
-            term = WideDouble.Load(anchor->Gain + Half + at) * r1;
-            sum += term;
-            terms += WideDouble.Abs(term);
+            for (int i = 0; i < n; i++)
+            {
+                WideDouble term = WideDouble.Load(anchor->Gain + (i * Half) + at) * WideDouble.Load(anchor->Residual + (i * Step));
+                sum += term;
+                terms += WideDouble.Abs(term);
+            }
+
             WideDoubleMask still = WideDouble.Abs(sum) <= WideDouble.Splat(TreeSolve.Rounding) * terms;
             WideDouble.Select(still, WideDouble.Zero, sum).Store(v + at);
         }
     }
 
     /// <summary>The multipliers of an anchor, with what its body got since.</summary>
-    private static void Answer(LaneAnchor* anchor, double* got)
+    private static void Answer(LaneAnchor* anchor, double* got, int n)
     {
-        double* h = anchor->Joint.E;
-        WideDouble r0 = WideDouble.Load(anchor->Residual);
-        WideDouble r1 = WideDouble.Load(anchor->Residual + 4);
-        WideDouble l0 = WideDouble.Zero + (WideDouble.Load(h) * r0) + (WideDouble.Load(h + 4) * r1);
-        WideDouble l1 = WideDouble.Zero + (WideDouble.Load(h + 8) * r0) + (WideDouble.Load(h + 12) * r1);
+        double* residual = anchor->Residual;
+        WideDouble r0 = WideDouble.Load(residual);
+        WideDouble r1 = WideDouble.Load(residual + 4);
+        WideDouble r2 = WideDouble.Load(residual + 8);
+        Multiply(anchor->Joint.E, r0, r1, r2, n, out WideDouble l0, out WideDouble l1, out WideDouble l2);
         l0 -= Dot(anchor->Gain, got);
-        l1 -= Dot(anchor->Gain + Half, got);
-        l0.Store(anchor->Joint.Lambda);
-        l1.Store(anchor->Joint.Lambda + 4);
-        Push(anchor->Joint.S, l0, l1, got);
+        if (n > 1)
+        {
+            l1 -= Dot(anchor->Gain + Half, got);
+        }
+
+        if (n > 2)
+        {
+            l2 -= Dot(anchor->Gain + (2 * Half), got);
+        }
+
+        StoreRows(l0, l1, l2, n, anchor->Joint.Lambda);
+        Spread(anchor->Joint.S, l0, l1, l2, n, got);
     }
 }

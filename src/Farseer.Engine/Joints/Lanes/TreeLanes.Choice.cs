@@ -10,6 +10,9 @@ internal sealed unsafe partial class TreeLanes
 
     private const ulong HashPrime = 1099511628211;
 
+    /// <summary>Room in the hash for what a joint is, beside its place.</summary>
+    private const int FormBits = 64;
+
     /// <summary>Before the trees of a step are taken.</summary>
     /// <param name="forest">The trees.</param>
     /// <param name="active">The joints.</param>
@@ -46,7 +49,7 @@ internal sealed unsafe partial class TreeLanes
     public bool Take(int index)
     {
         JointTree* tree = _forest.Trees + index;
-        if (!tree->Eliminates || tree->HasRows || tree->Pulled || tree->Guest || tree->Wheel || !IsOfHinges(tree))
+        if (!tree->Eliminates || tree->HasRows || tree->Pulled || tree->Guest || tree->Wheel || !IsRigid(tree))
         {
             return false;
         }
@@ -66,13 +69,13 @@ internal sealed unsafe partial class TreeLanes
         return true;
     }
 
-    /// <summary>Each edge is one rigid hinge, and no limit holds.</summary>
-    private bool IsOfHinges(JointTree* tree)
+    /// <summary>Each edge and anchor is one rigid joint of a form that is known here, and no limit holds.</summary>
+    private bool IsRigid(JointTree* tree)
     {
         for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = _forest.Nodes + i;
-            if (node->EdgeCount != 1 || node->Rows != 2 || node->HardRows != 2 || !IsHinge(node->RowJoint[0], node->HasLimits))
+            if (node->EdgeCount != 1 || node->Rows != node->HardRows || FormOf(node->RowJoint[0]) == LaneForm.None)
             {
                 return false;
             }
@@ -81,7 +84,7 @@ internal sealed unsafe partial class TreeLanes
         for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
         {
             TreeAnchor* anchor = _forest.Anchors + i;
-            if (anchor->Rows != 2 || !IsHinge(anchor->Active, false))
+            if (FormOf(anchor->Active) == LaneForm.None || anchor->Rows != _rows[anchor->Active].Hard)
             {
                 return false;
             }
@@ -90,8 +93,15 @@ internal sealed unsafe partial class TreeLanes
         return true;
     }
 
-    private bool IsHinge(int active, bool hasLimits) =>
-        _active[active].Kind == JointKind.Revolute && _rows[active].Hard == 2 && _rows[active].Count == (hasLimits ? 4 : 2);
+    private LaneForm FormOf(int active)
+    {
+        LaneForm form = LaneForms.Of(_active[active].Kind, _rows[active]);
+        bool rigid = _rows[active].Count == _rows[active].Hard || (HasLimits(active) && LaneForms.MayHaveLimits(form));
+        return rigid ? form : LaneForm.None;
+    }
+
+    /// <summary>Of a joint that has no rows but those of its block.</summary>
+    private bool HasLimits(int active) => _active[active].BlockLimits && _rows[active].Count == _rows[active].Hard + 2;
 
     private bool IsA(int active, int node) => _active[active].Ends.NodeA == node;
 
@@ -101,18 +111,24 @@ internal sealed unsafe partial class TreeLanes
         for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = _forest.Nodes + i;
-            int bits = (IsA(node->RowJoint[0], i) ? 1 : 0) | (node->HasLimits ? 2 : 0);
-            hash = (hash * HashPrime) ^ (ulong)(((node->Parent - tree->First) * 4) + bits);
+            hash = (hash * HashPrime) ^ ((ulong)((node->Parent - tree->First) * FormBits) + BitsOf(node->RowJoint[0], i));
         }
 
         for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
         {
             TreeAnchor* anchor = _forest.Anchors + i;
-            hash = (hash * HashPrime) ^ (ulong)(((anchor->Node - tree->First) * 2) + (IsA(anchor->Active, anchor->Node) ? 1 : 0));
+            hash = (hash * HashPrime) ^ ((ulong)((anchor->Node - tree->First) * FormBits) + BitsOf(anchor->Active, anchor->Node));
         }
 
         return hash;
     }
+
+    private uint BitsOf(int active, int node) => (IsA(active, node) ? 1u : 0) | (HasLimits(active) ? 2u : 0) | ((uint)FormOf(active) << 2);
+
+    private bool IsLike(LanePlace* place, int parent, int active, int node) => place->Parent == parent
+        && place->IsA == IsA(active, node)
+        && place->HasLimits == HasLimits(active)
+        && place->Form == FormOf(active);
 
     private bool IsLike(LaneTrees* bundle, JointTree* tree)
     {
@@ -125,7 +141,7 @@ internal sealed unsafe partial class TreeLanes
         {
             TreeNode* node = _forest.Nodes + tree->First + i;
             LanePlace* place = _places.Pointer + bundle->First + i;
-            if (place->Parent != node->Parent - tree->First || place->IsA != IsA(node->RowJoint[0], tree->First + i) || place->HasLimits != node->HasLimits)
+            if (!IsLike(place, node->Parent - tree->First, node->RowJoint[0], tree->First + i))
             {
                 return false;
             }
@@ -135,7 +151,7 @@ internal sealed unsafe partial class TreeLanes
         {
             TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst + i;
             LanePlace* place = _anchorPlaces.Pointer + bundle->AnchorFirst + i;
-            if (place->Parent != anchor->Node - tree->First || place->IsA != IsA(anchor->Active, anchor->Node))
+            if (!IsLike(place, anchor->Node - tree->First, anchor->Active, anchor->Node))
             {
                 return false;
             }
@@ -164,21 +180,34 @@ internal sealed unsafe partial class TreeLanes
         {
             TreeNode* node = _forest.Nodes + tree->First + i;
             LanePlace* place = _places.Pointer + bundle->First + i;
-            place->Parent = i == 0 ? -1 : node->Parent - tree->First;
-            place->IsA = i > 0 && IsA(node->RowJoint[0], tree->First + i);
-            place->HasLimits = node->HasLimits;
+            *place = default;
+            place->Parent = -1;
             place->Anchored = node->Anchored;
+            if (i > 0)
+            {
+                SetPlace(place, node->Parent - tree->First, node->RowJoint[0], tree->First + i);
+            }
         }
 
         for (int i = 0; i < bundle->Anchors; i++)
         {
             TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst + i;
             LanePlace* place = _anchorPlaces.Pointer + bundle->AnchorFirst + i;
-            place->Parent = anchor->Node - tree->First;
-            place->IsA = IsA(anchor->Active, anchor->Node);
+            *place = default;
+            SetPlace(place, anchor->Node - tree->First, anchor->Active, anchor->Node);
         }
 
         return bundle;
+    }
+
+    private void SetPlace(LanePlace* place, int parent, int active, int node)
+    {
+        place->Parent = parent;
+        place->IsA = IsA(active, node);
+        place->HasLimits = HasLimits(active);
+        place->Form = FormOf(active);
+        place->Rows = (byte)LaneForms.RowsOf(place->Form);
+        place->Turning = (byte)LaneForms.TurningRowsOf(place->Form);
     }
 
     private void Enter(LaneTrees* bundle, int index)

@@ -31,14 +31,15 @@ internal sealed unsafe partial class TreeLanes
                     LoadNode(node, _forest.Nodes + tree->First + i);
                     if (i > 0)
                     {
-                        LoadJoint(&node->Joint, _places[trees->First + i].Active[from]);
+                        LoadJoint(&node->Joint, _places[trees->First + i].Form, _places[trees->First + i].Active[from]);
                     }
                 }
 
                 for (int i = 0; i < trees->Anchors; i++)
                 {
                     LaneAnchor* anchor = DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + i, lane);
-                    LoadJoint(&anchor->Joint, _anchorPlaces[trees->AnchorFirst + i].Active[from]);
+                    LanePlace* place = _anchorPlaces.Pointer + trees->AnchorFirst + i;
+                    LoadJoint(&anchor->Joint, place->Form, place->Active[from]);
                     anchor->Angle[0] = double.NaN;
                 }
             }
@@ -46,7 +47,7 @@ internal sealed unsafe partial class TreeLanes
             LoadStill(trees);
             Place(trees);
             LoadAnchorRows(trees);
-            Factor(trees);
+            Factor(trees, true);
         }
     }
 
@@ -57,14 +58,31 @@ internal sealed unsafe partial class TreeLanes
         {
             for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
             {
-                LaneJoint* joint = &DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + i, lane)->Joint;
-                JointRows* rows = _rows + _anchorPlaces[trees->AnchorFirst + i].Active[lane < trees->Count ? lane : 0];
-                joint->ArmA[0] = -rows->A[5];
-                joint->ArmA[Y] = rows->A[2];
-                joint->ArmB[0] = rows->B[5];
-                joint->ArmB[Y] = -rows->B[2];
-                joint->Error[0] = rows->Error[0];
-                joint->Error[Y] = rows->Error[1];
+                LaneAnchor* anchor = DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + i, lane);
+                LanePlace* place = _anchorPlaces.Pointer + trees->AnchorFirst + i;
+                JointRows* rows = _rows + place->Active[lane < trees->Count ? lane : 0];
+                LaneJoint* joint = &anchor->Joint;
+                int count = place->HasLimits ? place->Rows + 1 : place->Rows;
+                for (int k = 0; k < count * 3; k++)
+                {
+                    joint->S[k * Y] = (place->IsA ? rows->A : rows->B)[k];
+                    anchor->OtherS[k * Y] = (place->IsA ? rows->B : rows->A)[k];
+                }
+
+                for (int row = 0; row < place->Rows; row++)
+                {
+                    joint->Error[row * Y] = rows->Error[row];
+                }
+
+                if (place->HasLimits)
+                {
+                    joint->Gap[0] = rows->Error[place->Rows];
+                    joint->Gap[Y] = rows->Error[place->Rows + 1];
+                }
+
+                joint->Size[0] = rows->Size;
+                joint->ArmB[0] = rows->ArmX;
+                joint->ArmB[Y] = rows->ArmY;
             }
         }
     }
@@ -90,7 +108,7 @@ internal sealed unsafe partial class TreeLanes
         node->Lead[0] = _step.Bodies.Drive[from->Body].Lead;
     }
 
-    private void LoadJoint(LaneJoint* joint, int active)
+    private void LoadJoint(LaneJoint* joint, LaneForm form, int active)
     {
         ref JointSettings settings = ref _active[active].Settings;
         joint->AnchorA[0] = settings.AnchorAX;
@@ -100,6 +118,9 @@ internal sealed unsafe partial class TreeLanes
         joint->Target[0] = settings.Target;
         joint->Lower[0] = settings.Lower;
         joint->Upper[0] = settings.Upper;
+        joint->Axis[0] = form == LaneForm.Servo ? _rows[active].Speed[0] : form == LaneForm.Gear ? settings.Ratio : settings.AxisX;
+        joint->Axis[Y] = settings.AxisY;
+        joint->Error[0] = 0;
         joint->Given[0] = 0;
         joint->Given[Y] = 0;
         joint->Given[W] = 0;
@@ -144,7 +165,7 @@ internal sealed unsafe partial class TreeLanes
     {
         for (int i = 0; i < count; i++)
         {
-            Copy(nodes[i].Velocity, nodes[i].Saved);
+            Copy(nodes[i].Velocity, nodes[i].Saved, 3);
         }
     }
 
@@ -159,25 +180,32 @@ internal sealed unsafe partial class TreeLanes
         }
     }
 
-    /// <summary>What the hinges gave before corrections.</summary>
+    /// <summary>What the joints gave before corrections, and what their limits had left at the start of the substep.</summary>
     private void NoteGiven(LaneTrees* trees)
     {
         for (int i = 1; i < trees->Nodes; i++)
         {
-            LaneNode* node = _nodes.Pointer + trees->First + i;
-            Copy(node->Joint.Given, node->Joint.PlainGiven);
+            NoteGiven(&_nodes.Pointer[trees->First + i].Joint, _places[trees->First + i].HasLimits);
         }
 
         for (int i = 0; i < trees->Anchors; i++)
         {
-            LaneAnchor* anchor = _anchors.Pointer + trees->AnchorFirst + i;
-            Copy(anchor->Joint.Given, anchor->Joint.PlainGiven);
+            NoteGiven(&_anchors.Pointer[trees->AnchorFirst + i].Joint, _anchorPlaces[trees->AnchorFirst + i].HasLimits);
         }
     }
 
-    private static void Copy(double* from, double* to)
+    private static void NoteGiven(LaneJoint* joint, bool hasLimits)
     {
-        for (int k = 0; k < 3 * DoubleLanes.BundleLanes; k += WideDouble.Count)
+        Copy(joint->Given, joint->PlainGiven, 3);
+        if (hasLimits)
+        {
+            Copy(joint->Gap, joint->StartGap, 2);
+        }
+    }
+
+    private static void Copy(double* from, double* to, int count)
+    {
+        for (int k = 0; k < count * DoubleLanes.BundleLanes; k += WideDouble.Count)
         {
             WideDouble.Load(from + k).Store(to + k);
         }
@@ -293,51 +321,36 @@ internal sealed unsafe partial class TreeLanes
         }
 
         PutJointsBack(trees, lane);
-        PutLimitsBack(trees, lane);
         _given[GivenCount++] = trees->Tree[lane];
     }
-
-    /// <summary>What the limits were off by at the start of the substep: their goals for a projection follow from it.</summary>
-    private void PutLimitsBack(LaneTrees* trees, int lane)
-    {
-        LaneNode* nodes = DoubleLanes.Shift(_nodes.Pointer + trees->First, lane);
-        LanePlace* places = _places.Pointer + trees->First;
-        for (int i = 1; i < trees->Nodes; i++)
-        {
-            if (places[i].HasLimits)
-            {
-                double own = StartAngle(nodes + i);
-                double other = StartAngle(nodes + places[i].Parent);
-                double bend = (places[i].IsA ? other - own : own - other) - nodes[i].Joint.Target[0];
-                JointRows* rows = _rows + places[i].Active[lane];
-                rows->Error[2] = bend - nodes[i].Joint.Lower[0];
-                rows->Error[3] = nodes[i].Joint.Upper[0] - bend;
-            }
-        }
-    }
-
-    private static double StartAngle(LaneNode* node) => node->StartAngle[0] + (node->StartMove[W] + node->Lead[0]);
 
     private void PutJointsBack(LaneTrees* trees, int lane)
     {
         for (int i = 1; i < trees->Nodes; i++)
         {
-            PutBack(&DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Joint, _places[trees->First + i].Active[lane]);
+            PutBack(&DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Joint, _places.Pointer + trees->First + i, lane);
         }
 
         for (int i = 0; i < trees->Anchors; i++)
         {
             int at = trees->AnchorFirst + i;
-            PutBack(&DoubleLanes.Shift(_anchors.Pointer + at, lane)->Joint, _anchorPlaces[at].Active[lane]);
+            PutBack(&DoubleLanes.Shift(_anchors.Pointer + at, lane)->Joint, _anchorPlaces.Pointer + at, lane);
         }
     }
 
-    private void PutBack(LaneJoint* joint, int active)
+    private void PutBack(LaneJoint* joint, LanePlace* place, int lane)
     {
+        int active = place->Active[lane];
         PutBack(joint->Given, _active[active].Given);
         PutBack(joint->PlainGiven, _active[active].PlainGiven);
         _rows[active].ArmX = joint->ArmB[0];
         _rows[active].ArmY = joint->ArmB[Y];
+        if (place->HasLimits && HasMoved)
+        {
+            // The goals of a projection follow from what the limits were off by at the start of the substep.
+            _rows[active].Error[place->Rows] = joint->StartGap[0];
+            _rows[active].Error[place->Rows + 1] = joint->StartGap[Y];
+        }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -7,7 +7,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <summary>
-/// Trees of hinges that nothing touches and no motor drives, four of equal shape side by side for a step; one that has no partner runs
+/// Trees of rigid joints that nothing touches and no motor drives, four of equal shape side by side for a step; one that has no partner runs
 /// the same kernels in a bundle with empty lanes. Each lane gives the bits of the passes of <see cref="JointSolver"/>. A tree of which a
 /// limit is reached, that is put out of joint from outside, or whose correction goes astray is given back before that pass and is solved
 /// there for the rest of the step.
@@ -146,11 +146,11 @@ internal sealed unsafe partial class TreeLanes
             int leaves = 0;
             if (relaxed)
             {
-                LaneGoals.Relaxed(nodes, trees->Nodes, anchors, trees->Anchors);
+                LaneGoals.Relaxed(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
             }
             else
             {
-                leaves = LaneGoals.Biased(nodes, trees->Nodes, anchors, trees->Anchors, _step.Substep);
+                leaves = LaneGoals.Biased(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, _step.Substep);
             }
 
             if (trees->HasLimits || leaves != 0)
@@ -161,7 +161,7 @@ internal sealed unsafe partial class TreeLanes
             LaneSolve.Run(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
             if (trees->HasLimits)
             {
-                leaves |= LaneGoals.Passed(nodes, places, trees->Nodes, _step.Substep, relaxed);
+                leaves |= LaneGoals.Passed(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, _step.Substep, relaxed);
             }
 
             LeaveBefore(trees, leaves & trees->Live);
@@ -188,7 +188,7 @@ internal sealed unsafe partial class TreeLanes
             LoadStill(trees);
             Correct(trees);
             LeaveAstray(trees);
-            Factor(trees);
+            Factor(trees, false);
             EndSubstep(trees);
         }
     }
@@ -201,7 +201,7 @@ internal sealed unsafe partial class TreeLanes
         LanePlace* anchorPlaces = _anchorPlaces.Pointer + trees->AnchorFirst;
         NoteGiven(trees);
         Place(trees);
-        LaneGoals.FindWorst(nodes, trees->Nodes, anchors, trees->Anchors, trees);
+        LaneGoals.FindWorst(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, trees);
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
         {
             trees->Before[lane] = double.PositiveInfinity;
@@ -212,12 +212,12 @@ internal sealed unsafe partial class TreeLanes
         {
             PutAside(nodes, trees->Nodes);
             ClearVelocities(nodes, trees->Nodes);
-            LaneGoals.Correction(nodes, trees->Nodes, anchors, trees->Anchors, _step.Substep, trees);
+            LaneGoals.Correction(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, _step.Substep, trees);
             LaneSolve.Run(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
             LaneSolve.Give(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
             LanePoses.MoveOn(nodes, trees->Nodes, _step.Substep, trees);
             Place(trees);
-            LaneGoals.FindWorst(nodes, trees->Nodes, anchors, trees->Anchors, trees);
+            LaneGoals.FindWorst(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, trees);
             FindAstray(trees, round == JointSolver.Corrections - 1);
         }
     }
@@ -258,11 +258,12 @@ internal sealed unsafe partial class TreeLanes
         _anchorPlaces.Pointer + trees->AnchorFirst,
         trees->Anchors);
 
-    private void Factor(LaneTrees* trees) => LaneFactor.Run(
+    private void Factor(LaneTrees* trees, bool begin) => LaneFactor.Run(
         _nodes.Pointer + trees->First,
         _places.Pointer + trees->First,
         trees->Nodes,
         _anchors.Pointer + trees->AnchorFirst,
         _anchorPlaces.Pointer + trees->AnchorFirst,
-        trees->Anchors);
+        trees->Anchors,
+        begin);
 }

@@ -1,0 +1,73 @@
+namespace Farseer.Engine.Joints.Lanes;
+
+/// <summary>What trees on lanes know a joint as: the rows that always hold, as the kinds write them.</summary>
+internal enum LaneForm : byte
+{
+    /// <summary>None of them: its tree is solved by itself.</summary>
+    None,
+
+    /// <summary>Two anchors in one place: two rows.</summary>
+    Hinge,
+
+    /// <summary>A hinge that does not turn: a third row, of the angle.</summary>
+    Weld,
+
+    /// <summary>Anchor B on a line of body A, without turning: a row across the line, and one of the angle.</summary>
+    Slide,
+
+    /// <summary>Anchor B on a line of body A: one row across the line.</summary>
+    Track,
+
+    /// <summary>Two anchors at a distance: one row along it.</summary>
+    Rod,
+
+    /// <summary>A turn at a speed that is set for the step: one row.</summary>
+    Servo,
+
+    /// <summary>Two angles in a ratio: one row.</summary>
+    Gear,
+}
+
+/// <summary>What follows from the form alone.</summary>
+internal static class LaneForms
+{
+    /// <summary>The form of a joint of a tree.</summary>
+    /// <param name="kind">Its kind.</param>
+    /// <param name="rows">Its rows; those behind the hard ones must be two limits, or none.</param>
+    public static LaneForm Of(JointKind kind, in JointRows rows)
+    {
+        LaneForm form = kind switch
+        {
+            JointKind.Revolute => LaneForm.Hinge,
+            JointKind.Pin => rows.Hard == 2 ? LaneForm.Hinge : LaneForm.Rod,
+            JointKind.Weld => LaneForm.Weld,
+            JointKind.Prismatic => LaneForm.Slide,
+            JointKind.Wheel => LaneForm.Track,
+            JointKind.Distance => LaneForm.Rod,
+            JointKind.Angle => LaneForm.Servo,
+            JointKind.Gear => LaneForm.Gear,
+            _ => LaneForm.None,
+        };
+        return rows.Hard == RowsOf(form) ? form : LaneForm.None;
+    }
+
+    /// <summary>Rows that always hold.</summary>
+    public static int RowsOf(LaneForm form) => form switch
+    {
+        LaneForm.Weld => 3,
+        LaneForm.Hinge or LaneForm.Slide => 2,
+        _ => 1,
+    };
+
+    /// <summary>Its limits are two rows along one direction, which an edge of two rows has room for.</summary>
+    public static bool MayHaveLimits(LaneForm form) => form == LaneForm.Hinge || form == LaneForm.Slide;
+
+    /// <summary>A bit for each row of angles; the others are of lengths.</summary>
+    public static int TurningRowsOf(LaneForm form) => form switch
+    {
+        LaneForm.Weld => 1 << 2,
+        LaneForm.Slide => 1 << 1,
+        LaneForm.Gear or LaneForm.Servo => 1,
+        _ => 0,
+    };
+}

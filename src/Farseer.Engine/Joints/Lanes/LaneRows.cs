@@ -1,0 +1,195 @@
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Farseer.Engine.Joints.Lanes;
+
+/// <summary>The rows of the forms for trees side by side, as the kinds write them for one joint: errors, gaps and Jacobians.</summary>
+internal static unsafe class LaneRows
+{
+    private const int Row = LaneMatrix.Row;
+
+    /// <summary>Arms, errors and gaps at two poses: x, y, angle, cosine and sine of each.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Place(LaneJoint* joint, LanePlace* place, double* a, double* b)
+    {
+        Arm(joint->AnchorA, a, joint->ArmA, out WideDouble ax, out WideDouble ay);
+        Arm(joint->AnchorB, b, joint->ArmB, out WideDouble bx, out WideDouble by);
+        WideDouble dx = (WideDouble.Load(b) - WideDouble.Load(a)) + (bx - ax);
+        WideDouble dy = (WideDouble.Load(b + 4) - WideDouble.Load(a + 4)) + (by - ay);
+        if (place->Form == LaneForm.Hinge)
+        {
+            dx.Store(joint->Error);
+            dy.Store(joint->Error + 4);
+            if (place->HasLimits)
+            {
+                StoreGaps(joint, Bend(joint, a, b));
+            }
+
+            return;
+        }
+
+        dx.Store(joint->Apart);
+        dy.Store(joint->Apart + 4);
+        PlaceOther(joint, place, a, b);
+    }
+
+    /// <summary>The Jacobians at the poses that were placed last, at the child of an edge or the body of an anchor and at the other body.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Write(LaneJoint* joint, double* other, LanePlace* place)
+    {
+        double* a = place->IsA ? joint->S : other;
+        double* b = place->IsA ? other : joint->S;
+        WideDouble ax = WideDouble.Load(joint->ArmA);
+        WideDouble ay = WideDouble.Load(joint->ArmA + 4);
+        WideDouble bx = WideDouble.Load(joint->ArmB);
+        WideDouble by = WideDouble.Load(joint->ArmB + 4);
+        (WideDouble.Sqrt((ax * ax) + (ay * ay)) + WideDouble.Sqrt((bx * bx) + (by * by))).Store(joint->Size);
+        if (place->Form <= LaneForm.Weld)
+        {
+            WideDouble one = WideDouble.Splat(1);
+            WriteRow(a, WideDouble.Negate(one), WideDouble.Zero, ay);
+            WriteRow(a + Row, WideDouble.Zero, WideDouble.Negate(one), WideDouble.Negate(ax));
+            WriteRow(b, one, WideDouble.Zero, WideDouble.Negate(by));
+            WriteRow(b + Row, WideDouble.Zero, one, bx);
+            if (place->Form == LaneForm.Weld)
+            {
+                WriteAngle(a + (2 * Row), b + (2 * Row), WideDouble.Negate(one));
+            }
+
+            return;
+        }
+
+        WriteOther(joint, a, b, place);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble Bend(LaneJoint* joint, double* a, double* b) =>
+        WideDouble.Load(b + 8) - WideDouble.Load(a + 8) - WideDouble.Load(joint->Target);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void StoreGaps(LaneJoint* joint, WideDouble way)
+    {
+        (way - WideDouble.Load(joint->Lower)).Store(joint->Gap);
+        (WideDouble.Load(joint->Upper) - way).Store(joint->Gap + 4);
+    }
+
+    private static void PlaceOther(LaneJoint* joint, LanePlace* place, double* a, double* b)
+    {
+        WideDouble dx = WideDouble.Load(joint->Apart);
+        WideDouble dy = WideDouble.Load(joint->Apart + 4);
+        switch (place->Form)
+        {
+            case LaneForm.Weld:
+                dx.Store(joint->Error);
+                dy.Store(joint->Error + 4);
+                Bend(joint, a, b).Store(joint->Error + 8);
+                break;
+            case LaneForm.Rod:
+                WideDouble length = WideDouble.Sqrt((dx * dx) + (dy * dy));
+                WideDoubleMask apart = length > WideDouble.Zero;
+                WideDouble.Select(apart, dx / length, WideDouble.Splat(1)).Store(joint->Way);
+                WideDouble.Select(apart, dy / length, WideDouble.Zero).Store(joint->Way + 4);
+                (length - WideDouble.Load(joint->Target)).Store(joint->Error);
+                break;
+            case LaneForm.Gear:
+                (WideDouble.Load(b + 8) + (WideDouble.Load(joint->Axis) * WideDouble.Load(a + 8)) - WideDouble.Load(joint->Target)).Store(joint->Error);
+                break;
+            case LaneForm.Slide:
+            case LaneForm.Track:
+                PlaceOnLine(joint, place, a, b);
+                break;
+        }
+    }
+
+    private static void PlaceOnLine(LaneJoint* joint, LanePlace* place, double* a, double* b)
+    {
+        WideDouble dx = WideDouble.Load(joint->Apart);
+        WideDouble dy = WideDouble.Load(joint->Apart + 4);
+        Arm(joint->Axis, a, joint->Way, out WideDouble x, out WideDouble y);
+        ((dy * x) - (dx * y)).Store(joint->Error);
+        if (place->Form == LaneForm.Slide)
+        {
+            Bend(joint, a, b).Store(joint->Error + 4);
+        }
+
+        if (place->HasLimits)
+        {
+            StoreGaps(joint, (dx * x) + (dy * y));
+        }
+    }
+
+    private static void WriteOther(LaneJoint* joint, double* a, double* b, LanePlace* place)
+    {
+        WideDouble one = WideDouble.Splat(1);
+        WideDouble x = WideDouble.Load(joint->Way);
+        WideDouble y = WideDouble.Load(joint->Way + 4);
+        switch (place->Form)
+        {
+            case LaneForm.Rod:
+                WriteDirection(a, b, x, y, WideDouble.Load(joint->ArmA), WideDouble.Load(joint->ArmA + 4), joint->ArmB);
+                (WideDouble.Load(joint->Size) + WideDouble.Load(joint->Target)).Store(joint->Size);
+                break;
+            case LaneForm.Servo:
+                WriteAngle(a, b, WideDouble.Negate(one));
+                break;
+            case LaneForm.Gear:
+                WriteAngle(a, b, WideDouble.Load(joint->Axis));
+                break;
+            default:
+                // The line turns with body A, so that its arm reaches as far as the anchor of B.
+                WideDouble armX = WideDouble.Load(joint->ArmA) + WideDouble.Load(joint->Apart);
+                WideDouble armY = WideDouble.Load(joint->ArmA + 4) + WideDouble.Load(joint->Apart + 4);
+                WriteDirection(a, b, WideDouble.Negate(y), x, armX, armY, joint->ArmB);
+                if (place->Form == LaneForm.Slide)
+                {
+                    WriteAngle(a + Row, b + Row, WideDouble.Negate(one));
+                }
+
+                if (place->HasLimits)
+                {
+                    WriteDirection(a + (2 * Row), b + (2 * Row), x, y, armX, armY, joint->ArmB);
+                }
+
+                break;
+        }
+    }
+
+    /// <summary>A row along a unit vector.</summary>
+    private static void WriteDirection(double* a, double* b, WideDouble x, WideDouble y, WideDouble armX, WideDouble armY, double* armB)
+    {
+        WriteRow(a, WideDouble.Negate(x), WideDouble.Negate(y), WideDouble.Negate((armX * y) - (armY * x)));
+        WriteRow(b, x, y, (WideDouble.Load(armB) * y) - (WideDouble.Load(armB + 4) * x));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void WriteAngle(double* a, double* b, WideDouble ofA)
+    {
+        WriteRow(a, WideDouble.Zero, WideDouble.Zero, ofA);
+        WriteRow(b, WideDouble.Zero, WideDouble.Zero, WideDouble.Splat(1));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void WriteRow(double* row, WideDouble x, WideDouble y, WideDouble w)
+    {
+        x.Store(row);
+        y.Store(row + 4);
+        w.Store(row + 8);
+    }
+
+    /// <summary>A vector of a body's frame in world axes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Arm(double* own, double* pose, double* arm, out WideDouble x, out WideDouble y)
+    {
+        WideDouble ox = WideDouble.Load(own);
+        WideDouble oy = WideDouble.Load(own + 4);
+        WideDouble cos = WideDouble.Load(pose + 12);
+        WideDouble sin = WideDouble.Load(pose + 16);
+        x = (cos * ox) - (sin * oy);
+        y = (sin * ox) + (cos * oy);
+        x.Store(arm);
+        y.Store(arm + 4);
+    }
+}
