@@ -82,6 +82,53 @@ internal static class TreeScenes
         return world;
     }
 
+    /// <summary>Cranes: a foot on the world and five arms, each turned by a motor that is strong enough for its load.</summary>
+    public static World Cranes(int cranes)
+    {
+        const int Arms = 5;
+        World world = Make();
+        for (int crane = 0; crane < cranes; crane++)
+        {
+            Handle before = World.WorldFrame;
+            Vector2 held = new Vector2(crane * 20f, 0);
+            for (int i = 0; i < Arms; i++)
+            {
+                Handle arm = Add(world, ShapeBuilder.Box(1, 2 * Radius), new Vector2((crane * 20f) + i + 0.5f, 0), 0, 1, Inertia, 1, 2);
+                JointSettings settings = Rigid(held, new Vector2(-0.5f, 0));
+                settings.MotorSpeed = 0.1 * (1 + i) * ((crane & 1) == 0 ? 1 : -1);
+                settings.MotorLimit = 1000;
+                world.CreateJoint(JointKind.Revolute, before, arm, settings, JointFlags.Enabled | JointFlags.Motor);
+                before = arm;
+                held = new Vector2(0.5f, 0);
+            }
+        }
+
+        return world;
+    }
+
+    /// <summary>Cars in the air: a body with two sprung and driven wheels.</summary>
+    public static World Cars(int cars)
+    {
+        World world = Make();
+        for (int car = 0; car < cars; car++)
+        {
+            Handle body = Add(world, ShapeBuilder.Box(2, 0.5f), new Vector2(car * 5f, 0), 0.1f * (car % 5), 10, 4, 1, 2);
+            for (int side = -1; side <= 1; side += 2)
+            {
+                Handle wheel = Add(world, ShapeBuilder.Circle(0.3f), new Vector2((car * 5f) + (side * 0.8f), -0.4f), 0, 1, 0.045f, 1, 2);
+                JointSettings settings = Rigid(new Vector2(side * 0.8f, -0.4f), default);
+                settings.AxisY = 1;
+                settings.Frequency = 4;
+                settings.DampingRatio = 0.7;
+                settings.MotorSpeed = -20;
+                settings.MotorLimit = 0.5;
+                world.CreateJoint(JointKind.Wheel, body, wheel, settings, JointFlags.Enabled | JointFlags.Motor | JointFlags.Spring);
+            }
+        }
+
+        return world;
+    }
+
     /// <summary>Bridges of 20 planks in an arc, each with a crate of ten planks' mass on it.</summary>
     public static World Bridges(int bridges)
     {

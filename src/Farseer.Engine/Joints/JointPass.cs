@@ -139,26 +139,48 @@ internal sealed unsafe partial class JointPass
             return;
         }
 
+        double own = Own(nodes, joint->Ends.NodeA, r->A + (k * 3)) + Own(nodes, joint->Ends.NodeB, r->B + (k * 3));
+        FindSpring(
+            joint->Response[k],
+            own,
+            r->SpringMass,
+            r->Stiffness[k],
+            r->Damping[k],
+            h,
+            out joint->SpringQ[k],
+            out joint->SpringKappa[k]);
+    }
+
+    /// <summary>What a spring does in a substep, of frequency and damping ratio, its response and that of the bodies alone.</summary>
+    public static void FindSpring(
+        double response,
+        double own,
+        double mass,
+        double stiffness,
+        double damping,
+        double h,
+        out double q,
+        out double kappa)
+    {
         // A stiffness ω²/L and a damping 2ζω/L, felt with a response below L. A spring of a given mass m has mω² and 2mζω, whatever mass
         // the row feels: both are in proportion to the root of the ratio.
-        double least = LeastFreedom * (Own(nodes, joint->Ends.NodeA, r->A + (k * 3)) + Own(nodes, joint->Ends.NodeB, r->B + (k * 3)));
-        double share = r->SpringMass > 0 ? Math.Sqrt(r->SpringMass * Math.Max(0, joint->Response[k]))
-            : joint->Response[k] < least ? Math.Sqrt(Math.Max(0, joint->Response[k]) / least) : 1;
-        double omega = r->Stiffness[k] * share;
-        double zeta = r->Damping[k] * share;
+        double least = LeastFreedom * own;
+        double share = mass > 0 ? Math.Sqrt(mass * Math.Max(0, response)) : response < least ? Math.Sqrt(Math.Max(0, response) / least) : 1;
+        double omega = stiffness * share;
+        double zeta = damping * share;
         double wave = omega * h * Math.Sqrt(Math.Abs(1 - (zeta * zeta)));
         if ((zeta < 1 && wave >= Math.PI) || (2 * zeta * omega * h) > 50)
         {
-            joint->SpringQ[k] = h * ((2 * zeta * omega) + (h * omega * omega));
-            joint->SpringKappa[k] = h * omega * omega;
+            q = h * ((2 * zeta * omega) + (h * omega * omega));
+            kappa = h * omega * omega;
             return;
         }
 
         double root = StableMath.Exp(zeta * omega * h);
         double cosine = zeta < 1 ? StableMath.Cos(wave) : 0.5 * (StableMath.Exp(wave) + StableMath.Exp(-wave));
         double d = root * root;
-        joint->SpringQ[k] = d - 1;
-        joint->SpringKappa[k] = (1 + d - (2 * root * cosine)) / h;
+        q = d - 1;
+        kappa = (1 + d - (2 * root * cosine)) / h;
     }
 
     /// <summary>J M⁻¹ Jᵀ with the mass of the body alone.</summary>

@@ -68,7 +68,7 @@ internal sealed unsafe partial class JointSolver
     /// </summary>
     public bool SweepsByItself()
     {
-        bool alone = !_nets.Any && !_anyWheels;
+        bool alone = !_nets.Any && !_anyWheels && _lanes.SweepsByItself();
         for (int at = 0; alone && at < _treeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];

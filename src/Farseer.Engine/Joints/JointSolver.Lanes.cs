@@ -17,6 +17,7 @@ internal sealed unsafe partial class JointSolver
     private void TakeToLanes()
     {
         _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _treeCount);
+        MarkTied();
         int kept = 0;
         for (int at = 0; at < _treeCount; at++)
         {
@@ -55,7 +56,45 @@ internal sealed unsafe partial class JointSolver
         }
 
         _jointCount = kept;
+        kept = 0;
+        for (int i = 0; i < _agendaCount; i++)
+        {
+            if (!_forest.Trees[TreeOf(EndsOf(_agenda[i]))].OnLanes)
+            {
+                _agenda[kept++] = _agenda[i];
+            }
+        }
+
+        _agendaCount = kept;
         _lanes.Load();
+    }
+
+    /// <summary>Finds the trees with rows that are not of their own joints.</summary>
+    private void MarkTied()
+    {
+        for (int at = 0; at < _treeCount; at++)
+        {
+            _forest.Trees[_trees[at]].Tied = false;
+        }
+
+        for (int i = 0; i < _agendaCount; i++)
+        {
+            int item = _agenda[i];
+            if (item < 0 || _active[item].Role == JointRole.Iterated)
+            {
+                ref RowEnds ends = ref EndsOf(item);
+                Tie(ends.NodeA);
+                Tie(ends.NodeB);
+            }
+        }
+    }
+
+    private void Tie(int node)
+    {
+        if (node >= 0)
+        {
+            _forest.Trees[_forest.Nodes[node].Tree].Tied = true;
+        }
     }
 
     private int TreeOf(in RowEnds ends) => _forest.Nodes[ends.NodeA >= 0 ? ends.NodeA : ends.NodeB].Tree;
@@ -78,11 +117,16 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>A pass over the trees on lanes; those that it leaves take part in the same pass of the others.</summary>
-    private void SolveLanes(bool relaxed, bool again)
+    private void SolveLanes(bool relaxed, bool again, int sweeps)
     {
         if (_lanes.Any && !again)
         {
-            _lanes.Solve(relaxed);
+            _lanes.Solve(relaxed, sweeps);
+            TakeLeft();
+        }
+        else if (_lanes.Any)
+        {
+            _lanes.SolveAgain(relaxed, sweeps);
             TakeLeft();
         }
     }
@@ -107,6 +151,32 @@ internal sealed unsafe partial class JointSolver
             }
 
             TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+            if (tree->HasRows)
+            {
+                TreeFactor.CompleteMasses(_forest, tree);
+                PrepareFrom(TakeAgenda(k));
+            }
+        }
+    }
+
+    /// <summary>The rows of a tree that was on lanes are swept with the others again.</summary>
+    /// <returns>The first of them.</returns>
+    private int TakeAgenda(int given)
+    {
+        int first = _agendaCount;
+        for (int i = 0, joint = _lanes.GivenSoft(given, 0); joint >= 0; joint = _lanes.GivenSoft(given, ++i))
+        {
+            _agenda[_agendaCount++] = joint;
+        }
+
+        return first;
+    }
+
+    private void PrepareFrom(int first)
+    {
+        for (int i = first; i < _agendaCount; i++)
+        {
+            Prepare(_agenda[i]);
         }
     }
 
@@ -120,6 +190,7 @@ internal sealed unsafe partial class JointSolver
             {
                 int firstJoint = _jointCount;
                 TakeFromLanes(_lanes.Given(k));
+                TakeAgenda(k);
                 for (int at = firstJoint; at < _jointCount; at++)
                 {
                     SetGoals(_joints[at]);
@@ -133,6 +204,11 @@ internal sealed unsafe partial class JointSolver
     {
         for (int row = _rows[index].Hard; row < _rows[index].Count; row++)
         {
+            if (_rows[index].Type[row] != (byte)RowType.Limit)
+            {
+                continue;
+            }
+
             LimitTarget(_active.Pointer + index, _rows.Pointer + index, row, TargetKind.Biased);
         }
     }

@@ -26,7 +26,7 @@ internal sealed unsafe partial class JointSolver
     internal const double LargestBend = 0.3;
 
     /// <summary>Change of a joint's bend from one substep to the next up to which it is carried on.</summary>
-    private const double Alike = 0.25;
+    internal const double Alike = 0.25;
 
     /// <summary>After the positions moved: what is left of the errors is taken out of positions and velocities alike.</summary>
     /// <param name="pushRate">Share of a deep overlap that goes in this substep.</param>

@@ -35,6 +35,9 @@ internal unsafe struct JointStep
     /// <summary>Errors stay: joints only stop what would make them larger.</summary>
     public bool Drifts;
 
+    /// <summary>Somebody asks for the work of motors and springs.</summary>
+    public bool Audited;
+
     /// <summary>A joint that breaks still acts in the step.</summary>
     public bool BreaksLate;
 }
@@ -181,7 +184,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     public void Solve(bool again, int sweeps)
     {
         _nets.SolveBiased();
-        SolveLanes(false, again);
+        SolveLanes(false, again, sweeps);
         LoadVelocities();
         Run(TargetKind.Biased, Pass.Biased, again, sweeps);
     }
@@ -193,7 +196,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     public void Relax(bool again, bool rub, int sweeps)
     {
         _nets.Relax(again);
-        SolveLanes(true, again);
+        SolveLanes(true, again, sweeps);
         LoadVelocities();
         Run(TargetKind.Relaxed, rub ? Pass.Relaxed : Pass.RelaxedSmooth, again, sweeps);
     }
@@ -402,10 +405,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
             tree->Refactored = false;
         }
 
-        for (int i = 0; i < _agendaCount; i++)
-        {
-            Prepare(_agenda[i]);
-        }
+        PrepareFrom(0);
     }
 
     private void Prepare(int item)

@@ -147,6 +147,7 @@ internal sealed partial class World
         step.Touches = _graph.Degrees;
         step.Dt = dt;
         step.Substep = substep;
+        step.Audited = Audit != null;
         step.BreaksLate = Settings.JointsBreakLate;
         step.ImpulseScale = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? (double)substep / _lastSubstep : 1;
         step.Drifts = !Settings.CorrectPositions;

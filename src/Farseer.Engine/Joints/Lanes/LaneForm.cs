@@ -33,14 +33,14 @@ internal static class LaneForms
 {
     /// <summary>The form of a joint of a tree.</summary>
     /// <param name="kind">Its kind.</param>
-    /// <param name="rows">Its rows; those behind the hard ones must be two limits, or none.</param>
+    /// <param name="rows">Its rows; those behind the hard ones are not looked at.</param>
     public static LaneForm Of(JointKind kind, in JointRows rows)
     {
         LaneForm form = kind switch
         {
             JointKind.Revolute => LaneForm.Hinge,
             JointKind.Pin => rows.Hard == 2 ? LaneForm.Hinge : LaneForm.Rod,
-            JointKind.Weld => LaneForm.Weld,
+            JointKind.Weld => rows.Hard == 2 ? LaneForm.Hinge : LaneForm.Weld,
             JointKind.Prismatic => LaneForm.Slide,
             JointKind.Wheel => LaneForm.Track,
             JointKind.Distance => LaneForm.Rod,
@@ -59,8 +59,8 @@ internal static class LaneForms
         _ => 1,
     };
 
-    /// <summary>Its limits are two rows along one direction, which an edge of two rows has room for.</summary>
-    public static bool MayHaveLimits(LaneForm form) => form == LaneForm.Hinge || form == LaneForm.Slide;
+    /// <summary>It may have limits, motors and springs, all along one line or all of one angle; of a track, motors turn its wheel.</summary>
+    public static bool MayHaveMore(LaneForm form) => form == LaneForm.Hinge || form == LaneForm.Slide || form == LaneForm.Track;
 
     /// <summary>A bit for each row of angles; the others are of lengths.</summary>
     public static int TurningRowsOf(LaneForm form) => form switch

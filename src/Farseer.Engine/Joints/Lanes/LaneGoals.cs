@@ -12,7 +12,7 @@ internal static unsafe class LaneGoals
     private const int Y = DoubleLanes.BundleLanes;
     private const int W = 2 * DoubleLanes.BundleLanes;
 
-    /// <summary>The velocities that take the errors away within the substep.</summary>
+    /// <summary>The velocities that take the errors away within the substep, and with motors and springs what is foreseen of their bends.</summary>
     /// <returns>Lanes with an error that was put there from outside: their goals are not right.</returns>
     [MethodImpl(KernelMethod.Optimized)]
     public static int Biased(
@@ -22,6 +22,7 @@ internal static unsafe class LaneGoals
         LaneAnchor* anchors,
         LanePlace* anchorPlaces,
         int anchorCount,
+        LaneWalk* walks,
         double h)
     {
         int disturbed = 0;
@@ -31,13 +32,14 @@ internal static unsafe class LaneGoals
             WideDouble time = WideDouble.Splat(h);
             for (int i = 1; i < count; i++)
             {
-                large |= Bias(&DoubleLanes.Shift(nodes + i, lane)->Joint, places + i, time);
+                LaneBends* bends = walks == null ? null : &DoubleLanes.Shift(walks + i, lane)->Bends;
+                large |= Bias(&DoubleLanes.Shift(nodes + i, lane)->Joint, places + i, bends, time);
             }
 
             for (int i = 0; i < anchorCount; i++)
             {
                 LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
-                large |= Bias(&anchor->Joint, anchorPlaces + i, time);
+                large |= Bias(&anchor->Joint, anchorPlaces + i, walks == null ? null : &anchor->Bends, time);
                 Lessen(anchor, anchorPlaces[i].Rows);
             }
 
@@ -121,6 +123,62 @@ internal static unsafe class LaneGoals
             }
         }
     }
+
+    /// <summary>What the joints are off by after a way straight on, and what that will be in the next substep: see <see cref="JointSolver"/>.</summary>
+    public static void Foresee(
+        LaneNode* nodes,
+        LanePlace* places,
+        int count,
+        LaneAnchor* anchors,
+        LanePlace* anchorPlaces,
+        int anchorCount,
+        LaneWalk* walks,
+        double h)
+    {
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
+        {
+            for (int i = 1; i < count; i++)
+            {
+                Foresee(&DoubleLanes.Shift(nodes + i, lane)->Joint, places + i, &DoubleLanes.Shift(walks + i, lane)->Bends, h);
+            }
+
+            for (int i = 0; i < anchorCount; i++)
+            {
+                LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
+                Foresee(&anchor->Joint, anchorPlaces + i, &anchor->Bends, h);
+            }
+        }
+    }
+
+    private static void Foresee(LaneJoint* joint, LanePlace* place, LaneBends* bends, double h)
+    {
+        WideDouble* change = stackalloc WideDouble[3];
+        WideDouble largest = WideDouble.Zero;
+        WideDouble largestChange = WideDouble.Zero;
+        for (int row = 0; row < place->Rows; row++)
+        {
+            int at = row * Y;
+            WideDouble bend = (WideDouble.Load(joint->Error + at) / WideDouble.Splat(h * h)) + WideDouble.Load(bends->Foreseen + at);
+            change[row] = bend - WideDouble.Load(bends->Bend + at);
+            bend.Store(bends->Bend + at);
+            WideDouble size = SizeOf(joint, place, row);
+            WideDouble share = WideDouble.Select(size > WideDouble.Zero, WideDouble.Splat(1) / size, WideDouble.Zero);
+            largest = Larger(largest, share * WideDouble.Abs(bend));
+            largestChange = Larger(largestChange, share * WideDouble.Abs(change[row]));
+        }
+
+        WideDoubleMask alike = largestChange <= WideDouble.Splat(JointSolver.Alike) * largest;
+        for (int row = 0; row < place->Rows; row++)
+        {
+            WideDouble next = WideDouble.Load(bends->Bend + (row * Y)) + change[row];
+            WideDouble.Select(alike, next, WideDouble.Zero).Store(bends->Foreseen + (row * Y));
+        }
+    }
+
+    /// <summary>What is no number stays.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble Larger(WideDouble one, WideDouble other) =>
+        WideDouble.Select(WideDouble.IsNotNumber(one) | (other <= one), one, other);
 
     /// <summary>The lanes in which a limit is passed at the present velocities.</summary>
     [MethodImpl(KernelMethod.Optimized)]
@@ -225,7 +283,7 @@ internal static unsafe class LaneGoals
         ((place->Turning >> row) & 1) != 0 ? WideDouble.Splat(1) : WideDouble.Load(joint->Size);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDoubleMask Bias(LaneJoint* joint, LanePlace* place, WideDouble h)
+    private static WideDoubleMask Bias(LaneJoint* joint, LanePlace* place, LaneBends* bends, WideDouble h)
     {
         if (place->Form == LaneForm.Servo)
         {
@@ -242,6 +300,12 @@ internal static unsafe class LaneGoals
         if (place->Rows > 2)
         {
             large |= BiasRow(joint, place, 2, h);
+        }
+
+        for (int row = 0; bends != null && row < place->Rows; row++)
+        {
+            double* goal = joint->Goal + (row * Y);
+            (WideDouble.Load(goal) - (WideDouble.Load(bends->Foreseen + (row * Y)) * h)).Store(goal);
         }
 
         return large;
@@ -287,14 +351,13 @@ internal static unsafe class LaneGoals
         return place->Rows > 2 ? WorseRow(worst, joint, place, 2) : worst;
     }
 
-    /// <summary>What is no number stays.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideDouble WorseRow(WideDouble worst, LaneJoint* joint, LanePlace* place, int row)
     {
         WideDouble size = SizeOf(joint, place, row);
         WideDouble error = WideDouble.Abs(WideDouble.Load(joint->Error + (row * Y)));
         WideDouble share = WideDouble.Select(size > WideDouble.Zero, error / size, WideDouble.Zero);
-        return WideDouble.Select(WideDouble.IsNotNumber(worst) | (share <= worst), worst, share);
+        return Larger(worst, share);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

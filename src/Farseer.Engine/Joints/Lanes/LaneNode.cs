@@ -49,7 +49,7 @@ internal unsafe struct LaneNode
     public fixed double W[36];
 
     /// <summary>Nodes of 4,096 bytes would all want the same places of the cache: the passes took half as long again.</summary>
-    public fixed double Odd[8];
+    public fixed double Odd[4];
 }
 
 /// <summary>A joint of a bundle: the edge of a node, or an anchor.</summary>
@@ -75,6 +75,9 @@ internal unsafe struct LaneJoint
     public fixed double Way[8];
     public fixed double Error[12];
 
+    /// <summary>The turn or the way along the line, which limits bound and springs pull at.</summary>
+    public fixed double Travel[4];
+
     /// <summary>What is left to the lower limit and to the upper, now and at the start of the substep.</summary>
     public fixed double Gap[8];
     public fixed double StartGap[8];
@@ -82,7 +85,7 @@ internal unsafe struct LaneJoint
     /// <summary>The rows' own: a length against which errors are small, at the poses of the rows.</summary>
     public fixed double Size[4];
 
-    /// <summary>Jacobian at the child of an edge, or at the body of an anchor. Behind two rows that of the lower limit, if there is one.</summary>
+    /// <summary>Jacobian at the child of an edge, or at the body of an anchor. Third, if the joint has one, that of its line.</summary>
     public fixed double S[36];
 
     /// <summary>E of an edge, H of an anchor.</summary>
@@ -109,6 +112,7 @@ internal unsafe struct LaneAnchor
     public fixed double OtherS[36];
     public fixed double Gain[36];
     public fixed double Residual[12];
+    public LaneBends Bends;
 }
 
 /// <summary>What is the same for all four: a node's place in the tree, or an anchor's; and which bodies and joints they are.</summary>
@@ -128,8 +132,13 @@ internal unsafe struct LanePlace
     /// <summary>A bit for each row of angles, which a radian is the measure of; the others are of lengths.</summary>
     public byte Turning;
 
-    /// <summary>The joint has limits.</summary>
+    /// <summary>The joint has limits; or limits, motors or springs.</summary>
     public bool HasLimits;
+    public bool HasMore;
+
+    /// <summary>Among the rows of the joint the first of the limits, and the first that goes along its line; -1: none.</summary>
+    public sbyte LimitRow;
+    public sbyte LineRow;
 
     /// <summary>The body has anchors.</summary>
     public bool Anchored;
@@ -156,6 +165,11 @@ internal unsafe struct LaneTrees
     public int AnchorFirst;
     public int Anchors;
     public bool HasLimits;
+
+    /// <summary>Range of the joints with motors and springs; and the lanes with one that its tree leaves no freedom.</summary>
+    public int SoftFirst;
+    public int Softs;
+    public int Stalled;
 
     /// <summary>All bits set for the lanes that take part in a round of the correction.</summary>
     public fixed long Corrects[4];

@@ -23,9 +23,9 @@ internal static unsafe class LaneRows
         {
             dx.Store(joint->Error);
             dy.Store(joint->Error + 4);
-            if (place->HasLimits)
+            if (place->HasMore)
             {
-                StoreGaps(joint, Bend(joint, a, b));
+                StoreTravel(joint, Bend(joint, a, b));
             }
 
             return;
@@ -70,8 +70,9 @@ internal static unsafe class LaneRows
         WideDouble.Load(b + 8) - WideDouble.Load(a + 8) - WideDouble.Load(joint->Target);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void StoreGaps(LaneJoint* joint, WideDouble way)
+    private static void StoreTravel(LaneJoint* joint, WideDouble way)
     {
+        way.Store(joint->Travel);
         (way - WideDouble.Load(joint->Lower)).Store(joint->Gap);
         (WideDouble.Load(joint->Upper) - way).Store(joint->Gap + 4);
     }
@@ -115,9 +116,9 @@ internal static unsafe class LaneRows
             Bend(joint, a, b).Store(joint->Error + 4);
         }
 
-        if (place->HasLimits)
+        if (place->HasMore)
         {
-            StoreGaps(joint, (dx * x) + (dy * y));
+            StoreTravel(joint, (dx * x) + (dy * y));
         }
     }
 
@@ -148,7 +149,7 @@ internal static unsafe class LaneRows
                     WriteAngle(a + Row, b + Row, WideDouble.Negate(one));
                 }
 
-                if (place->HasLimits)
+                if (place->HasMore)
                 {
                     WriteDirection(a + (2 * Row), b + (2 * Row), x, y, armX, armY, joint->ArmB);
                 }

@@ -89,11 +89,12 @@ internal static unsafe class LaneSolve
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Give(LaneJoint* joint, double* b, int n)
-    {
-        double* lambda = joint->Lambda;
-        Spread(b, WideDouble.Load(lambda), WideDouble.Load(lambda + 4), WideDouble.Load(lambda + 8), n, joint->Given);
-    }
+    private static void Give(LaneJoint* joint, double* b, int n) => Push(b, joint->Lambda, n, joint->Given);
+
+    /// <summary>r += sᵀ·λ of n rows.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void Push(double* s, double* lambda, int n, double* r) =>
+        Spread(s, WideDouble.Load(lambda), WideDouble.Load(lambda + 4), WideDouble.Load(lambda + 8), n, r);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static WideDouble Dot(double* s, double* v) =>

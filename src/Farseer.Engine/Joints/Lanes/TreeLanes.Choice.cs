@@ -28,9 +28,11 @@ internal sealed unsafe partial class TreeLanes
         _count = 0;
         _nodeCount = 0;
         _anchorCount = 0;
+        _softCount = 0;
         HasMoved = false;
         _bundles.EnsureCapacity(treeCount);
         _given.EnsureCapacity(treeCount);
+        _givenFrom.EnsureCapacity(treeCount);
     }
 
     /// <summary>Makes room for all trees that could be taken, so that one that is let go of late in a run does not allocate.</summary>
@@ -49,8 +51,15 @@ internal sealed unsafe partial class TreeLanes
     public bool Take(int index)
     {
         JointTree* tree = _forest.Trees + index;
-        if (!tree->Eliminates || tree->HasRows || tree->Pulled || tree->Guest || tree->Wheel || !IsRigid(tree))
+        if (!tree->Eliminates || tree->Tied || tree->Pulled || tree->Guest || tree->Wheel || !IsKnown(tree))
         {
+            return false;
+        }
+
+        Draft(tree);
+        if (_draftCount > 0 && _step.Audited)
+        {
+            // Whoever asks for the work of motors asks the joints themselves.
             return false;
         }
 
@@ -69,8 +78,8 @@ internal sealed unsafe partial class TreeLanes
         return true;
     }
 
-    /// <summary>Each edge and anchor is one rigid joint of a form that is known here, and no limit holds.</summary>
-    private bool IsRigid(JointTree* tree)
+    /// <summary>Each edge and anchor is one joint of a form that is known here, and no limit holds.</summary>
+    private bool IsKnown(JointTree* tree)
     {
         for (int i = tree->First + 1; i < tree->End; i++)
         {
@@ -96,12 +105,8 @@ internal sealed unsafe partial class TreeLanes
     private LaneForm FormOf(int active)
     {
         LaneForm form = LaneForms.Of(_active[active].Kind, _rows[active]);
-        bool rigid = _rows[active].Count == _rows[active].Hard || (HasLimits(active) && LaneForms.MayHaveLimits(form));
-        return rigid ? form : LaneForm.None;
+        return HasKnownRows(active, form) ? form : LaneForm.None;
     }
-
-    /// <summary>Of a joint that has no rows but those of its block.</summary>
-    private bool HasLimits(int active) => _active[active].BlockLimits && _rows[active].Count == _rows[active].Hard + 2;
 
     private bool IsA(int active, int node) => _active[active].Ends.NodeA == node;
 
@@ -123,16 +128,16 @@ internal sealed unsafe partial class TreeLanes
         return hash;
     }
 
-    private uint BitsOf(int active, int node) => (IsA(active, node) ? 1u : 0) | (HasLimits(active) ? 2u : 0) | ((uint)FormOf(active) << 2);
+    private uint BitsOf(int active, int node) => (IsA(active, node) ? 1u : 0) | (LimitRowOf(active) >= 0 ? 2u : 0) | ((uint)FormOf(active) << 2);
 
     private bool IsLike(LanePlace* place, int parent, int active, int node) => place->Parent == parent
         && place->IsA == IsA(active, node)
-        && place->HasLimits == HasLimits(active)
+        && place->LimitRow == LimitRowOf(active)
         && place->Form == FormOf(active);
 
     private bool IsLike(LaneTrees* bundle, JointTree* tree)
     {
-        if (bundle->Nodes != tree->End - tree->First || bundle->Anchors != tree->AnchorEnd - tree->AnchorFirst)
+        if (bundle->Nodes != tree->End - tree->First || bundle->Anchors != tree->AnchorEnd - tree->AnchorFirst || !IsDrafted(bundle))
         {
             return false;
         }
@@ -176,6 +181,7 @@ internal sealed unsafe partial class TreeLanes
         _places.EnsureCapacity(_nodeCount);
         _anchors.EnsureCapacity(_anchorCount);
         _anchorPlaces.EnsureCapacity(_anchorCount);
+        AddDrafts(bundle);
         for (int i = 0; i < bundle->Nodes; i++)
         {
             TreeNode* node = _forest.Nodes + tree->First + i;
@@ -204,8 +210,13 @@ internal sealed unsafe partial class TreeLanes
     {
         place->Parent = parent;
         place->IsA = IsA(active, node);
-        place->HasLimits = HasLimits(active);
         place->Form = FormOf(active);
+        place->LimitRow = (sbyte)LimitRowOf(active);
+        place->HasLimits = place->LimitRow >= 0;
+        place->HasMore = _rows[active].Count > _rows[active].Hard;
+
+        // The first row behind the hard ones is along the line where any is: a spring, a lower limit or a motor that slides.
+        place->LineRow = (sbyte)(place->HasMore ? _rows[active].Hard : -1);
         place->Rows = (byte)LaneForms.RowsOf(place->Form);
         place->Turning = (byte)LaneForms.TurningRowsOf(place->Form);
     }

@@ -47,6 +47,7 @@ internal sealed unsafe partial class TreeLanes
             LoadStill(trees);
             Place(trees);
             LoadAnchorRows(trees);
+            LoadSofts(trees);
             Factor(trees, true);
         }
     }
@@ -62,12 +63,8 @@ internal sealed unsafe partial class TreeLanes
                 LanePlace* place = _anchorPlaces.Pointer + trees->AnchorFirst + i;
                 JointRows* rows = _rows + place->Active[lane < trees->Count ? lane : 0];
                 LaneJoint* joint = &anchor->Joint;
-                int count = place->HasLimits ? place->Rows + 1 : place->Rows;
-                for (int k = 0; k < count * 3; k++)
-                {
-                    joint->S[k * Y] = (place->IsA ? rows->A : rows->B)[k];
-                    anchor->OtherS[k * Y] = (place->IsA ? rows->B : rows->A)[k];
-                }
+                LoadRows(place->IsA ? rows->A : rows->B, joint->S, place);
+                LoadRows(place->IsA ? rows->B : rows->A, anchor->OtherS, place);
 
                 for (int row = 0; row < place->Rows; row++)
                 {
@@ -76,14 +73,33 @@ internal sealed unsafe partial class TreeLanes
 
                 if (place->HasLimits)
                 {
-                    joint->Gap[0] = rows->Error[place->Rows];
-                    joint->Gap[Y] = rows->Error[place->Rows + 1];
+                    joint->Gap[0] = rows->Error[place->LimitRow];
+                    joint->Gap[Y] = rows->Error[place->LimitRow + 1];
+                }
+
+                if (place->HasMore)
+                {
+                    // Where the first row is no spring, there is none.
+                    joint->Travel[0] = rows->Error[place->LineRow];
                 }
 
                 joint->Size[0] = rows->Size;
                 joint->ArmB[0] = rows->ArmX;
                 joint->ArmB[Y] = rows->ArmY;
             }
+        }
+    }
+
+    private static void LoadRows(double* from, double* to, LanePlace* place)
+    {
+        for (int k = 0; k < place->Rows * 3; k++)
+        {
+            to[k * Y] = from[k];
+        }
+
+        for (int k = 0; k < 3 && place->HasMore; k++)
+        {
+            to[(6 + k) * Y] = from[(place->LineRow * 3) + k];
         }
     }
 
@@ -129,7 +145,8 @@ internal sealed unsafe partial class TreeLanes
         joint->PlainGiven[W] = 0;
 
         // None of the limits holds: what they gave in the step before is no start.
-        for (int row = _rows[active].Hard; row < _rows[active].Count; row++)
+        int limit = LimitRowOf(active);
+        for (int row = limit; limit >= 0 && row < limit + 2; row++)
         {
             _active[active].Lambda[row] = 0;
             _active[active].PlainLambda[row] = 0;
@@ -321,7 +338,29 @@ internal sealed unsafe partial class TreeLanes
         }
 
         PutJointsBack(trees, lane);
+        PutSoftsBack(trees, lane, before);
+        if (before && trees->Softs > 0)
+        {
+            TakeGivenBack(trees, lane);
+        }
+
+        _givenFrom[GivenCount] = (int)(trees - _bundles.Pointer);
         _given[GivenCount++] = trees->Tree[lane];
+    }
+
+    private void TakeGivenBack(LaneTrees* trees, int lane)
+    {
+        for (int i = 1; i < trees->Nodes; i++)
+        {
+            ActiveJoint* joint = _active + _places[trees->First + i].Active[lane];
+            PutBack(DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Joint.PlainGiven, joint->Given);
+        }
+
+        for (int i = 0; i < trees->Anchors; i++)
+        {
+            ActiveJoint* joint = _active + _anchorPlaces[trees->AnchorFirst + i].Active[lane];
+            PutBack(DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + i, lane)->Joint.PlainGiven, joint->Given);
+        }
     }
 
     private void PutJointsBack(LaneTrees* trees, int lane)
@@ -348,8 +387,8 @@ internal sealed unsafe partial class TreeLanes
         if (place->HasLimits && HasMoved)
         {
             // The goals of a projection follow from what the limits were off by at the start of the substep.
-            _rows[active].Error[place->Rows] = joint->StartGap[0];
-            _rows[active].Error[place->Rows + 1] = joint->StartGap[Y];
+            _rows[active].Error[place->LimitRow] = joint->StartGap[0];
+            _rows[active].Error[place->LimitRow + 1] = joint->StartGap[Y];
         }
     }
 
@@ -384,6 +423,7 @@ internal sealed unsafe partial class TreeLanes
                     }
 
                     PutJointsBack(trees, lane);
+                    PutSoftsBack(trees, lane, false);
                     _given[GivenCount++] = trees->Tree[lane];
                 }
             }

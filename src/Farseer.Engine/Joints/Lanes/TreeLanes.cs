@@ -7,7 +7,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <summary>
-/// Trees of rigid joints that nothing touches and no motor drives, four of equal shape side by side for a step; one that has no partner runs
+/// Trees of rigid joints that nothing touches, with the motors and springs at them, four of equal shape side by side for a step; one that has no partner runs
 /// the same kernels in a bundle with empty lanes. Each lane gives the bits of the passes of <see cref="JointSolver"/>. A tree of which a
 /// limit is reached, that is put out of joint from outside, or whose correction goes astray is given back before that pass and is solved
 /// there for the rest of the step.
@@ -20,6 +20,7 @@ internal sealed unsafe partial class TreeLanes
     private readonly Column<LanePlace> _anchorPlaces = new Column<LanePlace>();
     private readonly Column<LaneTrees> _bundles = new Column<LaneTrees>();
     private readonly Column<int> _given = new Column<int>();
+    private readonly Column<int> _givenFrom = new Column<int>();
     private JointForest _forest = null!;
     private ActiveJoint* _active;
     private JointRows* _rows;
@@ -110,6 +111,11 @@ internal sealed unsafe partial class TreeLanes
                     Kick(node, state, drive, free ? -0.5f : 0);
                 }
             }
+
+            if (trees->Softs > 0)
+            {
+                WarmStart(trees);
+            }
         }
     }
 
@@ -131,7 +137,9 @@ internal sealed unsafe partial class TreeLanes
     }
 
     /// <summary>The biased pass or the relax pass; the trees that are given back are as they were before it.</summary>
-    public void Solve(bool relaxed)
+    /// <param name="relaxed">The relax pass.</param>
+    /// <param name="sweeps">Over motors and springs.</param>
+    public void Solve(bool relaxed, int sweeps)
     {
         GivenCount = 0;
         Refresh();
@@ -150,25 +158,87 @@ internal sealed unsafe partial class TreeLanes
             }
             else
             {
-                leaves = LaneGoals.Biased(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, _step.Substep);
+                leaves = LaneGoals.Biased(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, WalksOrNone(trees), _step.Substep);
             }
 
+            leaves |= trees->Stalled;
             if (trees->HasLimits || leaves != 0)
             {
                 PutAside(nodes, trees->Nodes);
             }
 
-            LaneSolve.Run(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
-            if (trees->HasLimits)
+            if (trees->Softs > 0)
             {
-                leaves |= LaneGoals.Passed(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, _step.Substep, relaxed);
+                PutGivenAside(trees);
             }
 
-            LeaveBefore(trees, leaves & trees->Live);
+            LaneSolve.Run(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
+            LeaveBefore(trees, (leaves | Passed(trees, relaxed)) & trees->Live);
             LaneSolve.Give(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
+            Sweep(trees, relaxed, sweeps);
             StoreVelocities(trees);
         }
     }
+
+    /// <summary>Another iteration of the pass: of trees without rows it changes nothing.</summary>
+    /// <param name="relaxed">The relax pass.</param>
+    /// <param name="sweeps">Over motors and springs.</param>
+    public void SolveAgain(bool relaxed, int sweeps)
+    {
+        GivenCount = 0;
+        Refresh();
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (trees->Softs > 0)
+            {
+                LoadStill(trees);
+                PutAside(_nodes.Pointer + trees->First, trees->Nodes);
+                PutGivenAside(trees);
+                LeaveBefore(trees, Passed(trees, relaxed) & trees->Live);
+                Sweep(trees, relaxed, sweeps);
+                StoreVelocities(trees);
+            }
+        }
+    }
+
+    /// <summary>Motors and springs. If one drives a tree against a limit, the tree is given back as it was before the pass.</summary>
+    private void Sweep(LaneTrees* trees, bool relaxed, int sweeps)
+    {
+        if (trees->Softs == 0)
+        {
+            return;
+        }
+
+        bool any = false;
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
+        {
+            LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
+            any |= LaneSweep.Run(WalksOf(trees, lane), _softs.Pointer + trees->SoftFirst, places, trees->Softs, !relaxed, sweeps, lane);
+        }
+
+        LeaveBefore(trees, Passed(trees, relaxed) & trees->Live);
+        if (any)
+        {
+            LaneSolve.Give(
+                _nodes.Pointer + trees->First,
+                _places.Pointer + trees->First,
+                trees->Nodes,
+                _anchors.Pointer + trees->AnchorFirst,
+                _anchorPlaces.Pointer + trees->AnchorFirst,
+                trees->Anchors);
+        }
+    }
+
+    private int Passed(LaneTrees* trees, bool relaxed) => !trees->HasLimits ? 0 : LaneGoals.Passed(
+        _nodes.Pointer + trees->First,
+        _places.Pointer + trees->First,
+        trees->Nodes,
+        _anchors.Pointer + trees->AnchorFirst,
+        _anchorPlaces.Pointer + trees->AnchorFirst,
+        trees->Anchors,
+        _step.Substep,
+        relaxed);
 
     /// <summary>See <see cref="JointSolver.CorrectPositions"/>; the trees that are given back went astray, and are to be projected.</summary>
     public void CorrectPositions()
@@ -202,6 +272,11 @@ internal sealed unsafe partial class TreeLanes
         NoteGiven(trees);
         Place(trees);
         LaneGoals.FindWorst(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, trees);
+        if (trees->Softs > 0)
+        {
+            LaneGoals.Foresee(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, WalksOrNone(trees), _step.Substep);
+        }
+
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
         {
             trees->Before[lane] = double.PositiveInfinity;
@@ -258,12 +333,33 @@ internal sealed unsafe partial class TreeLanes
         _anchorPlaces.Pointer + trees->AnchorFirst,
         trees->Anchors);
 
-    private void Factor(LaneTrees* trees, bool begin) => LaneFactor.Run(
-        _nodes.Pointer + trees->First,
-        _places.Pointer + trees->First,
-        trees->Nodes,
-        _anchors.Pointer + trees->AnchorFirst,
-        _anchorPlaces.Pointer + trees->AnchorFirst,
-        trees->Anchors,
-        begin);
+    private void Factor(LaneTrees* trees, bool begin)
+    {
+        LaneFactor.Run(
+            _nodes.Pointer + trees->First,
+            _places.Pointer + trees->First,
+            trees->Nodes,
+            _anchors.Pointer + trees->AnchorFirst,
+            _anchorPlaces.Pointer + trees->AnchorFirst,
+            trees->Anchors,
+            begin);
+        trees->Stalled = 0;
+        for (int lane = 0; lane < DoubleLanes.BundleLanes && trees->Softs > 0; lane += WideDouble.Count)
+        {
+            LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
+            LaneSoft* softs = _softs.Pointer + trees->SoftFirst;
+            trees->Stalled |= LaneSweep.Prepare(WalksOf(trees, lane), softs, places, trees->Softs, _step.Substep, lane);
+        }
+    }
+
+    private void WarmStart(LaneTrees* trees)
+    {
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
+        {
+            LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
+            LaneSweep.WarmStart(WalksOf(trees, lane), _softs.Pointer + trees->SoftFirst, places, trees->Softs, lane);
+        }
+
+        StoreVelocities(trees);
+    }
 }

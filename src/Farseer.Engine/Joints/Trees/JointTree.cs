@@ -31,6 +31,9 @@ internal struct JointTree
     /// <summary>Rows are iterated against its inverse mass: its bodies' full masses are needed.</summary>
     public bool HasRows;
 
+    /// <summary>Contacts, or joints that are no part of it, push at it.</summary>
+    public bool Tied;
+
     /// <summary>Nothing touches it and no row pushes at it.</summary>
     public bool Free;
 

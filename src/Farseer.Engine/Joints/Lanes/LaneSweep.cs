@@ -1,0 +1,326 @@
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Farseer.Engine.Joints.Lanes;
+
+/// <summary>Motors and springs of trees side by side: what <see cref="JointPass"/> does with those of one, to the last bit.</summary>
+internal static unsafe class LaneSweep
+{
+    /// <summary>Jacobians and responses of the rows at the poses at which the trees are factored, and what springs are there.</summary>
+    /// <returns>Lanes with a row that its tree leaves no freedom.</returns>
+    [SkipLocalsInit]
+    [MethodImpl(KernelMethod.Optimized)]
+    public static int Prepare(in LaneWalks trees, LaneSoft* softs, LaneSoftPlace* places, int count, double h, int lane)
+    {
+        double* space = stackalloc double[3 * LaneMatrix.Row];
+        LaneWalks walks = trees;
+        walks.Complete(space);
+        WideDoubleMask stalled = ~(WideDouble.Zero <= WideDouble.Zero);
+        for (int i = 0; i < count; i++)
+        {
+            LaneSoft* soft = DoubleLanes.Shift(softs + i, lane);
+            LaneSoftPlace* place = places + i;
+            WriteCross(walks, soft, place, space);
+            stalled |= Prepare(walks, soft, &soft->Row0, place, place->Kind0, h);
+            if (place->Rows > 1)
+            {
+                stalled |= Prepare(walks, soft, &soft->Row1, place, place->Kind1, h);
+            }
+        }
+
+        return DoubleLanes.Bits(stalled) << lane;
+    }
+
+    /// <summary>The impulses of the substep before, on the bodies' own masses.</summary>
+    public static void WarmStart(in LaneWalks walks, LaneSoft* softs, LaneSoftPlace* places, int count, int lane)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            LaneSoft* soft = DoubleLanes.Shift(softs + i, lane);
+            WarmStart(walks, &soft->Row0, places + i, places[i].Kind0);
+            if (places[i].Rows > 1)
+            {
+                WarmStart(walks, &soft->Row1, places + i, places[i].Kind1);
+            }
+        }
+    }
+
+    /// <summary>Sweeps over all rows, in one walk.</summary>
+    /// <returns>True if it brought an impulse: the joints are to be given what they answered.</returns>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static bool Run(in LaneWalks trees, LaneSoft* softs, LaneSoftPlace* places, int count, bool biased, int sweeps, int lane)
+    {
+        LaneWalks walks = trees;
+        WideDoubleMask all = WideDouble.Zero <= WideDouble.Zero;
+        WideDoubleMask carries = ~all;
+        walks.Begin();
+        for (int turn = 0; turn < sweeps * count; turn++)
+        {
+            int i = turn % count;
+            LaneSoft* soft = DoubleLanes.Shift(softs + i, lane);
+            LaneSoftPlace* place = places + i;
+            if (place->NodeA >= 0)
+            {
+                walks.Visit(place->NodeA, all);
+            }
+
+            if (place->NodeB >= 0)
+            {
+                walks.Visit(place->NodeB, all);
+            }
+
+            carries |= Solve(ref walks, &soft->Row0, place, place->Kind0, biased);
+            if (place->Rows > 1)
+            {
+                carries |= Solve(ref walks, &soft->Row1, place, place->Kind1, biased);
+            }
+        }
+
+        if (DoubleLanes.Bits(carries) == 0)
+        {
+            return false;
+        }
+
+        walks.End(carries);
+        return true;
+    }
+
+    private static LaneJoint* JointOf(in LaneWalks walks, LaneSoftPlace* place, out double* other, out bool isA)
+    {
+        if (place->Joint >= 0)
+        {
+            other = walks.Nodes[place->Joint].ParentS;
+            isA = walks.Places[place->Joint].IsA;
+            return &walks.Nodes[place->Joint].Joint;
+        }
+
+        other = walks.Anchors[~place->Joint].OtherS;
+        isA = walks.AnchorPlaces[~place->Joint].IsA;
+        return &walks.Anchors[~place->Joint].Joint;
+    }
+
+    /// <summary>The response of body A to an impulse on B: T of the child and the mass of its parent.</summary>
+    private static void WriteCross(in LaneWalks walks, LaneSoft* soft, LaneSoftPlace* place, double* space)
+    {
+        if (place->Joint < 0)
+        {
+            return;
+        }
+
+        double* t = walks.Walks[place->Joint].T;
+        double* mass = walks.Walks[walks.Places[place->Joint].Parent].FullMass;
+        if (place->NodeA == place->Joint)
+        {
+            LaneMatrix.Multiply(t, 3, mass, soft->Cross);
+        }
+        else
+        {
+            LaneMatrix.MultiplyTransposed(mass, t, 3, soft->Cross);
+        }
+    }
+
+    private static WideDoubleMask Prepare(in LaneWalks walks, LaneSoft* soft, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind, double h)
+    {
+        LaneJoint* joint = JointOf(walks, place, out double* other, out bool isA);
+        if (kind.Along)
+        {
+            int at = 2 * LaneMatrix.Row;
+            CopyRow((isA ? joint->S : other) + at, row->A);
+            CopyRow((isA ? other : joint->S) + at, row->B);
+        }
+        else
+        {
+            WriteAngle(row->A, WideDouble.Splat(-1));
+            WriteAngle(row->B, WideDouble.Splat(1));
+        }
+
+        WideDouble plain = WideDouble.Zero;
+        WideDouble own = WideDouble.Zero;
+        if (place->NodeA >= 0)
+        {
+            plain += Form(walks.Walks[place->NodeA].FullMass, row->A, row->A);
+            own += LaneFactor.Own(row->A, walks.Nodes + place->NodeA);
+        }
+
+        if (place->NodeB >= 0)
+        {
+            plain += Form(walks.Walks[place->NodeB].FullMass, row->B, row->B);
+            own += LaneFactor.Own(row->B, walks.Nodes + place->NodeB);
+        }
+
+        if (place->Joint >= 0)
+        {
+            WideDouble cross = Form(soft->Cross, row->A, row->B);
+            plain += cross + cross;
+        }
+
+        WideDouble dead = WideDouble.Splat(RowEnds.Dead);
+        WideDouble least = WideDouble.Splat(RowEnds.Dead * RowEnds.Dead) * own;
+        WideDouble k = WideDouble.Select(plain < least, least, plain);
+        WideDouble ratio = WideDouble.Select(k > WideDouble.Zero, dead * own / k, WideDouble.Zero);
+        WideDouble square = ratio * ratio;
+        WideDouble response = k * (WideDouble.Splat(1) + (square * square));
+        response.Store(row->Response);
+        if (kind.IsSpring)
+        {
+            SetSprings(walks, soft, row, place, h);
+            return ~(response > WideDouble.Zero);
+        }
+
+        return ~(response > WideDouble.Zero) | ~(plain > dead * own);
+    }
+
+    private static void SetSprings(in LaneWalks walks, LaneSoft* soft, LaneSoftRow* row, LaneSoftPlace* place, double h)
+    {
+        for (int lane = 0; lane < WideDouble.Count; lane++)
+        {
+            double own = OwnOf(walks, place->NodeA, row->A, lane) + OwnOf(walks, place->NodeB, row->B, lane);
+            JointPass.FindSpring(
+                row->Response[lane],
+                own,
+                soft->SpringMass[lane],
+                row->Stiffness[lane],
+                row->Damping[lane],
+                h,
+                out row->Q[lane],
+                out row->Kappa[lane]);
+        }
+    }
+
+    /// <summary>J M⁻¹ Jᵀ with the mass of the body alone.</summary>
+    private static double OwnOf(in LaneWalks walks, int node, double* j, int lane) => node < 0
+        ? 0
+        : (walks.Nodes[node].InverseMass[lane] * ((j[lane] * j[lane]) + (j[4 + lane] * j[4 + lane])))
+            + (walks.Nodes[node].InverseInertia[lane] * j[8 + lane] * j[8 + lane]);
+
+    private static void WarmStart(in LaneWalks walks, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind)
+    {
+        if (kind.IsSpring)
+        {
+            WideDouble.Zero.Store(row->Lambda);
+            return;
+        }
+
+        WideDouble lambda = WideDouble.Load(row->Lambda);
+        Give(JointOf(walks, place, out _, out _), row, lambda);
+        PushOwn(walks, place->NodeA, row->A, lambda);
+        PushOwn(walks, place->NodeB, row->B, lambda);
+    }
+
+    private static void Give(LaneJoint* joint, LaneSoftRow* row, WideDouble impulse)
+    {
+        for (int at = 0; at < LaneMatrix.Row; at += LaneMatrix.Step)
+        {
+            (WideDouble.Load(joint->Given + at) + (WideDouble.Load(row->B + at) * impulse)).Store(joint->Given + at);
+        }
+    }
+
+    private static void PushOwn(in LaneWalks walks, int index, double* j, WideDouble impulse)
+    {
+        if (index >= 0)
+        {
+            LaneNode* node = walks.Nodes + index;
+            for (int at = 0; at < LaneMatrix.Row; at += LaneMatrix.Step)
+            {
+                WideDouble mass = WideDouble.Load(at < 2 * LaneMatrix.Step ? node->InverseMass : node->InverseInertia);
+                (WideDouble.Load(node->Velocity + at) + (mass * (WideDouble.Load(j + at) * impulse))).Store(node->Velocity + at);
+            }
+        }
+    }
+
+    /// <returns>The lanes in which it gave an impulse.</returns>
+    private static WideDoubleMask Solve(ref LaneWalks walks, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind, bool biased)
+    {
+        WideDoubleMask none = ~(WideDouble.Zero <= WideDouble.Zero);
+        if (kind.IsSpring && !biased)
+        {
+            return none;
+        }
+
+        double* still = place->Joint < 0 ? walks.Anchors[~place->Joint].Still : null;
+        double* a = place->NodeA < 0 ? still : walks.Nodes[place->NodeA].Velocity;
+        double* b = place->NodeB < 0 ? still : walks.Nodes[place->NodeB].Velocity;
+        WideDouble v = LaneSolve.Dot(row->A, a) + LaneSolve.Dot(row->B, b);
+        WideDouble old = WideDouble.Load(row->Lambda);
+        WideDouble response = WideDouble.Load(row->Response);
+        LaneJoint* joint = JointOf(walks, place, out _, out _);
+        WideDouble now;
+        if (kind.IsSpring)
+        {
+            WideDouble q = WideDouble.Load(row->Q);
+            WideDouble pull = (q * v) + (WideDouble.Load(row->Kappa) * WideDouble.Load(joint->Travel)) + (response * old);
+            now = old - (pull / (response * (WideDouble.Splat(1) + q)));
+        }
+        else
+        {
+            WideDouble damping = WideDouble.Load(row->Damping);
+            WideDouble off = v - WideDouble.Load(row->Speed) + (damping * old);
+            now = old - (WideDouble.Load(row->Share) * off / (response + damping));
+        }
+
+        WideDouble low = WideDouble.Load(row->Low);
+        WideDouble high = WideDouble.Load(row->High);
+        now = WideDouble.Select(now > high, high, now);
+        now = WideDouble.Select(now < low, low, now);
+        now.Store(row->Lambda);
+        WideDouble impulse = now - old;
+        WideDoubleMask acts = ~((impulse >= WideDouble.Zero) & (impulse <= WideDouble.Zero));
+        if (DoubleLanes.Bits(acts) != 0)
+        {
+            Give(joint, row, impulse);
+            Apply(ref walks, row, place, impulse, acts);
+        }
+
+        return acts;
+    }
+
+    /// <summary>B is current before and after.</summary>
+    private static void Apply(ref LaneWalks walks, LaneSoftRow* row, LaneSoftPlace* place, WideDouble impulse, WideDoubleMask acts)
+    {
+        if (place->NodeB >= 0)
+        {
+            walks.Apply(place->NodeB, row->B, impulse, acts);
+        }
+
+        if (place->NodeA >= 0)
+        {
+            if (place->Joint >= 0)
+            {
+                walks.Visit(place->NodeA, acts);
+            }
+
+            walks.Apply(place->NodeA, row->A, impulse, acts);
+            if (place->Joint >= 0)
+            {
+                walks.Visit(place->NodeB, acts);
+            }
+        }
+    }
+
+    private static WideDouble Form(double* m, double* p, double* q)
+    {
+        WideDouble x = LaneSolve.Dot(m, q);
+        WideDouble y = LaneSolve.Dot(m + LaneMatrix.Row, q);
+        WideDouble w = LaneSolve.Dot(m + (2 * LaneMatrix.Row), q);
+        return LaneMatrix.Dot(x, y, w, p);
+    }
+
+    private static void CopyRow(double* from, double* to)
+    {
+        for (int at = 0; at < LaneMatrix.Row; at += LaneMatrix.Step)
+        {
+            WideDouble.Load(from + at).Store(to + at);
+        }
+    }
+
+    private static void WriteAngle(double* row, WideDouble turn)
+    {
+        WideDouble.Zero.Store(row);
+        WideDouble.Zero.Store(row + 4);
+        turn.Store(row + 8);
+    }
+}
