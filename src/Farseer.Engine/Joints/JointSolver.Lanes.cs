@@ -18,15 +18,19 @@ internal sealed unsafe partial class JointSolver
     {
         _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _treeCount);
         MarkTied();
+        for (int at = 0; at < _treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            tree->OnLanes = UsesLanes && !_step.Drifts && !tree->Disturbed && _lanes.Take(_trees[at]);
+        }
+
+        _lanes.LeaveSingles();
         int kept = 0;
         for (int at = 0; at < _treeCount; at++)
         {
-            int index = _trees[at];
-            bool taken = UsesLanes && !_step.Drifts && !_forest.Trees[index].Disturbed && _lanes.Take(index);
-            _forest.Trees[index].OnLanes = taken;
-            if (!taken)
+            if (!_forest.Trees[_trees[at]].OnLanes)
             {
-                _trees[kept++] = index;
+                _trees[kept++] = _trees[at];
             }
         }
 

@@ -166,6 +166,9 @@ internal unsafe struct LaneTrees
     public int Anchors;
     public bool HasLimits;
 
+    /// <summary>All edges and anchors have two rows, and none a motor or a spring: it is faster here even if it is alone.</summary>
+    public bool IsSimple;
+
     /// <summary>Range of the joints with motors and springs; and the lanes with one that its tree leaves no freedom.</summary>
     public int SoftFirst;
     public int Softs;

@@ -78,6 +78,29 @@ internal sealed unsafe partial class TreeLanes
         return true;
     }
 
+    /// <summary>
+    /// Leaves those that found no partner: in a bundle with three empty lanes a beam of welds took 1.3 times the time that it takes by
+    /// itself, and a crane with motors 1.25 times. Trees of hinges gain even so.
+    /// </summary>
+    public void LeaveSingles()
+    {
+        int kept = 0;
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* bundle = _bundles.Pointer + b;
+            if (bundle->Count > 1 || bundle->IsSimple)
+            {
+                _bundles[kept++] = *bundle;
+            }
+            else
+            {
+                _forest.Trees[bundle->Tree[0]].OnLanes = false;
+            }
+        }
+
+        _count = kept;
+    }
+
     /// <summary>Each edge and anchor is one joint of a form that is known here, and no limit holds.</summary>
     private bool IsKnown(JointTree* tree)
     {
@@ -182,6 +205,7 @@ internal sealed unsafe partial class TreeLanes
         _anchors.EnsureCapacity(_anchorCount);
         _anchorPlaces.EnsureCapacity(_anchorCount);
         AddDrafts(bundle);
+        bundle->IsSimple = bundle->Softs == 0;
         for (int i = 0; i < bundle->Nodes; i++)
         {
             TreeNode* node = _forest.Nodes + tree->First + i;
@@ -192,6 +216,7 @@ internal sealed unsafe partial class TreeLanes
             if (i > 0)
             {
                 SetPlace(place, node->Parent - tree->First, node->RowJoint[0], tree->First + i);
+                bundle->IsSimple &= place->Rows == 2;
             }
         }
 
@@ -201,6 +226,7 @@ internal sealed unsafe partial class TreeLanes
             LanePlace* place = _anchorPlaces.Pointer + bundle->AnchorFirst + i;
             *place = default;
             SetPlace(place, anchor->Node - tree->First, anchor->Active, anchor->Node);
+            bundle->IsSimple &= place->Rows == 2;
         }
 
         return bundle;
