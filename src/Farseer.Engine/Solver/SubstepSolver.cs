@@ -100,9 +100,7 @@ internal sealed unsafe class SubstepSolver
         {
             if (input.AnyBounce)
             {
-                _rebounds.Prepare(input.Bodies, coefficients);
-                _impacts.Prepare(input.Bodies, coefficients);
-                input.Joints?.PrepareBounce();
+                PrepareBounces(input);
             }
 
             input.Runner.Call();
@@ -220,6 +218,13 @@ internal sealed unsafe class SubstepSolver
         }
 
         return apart;
+    }
+
+    private void PrepareBounces(in SolverInput input)
+    {
+        _rebounds.Prepare(input.Bodies, input.Coefficients);
+        _impacts.Prepare(input.Bodies, input.Coefficients);
+        input.Joints?.PrepareBounce();
     }
 
     /// <summary>Moves everything with the velocities that push deep islands apart, and then forgets these velocities.</summary>
