@@ -126,7 +126,7 @@ public readonly struct StepReport
     /// <summary>Work of contacts: friction and the stop of impacts, negative; moving supports may give energy.</summary>
     public double ContactWork => _measures.ContactWork;
 
-    /// <summary>Energy that impacts with restitution gave back after their stop, which <see cref="ContactWork"/> holds.</summary>
+    /// <summary>Energy that impacts with restitution gave back after their stop, which <see cref="ContactWork"/> holds; of two fast bodies that fly alone that holds both.</summary>
     public double BounceWork => _measures.BounceWork;
 
     /// <summary>

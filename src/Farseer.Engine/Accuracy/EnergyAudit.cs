@@ -51,6 +51,7 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
             s.Energy = Kinetic(i);
             s.Force = default;
             s.Solved = 0;
+            s.Struck = 0;
             _inner[i] = default;
         }
 
@@ -159,10 +160,22 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
         }
     }
 
+    /// <summary>
+    /// Before a body that flew free is followed through impacts: what drag took of its energy is known now, and what is missing
+    /// besides in the end was the impacts'.
+    /// </summary>
+    public void BeginImpacts(int body)
+    {
+        ref Start s = ref _start[body];
+        s.Struck = 1;
+        s.Dragged = Kinetic(body) - s.AfterImpulses - GravityWork(body, s) - ForceWork(body, s);
+    }
+
     /// <summary>Sums up, at the poses that the step ended with.</summary>
     public void EndStep(ref StepMeasures m, BodyGroups groups)
     {
         double flown = 0;
+        double struck = 0;
         int end = Math.Min(_bodies.Ids.End, _start.Capacity);
         for (int i = 1; i < end; i++)
         {
@@ -174,11 +187,8 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
             ref BodyMass mass = ref _bodies.Mass[i];
             ref Start s = ref _start[i];
             double kinetic = Kinetic(i);
-            double dx = _bodies.Pose[i].X - s.X;
-            double dy = _bodies.Pose[i].Y - s.Y;
-            bool pulled = (_bodies.Flags[i] & BodyFlags.IgnoreGravity) == 0;
-            double gravity = pulled ? mass.Mass * ((_gravity.X * dx) + (_gravity.Y * dy)) : 0;
-            double force = (s.Force.Force.X * dx) + (s.Force.Force.Y * dy) + (s.Force.Torque * (_bodies.Pose[i].Angle - s.Angle));
+            double gravity = GravityWork(i, s);
+            double force = ForceWork(i, s);
             m.Kinetic += kinetic;
             m.KineticChange += kinetic - s.Energy;
             m.GravityWork += gravity;
@@ -188,7 +198,9 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
             m.MomentumY += (double)mass.Mass * _bodies.State[i].LinearVelocity.Y;
 
             // Bodies of the solver have their drag booked already.
-            flown += s.Solved == 0 && IsDragged(i) ? kinetic - s.AfterImpulses - gravity - force : 0;
+            double rest = kinetic - s.AfterImpulses - gravity - force;
+            struck += s.Struck != 0 ? rest - s.Dragged : 0;
+            flown += s.Solved == 0 && IsDragged(i) ? (s.Struck != 0 ? s.Dragged : rest) : 0;
         }
 
         m.DragWork = _dragWork + flown;
@@ -196,11 +208,26 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
         m.MotorWork = _motorWork;
         m.JointWork = _work[(int)SolverPart.Joints] - _motorWork;
         m.UserJointWork = _work[(int)SolverPart.UserJoints];
-        m.ContactWork = _work[(int)SolverPart.Contacts];
+        m.ContactWork = _work[(int)SolverPart.Contacts] + struck;
         m.BounceWork = _work[(int)SolverPart.Impacts];
         m.SupportX = _supportX;
         m.SupportY = _supportY;
         m.MomentumError = Unbalanced(groups);
+    }
+
+    private double GravityWork(int body, in Start s)
+    {
+        double dx = _bodies.Pose[body].X - s.X;
+        double dy = _bodies.Pose[body].Y - s.Y;
+        bool pulled = (_bodies.Flags[body] & BodyFlags.IgnoreGravity) == 0;
+        return pulled ? _bodies.Mass[body].Mass * ((_gravity.X * dx) + (_gravity.Y * dy)) : 0;
+    }
+
+    private double ForceWork(int body, in Start s)
+    {
+        double dx = _bodies.Pose[body].X - s.X;
+        double dy = _bodies.Pose[body].Y - s.Y;
+        return (s.Force.Force.X * dx) + (s.Force.Force.Y * dy) + (s.Force.Torque * (_bodies.Pose[body].Angle - s.Angle));
     }
 
     private double Unbalanced(BodyGroups groups)
@@ -285,6 +312,12 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
         public double Energy;
         public double AfterImpulses;
         public BodyForce Force;
+
+        /// <summary>Energy that drag gave it in its flight, if it has been struck outside the solver since.</summary>
+        public double Dragged;
+
+        /// <summary>1 for such a body.</summary>
+        public int Struck;
 
         /// <summary>1 for a body that went through substeps.</summary>
         public int Solved;

@@ -168,6 +168,14 @@ internal static unsafe class ContactRowWriter
         Mute(row, lane);
     }
 
+    /// <summary>Notes impacts that were not the solver's: the row holds no impulse that would act on.</summary>
+    public static void NoteImpacts(ContactBundle* row, int lane, float normal)
+    {
+        ScalePoint(&row->Point0, lane, 0);
+        ScalePoint(&row->Point1, lane, 0);
+        row->Struck[lane] = normal;
+    }
+
     /// <summary>Moves a contact from one lane to another; every field is a column of four bytes a lane.</summary>
     public static void MoveLane(ContactBundle* source, int sourceLane, ContactBundle* target, int targetLane)
     {

@@ -64,6 +64,9 @@ internal struct ContactFates
 
     /// <summary>Those of the idle pairs of which the impact, if there is one, must be looked for along the way.</summary>
     public int Deferred;
+
+    /// <summary>Those that touch and of which one moves fast past the other; both can move.</summary>
+    public int Racing;
 }
 
 /// <summary>
@@ -168,7 +171,8 @@ internal static unsafe class ContactUpdate
         SweepBits sweep = fast == 0 ? default : FastPairs.Look(input);
         PairStage.Collide(input, row, bits);
         TouchBits touch = PairStage.Touch(input, row);
-        fates.Deferred = fast == 0 ? 0 : FastPairs.Defer(input, row, fast, sweep, ref touch);
+        fates.Racing = 0;
+        fates.Deferred = fast == 0 ? 0 : FastPairs.Defer(input, row, fast, sweep, ref touch, out fates.Racing);
 
         int fresh = bits.Solid & touch.Hit & bits.Exists & ~fates.Dropped;
         if (isNew && fresh != 0)

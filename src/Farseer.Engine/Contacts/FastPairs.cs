@@ -40,9 +40,16 @@ internal static unsafe class FastPairs
     }
 
     /// <summary>Takes the points of the fast lanes that have no lasting contact, and says which of them to look after.</summary>
-    public static int Defer(in ContactUpdateInput input, ContactBundle* row, int lanes, in SweepBits sweep, ref TouchBits touch)
+    /// <param name="input">Columns and numbers of this step.</param>
+    /// <param name="row">Names the pairs.</param>
+    /// <param name="lanes">Those to look at.</param>
+    /// <param name="sweep">Where they go.</param>
+    /// <param name="touch">Which touch.</param>
+    /// <param name="racing">Those that keep their points though one body moves fast past the other; both can move.</param>
+    public static int Defer(in ContactUpdateInput input, ContactBundle* row, int lanes, in SweepBits sweep, ref TouchBits touch, out int racing)
     {
         int deferred = 0;
+        racing = 0;
         PairLanes* pairs = input.Pairs;
         lanes &= sweep.Fast;
         for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
@@ -63,6 +70,7 @@ internal static unsafe class FastPairs
             if (deepest <= PairStage.SkinShare * size
                 && (discrete || (bothMove && deepest < 0) || !(Tumbles(&pairs->A, lane, input.Dt) || Tumbles(&pairs->B, lane, input.Dt))))
             {
+                racing |= bothMove && !discrete ? bit : 0;
                 continue;
             }
 

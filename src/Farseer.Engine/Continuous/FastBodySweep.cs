@@ -51,7 +51,7 @@ internal sealed class FastBodySweep
     {
         if (motion.Free != 0)
         {
-            Fly(input, motion);
+            FlyOn(input, FreeLeg.Of(input.Bodies, motion, input.Dt), input.Dt, moved: false);
         }
         else
         {
@@ -59,20 +59,17 @@ internal sealed class FastBodySweep
         }
     }
 
-    private void Fly(in SweepInput input, in FastMotion motion)
+    /// <summary>Lets a body that is placed on its way fly to the end of the step, and bounce off what it meets.</summary>
+    /// <param name="input">The world.</param>
+    /// <param name="leg">Its way.</param>
+    /// <param name="left">Seconds that the way takes.</param>
+    /// <param name="moved">It is not where this way ends.</param>
+    public void FlyOn(in SweepInput input, FreeLeg leg, double left, bool moved)
     {
-        int body = motion.Body;
-        double left = input.Dt;
-        BodyState end = input.Bodies.State[body];
-        double gainX = ((double)end.LinearVelocity.X - motion.VelocityX) / left;
-        double gainY = ((double)end.LinearVelocity.Y - motion.VelocityY) / left;
-        double gainW = ((double)end.AngularVelocity - motion.AngularVelocity) / left;
-        BodyPath path = Flight(motion, input.Bodies.Pose[body], gainX, gainY, gainW, left);
-        bool moved = false;
         int impacts = 0;
         for (int search = 0; ; search++)
         {
-            int found = FindFirst(input, body, path, left, out double time);
+            int found = FindFirst(input, leg.Body, leg.Path, left, out double time);
             bool stop = found >= 0 && (search == MostSearches || impacts == MostImpacts || _candidates[found].Moves != 0);
             if (found < 0 && !moved)
             {
@@ -81,12 +78,12 @@ internal sealed class FastBodySweep
 
             if (found < 0 || stop)
             {
-                Place(input, body, path, found < 0 ? 1 : time, left);
+                leg.Place(input, found < 0 ? 1 : time, left);
                 return;
             }
 
             ref SweepCandidate candidate = ref _candidates[found];
-            Meeting meeting = Meet(input, body, path, time, left, ref candidate, new Vector2((float)gainX, (float)gainY));
+            Meeting meeting = Meet(input, leg, time, left, ref candidate);
             if (meeting == Meeting.Gone)
             {
                 return;
@@ -105,47 +102,37 @@ internal sealed class FastBodySweep
                 return;
             }
 
-            path = Onward(input.Bodies, body, gainX, gainY, gainW, left);
-            input.Listener.OnWay(body, path);
+            leg.GoOn(input.Bodies, left);
+            input.Listener.OnWay(this, leg.Body, leg.Path);
         }
     }
 
-    /// <summary>
-    /// The way of free flight. Its mean velocity is what brought the body from its start to its end, drag included; over the
-    /// stretch it changes as evenly as it did in all.
-    /// </summary>
-    private static BodyPath Flight(in FastMotion motion, in BodyPose end, double gainX, double gainY, double gainW, double time)
-    {
-        BodyPath path = default;
-        path.X = motion.X;
-        path.Y = motion.Y;
-        path.Angle = motion.Angle;
-        path.AccelerationX = gainX * time * time;
-        path.AccelerationY = gainY * time * time;
-        path.SpinGain = gainW * time * time;
-        path.VelocityX = end.X - motion.X - (0.5 * path.AccelerationX);
-        path.VelocityY = end.Y - motion.Y - (0.5 * path.AccelerationY);
-        path.Spin = end.Angle - motion.Angle - (0.5 * path.SpinGain);
-        return path;
-    }
+    /// <summary>Whether the body meets something on its way before a share of it.</summary>
+    public bool MeetsBefore(in SweepInput input, in FreeLeg leg, double left, double until) =>
+        _count > 0 && FindFirst(input, leg.Body, leg.Path, left, out double time) >= 0 && time < until;
 
-    private static BodyPath Onward(BodyStore bodies, int body, double gainX, double gainY, double gainW, double time)
+    public static Obstacle Describe(in SweepInput input, int contact, bool isA, double x, double y)
     {
-        BodyPath path = BodyPath.Resting(bodies.Pose[body]);
-        BodyState state = bodies.State[body];
-        path.VelocityX = state.LinearVelocity.X * time;
-        path.VelocityY = state.LinearVelocity.Y * time;
-        path.Spin = state.AngularVelocity * time;
-        path.AccelerationX = gainX * time * time;
-        path.AccelerationY = gainY * time * time;
-        path.SpinGain = gainW * time * time;
-        return path;
+        ref ContactRecord record = ref input.Contacts.Records[contact];
+        BodyState state = input.Bodies.State[isA ? record.BodyB : record.BodyA];
+        Obstacle obstacle = default;
+        obstacle.X = x;
+        obstacle.Y = y;
+        obstacle.VelocityX = state.LinearVelocity.X;
+        obstacle.VelocityY = state.LinearVelocity.Y;
+        obstacle.Spin = state.AngularVelocity;
+        obstacle.Restitution = ContactUpdate.MixRestitution(input.Shapes, input.Settings.RestitutionMix, record);
+        obstacle.Friction = input.Settings.FreezePairFriction
+            ? input.Contacts.FirstFriction[contact]
+            : ContactUpdate.MixFriction(input.Shapes, input.Settings.FrictionMix, record);
+        return obstacle;
     }
 
     /// <summary>The impact of a free body with a candidate.</summary>
-    private static Meeting Meet(
-        in SweepInput input, int body, in BodyPath path, double time, double left, ref SweepCandidate candidate, Vector2 gain)
+    private static Meeting Meet(in SweepInput input, in FreeLeg leg, double time, double left, ref SweepCandidate candidate)
     {
+        int body = leg.Body;
+        BodyPath path = leg.Path;
         ContactRecord record = input.Contacts.Records[candidate.Contact];
         bool isA = record.BodyA == body;
         int other = isA ? record.BodyB : record.BodyA;
@@ -170,23 +157,19 @@ internal sealed class FastBodySweep
             return Meeting.Missed;
         }
 
-        Mover mover = MoverAt(input.Bodies, body, path, time, left);
+        Mover after = leg.MoverAt(input.Bodies, time, left);
         Obstacle obstacle = Describe(input, candidate.Contact, isA, otherPath.XAt(time) - path.XAt(time), otherPath.YAt(time) - path.YAt(time));
-        double weight = Math.Abs(((double)gain.X * manifold.Normal.X) + ((double)gain.Y * manifold.Normal.Y));
-        obstacle.Slowest = Math.Max(RestSubsteps * input.Substep * weight, input.Settings.BounceThreshold);
-        Manifold own = isA ? Flip(manifold) : Shift(manifold, pair.Offset);
-        Mover after = mover;
-        if (!Impact.Resolve(ref after, obstacle, own))
+        obstacle.Slowest = Slowest(input, leg.Gain, manifold.Normal);
+        Manifold own = isA ? Impact.Flip(manifold) : Impact.Shift(manifold, pair.Offset);
+        if (!Impact.Resolve(ref after, ref obstacle, own))
         {
             return Meeting.Missed;
         }
 
-        Place(input, body, path, time, left);
-        BodyPose before = input.Bodies.Pose[body];
-        BodyState state = input.Bodies.State[body];
-        BodyFlags flags = input.Bodies.Flags[body];
+        leg.Place(input, time, left);
+        var seen = new BodySeen(input.Bodies, body);
         bool accepted = input.Listener.OnImpact(candidate.Contact, manifold);
-        if (Changed(input.Bodies, body, before, state, flags))
+        if (seen.HasChanged(input.Bodies, body))
         {
             // A handler took the body into its own hands.
             return Meeting.Gone;
@@ -212,78 +195,14 @@ internal sealed class FastBodySweep
         return Meeting.Struck;
     }
 
-    private static bool Changed(BodyStore bodies, int body, in BodyPose pose, in BodyState state, BodyFlags flags)
+    /// <summary>An approach slower than this is rest.</summary>
+    /// <param name="input">The world.</param>
+    /// <param name="gain">Acceleration of one as the other sees it.</param>
+    /// <param name="normal">Of the contact.</param>
+    public static double Slowest(in SweepInput input, Vector2 gain, Vector2 normal)
     {
-        BodyPose now = bodies.Pose[body];
-        BodyState moving = bodies.State[body];
-        return now.X != pose.X || now.Y != pose.Y || now.Angle != pose.Angle || bodies.Flags[body] != flags
-            || moving.LinearVelocity != state.LinearVelocity || moving.AngularVelocity != state.AngularVelocity;
-    }
-
-    private static Obstacle Describe(in SweepInput input, int contact, bool isA, double x, double y)
-    {
-        ref ContactRecord record = ref input.Contacts.Records[contact];
-        BodyState state = input.Bodies.State[isA ? record.BodyB : record.BodyA];
-        Obstacle obstacle = default;
-        obstacle.X = x;
-        obstacle.Y = y;
-        obstacle.VelocityX = state.LinearVelocity.X;
-        obstacle.VelocityY = state.LinearVelocity.Y;
-        obstacle.Spin = state.AngularVelocity;
-        obstacle.Restitution = ContactUpdate.MixRestitution(input.Shapes, input.Settings.RestitutionMix, record);
-        obstacle.Friction = input.Settings.FreezePairFriction
-            ? input.Contacts.FirstFriction[contact]
-            : ContactUpdate.MixFriction(input.Shapes, input.Settings.FrictionMix, record);
-        return obstacle;
-    }
-
-    private static Mover MoverAt(BodyStore bodies, int body, in BodyPath path, double time, double left)
-    {
-        Mover mover = default;
-        mover.VelocityX = path.VelocityXAt(time) / left;
-        mover.VelocityY = path.VelocityYAt(time) / left;
-        mover.Spin = path.SpinAt(time) / left;
-        mover.InverseMass = bodies.Mass[body].InverseMass;
-        mover.InverseInertia = bodies.Mass[body].InverseInertia;
-        mover.Reach = bodies.Size[body].Reach;
-        return mover;
-    }
-
-    /// <summary>Points from the mover as A: only the normal turns round.</summary>
-    private static Manifold Flip(Manifold manifold)
-    {
-        manifold.Normal = -manifold.Normal;
-        return manifold;
-    }
-
-    /// <summary>Points from the mover as B.</summary>
-    private static Manifold Shift(Manifold manifold, Vector2 offset)
-    {
-        manifold.Point0.Anchor -= offset;
-        manifold.Point1.Anchor -= offset;
-        return manifold;
-    }
-
-    /// <summary>Puts a body where its way is at <paramref name="time"/>, with the velocity that it has there.</summary>
-    private static void Place(in SweepInput input, int body, in BodyPath path, double time, double left)
-    {
-        ref BodyPose pose = ref input.Bodies.Pose[body];
-        ref BodyState state = ref input.Bodies.State[body];
-        pose.X = path.XAt(time);
-        pose.Y = path.YAt(time);
-        pose.Angle = path.AngleAt(time);
-        FinishBodies.UpdateRotor(ref pose);
-        if (left > 0)
-        {
-            state.LinearVelocity = new Vector2((float)(path.VelocityXAt(time) / left), (float)(path.VelocityYAt(time) / left));
-            state.AngularVelocity = (float)(path.SpinAt(time) / left);
-        }
-
-        ref BodyMotion motion = ref input.Bodies.Motion[body];
-        double substep = left > 0 ? input.Substep / (left * left) : 0;
-        motion.StartX = (float)(state.LinearVelocity.X - (path.AccelerationX * substep));
-        motion.StartY = (float)(state.LinearVelocity.Y - (path.AccelerationY * substep));
-        motion.StartW = (float)(state.AngularVelocity - (path.SpinGain * substep));
+        double weight = Math.Abs(((double)gain.X * normal.X) + ((double)gain.Y * normal.Y));
+        return Math.Max(RestSubsteps * input.Substep * weight, input.Settings.BounceThreshold);
     }
 
     private void Guard(in SweepInput input, in FastMotion motion)
@@ -297,7 +216,7 @@ internal sealed class FastBodySweep
         path.VelocityX = end.X - motion.X;
         path.VelocityY = end.Y - motion.Y;
         path.Spin = end.Angle - motion.Angle;
-        input.Listener.OnWay(body, path);
+        input.Listener.OnWay(this, body, path);
         for (int i = 0; i < _count; i++)
         {
             NoteTouching(input, body, path, ref _candidates[i]);

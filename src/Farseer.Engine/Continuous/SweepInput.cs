@@ -18,9 +18,9 @@ internal interface IImpactListener
     bool OnImpact(int contact, in Manifold manifold);
 
     /// <summary>
-    /// A body is to be followed along a way that may lead beyond its boxes: what it may meet there is added to the sweep.
+    /// A body is to be followed along a way that may lead beyond its boxes: what it may meet there is added to its sweep.
     /// </summary>
-    void OnWay(int body, in BodyPath way);
+    void OnWay(FastBodySweep sweep, int body, in BodyPath way);
 }
 
 /// <summary>What the sweep of a step works on.</summary>

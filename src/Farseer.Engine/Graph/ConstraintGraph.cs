@@ -177,6 +177,26 @@ internal sealed unsafe class ConstraintGraph
         _usedChanged = true;
     }
 
+    /// <summary>Lays a row to rest for as long as others are solved: no island is to hear of it.</summary>
+    public void SetAside(ref ContactRecord record, Column<ContactRecord> records)
+    {
+        bool changed = Changed;
+        int count = ChangeCount;
+        LayDown(ref record, records);
+        Changed = changed;
+        ChangeCount = count;
+    }
+
+    /// <summary>Takes up a row of two bodies that can move which was set aside.</summary>
+    public void PutBack(int contact, ref ContactRecord record, Column<ContactRecord> records)
+    {
+        bool changed = Changed;
+        int count = ChangeCount;
+        TakeUp(contact, ref record, records, movesA: true, movesB: true);
+        Changed = changed;
+        ChangeCount = count;
+    }
+
     /// <summary>The islands are up to date.</summary>
     public void ForgetChanges()
     {

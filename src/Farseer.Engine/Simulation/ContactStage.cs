@@ -30,6 +30,9 @@ internal sealed unsafe class ContactStage
     private int _touchingNow;
     private int _hulls;
 
+    /// <summary>Fast pairs that may have nothing to do with any other.</summary>
+    public LonePairs Lone { get; } = new LonePairs();
+
     /// <summary>A contact of the graph can bounce.</summary>
     public bool AnyBounce { get; private set; }
 
@@ -76,6 +79,7 @@ internal sealed unsafe class ContactStage
         _gainKeys.EnsureCapacity(contacts.Records.Capacity);
         _fast.Begin();
         _struck.Begin(input.Bodies.Ids.End, joints);
+        Lone.Begin();
         UpdateGraph(runner, input, graph);
         UpdateIdle(runner, input);
         if (world.AsleepCount > 0)
@@ -86,7 +90,7 @@ internal sealed unsafe class ContactStage
 
         Take(contacts, graph);
         Give(runner, input, graph);
-        _fast.Decide(runner, input, graph, joints, allHeld, _struck);
+        _fast.Decide(runner, input, graph, joints, allHeld, _struck, Lone);
         if (_struck.Any)
         {
             GiveStruck(runner, input, graph);
@@ -151,6 +155,7 @@ internal sealed unsafe class ContactStage
                 AnyBounce |= outcome->Bounces;
                 outcome++;
                 DeferAll(input.Contacts, bundle->Contact, fates.Deferred);
+                OfferAll(bundle->Contact, fates.Racing);
                 int leaving = fates.Idle | fates.Dropped;
                 for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
                 {
@@ -183,7 +188,7 @@ internal sealed unsafe class ContactStage
             ref ContactFates fates = ref _idle.Outcomes[first / ContactBundle.Lanes].Fates;
             Count(fates);
             int leaving = fates.Solid | fates.Dropped;
-            int lanes = leaving | fates.Deferred;
+            int lanes = leaving | fates.Deferred | fates.Racing;
             for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
             {
                 pairs[lane] = (lanes & 1) != 0 ? contacts.Idle(_idle.Place(first + lane)) : 0;
@@ -191,6 +196,7 @@ internal sealed unsafe class ContactStage
 
             _struck.Note(input, _idle.Outcomes + (first / ContactBundle.Lanes), pairs);
             DeferAll(contacts, pairs, fates.Deferred);
+            OfferAll(pairs, fates.Racing);
             for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
             {
                 if ((fates.Dropped & (1 << lane)) != 0)
@@ -237,6 +243,17 @@ internal sealed unsafe class ContactStage
             if ((lanes & 1) != 0)
             {
                 _fast.Defer(contacts, pairs[lane]);
+            }
+        }
+    }
+
+    private void OfferAll(int* pairs, int lanes)
+    {
+        for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
+        {
+            if ((lanes & 1) != 0)
+            {
+                Lone.Offer(pairs[lane]);
             }
         }
     }

@@ -64,7 +64,8 @@ internal sealed unsafe class FastPairStage : IStageWork
         }
     }
 
-    public void Decide(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld, StruckPairs struck)
+    public void Decide(
+        StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld, StruckPairs struck, LonePairs lone)
     {
         _struck = struck;
         _sort.Sort(_keys.Pointer, _contacts.Pointer, _count);
@@ -80,6 +81,10 @@ internal sealed unsafe class FastPairStage : IStageWork
             if (OfMovers(input, input.Contacts.Records[_contacts[i]]))
             {
                 Take(input, graph, i);
+                if (input.Settings.Continuous)
+                {
+                    lone.Offer(_contacts[i]);
+                }
             }
         }
 

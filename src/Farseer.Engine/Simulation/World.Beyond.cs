@@ -21,8 +21,12 @@ internal sealed partial class World
     private bool _immovableListed;
     private bool _queriesSeeStep;
 
-    void Continuous.IImpactListener.OnWay(int body, in BodyPath way)
+    /// <summary>The sweep that is to look at what is found.</summary>
+    private Continuous.FastBodySweep _seeker = null!;
+
+    void Continuous.IImpactListener.OnWay(Continuous.FastBodySweep sweep, int body, in BodyPath way)
     {
+        _seeker = sweep;
         BodyPose pose = Bodies.Pose[body];
         double endX = way.XAt(1) - pose.X;
         double endY = way.YAt(1) - pose.Y;
@@ -133,7 +137,7 @@ internal sealed partial class World
         TryCreatePair(key);
         if (_contacts.Map.TryGet(key, out int contact) && Responds(_contacts.Records[contact]))
         {
-            _sweep.Add(contact, moves);
+            _seeker.Add(contact, moves);
         }
     }
 }

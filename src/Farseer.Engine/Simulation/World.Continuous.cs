@@ -12,15 +12,71 @@ namespace Farseer.Engine.Simulation;
 internal sealed partial class World : IImpactListener
 {
     private readonly FastBodySweep _sweep = new FastBodySweep();
+    private readonly FastBodySweep _secondSweep = new FastBodySweep();
+    private readonly PairFlight _pairFlight;
     private readonly RadixSort _sweepSort = new RadixSort();
     private readonly Column<int> _sweepPlace = new Column<int>();
     private readonly Column<SweepRoles> _sweepRoles = new Column<SweepRoles>();
     private readonly Column<ulong> _sweepKeys = new Column<ulong>();
+    private int _sweepCount;
+    private int _sweepNext;
+    private bool _sweepGathered;
 
     bool IImpactListener.OnImpact(int contact, in Manifold manifold) =>
         _events.RaiseImpact(this, _contacts, contact, manifold);
 
-    private unsafe void SweepFastBodies(float dt, float substep)
+    /// <summary>Whether something besides contacts may move a body.</summary>
+    internal bool IsHeldApart(int body) =>
+        Joints.Degree(body) > 0 || _springs.Touches(body) || (UserJoints != null && UserJoints.Any);
+
+    private void FlyLonePairs(float dt, float substep)
+    {
+        SweepInput input = BeginSweep(dt, substep);
+        LonePairs pairs = _contactStage.Lone;
+        for (int i = 0; i < pairs.Count; i++)
+        {
+            LonePair pair = pairs[i];
+            FillSweep(_sweep, 2 * i, pair.Contact);
+            FillSweep(_secondSweep, (2 * i) + 1, pair.Contact);
+            bool a = IsThere(pair.A.Body);
+            bool b = IsThere(pair.B.Body);
+            if (a && b && _contacts.Records[pair.Contact].PieceA >= 0)
+            {
+                Audit?.BeginImpacts(pair.A.Body);
+                Audit?.BeginImpacts(pair.B.Body);
+                PairImpulse given = _pairFlight.Run(input, pair);
+                pairs.Write(i, _contacts, _graph, given);
+            }
+            else if (a || b)
+            {
+                (a ? _sweep : _secondSweep).Run(input, a ? pair.A : pair.B);
+            }
+        }
+    }
+
+    private void SweepFastBodies(float dt, float substep)
+    {
+        SweepInput input = BeginSweep(dt, substep);
+        FastList fast = _lists.Fast;
+        int first = 2 * _contactStage.Lone.Count;
+        for (int i = 0; i < fast.Count; i++)
+        {
+            FillSweep(_sweep, first + i, -1);
+            FastMotion motion = fast[i];
+            if (IsThere(motion.Body) && (_sweepRoles[motion.Body] & SweepRoles.Paired) == 0)
+            {
+                _sweep.Run(input, motion);
+            }
+        }
+    }
+
+    private bool IsThere(int body)
+    {
+        const BodyFlags Both = BodyFlags.Alive | BodyFlags.Enabled;
+        return (Bodies.Flags[body] & Both) == Both;
+    }
+
+    private SweepInput BeginSweep(float dt, float substep)
     {
         SweepInput input;
         input.Bodies = Bodies;
@@ -31,32 +87,40 @@ internal sealed partial class World : IImpactListener
         input.Listener = this;
         input.Dt = dt;
         input.Substep = substep;
-        ForgetBeyond();
-        FastList fast = _lists.Fast;
-        int count = GatherSweepPairs(fast);
-        int next = 0;
-        for (int i = 0; i < fast.Count; i++)
+        if (!_sweepGathered)
         {
-            _sweep.Begin();
-            for (; next < count && (int)(_sweepKeys[next] >> 32) == i; next++)
-            {
-                int contact = (int)(uint)_sweepKeys[next];
-                ref ContactRecord record = ref _contacts.Records[contact];
-                _sweep.Add(contact, IsMovable(record.BodyA == fast[i].Body ? record.BodyB : record.BodyA));
-            }
+            _sweepGathered = true;
+            ForgetBeyond();
+            _sweepCount = GatherSweepPairs();
+            _sweepNext = 0;
+        }
 
-            FastMotion motion = fast[i];
-            const BodyFlags Both = BodyFlags.Alive | BodyFlags.Enabled;
-            if ((Bodies.Flags[motion.Body] & Both) == Both)
+        return input;
+    }
+
+    /// <summary>Has a sweep look at the pairs of a place but for one; places are asked for in their order.</summary>
+    private unsafe void FillSweep(FastBodySweep sweep, int place, int without)
+    {
+        sweep.Begin();
+        for (; _sweepNext < _sweepCount && (int)(_sweepKeys[_sweepNext] >> 32) == place; _sweepNext++)
+        {
+            int contact = (int)(uint)_sweepKeys[_sweepNext];
+            ref ContactRecord record = ref _contacts.Records[contact];
+            if (contact != without)
             {
-                _sweep.Run(input, motion);
+                sweep.Add(contact, IsMovable(_sweepPlace[record.BodyA] == place ? record.BodyB : record.BodyA));
             }
         }
     }
 
-    /// <summary>The pairs of fast bodies with what they are looked after against, by body.</summary>
-    private unsafe int GatherSweepPairs(FastList fast)
+    /// <summary>
+    /// The pairs of fast bodies with what they are looked after against, by place: first the bodies of the pairs that fly alone, then
+    /// the fast ones.
+    /// </summary>
+    private unsafe int GatherSweepPairs()
     {
+        FastList fast = _lists.Fast;
+        LonePairs pairs = _contactStage.Lone;
         int end = Bodies.Ids.End;
         _sweepPlace.EnsureCapacity(end);
         _sweepRoles.EnsureCapacity(end);
@@ -64,13 +128,18 @@ internal sealed partial class World : IImpactListener
         for (int i = 0; i < end; i++)
         {
             roles[i] = IsMovable(i) ? SweepRoles.None : SweepRoles.Wall;
+            _sweepPlace[i] = -1;
         }
 
         for (int i = 0; i < fast.Count; i++)
         {
-            int body = fast[i].Body;
-            _sweepPlace[body] = i;
-            roles[body] |= IsBullet(body) ? SweepRoles.Fast | SweepRoles.Bullet : SweepRoles.Fast;
+            SetPlace(fast[i].Body, (2 * pairs.Count) + i, SweepRoles.Fast);
+        }
+
+        for (int i = 0; i < pairs.Count; i++)
+        {
+            SetPlace(pairs[i].A.Body, 2 * i, SweepRoles.Fast | SweepRoles.Paired);
+            SetPlace(pairs[i].B.Body, (2 * i) + 1, SweepRoles.Fast | SweepRoles.Paired);
         }
 
         int count = 0;
@@ -109,6 +178,12 @@ internal sealed partial class World : IImpactListener
         return count;
     }
 
+    private void SetPlace(int body, int place, SweepRoles role)
+    {
+        _sweepPlace[body] = place;
+        _sweepRoles[body] |= IsBullet(body) ? role | SweepRoles.Bullet : role;
+    }
+
     private bool IsMovable(int body) => (Bodies.Flags[body] & (BodyFlags.Static | BodyFlags.Kinematic)) == 0;
 
     private bool IsBullet(int body) => (Bodies.Flags[body] & BodyFlags.Bullet) != 0;
@@ -131,5 +206,8 @@ internal sealed partial class World : IImpactListener
 
         /// <summary>Fast, and must pass nothing.</summary>
         Bullet = 4,
+
+        /// <summary>One of a pair that flies alone.</summary>
+        Paired = 8,
     }
 }

@@ -109,24 +109,29 @@ internal sealed partial class World
         if (bundle->Point0.Id[lane] == feature)
         {
             normal = ImpulseOf(bundle, lane, bundle->Point0.Normal[lane]);
-            tangent = bundle->Point0.Tangent[lane] * Settings.Substeps;
+            tangent = RubOf(index, bundle, lane, bundle->Point0.Tangent[lane]);
             return true;
         }
 
         if (bundle->Point1.Id[lane] == feature)
         {
             normal = ImpulseOf(bundle, lane, bundle->Point1.Normal[lane]);
-            tangent = bundle->Point1.Tangent[lane] * Settings.Substeps;
+            tangent = RubOf(index, bundle, lane, bundle->Point1.Tangent[lane]);
             return true;
         }
 
         return false;
     }
 
+    private unsafe float RubOf(int contact, ContactBundle* bundle, int lane, float tangent) =>
+        (tangent * Settings.Substeps) + (_contactStage.Lone.TangentOf(contact) * ShareOfPoint(bundle, lane));
+
+    private static unsafe float ShareOfPoint(ContactBundle* bundle, int lane) => bundle->Single[lane] > 0 ? 1f : 0.5f;
+
     /// <summary>A point that bounced has let go of its impulse: then that of the blow counts, which the points of the contact share.</summary>
     private unsafe float ImpulseOf(ContactBundle* bundle, int lane, float normal)
     {
-        float blow = bundle->Struck[lane] * (bundle->Single[lane] > 0 ? 1f : 0.5f);
+        float blow = bundle->Struck[lane] * ShareOfPoint(bundle, lane);
         return normal > 0 ? normal * Settings.Substeps : blow;
     }
 

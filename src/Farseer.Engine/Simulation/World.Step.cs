@@ -57,10 +57,20 @@ internal sealed partial class World
         Profile.End(StepStage.Forces);
 
         Solve(dt, anyDeep, contacts.Coefficients);
+        _contactStage.Lone.PutBack(_contacts, _graph);
         Profile.End(StepStage.Solve);
 
         FinishBodiesOfStep();
         _lastSubstep = substep;
+        Profile.End(StepStage.Finish);
+
+        _sweepGathered = false;
+        if (_contactStage.Lone.Count > 0)
+        {
+            FlyLonePairs(dt, substep);
+            Profile.End(StepStage.Continuous);
+        }
+
         EndAccuracy();
         Profile.End(StepStage.Finish);
 
@@ -152,6 +162,7 @@ internal sealed partial class World
         bool anyJoints = BeginJoints(dt, substep);
         bool anyUserJoints = UserJoints != null && UserJoints.Any;
         _springs.Prepare(Bodies, _lists.Moves, _graph.Degrees, anyJoints ? _jointSolver : null, anyUserJoints, substep);
+        _contactStage.Lone.SetAside(this, _contacts, _graph, _lists.Moves);
         _lists.Split(_runner, Bodies, _graph, _springs, anyJoints ? _jointSolver : null, anyUserJoints);
         _lists.FlyFree(_runner, Bodies, Settings.Gravity, dt, substep);
         if (_lists.SolverCount == 0)

@@ -2,6 +2,7 @@ using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Continuous;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
@@ -36,6 +37,7 @@ internal sealed partial class World
     {
         _jointSolver = new JointSolver(Joints);
         Queries = new WorldQueries(Shapes, Bodies);
+        _pairFlight = new PairFlight(_sweep, _secondSweep);
 
         // Body 0 is the dummy that empty lanes point at; it never moves and has no mass.
         Bodies.Ids.Take();

@@ -10,7 +10,7 @@ namespace Farseer.Fidelity.Judging;
 /// <summary>
 /// Judges the trajectory: against <c>refined</c> within the original's own error, or, where there is
 /// none, against the recording within the method's spread and the integrator's error. Where the equations of motion are the
-/// reference, the original's own error is found as the files give it: the largest over all rows and bodies.
+/// reference, the original's own error is the largest over all rows of the body, or of those that <see cref="FlashMotions.Limiting"/> names.
 /// </summary>
 public static class RowJudge
 {
@@ -40,7 +40,6 @@ public static class RowJudge
             ? file.Recordings.Values.Select(r => r.Rows).ToList()
             : [reference];
         FloatTolerance rounding = FloatTolerance.Of(file, reference.Values);
-        Difference? own = motion is null ? file.Refined?.FromRecorded : OwnError(file, iterations, motion, rounding);
         Worst[] worst = [new(), new(), new(), new()];
         foreach ((string body, Row[] expected) in reference)
         {
@@ -50,6 +49,7 @@ public static class RowJudge
             }
 
             Impacts impacts = new(file, expected, rounding);
+            Difference? own = motion is null ? file.Refined?.FromRecorded : FlashMotions.Limiting(file, body).Select(b => OwnError(file, iterations, motion, rounding, b)).Aggregate(Larger);
             Difference standing = FloatTolerance.OfStanding(file, expected);
             Discretisation? discretisation = own is null ? new Discretisation(file, expected, impacts) : null;
             for (int k = 0; k < expected.Length; k++)
@@ -100,11 +100,7 @@ public static class RowJudge
             foreach (Row[] rows in reference.Values)
             {
                 Difference own = Limits(file, null, rounding, new Discretisation(file, rows, new Impacts(file, rows, rounding)).At(rows.Length - 1), default);
-                largest = new Difference(
-                    Math.Max(largest.Position, own.Position),
-                    Math.Max(largest.Rotation, own.Rotation),
-                    Math.Max(largest.LinearVelocity, own.LinearVelocity),
-                    Math.Max(largest.AngularVelocity, own.AngularVelocity));
+                largest = Larger(largest, own);
             }
         }
 
@@ -133,26 +129,21 @@ public static class RowJudge
             spread.AngularVelocity + (file.Growth * integrator.AngularVelocity) + rounding.AngularVelocity + settling.AngularVelocity);
     }
 
-    private static Difference OwnError(SceneFile file, int iterations, IReadOnlyDictionary<string, Row[]> motion, FloatTolerance rounding)
+    private static Difference OwnError(
+        SceneFile file, int iterations, IReadOnlyDictionary<string, Row[]> motion, FloatTolerance rounding, string body)
     {
         Difference largest = default;
-        foreach ((string body, Row[] recorded) in file.Recordings[iterations].Rows)
+        Row[] recorded = file.Recordings[iterations].Rows[body];
+        Impacts impacts = new(file, motion[body], rounding);
+        for (int k = 0; k < recorded.Length; k++)
         {
-            Impacts impacts = new(file, motion[body], rounding);
-            for (int k = 0; k < recorded.Length; k++)
+            if (!recorded[k].IsAbsent && !motion[body][k].IsAbsent)
             {
-                if (!recorded[k].IsAbsent && !motion[body][k].IsAbsent)
-                {
-                    Difference own = Errors(recorded[k], motion[body], impacts, k);
+                Difference own = Errors(recorded[k], motion[body], impacts, k);
 
-                    // Whole turns ahead or behind count: such a body may stand at any angle.
-                    double turn = Math.Abs(recorded[k].Rotation - motion[body][k].Rotation);
-                    largest = new Difference(
-                        Math.Max(largest.Position, own.Position),
-                        Math.Max(largest.Rotation, turn),
-                        Math.Max(largest.LinearVelocity, own.LinearVelocity),
-                        Math.Max(largest.AngularVelocity, own.AngularVelocity));
-                }
+                // Whole turns ahead or behind count: such a body may stand at any angle.
+                double turn = Math.Abs(recorded[k].Rotation - motion[body][k].Rotation);
+                largest = Larger(largest, own with { Rotation = turn });
             }
         }
 
@@ -185,6 +176,12 @@ public static class RowJudge
 
         return new Difference(position, Math.Min(turn, (2 * Math.PI) - turn), linear, angular);
     }
+
+    private static Difference Larger(Difference a, Difference b) => new(
+        Math.Max(a.Position, b.Position),
+        Math.Max(a.Rotation, b.Rotation),
+        Math.Max(a.LinearVelocity, b.LinearVelocity),
+        Math.Max(a.AngularVelocity, b.AngularVelocity));
 
     private static Difference Smaller(Difference a, Difference b) => new(
         Math.Min(a.Position, b.Position),
