@@ -1,4 +1,3 @@
-using System;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Dynamics;
@@ -97,9 +96,8 @@ public class TautBridgeTests
 
         Sandbox.Run(simulator, 600, 1 / 60f);
 
-        // Half a box and half a plank above the line of the nails, and no more than a tremble: what is left of its swing after ten seconds
-        // changes with the last bits (0.22 and 0.25 m/s were seen), so it is held to a twentieth of the speed with which it struck.
+        // Half a box and half a plank above the line of the nails, and no more than a tremble.
         Assert.Equal(0.6f, geom.Body.Position.Y, 0.02f);
-        Assert.InRange(geom.Body.LinearVelocity.Length(), 0, 0.05f * MathF.Sqrt(2 * 10 * height));
+        Assert.InRange(geom.Body.LinearVelocity.Length(), 0, 0.2f);
     }
 }
