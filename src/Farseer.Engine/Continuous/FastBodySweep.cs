@@ -242,13 +242,8 @@ internal sealed class FastBodySweep
         bool isA = record.BodyA == body;
         float extent = Extent(input.Shapes, record, isA);
         BodyPath other = PathOf(input, isA ? record.BodyB : record.BodyA, input.Dt);
-        ImpactQuery query;
-        query.Tolerance = FastPairs.Tolerance(extent);
-        query.Target = double.MaxValue;
-        query.From = 0;
-        query.Until = 0;
-        TimeOfImpact.Find(
-            input.Shapes, record.PieceA, isA ? path : other, record.PieceB, isA ? other : path, query, out _, out double separation);
+        double separation = TimeOfImpact.SeparationAtStart(
+            input.Shapes, record.PieceA, isA ? path : other, record.PieceB, isA ? other : path, FastPairs.Tolerance(extent));
         bool jointed = input.Joints.Degree(body) > 0;
         if (record.Color >= 0 || jointed || separation <= PairStage.SkinShare * extent)
         {

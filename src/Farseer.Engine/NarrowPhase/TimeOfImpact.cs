@@ -32,6 +32,18 @@ internal static unsafe class TimeOfImpact
 
     private const int Refinements = 4;
 
+    /// <summary>The separation where the ways begin, as exact as a search with this tolerance has it.</summary>
+    public static double SeparationAtStart(ShapeStore shapes, int pieceA, in BodyPath a, int pieceB, in BodyPath b, double tolerance)
+    {
+        ImpactQuery query;
+        query.Tolerance = tolerance;
+        query.Target = double.MaxValue;
+        query.From = 0;
+        query.Until = 0;
+        Find(shapes, pieceA, a, pieceB, b, query, out _, out double separation);
+        return separation;
+    }
+
     /// <summary>True if the separation falls to the target; <paramref name="time"/> is then the share of the way.</summary>
     public static bool Find(
         ShapeStore shapes, int pieceA, in BodyPath a, int pieceB, in BodyPath b, in ImpactQuery query, out double time, out double separation)

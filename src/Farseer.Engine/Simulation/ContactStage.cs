@@ -18,9 +18,7 @@ internal sealed unsafe class ContactStage
     private readonly RadixSort _sort = new RadixSort();
     private readonly ContactSides _sides = new ContactSides();
     private readonly FastPairStage _fast = new FastPairStage();
-
     private readonly StruckPairs _struck = new StruckPairs();
-
     private readonly ContactWork _work = new ContactWork();
     private readonly IdleWork _idle = new IdleWork();
     private int _lostCount;

@@ -111,22 +111,12 @@ internal sealed unsafe class LonePairs
         pair.A = Start(world.Bodies, record.BodyA);
         pair.B = Start(world.Bodies, record.BodyB);
         float extent = FastPairs.Extent(world.Shapes.Pieces[record.PieceA], world.Shapes.Pieces[record.PieceB], true, true);
-        ImpactQuery query;
-        query.Tolerance = FastPairs.Tolerance(extent);
-        query.Target = double.MaxValue;
-        query.From = 0;
-        query.Until = 0;
-        TimeOfImpact.Find(
-            world.Shapes,
-            record.PieceA,
-            BodyPath.Resting(world.Bodies.Pose[record.BodyA]),
-            record.PieceB,
-            BodyPath.Resting(world.Bodies.Pose[record.BodyB]),
-            query,
-            out _,
-            out double separation);
+        double tolerance = FastPairs.Tolerance(extent);
+        BodyPath a = BodyPath.Resting(world.Bodies.Pose[record.BodyA]);
+        BodyPath b = BodyPath.Resting(world.Bodies.Pose[record.BodyB]);
+        double separation = TimeOfImpact.SeparationAtStart(world.Shapes, record.PieceA, a, record.PieceB, b, tolerance);
         pair.Base = Math.Min(separation, 0);
-        pair.Touches = separation <= query.Tolerance;
+        pair.Touches = separation <= tolerance;
         return separation >= -Math.Max(CoreShare * extent, world.Settings.AllowedPenetration);
     }
 

@@ -16,37 +16,25 @@ internal static unsafe class LaneFactor
     private const int Half = LaneMatrix.Row;
 
     /// <summary>Writes the Jacobians of all joints at the present poses, and factors.</summary>
-    /// <param name="nodes">The bodies.</param>
-    /// <param name="places">Their places.</param>
-    /// <param name="count">Number of bodies.</param>
-    /// <param name="anchors">The anchors.</param>
-    /// <param name="anchorPlaces">Their places.</param>
-    /// <param name="anchorCount">Number of anchors.</param>
+    /// <param name="bundle">The trees.</param>
     /// <param name="begin">The Jacobians of the anchors are those of the step's start, and are there.</param>
     [SkipLocalsInit]
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Run(
-        LaneNode* nodes,
-        LanePlace* places,
-        int count,
-        LaneAnchor* anchors,
-        LanePlace* anchorPlaces,
-        int anchorCount,
-        bool begin)
+    public static void Run(in LaneBundle bundle, bool begin)
     {
         double* space = stackalloc double[LaneBlock.Space];
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
-            LaneNode* first = DoubleLanes.Shift(nodes, lane);
-            for (int i = 0; i < count; i++)
+            LaneNode* first = DoubleLanes.Shift(bundle.Nodes, lane);
+            for (int i = 0; i < bundle.Count; i++)
             {
                 Reset(first + i);
             }
 
-            for (int i = 0; i < anchorCount; i++)
+            for (int i = 0; i < bundle.AnchorCount; i++)
             {
-                LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
-                LanePlace* place = anchorPlaces + i;
+                LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
+                LanePlace* place = bundle.AnchorPlaces + i;
                 if (!begin)
                 {
                     LaneRows.Write(&anchor->Joint, anchor->OtherS, place);
@@ -62,10 +50,10 @@ internal static unsafe class LaneFactor
                 }
             }
 
-            for (int i = count - 1; i > 0; i--)
+            for (int i = bundle.Count - 1; i > 0; i--)
             {
                 LaneNode* node = first + i;
-                LanePlace* place = places + i;
+                LanePlace* place = bundle.Places + i;
                 LaneRows.Write(&node->Joint, node->ParentS, place);
                 if (place->Rows == 2)
                 {

@@ -15,32 +15,24 @@ internal static unsafe class LaneGoals
     /// <summary>The velocities that take the errors away within the substep, and with motors and springs what is foreseen of their bends.</summary>
     /// <returns>Lanes with an error that was put there from outside: their goals are not right.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static int Biased(
-        LaneNode* nodes,
-        LanePlace* places,
-        int count,
-        LaneAnchor* anchors,
-        LanePlace* anchorPlaces,
-        int anchorCount,
-        LaneWalk* walks,
-        double h)
+    public static int Biased(in LaneBundle bundle, LaneWalk* walks, double h)
     {
         int disturbed = 0;
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             WideDoubleMask large = ~(WideDouble.Zero <= WideDouble.Zero);
             WideDouble time = WideDouble.Splat(h);
-            for (int i = 1; i < count; i++)
+            for (int i = 1; i < bundle.Count; i++)
             {
                 LaneBends* bends = walks == null ? null : &DoubleLanes.Shift(walks + i, lane)->Bends;
-                large |= Bias(&DoubleLanes.Shift(nodes + i, lane)->Joint, places + i, bends, time);
+                large |= Bias(&DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i, bends, time);
             }
 
-            for (int i = 0; i < anchorCount; i++)
+            for (int i = 0; i < bundle.AnchorCount; i++)
             {
-                LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
-                large |= Bias(&anchor->Joint, anchorPlaces + i, walks == null ? null : &anchor->Bends, time);
-                Lessen(anchor, anchorPlaces[i].Rows);
+                LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
+                large |= Bias(&anchor->Joint, bundle.AnchorPlaces + i, walks == null ? null : &anchor->Bends, time);
+                Lessen(anchor, bundle.AnchorPlaces[i].Rows);
             }
 
             disturbed |= DoubleLanes.Bits(large) << lane;
@@ -50,46 +42,39 @@ internal static unsafe class LaneGoals
     }
 
     /// <summary>Standstill, and the speeds of servos.</summary>
-    public static void Relaxed(LaneNode* nodes, LanePlace* places, int count, LaneAnchor* anchors, LanePlace* anchorPlaces, int anchorCount)
+    public static void Relaxed(in LaneBundle bundle)
     {
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
-            for (int i = 1; i < count; i++)
+            for (int i = 1; i < bundle.Count; i++)
             {
-                Rest(&DoubleLanes.Shift(nodes + i, lane)->Joint, places + i);
+                Rest(&DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i);
             }
 
-            for (int i = 0; i < anchorCount; i++)
+            for (int i = 0; i < bundle.AnchorCount; i++)
             {
-                LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
-                Rest(&anchor->Joint, anchorPlaces + i);
-                Lessen(anchor, anchorPlaces[i].Rows);
+                LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
+                Rest(&anchor->Joint, bundle.AnchorPlaces + i);
+                Lessen(anchor, bundle.AnchorPlaces[i].Rows);
             }
         }
     }
 
     /// <summary>The errors, in terms of the joints' sizes; and in the lanes that take part what takes them away.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void FindWorst(
-        LaneNode* nodes,
-        LanePlace* places,
-        int count,
-        LaneAnchor* anchors,
-        LanePlace* anchorPlaces,
-        int anchorCount,
-        LaneTrees* trees)
+    public static void FindWorst(in LaneBundle bundle, LaneTrees* trees)
     {
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             WideDouble worst = WideDouble.Zero;
-            for (int i = 1; i < count; i++)
+            for (int i = 1; i < bundle.Count; i++)
             {
-                worst = Worse(worst, &DoubleLanes.Shift(nodes + i, lane)->Joint, places + i);
+                worst = Worse(worst, &DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i);
             }
 
-            for (int i = 0; i < anchorCount; i++)
+            for (int i = 0; i < bundle.AnchorCount; i++)
             {
-                worst = Worse(worst, &DoubleLanes.Shift(anchors + i, lane)->Joint, anchorPlaces + i);
+                worst = Worse(worst, &DoubleLanes.Shift(bundle.Anchors + i, lane)->Joint, bundle.AnchorPlaces + i);
             }
 
             worst.Store(trees->Worst + lane);
@@ -98,54 +83,38 @@ internal static unsafe class LaneGoals
 
     /// <summary>The velocity changes that take the errors away, in the lanes of the mask; in the others none.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Correction(
-        LaneNode* nodes,
-        LanePlace* places,
-        int count,
-        LaneAnchor* anchors,
-        LanePlace* anchorPlaces,
-        int anchorCount,
-        double h,
-        LaneTrees* trees)
+    public static void Correction(in LaneBundle bundle, double h, LaneTrees* trees)
     {
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             WideDoubleMask takes = WideDouble.LoadMask(trees->Corrects + lane);
             WideDouble time = WideDouble.Splat(h);
-            for (int i = 1; i < count; i++)
+            for (int i = 1; i < bundle.Count; i++)
             {
-                Correct(&DoubleLanes.Shift(nodes + i, lane)->Joint, places + i, takes, time);
+                Correct(&DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i, takes, time);
             }
 
-            for (int i = 0; i < anchorCount; i++)
+            for (int i = 0; i < bundle.AnchorCount; i++)
             {
-                Correct(&DoubleLanes.Shift(anchors + i, lane)->Joint, anchorPlaces + i, takes, time);
+                Correct(&DoubleLanes.Shift(bundle.Anchors + i, lane)->Joint, bundle.AnchorPlaces + i, takes, time);
             }
         }
     }
 
     /// <summary>What the joints are off by after a way straight on, and what that will be in the next substep: see <see cref="JointSolver"/>.</summary>
-    public static void Foresee(
-        LaneNode* nodes,
-        LanePlace* places,
-        int count,
-        LaneAnchor* anchors,
-        LanePlace* anchorPlaces,
-        int anchorCount,
-        LaneWalk* walks,
-        double h)
+    public static void Foresee(in LaneBundle bundle, LaneWalk* walks, double h)
     {
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
-            for (int i = 1; i < count; i++)
+            for (int i = 1; i < bundle.Count; i++)
             {
-                Foresee(&DoubleLanes.Shift(nodes + i, lane)->Joint, places + i, &DoubleLanes.Shift(walks + i, lane)->Bends, h);
+                Foresee(&DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i, &DoubleLanes.Shift(walks + i, lane)->Bends, h);
             }
 
-            for (int i = 0; i < anchorCount; i++)
+            for (int i = 0; i < bundle.AnchorCount; i++)
             {
-                LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
-                Foresee(&anchor->Joint, anchorPlaces + i, &anchor->Bends, h);
+                LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
+                Foresee(&anchor->Joint, bundle.AnchorPlaces + i, &anchor->Bends, h);
             }
         }
     }
@@ -182,38 +151,30 @@ internal static unsafe class LaneGoals
 
     /// <summary>The lanes in which a limit is passed at the present velocities.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static int Passed(
-        LaneNode* nodes,
-        LanePlace* places,
-        int count,
-        LaneAnchor* anchors,
-        LanePlace* anchorPlaces,
-        int anchorCount,
-        double h,
-        bool relaxed)
+    public static int Passed(in LaneBundle bundle, double h, bool relaxed)
     {
         int passed = 0;
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             WideDoubleMask any = ~(WideDouble.Zero <= WideDouble.Zero);
-            LaneNode* first = DoubleLanes.Shift(nodes, lane);
+            LaneNode* first = DoubleLanes.Shift(bundle.Nodes, lane);
             WideDouble time = WideDouble.Splat(h);
-            for (int i = 1; i < count; i++)
+            for (int i = 1; i < bundle.Count; i++)
             {
-                if (places[i].HasLimits)
+                if (bundle.Places[i].HasLimits)
                 {
                     LaneNode* node = first + i;
-                    any |= Passes(&node->Joint, node->ParentS, places + i, node->Velocity, first[places[i].Parent].Velocity, time, relaxed);
+                    any |= Passes(&node->Joint, node->ParentS, bundle.Places + i, node->Velocity, first[bundle.Places[i].Parent].Velocity, time, relaxed);
                 }
             }
 
-            for (int i = 0; i < anchorCount; i++)
+            for (int i = 0; i < bundle.AnchorCount; i++)
             {
-                if (anchorPlaces[i].HasLimits)
+                if (bundle.AnchorPlaces[i].HasLimits)
                 {
-                    LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
-                    double* velocity = first[anchorPlaces[i].Parent].Velocity;
-                    any |= Passes(&anchor->Joint, anchor->OtherS, anchorPlaces + i, velocity, anchor->Still, time, relaxed);
+                    LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
+                    double* velocity = first[bundle.AnchorPlaces[i].Parent].Velocity;
+                    any |= Passes(&anchor->Joint, anchor->OtherS, bundle.AnchorPlaces + i, velocity, anchor->Still, time, relaxed);
                 }
             }
 

@@ -83,39 +83,39 @@ internal static unsafe class LanePoses
 
     /// <summary>Where the bodies are, and arms and errors of the joints there.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Place(LaneNode* nodes, LanePlace* places, int count, LaneAnchor* anchors, LanePlace* anchorPlaces, int anchorCount)
+    public static void Place(in LaneBundle bundle)
     {
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
-            LaneNode* first = DoubleLanes.Shift(nodes, lane);
-            for (int i = 0; i < count; i++)
+            LaneNode* first = DoubleLanes.Shift(bundle.Nodes, lane);
+            for (int i = 0; i < bundle.Count; i++)
             {
                 Place(first + i);
                 if (i > 0)
                 {
-                    LaneNode* parent = first + places[i].Parent;
-                    if (places[i].IsA)
+                    LaneNode* parent = first + bundle.Places[i].Parent;
+                    if (bundle.Places[i].IsA)
                     {
-                        LaneRows.Place(&first[i].Joint, places + i, first[i].X, parent->X);
+                        LaneRows.Place(&first[i].Joint, bundle.Places + i, first[i].X, parent->X);
                     }
                     else
                     {
-                        LaneRows.Place(&first[i].Joint, places + i, parent->X, first[i].X);
+                        LaneRows.Place(&first[i].Joint, bundle.Places + i, parent->X, first[i].X);
                     }
                 }
             }
 
-            for (int i = 0; i < anchorCount; i++)
+            for (int i = 0; i < bundle.AnchorCount; i++)
             {
-                LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
-                LaneNode* node = first + anchorPlaces[i].Parent;
-                if (anchorPlaces[i].IsA)
+                LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
+                LaneNode* node = first + bundle.AnchorPlaces[i].Parent;
+                if (bundle.AnchorPlaces[i].IsA)
                 {
-                    LaneRows.Place(&anchor->Joint, anchorPlaces + i, node->X, anchor->X);
+                    LaneRows.Place(&anchor->Joint, bundle.AnchorPlaces + i, node->X, anchor->X);
                 }
                 else
                 {
-                    LaneRows.Place(&anchor->Joint, anchorPlaces + i, anchor->X, node->X);
+                    LaneRows.Place(&anchor->Joint, bundle.AnchorPlaces + i, anchor->X, node->X);
                 }
             }
         }

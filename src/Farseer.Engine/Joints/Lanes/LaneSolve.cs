@@ -17,73 +17,73 @@ internal static unsafe class LaneSolve
     private const int Step = LaneMatrix.Step;
 
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Run(LaneNode* nodes, LanePlace* places, int count, LaneAnchor* anchors, LanePlace* anchorPlaces, int anchorCount)
+    public static void Run(in LaneBundle bundle)
     {
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
-            LaneNode* first = DoubleLanes.Shift(nodes, lane);
-            for (int i = 0; i < anchorCount; i++)
+            LaneNode* first = DoubleLanes.Shift(bundle.Nodes, lane);
+            for (int i = 0; i < bundle.AnchorCount; i++)
             {
-                LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
-                LaneNode* node = first + anchorPlaces[i].Parent;
-                Meet(anchor, node->Velocity, anchorPlaces[i].Rows);
+                LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
+                LaneNode* node = first + bundle.AnchorPlaces[i].Parent;
+                Meet(anchor, node->Velocity, bundle.AnchorPlaces[i].Rows);
                 WideDouble.Zero.Store(node->Got);
                 WideDouble.Zero.Store(node->Got + 4);
                 WideDouble.Zero.Store(node->Got + 8);
             }
 
-            for (int i = count - 1; i > 0; i--)
+            for (int i = bundle.Count - 1; i > 0; i--)
             {
                 LaneNode* node = first + i;
-                double* parent = first[places[i].Parent].Velocity;
-                int n = places[i].Rows;
+                double* parent = first[bundle.Places[i].Parent].Velocity;
+                int n = bundle.Places[i].Rows;
                 Residual(node, node->Velocity, parent, n, out WideDouble r0, out WideDouble r1, out WideDouble r2);
                 Spread(node->W, r0, r1, r2, n, parent);
             }
 
-            for (int i = 1; i < count; i++)
+            for (int i = 1; i < bundle.Count; i++)
             {
                 LaneNode* node = first + i;
-                LaneNode* parent = first + places[i].Parent;
-                int n = places[i].Rows;
+                LaneNode* parent = first + bundle.Places[i].Parent;
+                int n = bundle.Places[i].Rows;
                 Residual(node, node->Velocity, parent->Velocity, n, out WideDouble r0, out WideDouble r1, out WideDouble r2);
                 Spread(node->G, r0, r1, r2, n, node->Velocity);
                 Multiply(node->Joint.E, r0, r1, r2, n, out WideDouble l0, out WideDouble l1, out WideDouble l2);
                 StoreRows(l0, l1, l2, n, node->Joint.Lambda);
-                if (places[i].Anchored)
+                if (bundle.Places[i].Anchored)
                 {
                     Spread(node->Joint.S, l0, l1, l2, n, node->Got);
                 }
 
-                if (places[places[i].Parent].Anchored)
+                if (bundle.Places[bundle.Places[i].Parent].Anchored)
                 {
                     Spread(node->ParentS, l0, l1, l2, n, parent->Got);
                 }
             }
 
-            for (int i = anchorCount - 1; i >= 0; i--)
+            for (int i = bundle.AnchorCount - 1; i >= 0; i--)
             {
-                Answer(DoubleLanes.Shift(anchors + i, lane), first[anchorPlaces[i].Parent].Got, anchorPlaces[i].Rows);
+                Answer(DoubleLanes.Shift(bundle.Anchors + i, lane), first[bundle.AnchorPlaces[i].Parent].Got, bundle.AnchorPlaces[i].Rows);
             }
         }
     }
 
     /// <summary>Adds the impulses to what the joints gave to their bodies B.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Give(LaneNode* nodes, LanePlace* places, int count, LaneAnchor* anchors, LanePlace* anchorPlaces, int anchorCount)
+    public static void Give(in LaneBundle bundle)
     {
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
-            for (int i = 1; i < count; i++)
+            for (int i = 1; i < bundle.Count; i++)
             {
-                LaneNode* node = DoubleLanes.Shift(nodes + i, lane);
-                Give(&node->Joint, places[i].IsA ? node->ParentS : node->Joint.S, places[i].Rows);
+                LaneNode* node = DoubleLanes.Shift(bundle.Nodes + i, lane);
+                Give(&node->Joint, bundle.Places[i].IsA ? node->ParentS : node->Joint.S, bundle.Places[i].Rows);
             }
 
-            for (int i = 0; i < anchorCount; i++)
+            for (int i = 0; i < bundle.AnchorCount; i++)
             {
-                LaneAnchor* anchor = DoubleLanes.Shift(anchors + i, lane);
-                Give(&anchor->Joint, anchorPlaces[i].IsA ? anchor->OtherS : anchor->Joint.S, anchorPlaces[i].Rows);
+                LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
+                Give(&anchor->Joint, bundle.AnchorPlaces[i].IsA ? anchor->OtherS : anchor->Joint.S, bundle.AnchorPlaces[i].Rows);
             }
         }
     }

@@ -146,25 +146,22 @@ internal sealed unsafe partial class TreeLanes
         for (int b = 0; b < _count; b++)
         {
             LaneTrees* trees = _bundles.Pointer + b;
-            LaneNode* nodes = _nodes.Pointer + trees->First;
-            LanePlace* places = _places.Pointer + trees->First;
-            LaneAnchor* anchors = _anchors.Pointer + trees->AnchorFirst;
-            LanePlace* anchorPlaces = _anchorPlaces.Pointer + trees->AnchorFirst;
+            LaneBundle bundle = BundleOf(trees);
             LoadStill(trees);
             int leaves = 0;
             if (relaxed)
             {
-                LaneGoals.Relaxed(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
+                LaneGoals.Relaxed(bundle);
             }
             else
             {
-                leaves = LaneGoals.Biased(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, WalksOrNone(trees), _step.Substep);
+                leaves = LaneGoals.Biased(bundle, WalksOrNone(trees), _step.Substep);
             }
 
             leaves |= trees->Stalled;
             if (trees->HasLimits || leaves != 0)
             {
-                PutAside(nodes, trees->Nodes);
+                PutAside(bundle.Nodes, bundle.Count);
             }
 
             if (trees->Softs > 0)
@@ -172,9 +169,9 @@ internal sealed unsafe partial class TreeLanes
                 PutGivenAside(trees);
             }
 
-            LaneSolve.Run(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
+            LaneSolve.Run(bundle);
             LeaveBefore(trees, (leaves | Passed(trees, relaxed)) & trees->Live);
-            LaneSolve.Give(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
+            LaneSolve.Give(bundle);
             Sweep(trees, relaxed, sweeps);
             StoreVelocities(trees);
         }
@@ -220,25 +217,11 @@ internal sealed unsafe partial class TreeLanes
         LeaveBefore(trees, Passed(trees, relaxed) & trees->Live);
         if (any)
         {
-            LaneSolve.Give(
-                _nodes.Pointer + trees->First,
-                _places.Pointer + trees->First,
-                trees->Nodes,
-                _anchors.Pointer + trees->AnchorFirst,
-                _anchorPlaces.Pointer + trees->AnchorFirst,
-                trees->Anchors);
+            LaneSolve.Give(BundleOf(trees));
         }
     }
 
-    private int Passed(LaneTrees* trees, bool relaxed) => !trees->HasLimits ? 0 : LaneGoals.Passed(
-        _nodes.Pointer + trees->First,
-        _places.Pointer + trees->First,
-        trees->Nodes,
-        _anchors.Pointer + trees->AnchorFirst,
-        _anchorPlaces.Pointer + trees->AnchorFirst,
-        trees->Anchors,
-        _step.Substep,
-        relaxed);
+    private int Passed(LaneTrees* trees, bool relaxed) => !trees->HasLimits ? 0 : LaneGoals.Passed(BundleOf(trees), _step.Substep, relaxed);
 
     /// <summary>See <see cref="JointSolver.CorrectPositions"/>; the trees that are given back went astray, and are to be projected.</summary>
     public void CorrectPositions()
@@ -265,16 +248,13 @@ internal sealed unsafe partial class TreeLanes
 
     private void Correct(LaneTrees* trees)
     {
-        LaneNode* nodes = _nodes.Pointer + trees->First;
-        LanePlace* places = _places.Pointer + trees->First;
-        LaneAnchor* anchors = _anchors.Pointer + trees->AnchorFirst;
-        LanePlace* anchorPlaces = _anchorPlaces.Pointer + trees->AnchorFirst;
+        LaneBundle bundle = BundleOf(trees);
         NoteGiven(trees);
         Place(trees);
-        LaneGoals.FindWorst(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, trees);
+        LaneGoals.FindWorst(bundle, trees);
         if (trees->Softs > 0)
         {
-            LaneGoals.Foresee(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, WalksOrNone(trees), _step.Substep);
+            LaneGoals.Foresee(bundle, WalksOrNone(trees), _step.Substep);
         }
 
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
@@ -285,14 +265,14 @@ internal sealed unsafe partial class TreeLanes
 
         for (int round = 0; round < JointSolver.Corrections && Choose(trees); round++)
         {
-            PutAside(nodes, trees->Nodes);
-            ClearVelocities(nodes, trees->Nodes);
-            LaneGoals.Correction(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, _step.Substep, trees);
-            LaneSolve.Run(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
-            LaneSolve.Give(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors);
-            LanePoses.MoveOn(nodes, trees->Nodes, _step.Substep, trees);
+            PutAside(bundle.Nodes, bundle.Count);
+            ClearVelocities(bundle.Nodes, bundle.Count);
+            LaneGoals.Correction(bundle, _step.Substep, trees);
+            LaneSolve.Run(bundle);
+            LaneSolve.Give(bundle);
+            LanePoses.MoveOn(bundle.Nodes, bundle.Count, _step.Substep, trees);
             Place(trees);
-            LaneGoals.FindWorst(nodes, places, trees->Nodes, anchors, anchorPlaces, trees->Anchors, trees);
+            LaneGoals.FindWorst(bundle, trees);
             FindAstray(trees, round == JointSolver.Corrections - 1);
         }
     }
@@ -323,26 +303,23 @@ internal sealed unsafe partial class TreeLanes
         }
     }
 
+    private LaneBundle BundleOf(LaneTrees* trees) => new LaneBundle
+    {
+        Nodes = _nodes.Pointer + trees->First,
+        Places = _places.Pointer + trees->First,
+        Count = trees->Nodes,
+        Anchors = _anchors.Pointer + trees->AnchorFirst,
+        AnchorPlaces = _anchorPlaces.Pointer + trees->AnchorFirst,
+        AnchorCount = trees->Anchors,
+    };
+
     private static bool IsLive(LaneTrees* trees, int lane) => (trees->Live & (1 << lane)) != 0;
 
-    private void Place(LaneTrees* trees) => LanePoses.Place(
-        _nodes.Pointer + trees->First,
-        _places.Pointer + trees->First,
-        trees->Nodes,
-        _anchors.Pointer + trees->AnchorFirst,
-        _anchorPlaces.Pointer + trees->AnchorFirst,
-        trees->Anchors);
+    private void Place(LaneTrees* trees) => LanePoses.Place(BundleOf(trees));
 
     private void Factor(LaneTrees* trees, bool begin)
     {
-        LaneFactor.Run(
-            _nodes.Pointer + trees->First,
-            _places.Pointer + trees->First,
-            trees->Nodes,
-            _anchors.Pointer + trees->AnchorFirst,
-            _anchorPlaces.Pointer + trees->AnchorFirst,
-            trees->Anchors,
-            begin);
+        LaneFactor.Run(BundleOf(trees), begin);
         trees->Stalled = 0;
         for (int lane = 0; lane < DoubleLanes.BundleLanes && trees->Softs > 0; lane += WideDouble.Count)
         {
