@@ -26,6 +26,8 @@ switch (args.Length > 0 ? args[0] : "")
         return TreeTiming.Run(args.AsSpan(1), Console.Out);
     case "memory":
         return MemoryCommand.Run(args.AsSpan(1), Console.Out, Console.Error);
+    case "allocation":
+        return AllocationCommand.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "unused":
         return UnusedFeatures.Run(Console.Out);
     default:
@@ -43,6 +45,8 @@ switch (args.Length > 0 ? args[0] : "")
         Console.WriteLine("          time of trees of joints, ns a body and substep");
         Console.WriteLine($"  {MemoryCommand.Usage}");
         Console.WriteLine("          what a scene keeps in memory, bytes a body by store");
+        Console.WriteLine($"  {AllocationCommand.Usage}");
+        Console.WriteLine("          what scenes allocate after their first second, by store");
         Console.WriteLine("  unused  time and bits of features that have nothing to do");
         return 0;
 }

@@ -23,13 +23,18 @@ internal sealed class HeapWalk
     /// <summary>Bytes by store.</summary>
     public IReadOnlyDictionary<string, long> Bytes => _bytes;
 
-    public void Walk(object root)
+    /// <summary>Walks from one object. Of what an earlier walk has seen no bytes are booked, if one is given.</summary>
+    public void Walk(object root, HeapWalk? earlier = null)
     {
         Open(root, root.GetType().Name);
         while (_open.Count > 0)
         {
             (object item, string store) = _open.Dequeue();
-            _bytes[store] = _bytes.GetValueOrDefault(store) + SizeOf(item);
+            if (earlier?._seen.Contains(item) != true)
+            {
+                _bytes[store] = _bytes.GetValueOrDefault(store) + SizeOf(item);
+            }
+
             if (item is Array array)
             {
                 if (!item.GetType().GetElementType()!.IsValueType)
