@@ -79,4 +79,11 @@ internal sealed class Trial
             _bodySteps += rig.BodySteps;
         }
     }
+
+    /// <summary>Plays a world with another dial, to compare with; its cost is not the scene's.</summary>
+    public static void Reference(Dial dial, Action<Rig> play, double gravity = 10, double bodySize = 1)
+    {
+        using var rig = new Rig(dial, gravity, bodySize);
+        play(rig);
+    }
 }

@@ -25,7 +25,7 @@ internal static class AimTable
         {
             double limit = aim.Times is null ? aim.Limit : aim.Limit * Value(done, aim.Times, aim.Metric);
             double value = Value(done, aim.Scene, aim.Metric);
-            (double? best, string name) = BestPeer(aim);
+            (double? best, string name) = BestPeer(done, aim);
             results.Add(new AimResult(aim, limit, value, best, name));
         }
 
@@ -81,15 +81,16 @@ internal static class AimTable
         return Math.Abs(value);
     }
 
-    private static (double? Best, string Name) BestPeer(Aim aim)
+    private static (double? Best, string Name) BestPeer(Dictionary<string, List<Row>> done, Aim aim)
     {
+        double right = aim.Peers is null ? 0 : Value(done, aim.Scene, aim.Peers.Right);
         double? best = null;
         string name = string.Empty;
         foreach (string peer in _peers)
         {
-            if (SweepData.PeerDefault(peer, aim.Scene, aim.Metric) is double value && double.IsFinite(value))
+            if (SweepData.PeerDefault(peer, aim.Peers?.Scene ?? aim.Scene, aim.Peers?.Metric ?? aim.Metric) is double value && double.IsFinite(value))
             {
-                double size = Math.Abs(value);
+                double size = Math.Abs(value - right);
                 if (best is null || (aim.AtLeast ? size > best && size < Runner.Exploded : size < best))
                 {
                     best = size;

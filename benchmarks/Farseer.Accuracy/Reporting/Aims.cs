@@ -9,7 +9,12 @@ namespace Farseer.Accuracy.Reporting;
 /// <param name="Limit">The largest figure that meets the aim; with <paramref name="AtLeast"/> the smallest.</param>
 /// <param name="AtLeast">More is better.</param>
 /// <param name="Times">A scene whose same metric multiplies <paramref name="Limit"/>; null: the aim stands for itself.</param>
-internal sealed record Aim(string Subject, string Scene, string Metric, double Limit, bool AtLeast = false, string? Times = null);
+/// <param name="Peers">How the figure of another engine follows from what was measured of it; null: it has the same name.</param>
+internal sealed record Aim(
+    string Subject, string Scene, string Metric, double Limit, bool AtLeast = false, string? Times = null, PeerError? Peers = null);
+
+/// <summary>The error of another engine: its own figure less the right one, which a metric of the aim's scene tells.</summary>
+internal sealed record PeerError(string Scene, string Metric, string Right);
 
 /// <summary>The figures that the project set out to reach; those that it promises are in <see cref="Goals"/>.</summary>
 internal static class Aims
@@ -49,6 +54,8 @@ internal static class Aims
         new("bridge, load 1000", "S12_bridge=1000", "joint_error_peak_mm", 0.1),
         new("bridge, load 1000", "S12_bridge=1000", "load_lost", 0),
         new("bridge, load 1000", "S12_bridge=1000", "load_penetration_end_mm", 10),
+        new("bridge, load 10: swing", "S12b_bridge_swing=10", "swing_error_mmps", 20, Peers: SwingOf("S12_bridge=10")),
+        new("bridge, load 100: swing", "S12b_bridge_swing=100", "swing_error_mmps", 100, Peers: SwingOf("S12_bridge=100")),
         new("ragdoll, 3 m", "S13_ragdoll=3", "joint_error_peak_mm", 0.01),
         new("ragdoll, 3 m", "S13_ragdoll=3", "limit_overrun_deg", 0.2),
         new("spring 1 Hz", "S14_spring=1005", "freq_rel_error", 1e-3),
@@ -99,4 +106,6 @@ internal static class Aims
         new("concave shapes", "S29_concave=24", "max_penetration_peak_mm", 5),
         new("concave shapes", "S29_concave=24", "max_penetration_end_mm", 0.2),
     ];
+
+    private static PeerError SwingOf(string scene) => new(scene, "rms_speed_mmps", "swing_converged_mmps");
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 namespace Farseer.Accuracy.Scenes;
@@ -10,6 +11,11 @@ internal static class Chains
     private const int Links = 50;
     private const int Planks = 30;
     private const double Length = 25;
+    private const double BridgeSize = 0.25;
+
+    /// <summary>Of a reference: how many times more steps, and how many times more iterations.</summary>
+    private static readonly int[] _finerSteps = [4, 8];
+    private static readonly int[] _finerIterations = [1, 2, 4];
 
     public static IReadOnlyList<SceneInfo> Scenes { get; } =
     [
@@ -23,6 +29,8 @@ internal static class Chains
                 "rms_speed_mmps",
             ],
             Bridge),
+        new("S12b_bridge_swing", "mass of the load over that of a plank", new(0.1, 1e5), ["10", "100"],
+            ["swing_mmps", "swing_converged_mmps", "swing_spread_mmps", "swing_error_mmps", "swing_error_in_spreads"], BridgeSwing),
         new("S13_ragdoll", "height, m", new(0, 100), ["3"],
             ["limit_overrun_deg", "joint_error_peak_mm", "joint_error_end_mm", "rms_speed_mmps"], Ragdoll),
     ];
@@ -89,33 +97,7 @@ internal static class Chains
     private static void Bridge(Trial trial) => trial.World(
         rig =>
         {
-            // 30 chords of 1 m on an arc whose chord is 28 m: sin(15 f) / sin(f / 2) = 28.
-            double low = 1e-3;
-            double high = 0.2;
-            for (int i = 0; i < 100; i++)
-            {
-                double middle = (low + high) / 2;
-                (low, high) = Math.Sin(15 * middle) / Math.Sin(middle / 2) > 28 ? (middle, high) : (low, middle);
-            }
-
-            Actor before = rig.AddAnchor(-14, 0);
-            var planks = new List<Actor>();
-            Vec end = new(-14, 0);
-            for (int i = 0; i < Planks; i++)
-            {
-                double angle = (i - 14.5) * low;
-                Vec along = new(Math.Cos(angle), Math.Sin(angle));
-                Actor plank = rig.AddBox(end.X + (0.5 * along.X), end.Y + (0.5 * along.Y), 1, 0.25, angle, 20);
-                rig.SetGroup(plank, 1);
-                rig.AddHinge(before, plank, end);
-                planks.Add(plank);
-                before = plank;
-                end += along;
-            }
-
-            rig.AddHinge(before, rig.AddAnchor(14, 0), end);
-            Vec centre = 0.5 * (planks[14].Position + planks[15].Position);
-            Actor load = rig.AddBox(0, centre.Y + 0.125 + 0.1 + 1, 2, 2, 0, 5 * trial.Parameter / 4);
+            (List<Actor> planks, Actor load) = MakeBridge(rig, trial.Parameter);
             double peak = 0;
             double last = 0;
             double depth = 0;
@@ -141,7 +123,71 @@ internal static class Chains
             trial.Record("load_penetration_end_mm", 1000 * lastDepth);
             trial.Record("rms_speed_mmps", 1000 * rms);
         },
-        bodySize: 0.25);
+        bodySize: BridgeSize);
+
+    /// <summary>
+    /// The speed of S12's tenth second is true swinging, so its size says nothing of a solver: more of it can be right and less wrong. Held
+    /// against it is the mean of runs of 4 to 32 times finer substeps, of which the depth of the load has gone; their spread is what chaos leaves open.
+    /// </summary>
+    private static void BridgeSwing(Trial trial)
+    {
+        double swing = 0;
+        trial.World(rig => swing = SwingOfBridge(rig, trial.Parameter), bodySize: BridgeSize);
+        var finer = new List<double>();
+        foreach (int share in _finerSteps)
+        {
+            foreach (int times in _finerIterations)
+            {
+                Dial dial = trial.Dial with { Iterations = times * trial.Dial.Iterations, Dt = trial.Dial.Dt / share };
+                Trial.Reference(dial, rig => finer.Add(SwingOfBridge(rig, trial.Parameter)), bodySize: BridgeSize);
+            }
+        }
+
+        double mean = finer.Average();
+        double spread = Math.Sqrt(finer.Sum(one => (one - mean) * (one - mean)) / (finer.Count - 1));
+        trial.Record("swing_mmps", swing);
+        trial.Record("swing_converged_mmps", mean);
+        trial.Record("swing_spread_mmps", spread);
+        trial.Record("swing_error_mmps", Math.Abs(swing - mean));
+        trial.Record("swing_error_in_spreads", Math.Abs(swing - mean) / spread);
+    }
+
+    private static double SwingOfBridge(Rig rig, double ratio)
+    {
+        MakeBridge(rig, ratio);
+        return 1000 * Metrics.RunForRmsSpeed(rig, 10);
+    }
+
+    private static (List<Actor> Planks, Actor Load) MakeBridge(Rig rig, double ratio)
+    {
+        // 30 chords of 1 m on an arc whose chord is 28 m: sin(15 f) / sin(f / 2) = 28.
+        double low = 1e-3;
+        double high = 0.2;
+        for (int i = 0; i < 100; i++)
+        {
+            double middle = (low + high) / 2;
+            (low, high) = Math.Sin(15 * middle) / Math.Sin(middle / 2) > 28 ? (middle, high) : (low, middle);
+        }
+
+        Actor before = rig.AddAnchor(-14, 0);
+        var planks = new List<Actor>();
+        Vec end = new(-14, 0);
+        for (int i = 0; i < Planks; i++)
+        {
+            double angle = (i - 14.5) * low;
+            Vec along = new(Math.Cos(angle), Math.Sin(angle));
+            Actor plank = rig.AddBox(end.X + (0.5 * along.X), end.Y + (0.5 * along.Y), 1, 0.25, angle, 20);
+            rig.SetGroup(plank, 1);
+            rig.AddHinge(before, plank, end);
+            planks.Add(plank);
+            before = plank;
+            end += along;
+        }
+
+        rig.AddHinge(before, rig.AddAnchor(14, 0), end);
+        Vec centre = 0.5 * (planks[14].Position + planks[15].Position);
+        return (planks, rig.AddBox(0, centre.Y + 0.125 + 0.1 + 1, 2, 2, 0, 5 * ratio / 4));
+    }
 
     private static void Ragdoll(Trial trial) => trial.World(
         rig =>

@@ -214,6 +214,11 @@ internal sealed unsafe partial class JointSolver : IStageWork
                 state.Impulse[k] = k < _rows[i].Count ? _active[i].Lambda[k] * _fineness : 0;
             }
 
+            if (_active[i].Kind == JointKind.Gear && _rows[i].Hard > 0)
+            {
+                Mesh(_active.Pointer + i);
+            }
+
             double* given = _active.Pointer[i].Given;
             if (!double.IsInfinity(_active[i].Settings.Breakpoint))
             {

@@ -64,6 +64,60 @@ public class JointMotionTests
         Assert.Equal(510, weight.Position.Y, 1e-3f);
     }
 
+    /// <summary>A load beside its slide pulls across and turns; both are held, and what rounding leaves of them is no way.</summary>
+    [Theory]
+    [InlineData(10)]
+    [InlineData(30)]
+    [InlineData(100)]
+    [InlineData(1000)]
+    public void Slide_UnderALoadBesideIt_StaysOnItsLineToTheLastBit(float far)
+    {
+        PhysicsSimulator simulator = Sandbox.Falling(10);
+        double mass = 1 + far;
+        double centre = 3 * far / mass;
+        double inertia = (mass / 6) + (centre * centre) + (far * (3 - centre) * (3 - centre));
+        Body load = BodyFactory.Instance.CreateBody(simulator, (float)mass, (float)inertia);
+        Sandbox.WithoutDrag(load);
+        load.SetPosition(centre, 0);
+        simulator.Add(new FixedPrismaticJoint(load, Vector2.Zero, Vector2.UnitX));
+        for (int i = 0; i < 300; i++)
+        {
+            simulator.Update(Sandbox.Step);
+            load.GetPosition(out double x, out double y);
+            Assert.Equal(centre, x);
+            Assert.Equal(0, y);
+        }
+    }
+
+    [Theory]
+    [InlineData(0.5f)]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void Gear_WhileItTurns_KeepsItsRatioToTheLastBit(float ratio)
+    {
+        using var simulator = new PhysicsSimulator(Vector2.Zero);
+        var discs = new Body[2];
+        for (int i = 0; i < 2; i++)
+        {
+            discs[i] = BodyFactory.Instance.CreateCircleBody(simulator, 2 - i, 3 - (2 * i));
+            Sandbox.WithoutDrag(discs[i]);
+            discs[i].Position = new Vector2(4 * i, 0);
+            JointFactory.Instance.CreateFixedRevoluteJoint(simulator, discs[i], discs[i].Position);
+        }
+
+        JointFactory.Instance.CreateGearJoint(simulator, discs[0], discs[1], ratio);
+        discs[0].AngularVelocity = 10;
+        for (int i = 0; i < 600; i++)
+        {
+            simulator.Update(Sandbox.Step);
+            discs[0].GetTotalRotation(out double first);
+            discs[1].GetTotalRotation(out double second);
+            Assert.Equal(0, second + (ratio * first));
+        }
+
+        Assert.True(discs[0].TotalRotation > 1);
+    }
+
     [Fact]
     public void Motor_LiftsWithEnoughTorqueOnly()
     {
