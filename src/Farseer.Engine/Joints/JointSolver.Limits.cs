@@ -9,8 +9,8 @@ namespace Farseer.Engine.Joints;
 /// </content>
 internal sealed unsafe partial class JointSolver
 {
-    private const int LimitRounds = 6;
-    private const int ReleaseRounds = 4;
+    internal const int LimitRounds = 6;
+    internal const int ReleaseRounds = 4;
 
     /// <summary>Share of the speeds in a row below which a difference is rounding.</summary>
     internal const double SpeedRounding = 1e-9;

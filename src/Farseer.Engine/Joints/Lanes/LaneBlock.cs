@@ -6,14 +6,20 @@ using System.Runtime.Intrinsics;
 
 namespace Farseer.Engine.Joints.Lanes;
 
-/// <summary>The elimination of edges and anchors of one or three rows (welds, rods, gears), as in <see cref="TreeFactor"/> operation by operation.</summary>
+/// <summary>
+/// The elimination of edges and anchors of one or three rows (welds, rods, gears), as in <see cref="TreeFactor"/> operation by operation. The third
+/// row may be that of a limit that holds in some lanes only: in the others it is 0, its own response is taken for 1, and what is left of the
+/// formulas of three rows are those of two.
+/// </summary>
 internal static unsafe class LaneBlock
 {
     /// <summary>Doubles of working space.</summary>
     public const int Space = (4 * LaneMatrix.Row * 3) + (3 * LaneMatrix.Step);
 
-    public static void EliminateAnchor(LaneAnchor* anchor, LaneNode* node, int n, double* space)
+    public static void EliminateAnchor(LaneAnchor* anchor, LaneNode* node, LanePlace* place, double* space)
     {
+        int n = place->BlockRows;
+        long* held = place->Held != 0 ? anchor->Joint.Held : null;
         double* sy = space;
         double* k = sy + (3 * LaneMatrix.Row);
         double* own = space + (12 * LaneMatrix.Row);
@@ -21,14 +27,18 @@ internal static unsafe class LaneBlock
         LaneMatrix.Multiply(s, n, node->SubtreeMass, sy);
         LaneMatrix.MultiplyTransposed(sy, s, n, k);
         SetOwn(s, n, node, own);
+        Fill(held, own + (2 * LaneMatrix.Step));
+        Fill(held, k + (8 * LaneMatrix.Step));
         AddRegular(k, n, own, IsSingular(k, n, own));
-        LaneMatrix.Invert(k, n, anchor->Joint.E);
+        Invert(k, n, anchor->Joint.E, held);
         LaneMatrix.MultiplySquare(anchor->Joint.E, n, sy, anchor->Gain);
         LaneMatrix.SubtractOuter(node->SubtreeMass, sy, anchor->Gain, n);
     }
 
-    public static void EliminateEdge(LaneNode* node, LaneNode* parent, int n, double* space)
+    public static void EliminateEdge(LaneNode* node, LaneNode* parent, LanePlace* place, double* space)
     {
+        int n = place->BlockRows;
+        long* held = place->Held != 0 ? node->Joint.Held : null;
         double* sy = space;
         double* spy = sy + (3 * LaneMatrix.Row);
         double* k = spy + (3 * LaneMatrix.Row);
@@ -38,6 +48,8 @@ internal static unsafe class LaneBlock
         LaneMatrix.Multiply(s, n, node->SubtreeMass, sy);
         LaneMatrix.MultiplyTransposed(sy, s, n, k);
         SetOwn(s, n, node, own);
+        Fill(held, own + (2 * LaneMatrix.Step));
+        Fill(held, k + (8 * LaneMatrix.Step));
         AddRegular(k, n, own, IsSingular(k, n, own));
         LaneMatrix.Multiply(node->ParentS, n, parent->SubtreeMass, spy);
         LaneMatrix.MultiplyTransposed(spy, node->ParentS, n, h);
@@ -52,12 +64,13 @@ internal static unsafe class LaneBlock
             (WideDouble.Load(at) + LaneFactor.Own(node->ParentS + (i * LaneMatrix.Row), parent)).Store(at);
         }
 
+        Fill(held, h + (8 * LaneMatrix.Step));
         WideDoubleMask singular = IsSingular(h, n, own);
         AddRegular(h, n, own, singular);
         AddRegular(k, n, own, singular);
-        LaneMatrix.Invert(k, n, node->Joint.E);
+        Invert(k, n, node->Joint.E, held);
         LaneMatrix.MultiplySquare(node->Joint.E, n, sy, node->G);
-        LaneMatrix.Invert(h, n, k);
+        Invert(h, n, k, held);
         LaneMatrix.MultiplySquare(k, n, spy, node->W);
         LaneMatrix.SubtractOuter(parent->SubtreeMass, spy, node->W, n);
     }
@@ -68,6 +81,36 @@ internal static unsafe class LaneBlock
         {
             LaneFactor.Own(s + (i * LaneMatrix.Row), node).Store(own + (i * LaneMatrix.Step));
         }
+    }
+
+    /// <summary>1 in the lanes in which no limit holds, of blocks that have some.</summary>
+    private static void Fill(long* held, double* at)
+    {
+        if (held != null)
+        {
+            WideDouble.Select(WideDouble.LoadMask(held), WideDouble.Load(at), WideDouble.Splat(1)).Store(at);
+        }
+    }
+
+    private static void Invert(double* k, int n, double* r, long* held)
+    {
+        if (held == null)
+        {
+            LaneMatrix.Invert(k, n, r);
+            return;
+        }
+
+        // Regular only adds to the response that is taken for 1.
+        Fill(held, k + (8 * LaneMatrix.Step));
+        LaneMatrix.Invert(k, 3, r);
+
+        // Of two rows the element above the diagonal is taken, of three that below.
+        WideDouble f = LaneMatrix.Inverse(LaneMatrix.Determinant(k, 3));
+        double* at = r + LaneMatrix.Step;
+        WideDouble off = WideDouble.Negate(f) * WideDouble.Load(k + LaneMatrix.Step);
+        WideDouble both = WideDouble.Select(WideDouble.LoadMask(held), WideDouble.Load(at), off);
+        both.Store(at);
+        both.Store(r + (3 * LaneMatrix.Step));
     }
 
     private static WideDoubleMask IsSingular(double* k, int n, double* own)

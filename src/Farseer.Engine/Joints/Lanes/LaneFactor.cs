@@ -40,13 +40,18 @@ internal static unsafe class LaneFactor
                     LaneRows.Write(&anchor->Joint, anchor->OtherS, place);
                 }
 
-                if (place->Rows == 2)
+                if (place->Held != 0)
+                {
+                    LaneRows.WriteHeld(&anchor->Joint, anchor->OtherS, place);
+                }
+
+                if (place->BlockRows == 2)
                 {
                     EliminateAnchor(anchor, first + place->Parent);
                 }
                 else
                 {
-                    LaneBlock.EliminateAnchor(anchor, first + place->Parent, place->Rows, space);
+                    LaneBlock.EliminateAnchor(anchor, first + place->Parent, place, space);
                 }
             }
 
@@ -55,13 +60,18 @@ internal static unsafe class LaneFactor
                 LaneNode* node = first + i;
                 LanePlace* place = bundle.Places + i;
                 LaneRows.Write(&node->Joint, node->ParentS, place);
-                if (place->Rows == 2)
+                if (place->Held != 0)
+                {
+                    LaneRows.WriteHeld(&node->Joint, node->ParentS, place);
+                }
+
+                if (place->BlockRows == 2)
                 {
                     EliminateEdge(node, first + place->Parent);
                 }
                 else
                 {
-                    LaneBlock.EliminateEdge(node, first + place->Parent, place->Rows, space);
+                    LaneBlock.EliminateEdge(node, first + place->Parent, place, space);
                 }
             }
         }

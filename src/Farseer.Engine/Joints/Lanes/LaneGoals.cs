@@ -6,7 +6,7 @@ using System.Runtime.Intrinsics;
 
 namespace Farseer.Engine.Joints.Lanes;
 
-/// <summary>What the joints are to reach, and which trees need more than lanes can give: a limit that is passed, an error from outside.</summary>
+/// <summary>What the joints are to reach, and which trees need more than lanes can give: an error from outside.</summary>
 internal static unsafe class LaneGoals
 {
     private const int Y = DoubleLanes.BundleLanes;
@@ -32,7 +32,7 @@ internal static unsafe class LaneGoals
             {
                 LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
                 large |= Bias(&anchor->Joint, bundle.AnchorPlaces + i, walks == null ? null : &anchor->Bends, time);
-                Lessen(anchor, bundle.AnchorPlaces[i].Rows);
+                Lessen(anchor, bundle.AnchorPlaces[i].BlockRows);
             }
 
             disturbed |= DoubleLanes.Bits(large) << lane;
@@ -42,20 +42,21 @@ internal static unsafe class LaneGoals
     }
 
     /// <summary>Standstill, and the speeds of servos.</summary>
-    public static void Relaxed(in LaneBundle bundle)
+    public static void Relaxed(in LaneBundle bundle, double h)
     {
+        WideDouble time = WideDouble.Splat(h);
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             for (int i = 1; i < bundle.Count; i++)
             {
-                Rest(&DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i);
+                Rest(&DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i, time);
             }
 
             for (int i = 0; i < bundle.AnchorCount; i++)
             {
                 LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
-                Rest(&anchor->Joint, bundle.AnchorPlaces + i);
-                Lessen(anchor, bundle.AnchorPlaces[i].Rows);
+                Rest(&anchor->Joint, bundle.AnchorPlaces + i, time);
+                Lessen(anchor, bundle.AnchorPlaces[i].BlockRows);
             }
         }
     }
@@ -149,95 +150,6 @@ internal static unsafe class LaneGoals
     private static WideDouble Larger(WideDouble one, WideDouble other) =>
         WideDouble.Select(WideDouble.IsNotNumber(one) | (other <= one), one, other);
 
-    /// <summary>The lanes in which a limit is passed at the present velocities.</summary>
-    [MethodImpl(KernelMethod.Optimized)]
-    public static int Passed(in LaneBundle bundle, double h, bool relaxed)
-    {
-        int passed = 0;
-        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
-        {
-            WideDoubleMask any = ~(WideDouble.Zero <= WideDouble.Zero);
-            LaneNode* first = DoubleLanes.Shift(bundle.Nodes, lane);
-            WideDouble time = WideDouble.Splat(h);
-            for (int i = 1; i < bundle.Count; i++)
-            {
-                if (bundle.Places[i].HasLimits)
-                {
-                    LaneNode* node = first + i;
-                    any |= Passes(&node->Joint, node->ParentS, bundle.Places + i, node->Velocity, first[bundle.Places[i].Parent].Velocity, time, relaxed);
-                }
-            }
-
-            for (int i = 0; i < bundle.AnchorCount; i++)
-            {
-                if (bundle.AnchorPlaces[i].HasLimits)
-                {
-                    LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
-                    double* velocity = first[bundle.AnchorPlaces[i].Parent].Velocity;
-                    any |= Passes(&anchor->Joint, anchor->OtherS, bundle.AnchorPlaces + i, velocity, anchor->Still, time, relaxed);
-                }
-            }
-
-            passed |= DoubleLanes.Bits(any) << lane;
-        }
-
-        return passed;
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDoubleMask Passes(
-        LaneJoint* joint,
-        double* otherS,
-        LanePlace* place,
-        double* velocity,
-        double* other,
-        WideDouble h,
-        bool relaxed)
-    {
-        double* a = place->IsA ? velocity : other;
-        double* b = place->IsA ? other : velocity;
-        WideDouble speed;
-        WideDouble terms;
-        bool turns = place->Form == LaneForm.Hinge;
-        if (turns)
-        {
-            WideDouble ofA = WideDouble.Load(a + W);
-            WideDouble ofB = WideDouble.Load(b + W);
-            speed = ofB - ofA;
-            terms = WideDouble.Abs(ofA) + WideDouble.Abs(ofB);
-        }
-        else
-        {
-            double* sA = (place->IsA ? joint->S : otherS) + (2 * LaneMatrix.Row);
-            double* sB = (place->IsA ? otherS : joint->S) + (2 * LaneMatrix.Row);
-            speed = LaneSolve.Dot(sA, a) + LaneSolve.Dot(sB, b);
-            terms = Term(sA, a, 0) + Term(sA, a, Y) + Term(sA, a, W) + Term(sB, b, 0) + Term(sB, b, Y) + Term(sB, b, W);
-        }
-
-        terms = WideDouble.Splat(JointSolver.SpeedRounding) * terms;
-        return (speed < LimitSpeed(WideDouble.Load(joint->Gap), h, relaxed, turns) - terms)
-            | (WideDouble.Negate(speed) < LimitSpeed(WideDouble.Load(joint->Gap + 4), h, relaxed, turns) - terms);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDouble Term(double* s, double* v, int at) => WideDouble.Abs(WideDouble.Load(s + at) * WideDouble.Load(v + at));
-
-    /// <summary>The speed below which a limit is passed, of a gap: see <see cref="JointSolver"/>.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDouble LimitSpeed(WideDouble gap, WideDouble h, bool relaxed, bool turns)
-    {
-        WideDouble closing = WideDouble.Negate(gap) / h;
-        WideDouble back = WideDouble.Zero;
-        if (!relaxed)
-        {
-            WideDouble fastest = WideDouble.Splat(JointSolver.FastestReturn);
-            back = WideDouble.Splat(-JointPass.LimitRecovery) * gap / h;
-            back = turns ? WideDouble.Select(back > fastest, fastest, back) : back;
-        }
-
-        return WideDouble.Select(gap > WideDouble.Zero, closing, back);
-    }
-
     /// <summary>What an error of a row is small against.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideDouble SizeOf(LaneJoint* joint, LanePlace* place, int row) =>
@@ -269,6 +181,11 @@ internal static unsafe class LaneGoals
             (WideDouble.Load(goal) - (WideDouble.Load(bends->Foreseen + (row * Y)) * h)).Store(goal);
         }
 
+        if (place->Held != 0)
+        {
+            LaneLimits.Aim(joint, place, h, false);
+        }
+
         return large;
     }
 
@@ -281,12 +198,16 @@ internal static unsafe class LaneGoals
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Rest(LaneJoint* joint, LanePlace* place)
+    private static void Rest(LaneJoint* joint, LanePlace* place, WideDouble h)
     {
         WideDouble first = place->Form == LaneForm.Servo ? WideDouble.Load(joint->Axis) : WideDouble.Zero;
         first.Store(joint->Goal);
         WideDouble.Zero.Store(joint->Goal + Y);
         WideDouble.Zero.Store(joint->Goal + W);
+        if (place->Held != 0)
+        {
+            LaneLimits.Aim(joint, place, h, true);
+        }
     }
 
     /// <summary>What cannot be moved may yet be moving.</summary>
@@ -339,6 +260,11 @@ internal static unsafe class LaneGoals
         if (place->Rows > 2)
         {
             CorrectRow(joint, W, takes, h);
+        }
+
+        if (place->Held != 0)
+        {
+            LaneLimits.AimToStop(joint, place, takes, h);
         }
     }
 

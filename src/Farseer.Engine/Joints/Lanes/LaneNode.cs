@@ -4,7 +4,8 @@ namespace Farseer.Engine.Joints.Lanes;
 
 /// <summary>
 /// The body at one place of four trees of equal shape, and the edge to its parent, as in <see cref="Trees.TreeNode"/>: each number four
-/// times, one a tree; of vectors and matrices one element after the other. A pointer to it moved on by lanes is one to the later lanes.
+/// times, one a tree; of vectors and matrices one element after the other. A pointer to it moved on by lanes is one to the later lanes. It must
+/// not be 4,096 bytes long, or all want the same places of the cache: the passes took half as long again.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct LaneNode
@@ -47,9 +48,6 @@ internal unsafe struct LaneNode
     public fixed double ParentS[36];
     public fixed double G[36];
     public fixed double W[36];
-
-    /// <summary>Nodes of 4,096 bytes would all want the same places of the cache: the passes took half as long again.</summary>
-    public fixed double Odd[4];
 }
 
 /// <summary>A joint of a bundle: the edge of a node, or an anchor.</summary>
@@ -85,8 +83,21 @@ internal unsafe struct LaneJoint
     /// <summary>The rows' own: a length against which errors are small, at the poses of the rows.</summary>
     public fixed double Size[4];
 
-    /// <summary>Jacobian at the child of an edge, or at the body of an anchor. Third, if the joint has one, that of its line.</summary>
+    /// <summary>Jacobian at the child of an edge, or at the body of an anchor: the rows that always hold, then that of a limit that holds.</summary>
     public fixed double S[36];
+
+    /// <summary>Of a joint with a line: the Jacobian along it, at bodies A and B.</summary>
+    public fixed double LineA[12];
+    public fixed double LineB[12];
+
+    /// <summary>All bits set for the lanes in which a limit holds, and for those in which it is the upper one.</summary>
+    public fixed long Held[4];
+    public fixed long HeldAbove[4];
+
+    /// <summary>What the limit that holds gave in the substep, in all and before corrections; and where it is to be by the substep's end.</summary>
+    public fixed double Push[4];
+    public fixed double PlainPush[4];
+    public fixed double Stop[4];
 
     /// <summary>E of an edge, H of an anchor.</summary>
     public fixed double E[36];
@@ -125,9 +136,13 @@ internal unsafe struct LanePlace
     /// <summary>The child, or the anchored body, is body A of the joint.</summary>
     public bool IsA;
 
-    /// <summary>What the joint is, and how many rows always hold.</summary>
+    /// <summary>What the joint is, how many rows always hold, and how many its block has with a limit that holds in any lane.</summary>
     public LaneForm Form;
     public byte Rows;
+    public byte BlockRows;
+
+    /// <summary>A bit for each lane in which a limit holds.</summary>
+    public byte Held;
 
     /// <summary>A bit for each row of angles, which a radian is the measure of; the others are of lengths.</summary>
     public byte Turning;
@@ -165,6 +180,9 @@ internal unsafe struct LaneTrees
     public int AnchorFirst;
     public int Anchors;
     public bool HasLimits;
+
+    /// <summary>Limits that are reached are held here; else the tree is given back.</summary>
+    public bool HoldsLimits;
 
     /// <summary>All edges and anchors have two rows, and none a motor or a spring: it is faster here even if it is alone.</summary>
     public bool IsSimple;

@@ -65,6 +65,39 @@ internal static unsafe class LaneRows
         WriteOther(joint, a, b, place);
     }
 
+    /// <summary>The row of the limits that hold, behind the others; where none does it is 0.</summary>
+    /// <param name="joint">The joint.</param>
+    /// <param name="other">The Jacobian at the other body.</param>
+    /// <param name="place">What the joint is.</param>
+    public static void WriteHeld(LaneJoint* joint, double* other, LanePlace* place)
+    {
+        int at = place->Rows * Row;
+        double* a = (place->IsA ? joint->S : other) + at;
+        double* b = (place->IsA ? other : joint->S) + at;
+        WideDoubleMask held = WideDouble.LoadMask(joint->Held);
+        WideDoubleMask above = WideDouble.LoadMask(joint->HeldAbove);
+        if (place->Form == LaneForm.Hinge)
+        {
+            WideDouble one = WideDouble.Splat(1);
+            WideDouble turn = WideDouble.Select(above, WideDouble.Negate(one), one);
+            WriteRow(a, WideDouble.Zero, WideDouble.Zero, WideDouble.Select(held, WideDouble.Negate(turn), WideDouble.Zero));
+            WriteRow(b, WideDouble.Zero, WideDouble.Zero, WideDouble.Select(held, turn, WideDouble.Zero));
+            return;
+        }
+
+        for (int k = 0; k < Row; k += LaneMatrix.Step)
+        {
+            HoldAt(joint->LineA + k, held, above).Store(a + k);
+            HoldAt(joint->LineB + k, held, above).Store(b + k);
+        }
+    }
+
+    private static WideDouble HoldAt(double* line, WideDoubleMask held, WideDoubleMask above)
+    {
+        WideDouble lower = WideDouble.Load(line);
+        return WideDouble.Select(held, WideDouble.Select(above, WideDouble.Negate(lower), lower), WideDouble.Zero);
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideDouble Bend(LaneJoint* joint, double* a, double* b) =>
         WideDouble.Load(b + 8) - WideDouble.Load(a + 8) - WideDouble.Load(joint->Target);
@@ -151,7 +184,7 @@ internal static unsafe class LaneRows
 
                 if (place->HasMore)
                 {
-                    WriteDirection(a + (2 * Row), b + (2 * Row), x, y, armX, armY, joint->ArmB);
+                    WriteDirection(joint->LineA, joint->LineB, x, y, armX, armY, joint->ArmB);
                 }
 
                 break;

@@ -26,7 +26,7 @@ internal static unsafe class LaneSolve
             {
                 LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
                 LaneNode* node = first + bundle.AnchorPlaces[i].Parent;
-                Meet(anchor, node->Velocity, bundle.AnchorPlaces[i].Rows);
+                Meet(anchor, node->Velocity, bundle.AnchorPlaces[i].BlockRows);
                 WideDouble.Zero.Store(node->Got);
                 WideDouble.Zero.Store(node->Got + 4);
                 WideDouble.Zero.Store(node->Got + 8);
@@ -36,18 +36,18 @@ internal static unsafe class LaneSolve
             {
                 LaneNode* node = first + i;
                 double* parent = first[bundle.Places[i].Parent].Velocity;
-                int n = bundle.Places[i].Rows;
+                int n = bundle.Places[i].BlockRows;
                 Residual(node, node->Velocity, parent, n, out WideDouble r0, out WideDouble r1, out WideDouble r2);
-                Spread(node->W, r0, r1, r2, n, parent);
+                Spread(node->W, r0, r1, r2, n, parent, WhereThird(node, bundle.Places + i));
             }
 
             for (int i = 1; i < bundle.Count; i++)
             {
                 LaneNode* node = first + i;
                 LaneNode* parent = first + bundle.Places[i].Parent;
-                int n = bundle.Places[i].Rows;
+                int n = bundle.Places[i].BlockRows;
                 Residual(node, node->Velocity, parent->Velocity, n, out WideDouble r0, out WideDouble r1, out WideDouble r2);
-                Spread(node->G, r0, r1, r2, n, node->Velocity);
+                Spread(node->G, r0, r1, r2, n, node->Velocity, WhereThird(node, bundle.Places + i));
                 Multiply(node->Joint.E, r0, r1, r2, n, out WideDouble l0, out WideDouble l1, out WideDouble l2);
                 StoreRows(l0, l1, l2, n, node->Joint.Lambda);
                 if (bundle.Places[i].Anchored)
@@ -63,12 +63,12 @@ internal static unsafe class LaneSolve
 
             for (int i = bundle.AnchorCount - 1; i >= 0; i--)
             {
-                Answer(DoubleLanes.Shift(bundle.Anchors + i, lane), first[bundle.AnchorPlaces[i].Parent].Got, bundle.AnchorPlaces[i].Rows);
+                Answer(DoubleLanes.Shift(bundle.Anchors + i, lane), first[bundle.AnchorPlaces[i].Parent].Got, bundle.AnchorPlaces[i].BlockRows);
             }
         }
     }
 
-    /// <summary>Adds the impulses to what the joints gave to their bodies B.</summary>
+    /// <summary>Adds the impulses to what the joints gave to their bodies B, and those of limits that hold to what these gave.</summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static void Give(in LaneBundle bundle)
     {
@@ -77,19 +77,28 @@ internal static unsafe class LaneSolve
             for (int i = 1; i < bundle.Count; i++)
             {
                 LaneNode* node = DoubleLanes.Shift(bundle.Nodes + i, lane);
-                Give(&node->Joint, bundle.Places[i].IsA ? node->ParentS : node->Joint.S, bundle.Places[i].Rows);
+                Give(&node->Joint, bundle.Places[i].IsA ? node->ParentS : node->Joint.S, bundle.Places + i);
             }
 
             for (int i = 0; i < bundle.AnchorCount; i++)
             {
                 LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
-                Give(&anchor->Joint, bundle.AnchorPlaces[i].IsA ? anchor->OtherS : anchor->Joint.S, bundle.AnchorPlaces[i].Rows);
+                Give(&anchor->Joint, bundle.AnchorPlaces[i].IsA ? anchor->OtherS : anchor->Joint.S, bundle.AnchorPlaces + i);
             }
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Give(LaneJoint* joint, double* b, int n) => Push(b, joint->Lambda, n, joint->Given);
+    private static void Give(LaneJoint* joint, double* b, LanePlace* place)
+    {
+        Push(b, joint->Lambda, place->BlockRows, joint->Given);
+        if (place->Held != 0)
+        {
+            WideDouble push = WideDouble.Load(joint->Push);
+            WideDouble more = push + WideDouble.Load(joint->Lambda + (place->Rows * Step));
+            WideDouble.Select(WideDouble.LoadMask(joint->Held), more, push).Store(joint->Push);
+        }
+    }
 
     /// <summary>r += sᵀ·λ of n rows.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -121,9 +130,18 @@ internal static unsafe class LaneSolve
         }
     }
 
+    /// <summary>Where a block of three rows has three: the third may be that of a limit, which holds in some lanes only.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDoubleMask WhereThird(LaneNode* node, LanePlace* place) =>
+        place->Held != 0 ? WideDouble.LoadMask(node->Joint.Held) : WideDouble.Zero <= WideDouble.Zero;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Spread(double* m, WideDouble r0, WideDouble r1, WideDouble r2, int n, double* v) =>
+        Spread(m, r0, r1, r2, n, v, WideDouble.Zero <= WideDouble.Zero);
+
     /// <summary>v += mᵀ·r.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Spread(double* m, WideDouble r0, WideDouble r1, WideDouble r2, int n, double* v)
+    private static void Spread(double* m, WideDouble r0, WideDouble r1, WideDouble r2, int n, double* v, WideDoubleMask third)
     {
         WideDouble x = WideDouble.Load(v) + (WideDouble.Load(m) * r0);
         WideDouble y = WideDouble.Load(v + 4) + (WideDouble.Load(m + 4) * r0);
@@ -137,9 +155,10 @@ internal static unsafe class LaneSolve
 
         if (n > 2)
         {
-            x += WideDouble.Load(m + 24) * r2;
-            y += WideDouble.Load(m + 28) * r2;
-            w += WideDouble.Load(m + 32) * r2;
+            // -0 and 0 are 0: a lane without the row keeps its sign.
+            x = WideDouble.Select(third, x + (WideDouble.Load(m + 24) * r2), x);
+            y = WideDouble.Select(third, y + (WideDouble.Load(m + 28) * r2), y);
+            w = WideDouble.Select(third, w + (WideDouble.Load(m + 32) * r2), w);
         }
 
         x.Store(v);

@@ -89,19 +89,8 @@ internal static unsafe class LaneSweep
         return true;
     }
 
-    private static LaneJoint* JointOf(in LaneWalks walks, LaneSoftPlace* place, out double* other, out bool isA)
-    {
-        if (place->Joint >= 0)
-        {
-            other = walks.Nodes[place->Joint].ParentS;
-            isA = walks.Places[place->Joint].IsA;
-            return &walks.Nodes[place->Joint].Joint;
-        }
-
-        other = walks.Anchors[~place->Joint].OtherS;
-        isA = walks.AnchorPlaces[~place->Joint].IsA;
-        return &walks.Anchors[~place->Joint].Joint;
-    }
+    private static LaneJoint* JointOf(in LaneWalks walks, LaneSoftPlace* place) =>
+        place->Joint >= 0 ? &walks.Nodes[place->Joint].Joint : &walks.Anchors[~place->Joint].Joint;
 
     /// <summary>The response of body A to an impulse on B: T of the child and the mass of its parent.</summary>
     private static void WriteCross(in LaneWalks walks, LaneSoft* soft, LaneSoftPlace* place, double* space)
@@ -125,12 +114,11 @@ internal static unsafe class LaneSweep
 
     private static WideDoubleMask Prepare(in LaneWalks walks, LaneSoft* soft, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind, double h)
     {
-        LaneJoint* joint = JointOf(walks, place, out double* other, out bool isA);
+        LaneJoint* joint = JointOf(walks, place);
         if (kind.Along)
         {
-            int at = 2 * LaneMatrix.Row;
-            CopyRow((isA ? joint->S : other) + at, row->A);
-            CopyRow((isA ? other : joint->S) + at, row->B);
+            CopyRow(joint->LineA, row->A);
+            CopyRow(joint->LineB, row->B);
         }
         else
         {
@@ -206,7 +194,7 @@ internal static unsafe class LaneSweep
         }
 
         WideDouble lambda = WideDouble.Load(row->Lambda);
-        Give(JointOf(walks, place, out _, out _), row, lambda);
+        Give(JointOf(walks, place), row, lambda);
         PushOwn(walks, place->NodeA, row->A, lambda);
         PushOwn(walks, place->NodeB, row->B, lambda);
     }
@@ -247,7 +235,7 @@ internal static unsafe class LaneSweep
         WideDouble v = LaneSolve.Dot(row->A, a) + LaneSolve.Dot(row->B, b);
         WideDouble old = WideDouble.Load(row->Lambda);
         WideDouble response = WideDouble.Load(row->Response);
-        LaneJoint* joint = JointOf(walks, place, out _, out _);
+        LaneJoint* joint = JointOf(walks, place);
         WideDouble now;
         if (kind.IsSpring)
         {

@@ -41,7 +41,7 @@ internal unsafe struct LaneWalks
                 continue;
             }
 
-            int n = Places[i].Rows;
+            int n = Places[i].BlockRows;
             SetT(node, walk, n);
             LaneMatrix.Multiply(node->Joint.S, n, node->SubtreeMass, space);
             LaneMatrix.SubtractOuter(walk->FullMass, node->G, space, n);
@@ -123,12 +123,12 @@ internal unsafe struct LaneWalks
         {
             LaneAnchor* anchor = Anchors + i;
             double* got = Nodes[AnchorPlaces[i].Parent].Got;
-            for (int r = 0; r < AnchorPlaces[i].Rows; r++)
+            for (int r = 0; r < AnchorPlaces[i].BlockRows; r++)
             {
                 (WideDouble.Zero - LaneSolve.Dot(anchor->Gain + (r * LaneMatrix.Row), got)).Store(anchor->Joint.Lambda + (r * LaneMatrix.Step));
             }
 
-            LaneSolve.Push(anchor->Joint.S, anchor->Joint.Lambda, AnchorPlaces[i].Rows, got);
+            LaneSolve.Push(anchor->Joint.S, anchor->Joint.Lambda, AnchorPlaces[i].BlockRows, got);
         }
     }
 
@@ -218,7 +218,7 @@ internal unsafe struct LaneWalks
         WideDouble x = WideDouble.Load(v) - WideDouble.Load(start);
         WideDouble y = WideDouble.Load(v + 4) - WideDouble.Load(start + 4);
         WideDouble w = WideDouble.Load(v + 8) - WideDouble.Load(start + 8);
-        int n = Places[index].Rows;
+        int n = Places[index].BlockRows;
         for (int r = 0; r < n; r++)
         {
             WideDouble answer = WideDouble.Zero;

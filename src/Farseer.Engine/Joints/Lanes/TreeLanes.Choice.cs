@@ -51,7 +51,7 @@ internal sealed unsafe partial class TreeLanes
     public bool Take(int index)
     {
         JointTree* tree = _forest.Trees + index;
-        if (!tree->Eliminates || tree->Tied || tree->Pulled || tree->Guest || tree->Wheel || !IsKnown(tree))
+        if (!tree->Eliminates || tree->Tied || tree->Pulled || tree->Guest || tree->Wheel || !IsKnown(tree, out bool holdsLimits))
         {
             return false;
         }
@@ -74,7 +74,9 @@ internal sealed unsafe partial class TreeLanes
             }
         }
 
-        Enter(AddBundle(tree, shape), index);
+        LaneTrees* bundle = AddBundle(tree, shape);
+        bundle->HoldsLimits = holdsLimits;
+        Enter(bundle, index);
         return true;
     }
 
@@ -101,29 +103,42 @@ internal sealed unsafe partial class TreeLanes
         _count = kept;
     }
 
-    /// <summary>Each edge and anchor is one joint of a form that is known here, and no limit holds.</summary>
-    private bool IsKnown(JointTree* tree)
+    /// <summary>
+    /// Each edge and anchor is one joint of a form that is known here. Limits are held of joints that have two rows without them; where a track
+    /// has limits, or there are motors or springs, none may hold.
+    /// </summary>
+    private bool IsKnown(JointTree* tree, out bool holdsLimits)
     {
+        bool holds = false;
+        holdsLimits = tree->HasLimits;
         for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = _forest.Nodes + i;
-            if (node->EdgeCount != 1 || node->Rows != node->HardRows || FormOf(node->RowJoint[0]) == LaneForm.None)
+            if (node->EdgeCount != 1 || FormOf(node->RowJoint[0]) == LaneForm.None)
             {
                 return false;
             }
+
+            holds |= node->Rows != node->HardRows;
+            holdsLimits &= CanHold(node->RowJoint[0]);
         }
 
         for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
         {
             TreeAnchor* anchor = _forest.Anchors + i;
-            if (FormOf(anchor->Active) == LaneForm.None || anchor->Rows != _rows[anchor->Active].Hard)
+            if (FormOf(anchor->Active) == LaneForm.None)
             {
                 return false;
             }
+
+            holds |= anchor->Rows != _rows[anchor->Active].Hard;
+            holdsLimits &= CanHold(anchor->Active);
         }
 
-        return true;
+        return holdsLimits || !holds;
     }
+
+    private bool CanHold(int active) => (LimitRowOf(active) < 0 || FormOf(active) != LaneForm.Track) && !HasSoft(active);
 
     private LaneForm FormOf(int active)
     {
@@ -244,6 +259,7 @@ internal sealed unsafe partial class TreeLanes
         // The first row behind the hard ones is along the line where any is: a spring, a lower limit or a motor that slides.
         place->LineRow = (sbyte)(place->HasMore ? _rows[active].Hard : -1);
         place->Rows = (byte)LaneForms.RowsOf(place->Form);
+        place->BlockRows = place->Rows;
         place->Turning = (byte)LaneForms.TurningRowsOf(place->Form);
     }
 

@@ -31,7 +31,10 @@ internal sealed unsafe partial class TreeLanes
                     LoadNode(node, _forest.Nodes + tree->First + i);
                     if (i > 0)
                     {
-                        LoadJoint(&node->Joint, _places[trees->First + i].Form, _places[trees->First + i].Active[from]);
+                        LanePlace* place = _places.Pointer + trees->First + i;
+                        TreeNode* own = _forest.Nodes + tree->First + i;
+                        LoadJoint(&node->Joint, place->Form, place->Active[from]);
+                        LoadHeld(&node->Joint, place, lane, from, own->Rows, own->RowIndex[2]);
                     }
                 }
 
@@ -39,7 +42,9 @@ internal sealed unsafe partial class TreeLanes
                 {
                     LaneAnchor* anchor = DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + i, lane);
                     LanePlace* place = _anchorPlaces.Pointer + trees->AnchorFirst + i;
+                    TreeAnchor* own = _forest.Anchors + tree->AnchorFirst + i;
                     LoadJoint(&anchor->Joint, place->Form, place->Active[from]);
+                    LoadHeld(&anchor->Joint, place, lane, from, own->Rows, own->RowIndex[2]);
                     anchor->Angle[0] = double.NaN;
                 }
             }
@@ -65,6 +70,8 @@ internal sealed unsafe partial class TreeLanes
                 LaneJoint* joint = &anchor->Joint;
                 LoadRows(place->IsA ? rows->A : rows->B, joint->S, place);
                 LoadRows(place->IsA ? rows->B : rows->A, anchor->OtherS, place);
+                LoadLine(rows->A, joint->LineA, place);
+                LoadLine(rows->B, joint->LineB, place);
 
                 for (int row = 0; row < place->Rows; row++)
                 {
@@ -97,9 +104,13 @@ internal sealed unsafe partial class TreeLanes
             to[k * Y] = from[k];
         }
 
+    }
+
+    private static void LoadLine(double* from, double* to, LanePlace* place)
+    {
         for (int k = 0; k < 3 && place->HasMore; k++)
         {
-            to[(6 + k) * Y] = from[(place->LineRow * 3) + k];
+            to[k * Y] = from[(place->LineRow * 3) + k];
         }
     }
 
@@ -144,7 +155,7 @@ internal sealed unsafe partial class TreeLanes
         joint->PlainGiven[Y] = 0;
         joint->PlainGiven[W] = 0;
 
-        // None of the limits holds: what they gave in the step before is no start.
+        // What limits gave in the step before is no start.
         int limit = LimitRowOf(active);
         for (int row = limit; limit >= 0 && row < limit + 2; row++)
         {
@@ -217,6 +228,7 @@ internal sealed unsafe partial class TreeLanes
         if (hasLimits)
         {
             Copy(joint->Gap, joint->StartGap, 2);
+            Copy(joint->Push, joint->PlainPush, 1);
         }
     }
 
@@ -338,6 +350,7 @@ internal sealed unsafe partial class TreeLanes
         }
 
         PutJointsBack(trees, lane);
+        PutHeldBack(trees, lane);
         PutSoftsBack(trees, lane, before);
         if (before && trees->Softs > 0)
         {
@@ -423,6 +436,7 @@ internal sealed unsafe partial class TreeLanes
                     }
 
                     PutJointsBack(trees, lane);
+                    PutHeldBack(trees, lane);
                     PutSoftsBack(trees, lane, false);
                     _given[GivenCount++] = trees->Tree[lane];
                 }

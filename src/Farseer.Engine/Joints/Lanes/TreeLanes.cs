@@ -116,6 +116,11 @@ internal sealed unsafe partial class TreeLanes
             {
                 WarmStart(trees);
             }
+
+            if (trees->HoldsLimits)
+            {
+                ForgetPushes(trees);
+            }
         }
     }
 
@@ -148,17 +153,7 @@ internal sealed unsafe partial class TreeLanes
             LaneTrees* trees = _bundles.Pointer + b;
             LaneBundle bundle = BundleOf(trees);
             LoadStill(trees);
-            int leaves = 0;
-            if (relaxed)
-            {
-                LaneGoals.Relaxed(bundle);
-            }
-            else
-            {
-                leaves = LaneGoals.Biased(bundle, WalksOrNone(trees), _step.Substep);
-            }
-
-            leaves |= trees->Stalled;
+            int leaves = WriteGoals(trees, relaxed) | trees->Stalled;
             if (trees->HasLimits || leaves != 0)
             {
                 PutAside(bundle.Nodes, bundle.Count);
@@ -169,8 +164,20 @@ internal sealed unsafe partial class TreeLanes
                 PutGivenAside(trees);
             }
 
-            LaneSolve.Run(bundle);
-            LeaveBefore(trees, (leaves | Passed(trees, relaxed)) & trees->Live);
+            if (trees->HoldsLimits)
+            {
+                LeaveBefore(trees, leaves & trees->Live);
+                if (SolveLimits(trees, relaxed, trees->Live) != 0)
+                {
+                    PrepareSofts(trees);
+                }
+            }
+            else
+            {
+                LaneSolve.Run(bundle);
+                LeaveBefore(trees, (leaves | Passed(trees, relaxed)) & trees->Live);
+            }
+
             LaneSolve.Give(bundle);
             Sweep(trees, relaxed, sweeps);
             StoreVelocities(trees);
@@ -221,7 +228,7 @@ internal sealed unsafe partial class TreeLanes
         }
     }
 
-    private int Passed(LaneTrees* trees, bool relaxed) => !trees->HasLimits ? 0 : LaneGoals.Passed(BundleOf(trees), _step.Substep, relaxed);
+    private int Passed(LaneTrees* trees, bool relaxed) => !trees->HasLimits ? 0 : LaneLimits.Turned(BundleOf(trees), _step.Substep, relaxed);
 
     /// <summary>See <see cref="JointSolver.CorrectPositions"/>; the trees that are given back went astray, and are to be projected.</summary>
     public void CorrectPositions()
@@ -320,6 +327,11 @@ internal sealed unsafe partial class TreeLanes
     private void Factor(LaneTrees* trees, bool begin)
     {
         LaneFactor.Run(BundleOf(trees), begin);
+        PrepareSofts(trees);
+    }
+
+    private void PrepareSofts(LaneTrees* trees)
+    {
         trees->Stalled = 0;
         for (int lane = 0; lane < DoubleLanes.BundleLanes && trees->Softs > 0; lane += WideDouble.Count)
         {

@@ -1,0 +1,160 @@
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Farseer.Engine.Joints.Lanes;
+
+/// <summary>Limits of joints of trees side by side: what those that hold are to reach, and which are passed or would pull; see <see cref="JointSolver"/>.</summary>
+internal static unsafe class LaneLimits
+{
+    private const int Y = DoubleLanes.BundleLanes;
+    private const int W = 2 * DoubleLanes.BundleLanes;
+
+    /// <summary>What the limits of a joint are found to do, a bit a lane.</summary>
+    internal struct Verdict
+    {
+        /// <summary>They are passed and do not hold yet. Of two the lower one.</summary>
+        public int Lower;
+        public int Upper;
+
+        /// <summary>They hold and would pull.</summary>
+        public int Pulls;
+    }
+
+    /// <summary>The goal of a limit that holds; in a biased pass also where it is to be by the substep's end.</summary>
+    public static void Aim(LaneJoint* joint, LanePlace* place, WideDouble h, bool relaxed)
+    {
+        WideDouble gap = HeldGap(joint);
+        WideDouble target = Target(gap, h, relaxed, place->Form == LaneForm.Hinge);
+        WideDouble.Select(WideDouble.LoadMask(joint->Held), target, WideDouble.Zero).Store(joint->Goal + (place->Rows * Y));
+        if (!relaxed)
+        {
+            WideDouble.Select(gap > WideDouble.Zero, WideDouble.Zero, gap + (target * h)).Store(joint->Stop);
+        }
+    }
+
+    /// <summary>The change that takes a limit that holds to where it is to be by the substep's end.</summary>
+    public static void AimToStop(LaneJoint* joint, LanePlace* place, WideDoubleMask takes, WideDouble h)
+    {
+        WideDouble way = (WideDouble.Load(joint->Stop) - HeldGap(joint)) / h;
+        WideDouble.Select(takes & WideDouble.LoadMask(joint->Held), way, WideDouble.Zero).Store(joint->Goal + (place->Rows * Y));
+    }
+
+    /// <summary>The lanes in which a limit that does not hold is passed at the present velocities, or what one that holds gave in all was a pull.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static int Turned(in LaneBundle bundle, double h, bool relaxed)
+    {
+        int turned = 0;
+        for (int i = 1; i < bundle.Count; i++)
+        {
+            if (bundle.Places[i].HasLimits)
+            {
+                turned |= Turned(&bundle.Nodes[i].Joint, bundle.Places + i, bundle.Nodes[i].Velocity, bundle.Nodes[bundle.Places[i].Parent].Velocity, h, relaxed);
+            }
+        }
+
+        for (int i = 0; i < bundle.AnchorCount; i++)
+        {
+            LaneAnchor* anchor = bundle.Anchors + i;
+            LanePlace* place = bundle.AnchorPlaces + i;
+            if (place->HasLimits)
+            {
+                turned |= Turned(&anchor->Joint, place, bundle.Nodes[place->Parent].Velocity, anchor->Still, h, relaxed);
+            }
+        }
+
+        return turned;
+    }
+
+    private static int Turned(LaneJoint* joint, LanePlace* place, double* velocity, double* other, double h, bool relaxed)
+    {
+        Verdict verdict = Judge(joint, place, velocity, other, h, relaxed);
+        int turned = verdict.Lower | verdict.Upper;
+        for (int lane = 0; lane < DoubleLanes.BundleLanes && place->Held != 0; lane += WideDouble.Count)
+        {
+            WideDoubleMask pulled = WideDouble.LoadMask(joint->Held + lane) & (WideDouble.Load(joint->Push + lane) < WideDouble.Zero);
+            turned |= DoubleLanes.Bits(pulled) << lane;
+        }
+
+        return turned;
+    }
+
+    /// <summary>Looks at the limits of a joint after a solution: at the velocities, and at the multipliers of those that hold.</summary>
+    /// <param name="joint">The joint, of the first lane.</param>
+    /// <param name="place">What it is.</param>
+    /// <param name="velocity">Of the child, or of the anchored body.</param>
+    /// <param name="other">Of the other body.</param>
+    /// <param name="h">The substep.</param>
+    /// <param name="relaxed">The relax pass.</param>
+    public static Verdict Judge(LaneJoint* joint, LanePlace* place, double* velocity, double* other, double h, bool relaxed)
+    {
+        Verdict verdict = default;
+        WideDouble time = WideDouble.Splat(h);
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
+        {
+            LaneJoint* at = DoubleLanes.Shift(joint, lane);
+            double* a = (place->IsA ? velocity : other) + lane;
+            double* b = (place->IsA ? other : velocity) + lane;
+            bool turns = place->Form == LaneForm.Hinge;
+            WideDouble speed;
+            WideDouble terms;
+            if (turns)
+            {
+                WideDouble ofA = WideDouble.Load(a + W);
+                WideDouble ofB = WideDouble.Load(b + W);
+                speed = ofB - ofA;
+                terms = WideDouble.Abs(ofA) + WideDouble.Abs(ofB);
+            }
+            else
+            {
+                speed = LaneSolve.Dot(at->LineA, a) + LaneSolve.Dot(at->LineB, b);
+                terms = Term(at->LineA, a, 0) + Term(at->LineA, a, Y) + Term(at->LineA, a, W)
+                    + Term(at->LineB, b, 0) + Term(at->LineB, b, Y) + Term(at->LineB, b, W);
+            }
+
+            terms = WideDouble.Splat(JointSolver.SpeedRounding) * terms;
+            WideDoubleMask lower = speed < Target(WideDouble.Load(at->Gap), time, relaxed, turns) - terms;
+            WideDoubleMask upper = WideDouble.Negate(speed) < Target(WideDouble.Load(at->Gap + Y), time, relaxed, turns) - terms;
+            if (place->Held != 0)
+            {
+                WideDoubleMask held = WideDouble.LoadMask(at->Held);
+                WideDouble push = WideDouble.Load(at->Push) + WideDouble.Load(at->Lambda + (place->Rows * Y));
+                verdict.Pulls |= DoubleLanes.Bits(held & ~(push >= WideDouble.Zero)) << lane;
+
+                // There is room for one.
+                lower &= ~held;
+                upper &= ~held;
+            }
+
+            verdict.Lower |= DoubleLanes.Bits(lower) << lane;
+            verdict.Upper |= DoubleLanes.Bits(upper & ~lower) << lane;
+        }
+
+        return verdict;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble HeldGap(LaneJoint* joint) =>
+        WideDouble.Select(WideDouble.LoadMask(joint->HeldAbove), WideDouble.Load(joint->Gap + Y), WideDouble.Load(joint->Gap));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble Term(double* s, double* v, int at) => WideDouble.Abs(WideDouble.Load(s + at) * WideDouble.Load(v + at));
+
+    /// <summary>The speed of a limit that holds, and below which one is passed.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble Target(WideDouble gap, WideDouble h, bool relaxed, bool turns)
+    {
+        WideDouble closing = WideDouble.Negate(gap) / h;
+        WideDouble back = WideDouble.Zero;
+        if (!relaxed)
+        {
+            WideDouble fastest = WideDouble.Splat(JointSolver.FastestReturn);
+            back = WideDouble.Splat(-JointPass.LimitRecovery) * gap / h;
+            back = turns ? WideDouble.Select(back > fastest, fastest, back) : back;
+        }
+
+        return WideDouble.Select(gap > WideDouble.Zero, closing, back);
+    }
+}

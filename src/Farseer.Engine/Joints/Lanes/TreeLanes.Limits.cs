@@ -1,0 +1,254 @@
+using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Numerics;
+
+namespace Farseer.Engine.Joints.Lanes;
+
+/// <content>
+/// Which limits hold: the active set of <see cref="JointSolver"/>, of each tree its own. A lane of which the set is found is solved on with the
+/// others; nothing about it changes, and it comes to the same bits again.
+/// </content>
+internal sealed unsafe partial class TreeLanes
+{
+    /// <summary>Solves trees with limits that are held here; the goals are written, and the velocities put aside.</summary>
+    /// <param name="trees">The bundle.</param>
+    /// <param name="relaxed">The relax pass.</param>
+    /// <param name="lanes">The trees that are to be solved; the others come to what they are.</param>
+    /// <returns>The lanes in which other limits hold than before.</returns>
+    private int SolveLimits(LaneTrees* trees, bool relaxed, int lanes)
+    {
+        LaneBundle bundle = BundleOf(trees);
+        int changed = 0;
+        for (int round = 0; ; round++)
+        {
+            LaneSolve.Run(bundle);
+            lanes = round == JointSolver.LimitRounds - 1 ? 0 : Revise(bundle, relaxed, round < JointSolver.ReleaseRounds, lanes);
+            if (lanes == 0)
+            {
+                return changed;
+            }
+
+            changed |= lanes;
+            TakeBack(bundle);
+            LaneFactor.Run(bundle, !HasMoved);
+            WriteGoals(trees, relaxed);
+        }
+    }
+
+    /// <returns>Lanes with an error that was put there from outside.</returns>
+    private int WriteGoals(LaneTrees* trees, bool relaxed)
+    {
+        if (!relaxed)
+        {
+            return LaneGoals.Biased(BundleOf(trees), WalksOrNone(trees), _step.Substep);
+        }
+
+        LaneGoals.Relaxed(BundleOf(trees), _step.Substep);
+        return 0;
+    }
+
+    /// <summary>Lets go of limits that pull, and holds those that are passed.</summary>
+    /// <returns>The lanes in which anything changed.</returns>
+    private int Revise(in LaneBundle bundle, bool relaxed, bool release, int lanes)
+    {
+        int changed = 0;
+        for (int i = 1; i < bundle.Count; i++)
+        {
+            LanePlace* place = bundle.Places + i;
+            if (place->HasLimits)
+            {
+                LaneNode* node = bundle.Nodes + i;
+                LaneNode* parent = bundle.Nodes + place->Parent;
+                changed |= Revise(&node->Joint, node->ParentS, place, node, parent, parent->Velocity, relaxed, release, lanes);
+            }
+        }
+
+        for (int i = 0; i < bundle.AnchorCount; i++)
+        {
+            LanePlace* place = bundle.AnchorPlaces + i;
+            if (place->HasLimits)
+            {
+                LaneAnchor* anchor = bundle.Anchors + i;
+                changed |= Revise(&anchor->Joint, anchor->OtherS, place, bundle.Nodes + place->Parent, null, anchor->Still, relaxed, release, lanes);
+            }
+        }
+
+        return changed;
+    }
+
+    private int Revise(
+        LaneJoint* joint,
+        double* otherS,
+        LanePlace* place,
+        LaneNode* node,
+        LaneNode* other,
+        double* otherVelocity,
+        bool relaxed,
+        bool release,
+        int lanes)
+    {
+        LaneLimits.Verdict verdict = LaneLimits.Judge(joint, place, node->Velocity, otherVelocity, _step.Substep, relaxed);
+        int pulls = release ? verdict.Pulls & lanes : 0;
+        int passed = (verdict.Lower | verdict.Upper) & lanes;
+        for (int lane = 0; (pulls | passed) >> lane != 0; lane++)
+        {
+            if ((pulls & (1 << lane)) != 0)
+            {
+                LetGo(joint, otherS, place, node, other, lane);
+            }
+            else if ((passed & (1 << lane)) != 0)
+            {
+                Hold(joint, place, lane, (verdict.Upper & (1 << lane)) != 0);
+            }
+        }
+
+        if (pulls != 0)
+        {
+            place->BlockRows = (byte)(place->Held != 0 ? place->Rows + 1 : place->Rows);
+        }
+
+        return pulls | passed;
+    }
+
+    private static void Hold(LaneJoint* joint, LanePlace* place, int lane, bool above)
+    {
+        joint->Held[lane] = -1;
+        joint->HeldAbove[lane] = above ? -1 : 0;
+        joint->Push[lane] = 0;
+        joint->PlainPush[lane] = 0;
+        place->Held |= (byte)(1 << lane);
+        place->BlockRows = (byte)(place->Rows + 1);
+    }
+
+    /// <summary>What the limit gave in the substep is taken from the velocities that the next round starts from.</summary>
+    private static void LetGo(LaneJoint* joint, double* otherS, LanePlace* place, LaneNode* node, LaneNode* other, int lane)
+    {
+        double push = joint->Push[lane];
+        if (push != 0)
+        {
+            int row = (place->Rows * LaneMatrix.Row) + lane;
+            TakeBack(node, joint->S + row, push, lane);
+            if (other != null)
+            {
+                TakeBack(other, otherS + row, push, lane);
+            }
+
+            double* b = (place->IsA ? otherS : joint->S) + row;
+            for (int at = 0; at < LaneMatrix.Row; at += LaneMatrix.Step)
+            {
+                joint->Given[at + lane] -= b[at] * push;
+            }
+        }
+
+        joint->Push[lane] = 0;
+        joint->Held[lane] = 0;
+        place->Held &= (byte)~(1 << lane);
+    }
+
+    private static void TakeBack(LaneNode* node, double* j, double push, int lane)
+    {
+        node->Saved[lane] -= node->InverseMass[lane] * j[0] * push;
+        node->Saved[Y + lane] -= node->InverseMass[lane] * j[Y] * push;
+        node->Saved[W + lane] -= node->InverseInertia[lane] * j[W] * push;
+    }
+
+    private static void TakeBack(in LaneBundle bundle)
+    {
+        for (int i = 0; i < bundle.Count; i++)
+        {
+            Copy(bundle.Nodes[i].Saved, bundle.Nodes[i].Velocity, 3);
+        }
+    }
+
+    /// <summary>The limits of an edge or anchor that hold as the step begins.</summary>
+    /// <param name="joint">The joint, moved on to its lane.</param>
+    /// <param name="place">What it is.</param>
+    /// <param name="lane">The lane.</param>
+    /// <param name="from">The lane of which it is a copy.</param>
+    /// <param name="rows">Rows of the block.</param>
+    /// <param name="row">The third of them, if there is one.</param>
+    private void LoadHeld(LaneJoint* joint, LanePlace* place, int lane, int from, int rows, int row)
+    {
+        bool held = rows > place->Rows;
+        joint->Held[0] = held ? -1 : 0;
+        joint->HeldAbove[0] = held && row > place->LimitRow ? -1 : 0;
+        joint->Push[0] = 0;
+        joint->PlainPush[0] = 0;
+        if (held)
+        {
+            place->BlockRows = (byte)rows;
+            place->Held |= (byte)(lane == from ? 1 << lane : 0);
+        }
+    }
+
+    /// <summary>The limits of a tree's joints that hold, to its records.</summary>
+    private void PutHeldBack(LaneTrees* trees, int lane)
+    {
+        JointTree* tree = _forest.Trees + trees->Tree[lane];
+        for (int i = 1; i < trees->Nodes && trees->HoldsLimits; i++)
+        {
+            LanePlace* place = _places.Pointer + trees->First + i;
+            TreeNode* node = _forest.Nodes + tree->First + i;
+            int row = PutHeldBack(&DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Joint, place, lane);
+            node->Rows = node->HardRows;
+            if (row >= 0)
+            {
+                node->RowJoint[node->Rows] = place->Active[lane];
+                node->RowIndex[node->Rows++] = row;
+            }
+        }
+
+        for (int i = 0; i < trees->Anchors && trees->HoldsLimits; i++)
+        {
+            LanePlace* place = _anchorPlaces.Pointer + trees->AnchorFirst + i;
+            TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst + i;
+            int row = PutHeldBack(&DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + i, lane)->Joint, place, lane);
+            anchor->Rows = place->Rows;
+            if (row >= 0)
+            {
+                anchor->RowIndex[anchor->Rows++] = row;
+            }
+        }
+    }
+
+    /// <returns>The row of the joint that holds; -1: none.</returns>
+    private int PutHeldBack(LaneJoint* joint, LanePlace* place, int lane)
+    {
+        if (!place->HasLimits)
+        {
+            return -1;
+        }
+
+        ActiveJoint* active = _active + place->Active[lane];
+        bool holds = joint->Held[0] != 0;
+        int row = place->LimitRow + (joint->HeldAbove[0] != 0 ? 1 : 0);
+        for (int k = place->LimitRow; k < place->LimitRow + 2; k++)
+        {
+            active->Lambda[k] = holds && k == row ? joint->Push[0] : 0;
+            active->PlainLambda[k] = holds && k == row ? joint->PlainPush[0] : 0;
+        }
+
+        return holds ? row : -1;
+    }
+
+    /// <summary>What limits give is a sum over a substep.</summary>
+    private void ForgetPushes(LaneTrees* trees)
+    {
+        for (int i = 1; i < trees->Nodes; i++)
+        {
+            ForgetPush(&_nodes.Pointer[trees->First + i].Joint, _places.Pointer + trees->First + i);
+        }
+
+        for (int i = 0; i < trees->Anchors; i++)
+        {
+            ForgetPush(&_anchors.Pointer[trees->AnchorFirst + i].Joint, _anchorPlaces.Pointer + trees->AnchorFirst + i);
+        }
+    }
+
+    private static void ForgetPush(LaneJoint* joint, LanePlace* place)
+    {
+        for (int lane = 0; lane < DoubleLanes.BundleLanes && place->Held != 0; lane++)
+        {
+            joint->Push[lane] = 0;
+        }
+    }
+}
