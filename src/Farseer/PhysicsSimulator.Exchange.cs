@@ -13,6 +13,14 @@ public partial class PhysicsSimulator
 {
     private void TakeInAndOut()
     {
+        if (_geomsIn.Count + _bodiesIn.Count > 0)
+        {
+            World.Expect(_bodiesIn.Count, _geomsIn.Count);
+            _table.Expect(World.Bodies.Ids.EndAfter(_bodiesIn.Count), World.Shapes.ColliderIds.EndAfter(_geomsIn.Count));
+            ListRoom.Expect(BodyList, _bodiesIn.Count);
+            ListRoom.Expect(GeomList, _geomsIn.Count);
+        }
+
         if (_geomsIn.Count > 0)
         {
             int count = _geomsIn.Count;
@@ -21,7 +29,7 @@ public partial class PhysicsSimulator
                 TakeIn(_geomsIn[i]);
             }
 
-            _geomsIn.RemoveRange(0, count);
+            ListRoom.WorkedOff(_geomsIn, count);
         }
 
         if (_bodiesIn.Count > 0)
@@ -32,7 +40,7 @@ public partial class PhysicsSimulator
                 TakeIn(_bodiesIn[i]);
             }
 
-            _bodiesIn.RemoveRange(0, count);
+            ListRoom.WorkedOff(_bodiesIn, count);
         }
 
         _joints.TakeIn();

@@ -50,14 +50,14 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
 
     public void Added(ProxyStore proxies, int proxy)
     {
-        Know(proxy + 1);
+        Know(proxies, proxy + 1);
         Leave(proxy);
         _mainGroup.Change(proxies.Info[proxy]);
     }
 
     public void Removed(ProxyStore proxies, int proxy)
     {
-        Know(proxy + 1);
+        Know(proxies, proxy + 1);
         Leave(proxy);
         _mainGroup.Change(proxies.Info[proxy]);
     }
@@ -67,7 +67,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
 
     public void Collect(ProxyStore proxies, PairBuffer pairs)
     {
-        Know(proxies.End);
+        Know(proxies, proxies.End);
         Reserve(proxies.End);
         int seekers = GatherActive(proxies);
         _mainGroup.Find(proxies);
@@ -325,11 +325,11 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
         _tree.Reserve(_reserved);
     }
 
-    private void Know(int end)
+    private void Know(ProxyStore proxies, int end)
     {
         if (end > _end)
         {
-            _residence.EnsureCapacity(end);
+            _residence.EnsureCapacity(System.Math.Max(end, proxies.Info.Capacity));
             for (int i = _end; i < end; i++)
             {
                 _residence.Pointer[i].TreeSlot = NotInTree;

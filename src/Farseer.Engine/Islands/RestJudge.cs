@@ -54,6 +54,8 @@ internal sealed unsafe class RestJudge : IStageWork
     /// <summary>A body has rested long enough, in the last step or before.</summary>
     public bool AnyRested { get; private set; }
 
+    public void EnsureBodies(int end) => _records.EnsureCapacity(end);
+
     /// <summary>The body was disturbed: it must rest anew.</summary>
     public void Restart(int body)
     {
@@ -71,7 +73,7 @@ internal sealed unsafe class RestJudge : IStageWork
     public void SetSize(int body, float extent, float reach, in BodyMass mass)
     {
         float spread = mass.InverseInertia > 0 ? (float)Math.Sqrt((double)mass.InverseMass / mass.InverseInertia) : 0;
-        _records.EnsureCapacity(body + 1);
+        EnsureBodies(body + 1);
         _records[body].Extent = extent > 0 ? extent : spread;
         _records[body].Reach = extent > 0 ? reach : spread;
     }
@@ -80,7 +82,7 @@ internal sealed unsafe class RestJudge : IStageWork
     /// <returns>True if one of them has, in this step, rested long enough: a group can be ready only then, or if it has changed.</returns>
     public bool Watch(StageRunner runner, in RestInput input)
     {
-        _records.EnsureCapacity(input.Bodies.Ids.End);
+        EnsureBodies(input.Bodies.Ids.End);
         _input = input;
         _anyReady = false;
         AnyRested = false;

@@ -7,12 +7,13 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Shapes;
 
-/// <summary>All pieces, colliders and their vertex pools.</summary>
+/// <summary>All pieces, colliders and their vertex pools, of which equal pieces share a run.</summary>
 internal sealed class ShapeStore
 {
     private readonly ColumnSet _vertexSet = new ColumnSet();
     private readonly ColumnSet _pieceSet = new ColumnSet();
     private readonly Column<Handle> _pieceHandles;
+    private readonly SharedRuns _runs;
 
     /// <summary>Freed vertex ranges, one list per power of two; last in, first out, so runs repeat exactly.</summary>
     private readonly List<int>[] _freeRanges = new List<int>[31];
@@ -25,6 +26,7 @@ internal sealed class ShapeStore
         Normals = _vertexSet.Add<Vector2>();
         OutlineBefore = _vertexSet.Add<Vector2>();
         OutlineAfter = _vertexSet.Add<Vector2>();
+        _runs = new SharedRuns(_vertexSet);
         Pieces = _pieceSet.Add<Piece>();
         NextPiece = _pieceSet.Add<int>();
         _pieceHandles = _pieceSet.Add<Handle>();
@@ -85,8 +87,9 @@ internal sealed class ShapeStore
             VisitedPieces.Set(index);
             NextPiece[index] = -1;
             int count = source.Vertices.Length;
-            int start = TakeRange(count);
-            PieceBaker.Write(source, offset, rotationOffset, new PieceRange(this, start, count));
+            int own = TakeRange(count);
+            PieceBaker.Write(source, offset, rotationOffset, new PieceRange(this, own, count));
+            int start = Enter(own, count);
             Pieces[index] = PieceBaker.Describe(source, body, collider, new PieceRange(this, start, count));
             if (previous < 0)
             {
@@ -115,6 +118,7 @@ internal sealed class ShapeStore
         for (int piece = info.PieceCount > 0 ? info.FirstPiece : -1; piece >= 0; piece = NextPiece[piece])
         {
             ref Piece p = ref Pieces[piece];
+            p.VertexStart = Part(p.VertexStart, p.VertexCount);
             double reach = 0;
             for (int i = p.VertexStart; i < p.VertexStart + p.VertexCount; i++)
             {
@@ -124,6 +128,7 @@ internal sealed class ShapeStore
                 reach = Math.Max(reach, Math.Sqrt((vx * vx) + (vy * vy)));
             }
 
+            p.VertexStart = Enter(p.VertexStart, p.VertexCount);
             p.Reach = FloatBits.RoundUp(reach + p.Radius);
             p.Center = new Vector2((float)(p.Center.X + x), (float)(p.Center.Y + y));
         }
@@ -137,7 +142,11 @@ internal sealed class ShapeStore
         while (piece >= 0)
         {
             int next = NextPiece[piece];
-            ReturnRange(Pieces[piece].VertexStart, Pieces[piece].VertexCount);
+            if (_runs.Leave(new PieceRange(this, Pieces[piece].VertexStart, Pieces[piece].VertexCount)))
+            {
+                ReturnRange(Pieces[piece].VertexStart, Pieces[piece].VertexCount);
+            }
+
             Pieces[piece] = default;
             NextPiece[piece] = -1;
             PieceIds.Return(_pieceHandles[piece]);
@@ -171,6 +180,40 @@ internal sealed class ShapeStore
 
         double r = p.Radius;
         return Box.FromDouble(pose.X + (minX - r), pose.Y + (minY - r), pose.X + (maxX + r), pose.Y + (maxY + r));
+    }
+
+    /// <summary>The run of a new or changed piece, or an equal one that there is.</summary>
+    private int Enter(int own, int count)
+    {
+        int start = _runs.Enter(new PieceRange(this, own, count), this);
+        if (start != own)
+        {
+            ReturnRange(own, count);
+        }
+
+        return start;
+    }
+
+    /// <summary>A run that a piece has for itself and may change: its own, or a copy of the one that it shared.</summary>
+    private unsafe int Part(int start, int count)
+    {
+        if (_runs.Leave(new PieceRange(this, start, count)))
+        {
+            return start;
+        }
+
+        int own = TakeRange(count);
+        var from = new PieceRange(this, start, count);
+        var to = new PieceRange(this, own, count);
+        for (int i = 0; i < count; i++)
+        {
+            to.Vertices[i] = from.Vertices[i];
+            to.Normals[i] = from.Normals[i];
+            to.Before[i] = from.Before[i];
+            to.After[i] = from.After[i];
+        }
+
+        return own;
     }
 
     private static int SizeClass(int count)

@@ -13,6 +13,18 @@ internal sealed class IdPool
 
     public int Count => _generations.Count - _free.Count;
 
+    /// <summary>One past the highest slot in use once so many more are taken. Room for them is made now if they are many.</summary>
+    public int EndAfter(int more)
+    {
+        int end = System.Math.Max(End, Count + more);
+        if (end > _generations.Capacity && end - End > End)
+        {
+            _generations.Capacity = end;
+        }
+
+        return end;
+    }
+
     public Handle Take()
     {
         if (_free.Count > 0)

@@ -101,7 +101,7 @@ internal sealed class ItemQueue<T>
             }
         }
 
-        _in.RemoveRange(0, count);
+        ListRoom.WorkedOff(_in, count);
     }
 
     /// <summary>Takes out what waited when the update began.</summary>

@@ -16,27 +16,34 @@ internal sealed class ObjectTable
     /// <summary>One past the highest index that may hold a geom.</summary>
     public int GeomEnd => _geoms.Length;
 
+    /// <summary>Makes room for indices below these.</summary>
+    public void Expect(int bodyEnd, int geomEnd)
+    {
+        EnsureLength(ref _bodies, bodyEnd);
+        EnsureLength(ref _geoms, geomEnd);
+    }
+
     public Body? Body(int index) => index < _bodies.Length ? _bodies[index] : null;
 
     public Geom? Geom(int index) => index < _geoms.Length ? _geoms[index] : null;
 
     public void SetBody(int index, Body? body)
     {
-        if (index >= _bodies.Length)
-        {
-            Array.Resize(ref _bodies, Math.Max(index + 1, _bodies.Length * 2));
-        }
-
+        EnsureLength(ref _bodies, index + 1);
         _bodies[index] = body;
     }
 
     public void SetGeom(int index, Geom? geom)
     {
-        if (index >= _geoms.Length)
-        {
-            Array.Resize(ref _geoms, Math.Max(index + 1, _geoms.Length * 2));
-        }
-
+        EnsureLength(ref _geoms, index + 1);
         _geoms[index] = geom;
+    }
+
+    private static void EnsureLength<T>(ref T?[] items, int length)
+    {
+        if (length > items.Length)
+        {
+            Array.Resize(ref items, Math.Max(length, items.Length + (items.Length / 4)));
+        }
     }
 }
