@@ -62,6 +62,9 @@ internal static unsafe class DoubleLanes
         /// <summary>A mask that was stored: all bits of a lane, or none.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static WideDoubleMask LoadMask(long* source) => Vector256.Load(source).AsDouble();
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void StoreMask(WideDoubleMask mask, long* target) => mask.AsInt64().Store(target);
 #else
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static WideDouble Splat(double value) => new WideDouble(value);
@@ -102,6 +105,9 @@ internal static unsafe class DoubleLanes
         /// <summary>A mask that was stored: all bits of a lane, or none.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static WideDoubleMask LoadMask(long* source) => Unsafe.ReadUnaligned<WideDoubleMask>(source);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void StoreMask(WideDoubleMask mask, long* target) => Unsafe.WriteUnaligned(target, mask);
 #endif
     }
 

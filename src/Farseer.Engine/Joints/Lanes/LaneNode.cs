@@ -187,13 +187,14 @@ internal unsafe struct LaneTrees
     /// <summary>All edges and anchors have two rows, and none a motor or a spring: it is faster here even if it is alone.</summary>
     public bool IsSimple;
 
-    /// <summary>Range of the joints with motors and springs; and the lanes with one that its tree leaves no freedom.</summary>
+    /// <summary>Range of the joints with motors and springs; and the lanes with a spring that its tree leaves no freedom.</summary>
     public int SoftFirst;
     public int Softs;
     public int Stalled;
 
-    /// <summary>All bits set for the lanes that take part in a round of the correction.</summary>
+    /// <summary>All bits set for the lanes that take part in a round of the correction, and for those in which a sweep is made.</summary>
     public fixed long Corrects[4];
+    public fixed long Sweeps[4];
     public fixed double Worst[4];
     public fixed double Before[4];
     public fixed double Bent[4];

@@ -41,8 +41,10 @@ internal unsafe struct LaneSoftRow
     public fixed double Low[4];
     public fixed double High[4];
 
-    /// <summary>Of a motor.</summary>
+    /// <summary>Of a motor; all bits set for the lanes in which its tree leaves it no freedom, and what its bodies alone would answer.</summary>
     public fixed double Share[4];
+    public fixed long Stalled[4];
+    public fixed double Own[4];
 
     /// <summary>Of a spring: frequency and damping ratio, and what follows for a substep.</summary>
     public fixed double Stiffness[4];

@@ -11,7 +11,7 @@ namespace Farseer.Engine.Joints.Lanes;
 internal static unsafe class LaneSweep
 {
     /// <summary>Jacobians and responses of the rows at the poses at which the trees are factored, and what springs are there.</summary>
-    /// <returns>Lanes with a row that its tree leaves no freedom.</returns>
+    /// <returns>Lanes with a spring that its tree leaves no freedom.</returns>
     [SkipLocalsInit]
     [MethodImpl(KernelMethod.Optimized)]
     public static int Prepare(in LaneWalks trees, LaneSoft* softs, LaneSoftPlace* places, int count, double h, int lane)
@@ -50,13 +50,21 @@ internal static unsafe class LaneSweep
     }
 
     /// <summary>Sweeps over all rows, in one walk.</summary>
+    /// <param name="trees">The trees.</param>
+    /// <param name="softs">Their rows.</param>
+    /// <param name="places">What these are.</param>
+    /// <param name="count">How many joints have some.</param>
+    /// <param name="biased">The biased pass, in which springs pull.</param>
+    /// <param name="sweeps">How often.</param>
+    /// <param name="lane">The first lane.</param>
+    /// <param name="lanes">The lanes in which it is done.</param>
     /// <returns>True if it brought an impulse: the joints are to be given what they answered.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static bool Run(in LaneWalks trees, LaneSoft* softs, LaneSoftPlace* places, int count, bool biased, int sweeps, int lane)
+    public static bool Run(in LaneWalks trees, LaneSoft* softs, LaneSoftPlace* places, int count, bool biased, int sweeps, int lane, long* lanes)
     {
         LaneWalks walks = trees;
-        WideDoubleMask all = WideDouble.Zero <= WideDouble.Zero;
-        WideDoubleMask carries = ~all;
+        WideDoubleMask all = WideDouble.LoadMask(lanes + lane);
+        WideDoubleMask carries = ~(WideDouble.Zero <= WideDouble.Zero);
         walks.Begin();
         for (int turn = 0; turn < sweeps * count; turn++)
         {
@@ -73,10 +81,10 @@ internal static unsafe class LaneSweep
                 walks.Visit(place->NodeB, all);
             }
 
-            carries |= Solve(ref walks, &soft->Row0, place, place->Kind0, biased);
+            carries |= Solve(ref walks, &soft->Row0, place, place->Kind0, biased, all);
             if (place->Rows > 1)
             {
-                carries |= Solve(ref walks, &soft->Row1, place, place->Kind1, biased);
+                carries |= Solve(ref walks, &soft->Row1, place, place->Kind1, biased, all);
             }
         }
 
@@ -159,7 +167,10 @@ internal static unsafe class LaneSweep
             return ~(response > WideDouble.Zero);
         }
 
-        return ~(response > WideDouble.Zero) | ~(plain > dead * own);
+        own.Store(row->Own);
+        WideDoubleMask stalled = ~(response > WideDouble.Zero) | ~(plain > dead * own);
+        WideDouble.StoreMask(stalled, row->Stalled);
+        return ~(WideDouble.Zero <= WideDouble.Zero);
     }
 
     private static void SetSprings(in LaneWalks walks, LaneSoft* soft, LaneSoftRow* row, LaneSoftPlace* place, double h)
@@ -221,7 +232,7 @@ internal static unsafe class LaneSweep
     }
 
     /// <returns>The lanes in which it gave an impulse.</returns>
-    private static WideDoubleMask Solve(ref LaneWalks walks, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind, bool biased)
+    private static WideDoubleMask Solve(ref LaneWalks walks, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind, bool biased, WideDoubleMask all)
     {
         WideDoubleMask none = ~(WideDouble.Zero <= WideDouble.Zero);
         if (kind.IsSpring && !biased)
@@ -248,15 +259,21 @@ internal static unsafe class LaneSweep
             WideDouble damping = WideDouble.Load(row->Damping);
             WideDouble off = v - WideDouble.Load(row->Speed) + (damping * old);
             now = old - (WideDouble.Load(row->Share) * off / (response + damping));
+
+            // A stalled motor pushes with what it has: see JointPass.
+            WideDouble own = WideDouble.Load(row->Own);
+            WideDouble pressed = WideDouble.Select(own > WideDouble.Zero, (WideDouble.Load(row->Speed) - v) / own, old);
+            now = WideDouble.Select(WideDouble.LoadMask(row->Stalled), pressed, now);
         }
 
         WideDouble low = WideDouble.Load(row->Low);
         WideDouble high = WideDouble.Load(row->High);
         now = WideDouble.Select(now > high, high, now);
         now = WideDouble.Select(now < low, low, now);
+        now = WideDouble.Select(all, now, old);
         now.Store(row->Lambda);
         WideDouble impulse = now - old;
-        WideDoubleMask acts = ~((impulse >= WideDouble.Zero) & (impulse <= WideDouble.Zero));
+        WideDoubleMask acts = all & ~((impulse >= WideDouble.Zero) & (impulse <= WideDouble.Zero));
         if (DoubleLanes.Bits(acts) != 0)
         {
             Give(joint, row, impulse);

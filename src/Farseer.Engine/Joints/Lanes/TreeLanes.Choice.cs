@@ -105,7 +105,7 @@ internal sealed unsafe partial class TreeLanes
 
     /// <summary>
     /// Each edge and anchor is one joint of a form that is known here. Limits are held of joints that have two rows without them; where a track
-    /// has limits, or there are motors or springs, none may hold.
+    /// has limits, none may hold.
     /// </summary>
     private bool IsKnown(JointTree* tree, out bool holdsLimits)
     {
@@ -138,7 +138,7 @@ internal sealed unsafe partial class TreeLanes
         return holdsLimits || !holds;
     }
 
-    private bool CanHold(int active) => (LimitRowOf(active) < 0 || FormOf(active) != LaneForm.Track) && !HasSoft(active);
+    private bool CanHold(int active) => LimitRowOf(active) < 0 || FormOf(active) != LaneForm.Track;
 
     private LaneForm FormOf(int active)
     {

@@ -34,6 +34,60 @@ internal sealed unsafe partial class TreeLanes
         }
     }
 
+    /// <summary>After rows have pushed: solves the trees again of which a limit that holds would pull, or another is passed.</summary>
+    /// <returns>The lanes in which other limits hold than before.</returns>
+    private int SolveTurned(LaneTrees* trees, bool relaxed)
+    {
+        LaneBundle bundle = BundleOf(trees);
+        int turned = LaneLimits.Turned(bundle, _step.Substep, relaxed) & trees->Live;
+        if (turned == 0)
+        {
+            return 0;
+        }
+
+        PutAside(bundle.Nodes, bundle.Count);
+        WriteGoals(trees, relaxed);
+        int changed = SolveLimits(trees, relaxed, turned);
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
+        {
+            if ((turned & (1 << lane)) == 0)
+            {
+                LeaveAsWas(bundle, lane);
+            }
+        }
+
+        LaneSolve.Give(bundle);
+        if (changed != 0)
+        {
+            PrepareSofts(trees);
+        }
+
+        return changed;
+    }
+
+    /// <summary>A lane takes no part in a solution: its velocities are those put aside, and its joints gave nothing.</summary>
+    private static void LeaveAsWas(in LaneBundle bundle, int lane)
+    {
+        for (int i = 0; i < bundle.Count; i++)
+        {
+            LaneNode* node = DoubleLanes.Shift(bundle.Nodes + i, lane);
+            for (int k = 0; k <= W; k += Y)
+            {
+                node->Velocity[k] = node->Saved[k];
+                node->Joint.Lambda[k] = 0;
+            }
+        }
+
+        for (int i = 0; i < bundle.AnchorCount; i++)
+        {
+            LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
+            for (int k = 0; k <= W; k += Y)
+            {
+                anchor->Joint.Lambda[k] = 0;
+            }
+        }
+    }
+
     /// <returns>Lanes with an error that was put there from outside.</returns>
     private int WriteGoals(LaneTrees* trees, bool relaxed)
     {

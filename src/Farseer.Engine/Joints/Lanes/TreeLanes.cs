@@ -14,6 +14,8 @@ namespace Farseer.Engine.Joints.Lanes;
 /// </summary>
 internal sealed unsafe partial class TreeLanes
 {
+    private const int AllLanes = (1 << DoubleLanes.BundleLanes) - 1;
+
     private readonly Column<LaneNode> _nodes = new Column<LaneNode>();
     private readonly Column<LanePlace> _places = new Column<LanePlace>();
     private readonly Column<LaneAnchor> _anchors = new Column<LaneAnchor>();
@@ -199,14 +201,25 @@ internal sealed unsafe partial class TreeLanes
                 LoadStill(trees);
                 PutAside(_nodes.Pointer + trees->First, trees->Nodes);
                 PutGivenAside(trees);
-                LeaveBefore(trees, Passed(trees, relaxed) & trees->Live);
+                if (trees->HoldsLimits)
+                {
+                    SolveTurned(trees, relaxed);
+                }
+                else
+                {
+                    LeaveBefore(trees, Passed(trees, relaxed) & trees->Live);
+                }
+
                 Sweep(trees, relaxed, sweeps);
                 StoreVelocities(trees);
             }
         }
     }
 
-    /// <summary>Motors and springs. If one drives a tree against a limit, the tree is given back as it was before the pass.</summary>
+    /// <summary>
+    /// Motors and springs. If one drives a tree against a limit or away from one, that tree is solved once more, and they are; if no limit can be
+    /// held here, the tree is given back as it was before the pass.
+    /// </summary>
     private void Sweep(LaneTrees* trees, bool relaxed, int sweeps)
     {
         if (trees->Softs == 0)
@@ -214,14 +227,35 @@ internal sealed unsafe partial class TreeLanes
             return;
         }
 
+        SweepIn(trees, AllLanes, relaxed, sweeps);
+        if (!trees->HoldsLimits)
+        {
+            LeaveBefore(trees, Passed(trees, relaxed) & trees->Live);
+            return;
+        }
+
+        int refactored = SolveTurned(trees, relaxed);
+        if (refactored != 0)
+        {
+            SweepIn(trees, refactored, relaxed, 1);
+        }
+    }
+
+    /// <summary>Sweeps over the motors and springs of some lanes.</summary>
+    private void SweepIn(LaneTrees* trees, int lanes, bool relaxed, int sweeps)
+    {
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
+        {
+            trees->Sweeps[lane] = (lanes & (1 << lane)) != 0 ? -1 : 0;
+        }
+
         bool any = false;
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
-            any |= LaneSweep.Run(WalksOf(trees, lane), _softs.Pointer + trees->SoftFirst, places, trees->Softs, !relaxed, sweeps, lane);
+            any |= LaneSweep.Run(WalksOf(trees, lane), _softs.Pointer + trees->SoftFirst, places, trees->Softs, !relaxed, sweeps, lane, trees->Sweeps);
         }
 
-        LeaveBefore(trees, Passed(trees, relaxed) & trees->Live);
         if (any)
         {
             LaneSolve.Give(BundleOf(trees));
