@@ -4,19 +4,27 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Bodies;
 
 /// <summary>The bodies that moved by more than their size in a step, with their states at its start.</summary>
-internal sealed class FastList
+internal sealed unsafe class FastList
 {
-    private readonly Column<FastMotion> _motions = new Column<FastMotion>();
+    private FastMotion* _motions;
 
     public int Count { get; private set; }
 
     public ref FastMotion this[int position] => ref _motions[position];
 
+    /// <param name="scratch">Where they are until the step ends.</param>
     /// <param name="most">Bodies that there can be.</param>
-    public void Begin(int most)
+    public void Begin(Scratch scratch, int most)
     {
         Count = 0;
-        _motions.EnsureCapacity(most);
+        _motions = scratch.Take<FastMotion>(most);
+    }
+
+    /// <summary>The step is over, and with it the scratch memory.</summary>
+    public void End()
+    {
+        Count = 0;
+        _motions = null;
     }
 
     /// <summary>For a body that has flown: foreseen to be fast, or fast by what came since.</summary>

@@ -15,6 +15,18 @@ internal sealed unsafe class BoxRows
     private readonly Column<float> _maxX;
     private readonly Column<float> _maxY;
 
+    /// <summary>Rows of so many boxes, not yet set, in scratch memory, with the padding.</summary>
+    public static WideBoxes Take(Scratch scratch, int count)
+    {
+        var wide = default(WideBoxes);
+        wide.MinX = scratch.Take<float>(count + Padding);
+        wide.MinY = scratch.Take<float>(count + Padding);
+        wide.MaxX = scratch.Take<float>(count + Padding);
+        wide.MaxY = scratch.Take<float>(count + Padding);
+        Pad(wide, count);
+        return wide;
+    }
+
     public BoxRows()
     {
         _minX = _set.Add<float>();
@@ -41,9 +53,14 @@ internal sealed unsafe class BoxRows
     {
         EnsureCapacity(count);
         Count = count;
+        Pad(Wide, count);
+    }
+
+    private static void Pad(in WideBoxes wide, int count)
+    {
         for (int i = count; i < count + Padding; i++)
         {
-            Wide.SetEmpty(i);
+            wide.SetEmpty(i);
         }
     }
 

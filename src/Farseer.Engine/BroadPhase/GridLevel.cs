@@ -23,10 +23,10 @@ internal sealed unsafe class GridLevel
     private const int MostCellsABox = 4;
     private const int LeastCells = 64;
 
-    private readonly BoxRows _rows = new BoxRows();
-    private readonly Column<GridEntry> _entries = new Column<GridEntry>(1);
-    private readonly Column<GridPlace> _places = new Column<GridPlace>(1);
-    private readonly Column<int> _start = new Column<int>(1);
+    // In scratch memory, which is taken back when the search is over.
+    private WideBoxes _rows;
+    private GridEntry* _entries;
+    private int* _start;
     private double _originX;
     private double _originY;
     private double _cell;
@@ -38,32 +38,26 @@ internal sealed unsafe class GridLevel
     private uint _mask;
     private bool _hashed;
 
-    public int Count => _rows.Count;
+    public int Count { get; private set; }
 
     /// <summary>Members that look for pairs.</summary>
     public int Seekers { get; private set; }
 
-    public GridEntry* Entries => _entries.Pointer;
+    public GridEntry* Entries => _entries;
 
-    /// <summary>Makes room for so many boxes, so that boxes which change their size class do not allocate in the middle of a run.</summary>
-    public void Reserve(int count)
-    {
-        _places.EnsureCapacity(count);
-        _entries.EnsureCapacity(count);
-        _start.EnsureCapacity((MostCellsABox * count) + LeastCells + 2);
-        _rows.EnsureCapacity(count);
-    }
-
+    /// <summary>Sorts the boxes into the grid, in scratch memory.</summary>
     public void Build(ProxyStore proxies, int* members, int count, double maxSize)
     {
         Box* boxes = proxies.Fat.Pointer;
         Measure(boxes, members, count, maxSize);
-        _places.EnsureCapacity(count);
-        _entries.EnsureCapacity(count);
-        _start.EnsureCapacity(_cells + 2);
-        _rows.SetCount(count);
-        int* start = _start.Pointer;
-        GridPlace* places = _places.Pointer;
+        Scratch scratch = proxies.Scratch;
+        Count = count;
+        _entries = scratch.Take<GridEntry>(count);
+        _start = scratch.Take<int>(_cells + 2);
+        _rows = BoxRows.Take(scratch, count);
+        int mark = scratch.Mark;
+        GridPlace* places = scratch.Take<GridPlace>(count);
+        int* start = _start;
         bool bounded = _inverseCell > 0;
         Unsafe.InitBlock(start, 0, (uint)(_cells + 2) * sizeof(int));
         for (int i = 0; i < count; i++)
@@ -84,7 +78,8 @@ internal sealed unsafe class GridLevel
             start[c] = sum;
         }
 
-        Fill(proxies, members, count);
+        Fill(proxies, members, places, count);
+        scratch.Release(mark);
     }
 
     /// <summary>Pairs of a range of the boxes of this level with those behind them. Each looks at the rest of its cell, the next cell, and three cells of the next row.</summary>
@@ -94,9 +89,9 @@ internal sealed unsafe class GridLevel
     /// </remarks>
     public void CollectWithin(PairBuffer pairs, int from, int to)
     {
-        int* start = _start.Pointer;
-        WideBoxes wide = _rows.Wide;
-        GridEntry* entries = _entries.Pointer;
+        int* start = _start;
+        WideBoxes wide = _rows;
+        GridEntry* entries = _entries;
         for (int i = from; i < to; i++)
         {
             GridEntry* entry = entries + i;
@@ -150,7 +145,7 @@ internal sealed unsafe class GridLevel
         var spread = new SpreadBox(box);
         if (_inverseCell == 0)
         {
-            Scan(_rows.Wide, _entries.Pointer, spread, entry, -1, 0, Count, pairs);
+            Scan(_rows, _entries, spread, entry, -1, 0, Count, pairs);
             return;
         }
 
@@ -172,36 +167,35 @@ internal sealed unsafe class GridLevel
         // A row costs about as much to find as two tests of eight boxes.
         if ((_hashed && right - left + 3 > _cells) || ((long)top - bottom + 1) * 2 * WideBoxes.Width >= Count)
         {
-            Scan(_rows.Wide, _entries.Pointer, spread, entry, -1, 0, Count, pairs);
+            Scan(_rows, _entries, spread, entry, -1, 0, Count, pairs);
             return;
         }
 
-        int* start = _start.Pointer;
+        int* start = _start;
         for (int row = bottom; row <= top; row++)
         {
             uint first = (((uint)row * _stride) + (uint)left + 1) & _mask;
             uint last = first + (uint)(right - left);
             if (last < (uint)_cells)
             {
-                Scan(_rows.Wide, _entries.Pointer, spread, entry, row, start[first], start[last + 1], pairs);
+                Scan(_rows, _entries, spread, entry, row, start[first], start[last + 1], pairs);
             }
             else
             {
-                Scan(_rows.Wide, _entries.Pointer, spread, entry, row, start[first], Count, pairs);
-                Scan(_rows.Wide, _entries.Pointer, spread, entry, row, 0, start[(last & _mask) + 1], pairs);
+                Scan(_rows, _entries, spread, entry, row, start[first], Count, pairs);
+                Scan(_rows, _entries, spread, entry, row, 0, start[(last & _mask) + 1], pairs);
             }
         }
     }
 
     // Slots by cell: start[c + 1] is where cell c begins; filling moves it to where cell c + 1 does. Each box is written to one place, and
     // spread into the rows of bounds in a second walk: five far stores a box would each miss the cache in a large world.
-    private void Fill(ProxyStore proxies, int* members, int count)
+    private void Fill(ProxyStore proxies, int* members, GridPlace* places, int count)
     {
         Box* boxes = proxies.Fat.Pointer;
         ProxyInfo* info = proxies.Info.Pointer;
-        int* start = _start.Pointer;
-        GridPlace* places = _places.Pointer;
-        GridEntry* entries = _entries.Pointer;
+        int* start = _start;
+        GridEntry* entries = _entries;
         int seekers = 0;
         for (int i = 0; i < count; i++)
         {
@@ -215,7 +209,7 @@ internal sealed unsafe class GridLevel
         }
 
         Seekers = seekers;
-        WideBoxes wide = _rows.Wide;
+        WideBoxes wide = _rows;
         for (int slot = 0; slot < count; slot++)
         {
             wide.Set(slot, entries[slot].Box);
@@ -225,18 +219,18 @@ internal sealed unsafe class GridLevel
     // A box whose neighbouring cells wrap around the end of the table: they are taken one by one.
     private void CollectAcrossEnd(int i, PairBuffer pairs)
     {
-        int* start = _start.Pointer;
-        GridEntry* entry = _entries.Pointer + i;
+        int* start = _start;
+        GridEntry* entry = _entries + i;
         int row = entry->Place.Row;
         uint c = (uint)entry->Place.Cell;
         uint next = (c + 1) & _mask;
         var box = new SpreadBox(entry->Box);
-        Scan(_rows.Wide, _entries.Pointer, box, entry, row, i + 1, start[c + 1], pairs);
-        Scan(_rows.Wide, _entries.Pointer, box, entry, row, start[next], start[next + 1], pairs);
+        Scan(_rows, _entries, box, entry, row, i + 1, start[c + 1], pairs);
+        Scan(_rows, _entries, box, entry, row, start[next], start[next + 1], pairs);
         for (uint k = 0; k < 3; k++)
         {
             uint cell = (c + _stride - 1 + k) & _mask;
-            Scan(_rows.Wide, _entries.Pointer, box, entry, row + 1, start[cell], start[cell + 1], pairs);
+            Scan(_rows, _entries, box, entry, row + 1, start[cell], start[cell + 1], pairs);
         }
     }
 

@@ -41,6 +41,9 @@ internal sealed class ProxyStore
 
     public Column<ProxyInfo> Info { get; }
 
+    /// <summary>Memory for the time of a search.</summary>
+    public Scratch Scratch { get; } = new Scratch();
+
     /// <summary>One past the highest proxy in use.</summary>
     public int End { get; set; }
 

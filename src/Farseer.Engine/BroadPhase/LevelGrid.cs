@@ -110,7 +110,8 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
 
     private void SearchGrids(ProxyStore proxies)
     {
-        _levels.Assign(proxies.Fat.Pointer, _active.Pointer, _active.Count);
+        int mark = proxies.Scratch.Mark;
+        _levels.Assign(proxies.Scratch, proxies.Fat.Pointer, _active.Pointer, _active.Count);
         while (_grids.Count < _levels.Count)
         {
             _grids.Add(new GridLevel());
@@ -118,8 +119,6 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
 
         for (int l = 0; l < _levels.Count; l++)
         {
-            // Boxes change their size class: room for half as many again, but not in each of ten classes for all.
-            _grids[l].Reserve(System.Math.Min(_reserved, _levels.Size(l) + (_levels.Size(l) / 2)));
             _grids[l].Build(proxies, _levels.Members(l), _levels.Size(l), _levels.MaxSize(l));
         }
 
@@ -139,6 +138,8 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
                 }
             }
         }
+
+        proxies.Scratch.Release(mark);
     }
 
     /// <summary>A range of the active boxes asks the tree, or one of a level the level itself or a finer one.</summary>
@@ -267,7 +268,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
             }
         }
 
-        _tree.Build(proxies.Fat.Pointer, _resting.Pointer, _resting.Count);
+        _tree.Build(proxies.Scratch, proxies.Fat.Pointer, _resting.Pointer, _resting.Count);
         for (int slot = 0; slot < _tree.SlotCount; slot++)
         {
             _residence.Pointer[_tree.Proxy(slot)].TreeSlot = slot;

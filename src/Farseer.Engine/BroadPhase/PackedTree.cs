@@ -17,8 +17,6 @@ internal sealed unsafe class PackedTree
 
     private readonly BoxRows _lanes = new BoxRows();
     private readonly Column<int> _proxies = new Column<int>(1);
-    private readonly Column<ulong> _codes = new Column<ulong>(1);
-    private readonly RadixSort _sorter = new RadixSort();
     private readonly int[] _layerStart = new int[MaxLayers + 1];
     private readonly int[] _layerEnd = new int[MaxLayers + 1];
     private int _layers;
@@ -48,22 +46,19 @@ internal sealed unsafe class PackedTree
     public void Reserve(int count)
     {
         _proxies.EnsureCapacity(count + Width);
-        _codes.EnsureCapacity(count);
-        _sorter.Reserve(count);
 
         // The layers above the boxes are together a seventh of them, each rounded up to a whole group.
         _lanes.EnsureCapacity(count + (count / (Width - 1)) + (MaxLayers * Width));
     }
 
     /// <summary>Builds the tree anew over the given proxies. Slots are numbered along the curve.</summary>
-    public void Build(Box* boxes, int* members, int count)
+    public void Build(Scratch scratch, Box* boxes, int* members, int count)
     {
         SlotCount = count;
         Count = count;
         _proxies.EnsureCapacity(count + Width);
-        _codes.EnsureCapacity(count);
         int* proxies = _proxies.Pointer;
-        SortAlongCurve(boxes, members, proxies, count);
+        SortAlongCurve(scratch, boxes, members, proxies, count);
         Layout(count);
         WideBoxes lanes = _lanes.Wide;
         for (int i = 0; i < count; i++)
@@ -194,7 +189,7 @@ internal sealed unsafe class PackedTree
     }
 
     // Orders the members by the Morton code of their centres, 16 bits an axis over the extent of all centres.
-    private void SortAlongCurve(Box* boxes, int* members, int* sorted, int count)
+    private void SortAlongCurve(Scratch scratch, Box* boxes, int* members, int* sorted, int count)
     {
         double minX = double.PositiveInfinity;
         double minY = double.PositiveInfinity;
@@ -216,7 +211,8 @@ internal sealed unsafe class PackedTree
 
         double extent = maxX - minX > maxY - minY ? maxX - minX : maxY - minY;
         double scale = extent > 0 ? 65535 / extent : 0;
-        ulong* codes = _codes.Pointer;
+        int mark = scratch.Mark;
+        ulong* codes = scratch.Take<ulong>(count);
         for (int i = 0; i < count; i++)
         {
             Box* box = boxes + members[i];
@@ -228,7 +224,8 @@ internal sealed unsafe class PackedTree
             sorted[i] = members[i];
         }
 
-        _sorter.Sort(codes, sorted, count);
+        RadixSort.Sort(scratch, codes, sorted, count);
+        scratch.Release(mark);
     }
 
     // Puts a zero before each of the 16 low bits.

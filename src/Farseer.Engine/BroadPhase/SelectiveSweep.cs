@@ -25,8 +25,6 @@ internal sealed unsafe class SelectiveSweep : IBroadPhase
     private readonly IndexList _live = new IndexList();
     private readonly IndexList _seekers = new IndexList();
     private readonly Column<Place> _places = new Column<Place>(1);
-    private readonly RadixSort _sorter = new RadixSort();
-    private readonly Column<ulong> _keys = new Column<ulong>();
     private int _known;
     private int _levelCount;
     private long _shifts;
@@ -156,20 +154,21 @@ internal sealed unsafe class SelectiveSweep : IBroadPhase
     {
         Box* boxes = proxies.Fat.Pointer;
         bool vertical = SpreadsMoreVertically(boxes);
-        _levels.Assign(boxes, _live.Pointer, _live.Count);
+        Scratch scratch = proxies.Scratch;
+        int mark = scratch.Mark;
+        _levels.Assign(scratch, boxes, _live.Pointer, _live.Count);
         _levelCount = _levels.Count;
         while (_sweeps.Count < _levelCount)
         {
             _sweeps.Add(new SweepLevel());
         }
 
-        _keys.EnsureCapacity(_live.Count);
         for (int l = 0; l < _levelCount; l++)
         {
             int* members = _levels.Members(l);
             int count = _levels.Size(l);
             _sweeps[l].Reserve(_live.Count);
-            _sweeps[l].Build(boxes, members, count, _levels.MaxSize(l), vertical, _sorter, _keys.Pointer);
+            _sweeps[l].Build(boxes, members, count, _levels.MaxSize(l), vertical, scratch);
             for (int i = 0; i < count; i++)
             {
                 _places[members[i]].Level = l;
@@ -177,6 +176,7 @@ internal sealed unsafe class SelectiveSweep : IBroadPhase
             }
         }
 
+        scratch.Release(mark);
         _shifts = 0;
     }
 

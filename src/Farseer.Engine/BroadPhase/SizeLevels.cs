@@ -22,10 +22,9 @@ internal sealed unsafe class SizeLevels
 
     private readonly Column<int> _bucketCount = new Column<int>(Buckets);
     private readonly Column<int> _bucketLevel = new Column<int>(Buckets);
-    private readonly Column<double> _size = new Column<double>(1);
     private readonly Column<double> _maxSize = new Column<double>(Buckets);
     private readonly Column<int> _start = new Column<int>(Buckets + 1);
-    private readonly IndexList _order = new IndexList();
+    private int* _order;
 
     /// <summary>Groups, the finest first.</summary>
     public int Count { get; private set; }
@@ -35,16 +34,17 @@ internal sealed unsafe class SizeLevels
     public int Size(int level) => _start[level + 1] - _start[level];
 
     /// <summary>The proxies of a group, in the order they were given in.</summary>
-    public int* Members(int level) => _order.Pointer + _start[level];
+    public int* Members(int level) => _order + _start[level];
 
     /// <summary>The largest side in the group.</summary>
     public double MaxSize(int level) => _maxSize[level];
 
-    /// <summary>Sorts the members into groups.</summary>
-    public void Assign(Box* boxes, int* members, int count)
+    /// <summary>Sorts the members into groups. They lie in the scratch memory from then on.</summary>
+    public void Assign(Scratch scratch, Box* boxes, int* members, int count)
     {
-        _size.EnsureCapacity(count);
-        double* size = _size.Pointer;
+        _order = scratch.Take<int>(count);
+        int mark = scratch.Mark;
+        double* size = scratch.Take<double>(count);
         int* buckets = _bucketCount.Pointer;
         for (int b = 0; b < Buckets; b++)
         {
@@ -60,6 +60,7 @@ internal sealed unsafe class SizeLevels
 
         MergeBuckets(buckets);
         Distribute(members, size, count);
+        scratch.Release(mark);
     }
 
     /// <summary>The larger side, or the spacing of floats at the box if that is more.</summary>
@@ -126,8 +127,7 @@ internal sealed unsafe class SizeLevels
 
     private void Distribute(int* members, double* size, int count)
     {
-        _order.SetCount(count);
-        int* order = _order.Pointer;
+        int* order = _order;
         int* start = _start.Pointer;
         double* maxSize = _maxSize.Pointer;
         if (Count <= 1)

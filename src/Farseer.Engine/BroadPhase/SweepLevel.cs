@@ -36,14 +36,15 @@ internal sealed unsafe class SweepLevel
     /// <param name="count">Number of them.</param>
     /// <param name="margin">No box is larger.</param>
     /// <param name="vertical">Sorts along y.</param>
-    /// <param name="sorter">Sorts them; the levels take turns with it.</param>
-    /// <param name="keys">Room for <paramref name="count"/> keys, likewise.</param>
-    public void Build(Box* boxes, int* members, int count, double margin, bool vertical, RadixSort sorter, ulong* keys)
+    /// <param name="scratch">Where room is found meanwhile.</param>
+    public void Build(Box* boxes, int* members, int count, double margin, bool vertical, Scratch scratch)
     {
         _vertical = vertical;
         _margin = margin;
         _proxies.EnsureCapacity(count);
         int* proxies = _proxies.Pointer;
+        int mark = scratch.Mark;
+        ulong* keys = scratch.Take<ulong>(count);
         for (int i = 0; i < count; i++)
         {
             proxies[i] = members[i];
@@ -51,7 +52,8 @@ internal sealed unsafe class SweepLevel
         }
 
         // The members come in ascending order, which the stable sort keeps among equals.
-        sorter.Sort(keys, proxies, count);
+        RadixSort.Sort(scratch, keys, proxies, count);
+        scratch.Release(mark);
         _rows.SetCount(count);
         WideBoxes wide = _rows.Wide;
         for (int i = 0; i < count; i++)

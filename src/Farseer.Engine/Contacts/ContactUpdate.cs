@@ -5,6 +5,7 @@ using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Contacts;
 
@@ -29,6 +30,9 @@ internal unsafe struct ContactUpdateInput
     /// <summary>1 for a body that the solver may move.</summary>
     public byte* Moves;
     public WorldSettings Settings;
+
+    /// <summary>What is taken of it is given back at the end of the narrow phase.</summary>
+    public Scratch Scratch;
     public float Dt;
 
     /// <summary>How far the blows of this step may throw each body; null while that is not known.</summary>

@@ -16,11 +16,12 @@ internal sealed unsafe partial class IslandStore
     private readonly Column<int> _start = new Column<int>();
     private readonly Column<int> _neighbours = new Column<int>();
     private readonly Column<int> _queue = new Column<int>();
-    private readonly Column<Edge> _edges = new Column<Edge>();
     private readonly Column<int> _islandOf = new Column<int>();
     private readonly Column<int> _firstSlot = new Column<int>();
     private readonly Column<float> _slotSag = new Column<float>();
 
+    // In scratch memory, while the islands are built.
+    private Edge* _edges;
     private int _edgeCount;
 
     public int Count { get; private set; }
@@ -46,12 +47,16 @@ internal sealed unsafe partial class IslandStore
     /// <param name="graph">The rows.</param>
     /// <param name="bodyEnd">One past the highest body.</param>
     /// <param name="moves">1 for a body that can move.</param>
-    public void Build(ConstraintGraph graph, int bodyEnd, byte* moves)
+    /// <param name="scratch">Where room is found meanwhile.</param>
+    public void Build(ConstraintGraph graph, int bodyEnd, byte* moves, Scratch scratch)
     {
         EnsureBodies(bodyEnd, graph.RowCount);
+        int mark = scratch.Mark;
+        _edges = scratch.Take<Edge>(graph.RowCount + 1);
         _bodyEnd = bodyEnd;
         int queued = CollectEdges(graph, bodyEnd, moves);
         FindLevels(bodyEnd, queued);
+        scratch.Release(mark);
         NumberIslands(bodyEnd, moves);
         WriteRows(graph, moves);
     }
@@ -62,7 +67,6 @@ internal sealed unsafe partial class IslandStore
         _islandOf.EnsureCapacity(bodyEnd);
         _start.EnsureCapacity(bodyEnd + 1);
         _queue.EnsureCapacity(bodyEnd + 1);
-        _edges.EnsureCapacity(Math.Max(rows, 2 * bodyEnd));
         _neighbours.EnsureCapacity(2 * Math.Max(rows, 2 * bodyEnd));
     }
 
@@ -73,7 +77,7 @@ internal sealed unsafe partial class IslandStore
         int* start = _start.Pointer;
         int* level = _level.Pointer;
         int* queue = _queue.Pointer;
-        Edge* edges = _edges.Pointer;
+        Edge* edges = _edges;
         for (int i = 0; i < bodyEnd; i++)
         {
             start[i] = 0;
@@ -129,7 +133,7 @@ internal sealed unsafe partial class IslandStore
         }
 
         // After filling, start[i] is the end of body i's range (and start[i - 1] its beginning).
-        Edge* edges = _edges.Pointer;
+        Edge* edges = _edges;
         for (int i = 0; i < _edgeCount; i++)
         {
             neighbours[start[edges[i].A]++] = edges[i].B;

@@ -55,11 +55,13 @@ internal sealed unsafe class SagForecast
     private const byte StepsAfterDeep = 60;
 
     private readonly Column<byte> _wait = new Column<byte>();
-    private readonly Column<Level> _levels = new Column<Level>();
     private readonly Column<Island> _islands = new Column<Island>();
     private readonly Column<byte> _fine = new Column<byte>();
     private readonly Column<byte> _doublings = new Column<byte>();
     private readonly StartingLoads _loads = new StartingLoads();
+
+    // By slot of the islands, in scratch memory, while they are judged.
+    private Level* _levels;
     private int _islandCount;
     private bool _any;
     private Vector2 _gravity;
@@ -124,7 +126,7 @@ internal sealed unsafe class SagForecast
     /// <summary>How often the substeps of each island are to be doubled in this step.</summary>
     /// <returns>True if any takes more than the step.</returns>
     public bool Find(
-        IslandStore islands, FeedForwardSettings feedForward, ConstraintGraph graph, BodyStore bodies, int* list, int count, in ContactCoefficients c)
+        IslandStore islands, FeedForwardSettings feedForward, ConstraintGraph graph, BodyStore bodies, int* list, int count, in ContactCoefficients c, Scratch scratch)
     {
         if (!_any)
         {
@@ -145,6 +147,7 @@ internal sealed unsafe class SagForecast
         if (unknown)
         {
             var usual = new ContactCoefficients(_dt / WorldSettings.DefaultSubsteps, c.Gravity, c.Rest, c.BounceThreshold);
+            _levels = scratch.Take<Level>(islands.SlotCount);
             Collect(islands, graph, bodies, usual);
             Decide(islands, usual);
             GiveLoads(graph, bodies, c);
@@ -173,7 +176,6 @@ internal sealed unsafe class SagForecast
     private void Reserve(int bodyEnd)
     {
         _islands.EnsureCapacity(bodyEnd);
-        _levels.EnsureCapacity(bodyEnd);
         _doublings.EnsureCapacity(bodyEnd);
         _fine.EnsureCapacity(bodyEnd);
         _wait.EnsureCapacity(bodyEnd);

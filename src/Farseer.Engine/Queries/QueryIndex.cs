@@ -36,6 +36,7 @@ internal sealed unsafe class QueryIndex
     private readonly IndexList _changed = new IndexList();
     private readonly IndexList _due = new IndexList();
     private readonly IndexList _members = new IndexList();
+    private readonly Scratch _scratch = new Scratch();
     private long _version;
     private int _known;
     private int _count;
@@ -226,7 +227,7 @@ internal sealed unsafe class QueryIndex
         Loose.Clear();
         _count = _members.Count;
         Tree.Reserve(_boxes.Capacity);
-        Tree.Build(_boxes.Pointer, _members.Pointer, _members.Count);
+        Tree.Build(_scratch, _boxes.Pointer, _members.Pointer, _members.Count);
         for (int slot = 0; slot < Tree.SlotCount; slot++)
         {
             _fits[Tree.Proxy(slot)].Place = slot;

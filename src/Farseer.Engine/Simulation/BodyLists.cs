@@ -161,11 +161,12 @@ internal sealed unsafe class BodyLists
         _work.Foresee(runner, bodies, _active.Pointer, ActiveCount, dt);
 
     /// <summary>Bodies with rows, springs or joints go to the solver; the others fly free and cost nothing there.</summary>
-    public void Split(StageRunner runner, BodyStore bodies, ConstraintGraph graph, SpringStore springs, JointSolver? joints, bool all)
+    public void Split(
+        StageRunner runner, BodyStore bodies, ConstraintGraph graph, SpringStore springs, JointSolver? joints, bool all, Scratch scratch)
     {
-        Fast.Begin(ActiveCount);
-        _solver.EnsureCapacity(ActiveCount + WideLanes.BundleLanes);
-        _free.EnsureCapacity(ActiveCount + 1);
+        Fast.Begin(scratch, ActiveCount);
+        _solver.EnsureCapacity(bodies.State.Capacity + WideLanes.BundleLanes);
+        _free.EnsureCapacity(bodies.State.Capacity + 1);
         SolverCount = 0;
         FreeCount = 0;
         _work.FindHeld(runner, bodies, _active.Pointer, ActiveCount, new Holders { Graph = graph, Springs = springs, Joints = joints, All = all });
@@ -186,13 +187,21 @@ internal sealed unsafe class BodyLists
         }
     }
 
-    public void FlyFree(StageRunner runner, BodyStore bodies, Vector2 gravity, float dt, float substep)
+    public void FlyFree(StageRunner runner, BodyStore bodies, Vector2 gravity, float dt, float substep, Scratch scratch)
     {
-        if (!_work.FlyFree(runner, bodies, _free.Pointer, FreeCount, gravity, dt, substep))
+        int mark = scratch.Mark;
+        FlightStart* starts = scratch.Take<FlightStart>(FreeCount);
+        if (_work.FlyFree(runner, bodies, _free.Pointer, FreeCount, gravity, dt, substep, starts))
         {
-            return;
+            SortFlown(bodies, starts);
         }
 
+        scratch.Release(mark);
+    }
+
+    /// <summary>Casts out those that flew out of range, and notes the fast ones.</summary>
+    private void SortFlown(BodyStore bodies, FlightStart* starts)
+    {
         for (int i = 0; i < FreeCount; i++)
         {
             int body = _free[i];
@@ -201,7 +210,7 @@ internal sealed unsafe class BodyLists
                 continue;
             }
 
-            ref FlightStart start = ref _work.Starts[i];
+            ref FlightStart start = ref starts[i];
             if (!StateRange.Holds(bodies.State[body], bodies.Pose[body]))
             {
                 bodies.Pose[body] = start.Pose;

@@ -3,6 +3,7 @@ using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Solver;
 using Farseer.Engine.Springs;
 using Farseer.Engine.Stepping;
@@ -52,7 +53,7 @@ internal sealed unsafe class BodyWork : IStageWork
 
     private readonly Column<BodySorts> _sorts = new Column<BodySorts>();
     private readonly Column<byte> _marks = new Column<byte>();
-    private readonly Column<FlightStart> _starts = new Column<FlightStart>();
+    private FlightStart* _starts;
     private BodyStore _bodies = null!;
     private int* _list;
     private byte* _moves;
@@ -77,9 +78,6 @@ internal sealed unsafe class BodyWork : IStageWork
 
     /// <summary>1 for each place of the list whose body was marked, else 0.</summary>
     public byte* Marks => _marks.Pointer;
-
-    /// <summary>For each marked place of bodies that flew.</summary>
-    public FlightStart* Starts => _starts.Pointer;
 
     /// <summary>For each word of bodies after <see cref="Sort(StageRunner, BodyStore, byte*)"/>.</summary>
     public BodySorts* Sorts => _sorts.Pointer;
@@ -108,10 +106,12 @@ internal sealed unsafe class BodyWork : IStageWork
         Run(runner, bodies, list, count, Part.FindHeld, 0);
     }
 
+    /// <summary>Flies the bodies, and writes down where those began that are marked.</summary>
     /// <returns>True if bodies were marked.</returns>
-    public bool FlyFree(StageRunner runner, BodyStore bodies, int* list, int count, Vector2 gravity, float dt, float substep)
+    public bool FlyFree(
+        StageRunner runner, BodyStore bodies, int* list, int count, Vector2 gravity, float dt, float substep, FlightStart* starts)
     {
-        _starts.EnsureCapacity(count);
+        _starts = starts;
         _gravity = gravity;
         _substep = substep;
         return Run(runner, bodies, list, count, Part.FlyFree, dt);
@@ -160,7 +160,7 @@ internal sealed unsafe class BodyWork : IStageWork
                 FindHeld(list, to - from, marks);
                 break;
             case Part.FlyFree:
-                found = FlyFree(list, to - from, marks, _starts.Pointer + from);
+                found = FlyFree(list, to - from, marks, _starts + from);
                 break;
             case Part.Finish:
                 found = FinishBodies.Run(_bodies, list, to - from, marks);
@@ -271,7 +271,7 @@ internal sealed unsafe class BodyWork : IStageWork
 
     private bool Run(StageRunner runner, BodyStore bodies, int* list, int count, Part part, float time)
     {
-        _marks.EnsureCapacity(count);
+        _marks.EnsureCapacity(bodies.State.Capacity + WideLanes.BundleLanes);
         _bodies = bodies;
         _list = list;
         _part = part;

@@ -10,20 +10,16 @@ namespace Farseer.Engine.Simulation;
 /// <summary>Runs the narrow phase over all pairs and moves pairs in and out of the graph, in an order set by the state alone.</summary>
 internal sealed unsafe class ContactStage
 {
-    private readonly Column<int> _lost = new Column<int>();
-    private readonly Column<int> _dropped = new Column<int>();
-    private readonly Column<ulong> _gainKeys = new Column<ulong>();
-    private readonly Column<int> _gained = new Column<int>();
     private bool _startedCold;
-    private readonly RadixSort _sort = new RadixSort();
     private readonly ContactSides _sides = new ContactSides();
     private readonly FastPairStage _fast = new FastPairStage();
     private readonly StruckPairs _struck = new StruckPairs();
     private readonly ContactWork _work = new ContactWork();
     private readonly IdleWork _idle = new IdleWork();
-    private int _lostCount;
-    private int _droppedCount;
-    private int _gainedCount;
+    private ScratchList<int> _lost;
+    private ScratchList<int> _dropped;
+    private ScratchList<ulong> _gainKeys;
+    private ScratchList<int> _gained;
     private int _touching;
     private int _touchingNow;
     private int _hulls;
@@ -65,18 +61,17 @@ internal sealed unsafe class ContactStage
         input.Pairs = _work.Pairs;
         AnyBounce = false;
         AnyHeard = false;
-        _lostCount = 0;
-        _droppedCount = 0;
-        _gainedCount = 0;
         _touching = 0;
         _touchingNow = 0;
         _hulls = 0;
-        _lost.EnsureCapacity(contacts.Records.Capacity);
-        _dropped.EnsureCapacity(contacts.Records.Capacity);
-        _gained.EnsureCapacity(contacts.Records.Capacity);
-        _gainKeys.EnsureCapacity(contacts.Records.Capacity);
-        _fast.Begin();
-        _struck.Begin(input.Bodies.Ids.End, joints);
+        Scratch scratch = input.Scratch;
+        int mark = scratch.Mark;
+        _lost = new ScratchList<int>(scratch);
+        _dropped = new ScratchList<int>(scratch);
+        _gainKeys = new ScratchList<ulong>(scratch);
+        _gained = new ScratchList<int>(scratch);
+        _fast.Begin(scratch);
+        _struck.Begin(input.Bodies, joints, scratch);
         Lone.Begin();
         UpdateGraph(runner, input, graph);
         UpdateIdle(runner, input);
@@ -92,7 +87,10 @@ internal sealed unsafe class ContactStage
         if (_struck.Any)
         {
             GiveStruck(runner, input, graph);
+            _struck.End();
         }
+
+        scratch.Release(mark);
 
         AnyBounce = AnyBounce || _fast.AnyBounce;
         _touching += _fast.Given;
@@ -126,7 +124,7 @@ internal sealed unsafe class ContactStage
     private void WakeGained(World world, ContactStore contacts)
     {
         int kept = 0;
-        for (int i = 0; i < _gainedCount; i++)
+        for (int i = 0; i < _gained.Count; i++)
         {
             int index = _gained[i];
             if (world.WakeByContact(contacts.Records[index]))
@@ -136,7 +134,8 @@ internal sealed unsafe class ContactStage
             }
         }
 
-        _gainedCount = kept;
+        _gained.SetCount(kept);
+        _gainKeys.SetCount(kept);
     }
 
     private void UpdateGraph(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
@@ -164,11 +163,11 @@ internal sealed unsafe class ContactStage
 
                     if ((fates.Dropped & (1 << lane)) != 0)
                     {
-                        _dropped[_droppedCount++] = bundle->Contact[lane];
+                        _dropped.Add(bundle->Contact[lane]);
                     }
                     else
                     {
-                        _lost[_lostCount++] = bundle->Contact[lane];
+                        _lost.Add(bundle->Contact[lane]);
                     }
                 }
             }
@@ -200,12 +199,12 @@ internal sealed unsafe class ContactStage
                 if ((fates.Dropped & (1 << lane)) != 0)
                 {
                     next = DropParted(contacts, next, _idle.Place(first + lane));
-                    _dropped[_droppedCount++] = pairs[lane];
+                    _dropped.Add(pairs[lane]);
                 }
                 else if ((fates.Solid & (1 << lane)) != 0)
                 {
-                    _gainKeys[_gainedCount] = Shuffle(PairKey(contacts.Records[pairs[lane]]));
-                    _gained[_gainedCount++] = pairs[lane];
+                    _gainKeys.Add(Shuffle(PairKey(contacts.Records[pairs[lane]])));
+                    _gained.Add(pairs[lane]);
                 }
             }
         }
@@ -224,7 +223,7 @@ internal sealed unsafe class ContactStage
             {
                 if ((parted & 1) != 0)
                 {
-                    _dropped[_droppedCount++] = contacts.Idle(from);
+                    _dropped.Add(contacts.Idle(from));
                 }
             }
 
@@ -266,13 +265,13 @@ internal sealed unsafe class ContactStage
 
     private void Take(ContactStore contacts, ConstraintGraph graph)
     {
-        for (int i = 0; i < _lostCount; i++)
+        for (int i = 0; i < _lost.Count; i++)
         {
             graph.Remove(ref contacts.Records[_lost[i]], contacts.Records);
             contacts.AddIdle(_lost[i]);
         }
 
-        for (int i = 0; i < _droppedCount; i++)
+        for (int i = 0; i < _dropped.Count; i++)
         {
             Drop(contacts, graph, _dropped[i]);
         }
@@ -285,8 +284,8 @@ internal sealed unsafe class ContactStage
     private void Give(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
     {
         ContactStore contacts = input.Contacts;
-        _sort.Sort(_gainKeys.Pointer, _gained.Pointer, _gainedCount);
-        for (int i = 0; i < _gainedCount; i++)
+        RadixSort.Sort(input.Scratch, _gainKeys.Pointer, _gained.Pointer, _gained.Count);
+        for (int i = 0; i < _gained.Count; i++)
         {
             int index = _gained[i];
             ref ContactRecord record = ref contacts.Records[index];
@@ -294,7 +293,7 @@ internal sealed unsafe class ContactStage
             graph.Add(index, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
         }
 
-        AnyBounce |= _work.FillRows(runner, input, graph, _gained.Pointer, _gainedCount);
+        AnyBounce |= _work.FillRows(runner, input, graph, _gained.Pointer, _gained.Count);
     }
 
     /// <summary>Gives rows to pairs beside a blow.</summary>
@@ -302,7 +301,8 @@ internal sealed unsafe class ContactStage
     {
         _struck.Find(input);
         ReadOnlySpan<int> found = _struck.Found;
-        _gainedCount = found.Length;
+        _gainKeys.SetCount(found.Length);
+        _gained.SetCount(found.Length);
         for (int i = 0; i < found.Length; i++)
         {
             _gainKeys[i] = Shuffle(PairKey(input.Contacts.Records[found[i]]));

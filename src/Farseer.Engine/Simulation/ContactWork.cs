@@ -37,7 +37,7 @@ internal sealed unsafe class ContactWork : IStageWork
 
     private readonly Column<PairLanes> _pairs = new Column<PairLanes>();
     private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
-    private readonly Column<BundleOutcome> _outcomes = new Column<BundleOutcome>();
+    private BundleOutcome* _outcomes;
     private readonly ColorRanges _ranges = new ColorRanges();
     private ContactUpdateInput _input;
     private ContactSides _sides = null!;
@@ -57,7 +57,7 @@ internal sealed unsafe class ContactWork : IStageWork
     public PairLanes* Pairs => _pairs.Pointer;
 
     /// <summary>Outcomes of the last update, in the order of its bundles.</summary>
-    public BundleOutcome* Outcomes => _outcomes.Pointer;
+    public BundleOutcome* Outcomes => _outcomes;
 
     /// <summary>Writes the sides of all pieces.</summary>
     public void WriteSides(StageRunner runner, in ContactUpdateInput input, ContactSides sides)
@@ -138,15 +138,13 @@ internal sealed unsafe class ContactWork : IStageWork
     {
         _input = input;
         _part = part;
-
-        // As many bundles as all pairs fill, and one half empty in each colour: so their number changes without an allocation.
-        _outcomes.EnsureCapacity(Math.Max(count, (input.Contacts.Records.Capacity / ContactBundle.Lanes) + ConstraintGraph.ColorCount));
+        _outcomes = input.Scratch.Take<BundleOutcome>(count);
         runner.Run(this, count, LeastBundles);
     }
 
     private void UpdateRows(in ContactUpdateInput input, int from, int to)
     {
-        BundleOutcome* outcomes = _outcomes.Pointer;
+        BundleOutcome* outcomes = _outcomes;
         bool far = Prefetch.IsUseful && input.Shapes.PieceIds.End > MostNear;
         while (from < to)
         {

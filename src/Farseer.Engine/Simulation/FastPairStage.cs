@@ -20,18 +20,16 @@ internal sealed unsafe class FastPairStage : IStageWork
     /// <summary>Pairs that are worth another worker's while, some 2 µs.</summary>
     private const int LeastPairs = 4;
 
-    private readonly RadixSort _sort = new RadixSort();
-    private readonly Column<ulong> _keys = new Column<ulong>();
-    private readonly Column<int> _contacts = new Column<int>();
     private readonly Column<ContactBundle> _bundle = new Column<ContactBundle>();
-    private readonly Column<Outlook> _found = new Column<Outlook>();
+    private ScratchList<ulong> _keys;
+    private ScratchList<int> _contacts;
+    private Outlook* _found;
     private ContactUpdateInput _input;
     private ConstraintGraph _graph = null!;
     private JointStore _joints = null!;
     private StruckPairs _struck = null!;
     private bool _allHeld;
     private bool _ofMovers;
-    private int _count;
 
     /// <summary>Rows given in this step.</summary>
     public int Given { get; private set; }
@@ -39,26 +37,24 @@ internal sealed unsafe class FastPairStage : IStageWork
     /// <summary>One of them can bounce.</summary>
     public bool AnyBounce { get; private set; }
 
-    public void Begin()
+    public void Begin(Scratch scratch)
     {
-        _count = 0;
+        _keys = new ScratchList<ulong>(scratch);
+        _contacts = new ScratchList<int>(scratch);
         Given = 0;
         AnyBounce = false;
     }
 
     public void Defer(ContactStore contacts, int contact)
     {
-        // By need: there are few, and a place for each contact would be as much memory as a body has.
-        _keys.EnsureCapacity(_count + 1);
-        _contacts.EnsureCapacity(_count + 1);
-        _keys[_count] = ContactStage.Shuffle(ContactStage.PairKey(contacts.Records[contact]));
-        _contacts[_count++] = contact;
+        _keys.Add(ContactStage.Shuffle(ContactStage.PairKey(contacts.Records[contact])));
+        _contacts.Add(contact);
     }
 
     /// <summary>What a fast body comes near wakes: it would meet it as a wall.</summary>
     public void Wake(World world, ContactStore contacts)
     {
-        for (int i = 0; i < _count; i++)
+        for (int i = 0; i < _contacts.Count; i++)
         {
             world.WakeByContact(contacts.Records[_contacts[i]]);
         }
@@ -68,15 +64,15 @@ internal sealed unsafe class FastPairStage : IStageWork
         StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld, StruckPairs struck, LonePairs lone)
     {
         _struck = struck;
-        _sort.Sort(_keys.Pointer, _contacts.Pointer, _count);
-        _found.EnsureCapacity(_count);
+        RadixSort.Sort(input.Scratch, _keys.Pointer, _contacts.Pointer, _contacts.Count);
+        _found = input.Scratch.Take<Outlook>(_contacts.Count);
         _input = input;
         _graph = graph;
         _joints = joints;
         _allHeld = allHeld;
         _ofMovers = true;
-        runner.Run(this, _count, LeastPairs);
-        for (int i = 0; i < _count; i++)
+        runner.Run(this, _contacts.Count, LeastPairs);
+        for (int i = 0; i < _contacts.Count; i++)
         {
             if (OfMovers(input, input.Contacts.Records[_contacts[i]]))
             {
@@ -90,8 +86,8 @@ internal sealed unsafe class FastPairStage : IStageWork
 
         // Bodies that got rows above are held now.
         _ofMovers = false;
-        runner.Run(this, _count, LeastPairs);
-        for (int i = 0; i < _count; i++)
+        runner.Run(this, _contacts.Count, LeastPairs);
+        for (int i = 0; i < _contacts.Count; i++)
         {
             ref ContactRecord record = ref input.Contacts.Records[_contacts[i]];
             if (!OfMovers(input, record) && IsLeftToRows(input, graph, joints, record))

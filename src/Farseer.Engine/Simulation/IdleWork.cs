@@ -23,9 +23,11 @@ internal sealed unsafe class IdleWork : IStageWork
     private const int BodiesToEnd = 4;
 
     private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
-    private readonly Column<BundleOutcome> _outcomes = new Column<BundleOutcome>();
-    private readonly Column<Glance> _glances = new Column<Glance>();
-    private readonly Column<int> _looked = new Column<int>();
+
+    // In scratch memory, until the end of the narrow phase.
+    private BundleOutcome* _outcomes;
+    private Glance* _glances;
+    private int* _looked;
     private ContactUpdateInput _input;
     private Part _part;
 
@@ -40,7 +42,7 @@ internal sealed unsafe class IdleWork : IStageWork
     public int LookedCount { get; private set; }
 
     /// <summary>Outcomes of the pairs looked at, in bundles of eight, in the order of the idle list.</summary>
-    public BundleOutcome* Outcomes => _outcomes.Pointer;
+    public BundleOutcome* Outcomes => _outcomes;
 
     /// <summary>Place in the idle list of a pair that was looked at.</summary>
     public int Place(int looked) => _input.Contacts.KeepsGaps ? _looked[looked] : looked;
@@ -93,17 +95,15 @@ internal sealed unsafe class IdleWork : IStageWork
         if (contacts.KeepsGaps)
         {
             int bundles = Bundles(contacts.IdleCount);
-            _glances.EnsureCapacity(Bundles(contacts.Records.Capacity));
-            _looked.EnsureCapacity(contacts.Records.Capacity);
+            _glances = input.Scratch.Take<Glance>(bundles);
+            _looked = input.Scratch.Take<int>(contacts.IdleCount);
             _part = Part.Gaps;
             runner.Run(this, bundles, LeastPasses);
             CollectLooked(bundles);
         }
 
         _bundles.EnsureCapacity(runner.Workers);
-
-        // Room for as many bundles as all pairs fill: so their number changes without an allocation.
-        _outcomes.EnsureCapacity(Bundles(contacts.Records.Capacity));
+        _outcomes = input.Scratch.Take<BundleOutcome>(Bundles(LookedCount));
         _part = Part.Idle;
         runner.Run(this, Bundles(LookedCount), LeastBundles);
     }
@@ -163,7 +163,7 @@ internal sealed unsafe class IdleWork : IStageWork
 
     private void CollectLooked(int bundles)
     {
-        int* next = _looked.Pointer;
+        int* next = _looked;
         for (int i = 0; i < bundles; i++)
         {
             int place = i * ContactBundle.Lanes;
@@ -173,7 +173,7 @@ internal sealed unsafe class IdleWork : IStageWork
             }
         }
 
-        LookedCount = (int)(next - _looked.Pointer);
+        LookedCount = (int)(next - _looked);
     }
 
     private void Look(in ContactUpdateInput input, ContactBundle* bundle, int from, int to)
@@ -200,7 +200,7 @@ internal sealed unsafe class IdleWork : IStageWork
             }
 
             _outcomes[i].Fates = ContactUpdate.UpdateIdle(input, bundle);
-            ContactWork.NoteSinking(input.Pairs, _outcomes.Pointer + i);
+            ContactWork.NoteSinking(input.Pairs, _outcomes + i);
             if (contacts.KeepsGaps)
             {
                 IdleGap.Note(input.Pairs, contacts.Gaps, places, count);

@@ -17,14 +17,14 @@ internal sealed unsafe class PairWork : IStageWork
     /// <summary>Look-ups ahead for which the map is asked: a table of many pairs lies far away.</summary>
     private const int Ahead = 12;
 
-    private readonly Column<byte> _marks = new Column<byte>();
+    private byte* _marks;
     private World _world = null!;
     private PairBuffer _pairs = null!;
 
-    public void Run(StageRunner runner, World world, PairBuffer pairs)
+    public void Run(StageRunner runner, World world, PairBuffer pairs, Scratch scratch)
     {
-        // The list grows and shrinks by much from step to step: room for as many as it may hold.
-        _marks.EnsureCapacity(pairs.Capacity);
+        int mark = scratch.Mark;
+        _marks = scratch.Take<byte>(pairs.Count);
         _world = world;
         _pairs = pairs;
         runner.Run(this, pairs.Count, LeastPairs);
@@ -37,6 +37,7 @@ internal sealed unsafe class PairWork : IStageWork
         }
 
         pairs.SetEnd(next);
+        scratch.Release(mark);
     }
 
     void IStageWork.Run(int worker, int from, int to)

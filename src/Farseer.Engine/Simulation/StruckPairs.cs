@@ -16,39 +16,37 @@ namespace Farseer.Engine.Simulation;
 internal sealed unsafe class StruckPairs
 {
     private readonly Column<float> _throws = new Column<float>();
-    private readonly Column<int> _struck = new Column<int>();
     private readonly Column<ContactBundle> _bundle = new Column<ContactBundle>();
-    private readonly Column<int> _found = new Column<int>();
+    private ScratchList<int> _struck;
+    private ScratchList<int> _found;
     private JointStore _joints = null!;
-    private int _struckCount;
-    private int _foundCount;
-    private int _end;
 
     /// <summary>A body is struck.</summary>
-    public bool Any => _struckCount > 0;
+    public bool Any => _struck.Count > 0;
 
     /// <summary>By how far each body may be thrown.</summary>
     public float* Throws => _throws.Pointer;
 
     /// <summary>Pairs that are to get rows.</summary>
-    public ReadOnlySpan<int> Found => new ReadOnlySpan<int>(_found.Pointer, _foundCount);
+    public ReadOnlySpan<int> Found => new ReadOnlySpan<int>(_found.Pointer, _found.Count);
 
-    /// <summary>Forgets the blows of the last step.</summary>
-    public void Begin(int bodies, JointStore joints)
+    public void Begin(BodyStore bodies, JointStore joints, Scratch scratch)
     {
         _joints = joints;
-        for (int i = 0; i < _struckCount; i++)
+        _struck = new ScratchList<int>(scratch);
+        _found = new ScratchList<int>(scratch);
+        _throws.EnsureCapacity(bodies.State.Capacity);
+    }
+
+    /// <summary>Forgets the blows of this step.</summary>
+    public void End()
+    {
+        for (int i = 0; i < _struck.Count; i++)
         {
             _throws[_struck[i]] = 0;
         }
 
-        _struckCount = 0;
-        _foundCount = 0;
-        _throws.EnsureCapacity(bodies);
-        for (; _end < bodies; _end++)
-        {
-            _throws[_end] = 0;
-        }
+        _struck.SetCount(0);
     }
 
     /// <summary>Notes the blows of a bundle's pairs.</summary>
@@ -159,12 +157,11 @@ internal sealed unsafe class StruckPairs
         }
 
         int found = ContactUpdate.FindStruck(input, bundle);
-        _found.EnsureCapacity(_foundCount + filled);
         for (int lane = 0; found != 0; lane++, found >>= 1)
         {
             if ((found & 1) != 0)
             {
-                _found[_foundCount++] = bundle->Contact[lane];
+                _found.Add(bundle->Contact[lane]);
             }
         }
     }
@@ -197,8 +194,7 @@ internal sealed unsafe class StruckPairs
     {
         if (_throws[body] == 0)
         {
-            _struck.EnsureCapacity(_struckCount + 1);
-            _struck[_struckCount++] = body;
+            _struck.Add(body);
         }
 
         _throws[body] = Math.Max(_throws[body], way);

@@ -14,11 +14,11 @@ internal sealed partial class World : IImpactListener
     private readonly FastBodySweep _sweep = new FastBodySweep();
     private readonly FastBodySweep _secondSweep = new FastBodySweep();
     private readonly PairFlight _pairFlight;
-    private readonly RadixSort _sweepSort = new RadixSort();
-    private readonly Column<int> _sweepPlace = new Column<int>();
-    private readonly Column<SweepRoles> _sweepRoles = new Column<SweepRoles>();
-    private readonly Column<ulong> _sweepKeys = new Column<ulong>();
-    private int _sweepCount;
+
+    // By body, and the pairs by place, in scratch memory until the step ends.
+    private unsafe int* _sweepPlace;
+    private unsafe SweepRoles* _sweepRoles;
+    private ScratchList<ulong> _sweepKeys;
     private int _sweepNext;
     private bool _sweepGathered;
 
@@ -54,7 +54,7 @@ internal sealed partial class World : IImpactListener
         }
     }
 
-    private void SweepFastBodies(float dt, float substep)
+    private unsafe void SweepFastBodies(float dt, float substep)
     {
         SweepInput input = BeginSweep(dt, substep);
         FastList fast = _lists.Fast;
@@ -91,7 +91,7 @@ internal sealed partial class World : IImpactListener
         {
             _sweepGathered = true;
             ForgetBeyond();
-            _sweepCount = GatherSweepPairs();
+            GatherSweepPairs();
             _sweepNext = 0;
         }
 
@@ -102,7 +102,7 @@ internal sealed partial class World : IImpactListener
     private unsafe void FillSweep(FastBodySweep sweep, int place, int without)
     {
         sweep.Begin();
-        for (; _sweepNext < _sweepCount && (int)(_sweepKeys[_sweepNext] >> 32) == place; _sweepNext++)
+        for (; _sweepNext < _sweepKeys.Count && (int)(_sweepKeys[_sweepNext] >> 32) == place; _sweepNext++)
         {
             int contact = (int)(uint)_sweepKeys[_sweepNext];
             ref ContactRecord record = ref _contacts.Records[contact];
@@ -117,14 +117,15 @@ internal sealed partial class World : IImpactListener
     /// The pairs of fast bodies with what they are looked after against, by place: first the bodies of the pairs that fly alone, then
     /// the fast ones.
     /// </summary>
-    private unsafe int GatherSweepPairs()
+    private unsafe void GatherSweepPairs()
     {
         FastList fast = _lists.Fast;
         LonePairs pairs = _contactStage.Lone;
         int end = Bodies.Ids.End;
-        _sweepPlace.EnsureCapacity(end);
-        _sweepRoles.EnsureCapacity(end);
-        SweepRoles* roles = _sweepRoles.Pointer;
+        _sweepPlace = Scratch.Take<int>(end);
+        _sweepRoles = Scratch.Take<SweepRoles>(end);
+        _sweepKeys = new ScratchList<ulong>(Scratch);
+        SweepRoles* roles = _sweepRoles;
         for (int i = 0; i < end; i++)
         {
             roles[i] = IsMovable(i) ? SweepRoles.None : SweepRoles.Wall;
@@ -142,7 +143,6 @@ internal sealed partial class World : IImpactListener
             SetPlace(pairs[i].B.Body, (2 * i) + 1, SweepRoles.Fast | SweepRoles.Paired);
         }
 
-        int count = 0;
         ContactRecord* records = _contacts.Records.Pointer;
         for (int i = 0; i < _contacts.End; i++)
         {
@@ -161,24 +161,21 @@ internal sealed partial class World : IImpactListener
                 continue;
             }
 
-            _sweepKeys.EnsureCapacity(count + 2);
             if (forA)
             {
-                _sweepKeys[count++] = ((ulong)(uint)_sweepPlace[record->BodyA] << 32) | (uint)i;
+                _sweepKeys.Add(((ulong)(uint)_sweepPlace[record->BodyA] << 32) | (uint)i);
             }
 
             if (forB)
             {
-                _sweepKeys[count++] = ((ulong)(uint)_sweepPlace[record->BodyB] << 32) | (uint)i;
+                _sweepKeys.Add(((ulong)(uint)_sweepPlace[record->BodyB] << 32) | (uint)i);
             }
         }
 
-        _sweepSort.Reserve(count);
-        _sweepSort.Sort(_sweepKeys.Pointer, count);
-        return count;
+        RadixSort.Sort(Scratch, _sweepKeys.Pointer, null, _sweepKeys.Count);
     }
 
-    private void SetPlace(int body, int place, SweepRoles role)
+    private unsafe void SetPlace(int body, int place, SweepRoles role)
     {
         _sweepPlace[body] = place;
         _sweepRoles[body] |= IsBullet(body) ? role | SweepRoles.Bullet : role;

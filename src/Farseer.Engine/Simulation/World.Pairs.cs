@@ -12,7 +12,6 @@ internal sealed partial class World
 {
     private readonly PairBuffer _pairs = new PairBuffer();
     private readonly PairWork _pairWork = new PairWork();
-    private readonly RadixSort _pairSort = new RadixSort();
     private readonly PairMap _verdicts = new PairMap();
     private readonly Column<byte> _staleBodies = new Column<byte>();
     private readonly IndexList _movedProxies = new IndexList();
@@ -108,8 +107,8 @@ internal sealed partial class World
 
         (BroadPhase as LevelGrid)?.Share(_runner);
         BroadPhase.Collect(Proxies, _pairs);
-        _pairWork.Run(_runner, this, _pairs);
-        _pairSort.Sort(_pairs.Pointer, _pairs.Count);
+        _pairWork.Run(_runner, this, _pairs, Scratch);
+        RadixSort.Sort(Scratch, _pairs.Pointer, null, _pairs.Count);
         for (int i = 0; i < _pairs.Count; i++)
         {
             // A user's search may name a pair twice.

@@ -58,7 +58,7 @@ internal sealed partial class World
             }
         }
 
-        _pairSort.Sort(_visitKeys.Pointer, _visitContacts.Pointer, count);
+        RadixSort.Sort(Scratch, _visitKeys.Pointer, _visitContacts.Pointer, count);
         int start = 0;
         while (start < count)
         {

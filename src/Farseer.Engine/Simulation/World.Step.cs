@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
@@ -117,6 +118,7 @@ internal sealed partial class World
         input.Moves = _lists.Moves;
         input.Throws = null;
         input.Settings = Settings;
+        input.Scratch = Scratch;
         input.Dt = dt;
         input.ImpulseScale = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? substep / _lastSubstep : 1f;
         System.Numerics.Vector2 g = Settings.Gravity;
@@ -138,7 +140,7 @@ internal sealed partial class World
         {
             if (!_islands.Keep(_graph, _contacts.Records, _lists.Moves))
             {
-                _islands.Build(_graph, Bodies.Ids.End, _lists.Moves);
+                _islands.Build(_graph, Bodies.Ids.End, _lists.Moves, Scratch);
                 rebuilt = true;
             }
 
@@ -163,8 +165,8 @@ internal sealed partial class World
         bool anyUserJoints = UserJoints != null && UserJoints.Any;
         _springs.Prepare(Bodies, _lists.Moves, _graph.Degrees, anyJoints ? _jointSolver : null, anyUserJoints, substep);
         _contactStage.Lone.SetAside(this, _contacts, _graph, _lists.Moves);
-        _lists.Split(_runner, Bodies, _graph, _springs, anyJoints ? _jointSolver : null, anyUserJoints);
-        _lists.FlyFree(_runner, Bodies, Settings.Gravity, dt, substep);
+        _lists.Split(_runner, Bodies, _graph, _springs, anyJoints ? _jointSolver : null, anyUserJoints, Scratch);
+        _lists.FlyFree(_runner, Bodies, Settings.Gravity, dt, substep, Scratch);
         if (_lists.SolverCount == 0)
         {
             return;
@@ -179,6 +181,7 @@ internal sealed partial class World
         input.RowCount = _graph.RowCount;
         input.List = _lists.Solver;
         input.PaddedCount = _lists.PaddedSolverCount;
+        input.Saved = Scratch.Take<Vector3>(SolverUnits.MostListed(_lists.SolverCount, _graph.Groups.Count));
         input.Substeps = _substeps;
         input.Substep = substep;
         input.Coefficients = coefficients;
@@ -189,7 +192,9 @@ internal sealed partial class World
         input.ColdStart = _contactStage.ColdStart;
         input.Joints = joints;
         input.UserJoints = anyUserJoints ? UserJoints : null;
+        int mark = Scratch.Mark;
         bool classes = !anyUserJoints && FindClasses(joints, coefficients);
+        Scratch.Release(mark);
         if (classes)
         {
             _classes.Borrow(substep);
@@ -231,7 +236,7 @@ internal sealed partial class World
     private unsafe bool FindClasses(JointSolver? joints, in ContactCoefficients c)
     {
         if (!_classes.Find(
-            Settings.AdaptSubsteps, joints, _sagForecast, _islands, _feedForward, _graph, Bodies, _lists.Moves, _lists.Solver, _lists.SolverCount, c))
+            Settings.AdaptSubsteps, joints, _sagForecast, _islands, _feedForward, _graph, Bodies, _lists.Moves, _lists.Solver, _lists.SolverCount, c, Scratch))
         {
             return false;
         }

@@ -58,6 +58,9 @@ internal sealed partial class World
 
     public ProxyStore Proxies { get; } = new ProxyStore();
 
+    /// <summary>Memory of the phases of a step, which all that is taken is given back to at its end.</summary>
+    private Scratch Scratch => Proxies.Scratch;
+
     public IStepHooks? Hooks { get; set; }
 
     /// <summary>Swappable between steps: pairs already found are kept, and the new one starts with all proxies.</summary>
@@ -123,7 +126,8 @@ internal sealed partial class World
         finally
         {
             _runner.End();
-            _lists.Fast.Begin(0);
+            _lists.Fast.End();
+            Scratch.Release(0);
             IsStepping = false;
             Queries.Version++;
         }

@@ -12,8 +12,8 @@ internal sealed unsafe class BodyPasses : IStageWork
     /// <summary>Bundles that are worth another worker's while, some 0.5 µs of a pass.</summary>
     private const int LeastBundles = 32;
 
-    private readonly Column<BodyState> _saved = new Column<BodyState>();
     private StageRunner _runner = null!;
+    private Vector3* _saved;
     private BodyState* _states;
     private BodyMotion* _motions;
     private BodyDrive* _drives;
@@ -31,22 +31,16 @@ internal sealed unsafe class BodyPasses : IStageWork
         Restore,
     }
 
-    /// <param name="runner">Who shares the passes out.</param>
-    /// <param name="bodies">The store.</param>
-    /// <param name="list">The solver's bodies, padded to whole bundles.</param>
-    /// <param name="paddedCount">How many.</param>
-    /// <param name="substep">Seconds.</param>
-    public void Begin(StageRunner runner, BodyStore bodies, int* list, int paddedCount, float substep)
+    public void Begin(in SolverInput input)
     {
-        // Room for all bodies from the first step on, so that a late overlap does not allocate.
-        _saved.EnsureCapacity(bodies.State.Capacity + WideLanes.BundleLanes);
-        _runner = runner;
-        _states = bodies.State.Pointer;
-        _motions = bodies.Motion.Pointer;
-        _drives = bodies.Drive.Pointer;
-        _list = list;
-        _bundles = paddedCount / WideLanes.BundleLanes;
-        _substep = substep;
+        _saved = input.Saved;
+        _runner = input.Runner;
+        _states = input.Bodies.State.Pointer;
+        _motions = input.Bodies.Motion.Pointer;
+        _drives = input.Bodies.Drive.Pointer;
+        _list = input.List;
+        _bundles = input.PaddedCount / WideLanes.BundleLanes;
+        _substep = input.Substep;
     }
 
     public void IntegrateVelocities() => Run(Pass.Velocities);
@@ -76,7 +70,8 @@ internal sealed unsafe class BodyPasses : IStageWork
             case Pass.Save:
                 for (int i = first; i < end; i++)
                 {
-                    _saved[i] = _states[_list[i]];
+                    BodyState* state = _states + _list[i];
+                    _saved[i] = new Vector3(state->LinearVelocity, state->AngularVelocity);
                 }
 
                 break;
@@ -96,8 +91,8 @@ internal sealed unsafe class BodyPasses : IStageWork
                 for (int i = first; i < end; i++)
                 {
                     BodyState* state = _states + _list[i];
-                    state->LinearVelocity = _saved[i].LinearVelocity;
-                    state->AngularVelocity = _saved[i].AngularVelocity;
+                    state->LinearVelocity = new Vector2(_saved[i].X, _saved[i].Y);
+                    state->AngularVelocity = _saved[i].Z;
                 }
 
                 break;

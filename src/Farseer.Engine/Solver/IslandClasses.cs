@@ -75,7 +75,8 @@ internal sealed unsafe class IslandClasses
         byte* moves,
         int* list,
         int count,
-        in ContactCoefficients c)
+        in ContactCoefficients c,
+        Scratch scratch)
     {
         if (graph.RowCount == 0 && joints == null)
         {
@@ -85,7 +86,7 @@ internal sealed unsafe class IslandClasses
         _adapts = adapts;
         _anyChosen = IsAnyChosen(bodies, list, count);
         bool any = _anyChosen;
-        any |= adapts && graph.RowCount > 0 && forecast.Find(islands, feedForward, graph, bodies, list, count, c);
+        any |= adapts && graph.RowCount > 0 && forecast.Find(islands, feedForward, graph, bodies, list, count, c, scratch);
         if (joints != null)
         {
             joints.ClearLoads();

@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
@@ -27,6 +28,7 @@ internal sealed unsafe class SolverUnits : IStageWork
     private SubstepSolver[] _solvers = Array.Empty<SubstepSolver>();
     private int _count;
     private BodyStore _bodies = null!;
+    private Vector3* _saved;
     private int _rowCount;
     private int _substeps;
     private float _substep;
@@ -34,6 +36,9 @@ internal sealed unsafe class SolverUnits : IStageWork
     private float _recovery;
     private bool _anyDeep;
     private bool _coldStart;
+
+    /// <summary>Places that so many bodies may take, each group filled up to whole bundles.</summary>
+    public static int MostListed(int bodies, int groups) => bodies + (groups * WideLanes.BundleLanes);
 
     /// <summary>Parts the rows and the bodies by unit.</summary>
     /// <param name="runner">Who shares the units out.</param>
@@ -70,6 +75,7 @@ internal sealed unsafe class SolverUnits : IStageWork
         _solvers[0] = first;
         _bodies = input.Bodies;
         _rowCount = input.RowCount;
+        _saved = input.Saved;
         _substeps = input.Substeps;
         _substep = input.Substep;
         _coefficients = input.Coefficients;
@@ -95,6 +101,7 @@ internal sealed unsafe class SolverUnits : IStageWork
             input.RowCount = _rowCount;
             input.List = _list.Pointer + _firstBody[unit];
             input.PaddedCount = _firstBody[unit + 1] - _firstBody[unit];
+            input.Saved = _saved + _firstBody[unit];
             input.Substeps = _substeps;
             input.Substep = _substep;
             input.Coefficients = _coefficients;

@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
@@ -23,6 +24,9 @@ internal unsafe ref struct SolverInput
     /// <summary>Bodies with constraints, padded to whole bundles with body 0.</summary>
     public int* List;
     public int PaddedCount;
+
+    /// <summary>Room for the velocities of the list, of all its places.</summary>
+    public Vector3* Saved;
     public int Substeps;
     public float Substep;
     public ContactCoefficients Coefficients;
@@ -72,7 +76,7 @@ internal sealed unsafe class SubstepSolver
     public void Solve(in SolverInput input)
     {
         ContactCoefficients coefficients = input.Coefficients;
-        _bodies.Begin(input.Runner, input.Bodies, input.List, input.PaddedCount, input.Substep);
+        _bodies.Begin(input);
         _passes.Begin(input.Runner, input.Bodies, coefficients);
         double recovery = input.AnyDeep ? RecoveryRate(input.Recovery, input.Substeps) : 0;
         if (input.AnyBounce)

@@ -9,23 +9,23 @@ internal sealed unsafe class RadixSort
     // Below this count an insertion sort wins over clearing and summing the histograms.
     private const int SmallCount = 48;
 
-    private readonly Column<ulong> _keys = new Column<ulong>(1);
-    private readonly Column<int> _values = new Column<int>(1);
-    private readonly Column<int> _histograms = new Column<int>(8 * 256);
+    private const int Digits = 8;
+    private const int Values = 256;
+
+    private readonly Scratch _scratch = new Scratch();
 
     /// <summary>Makes room for sorts of so many keys.</summary>
-    public void Reserve(int count)
-    {
-        _keys.EnsureCapacity(count);
-        _values.EnsureCapacity(count);
-    }
+    public void Reserve(int count) => _scratch.Reserve((count * (sizeof(ulong) + sizeof(int))) + (Digits * Values * sizeof(int)) + 128);
 
-    public void Sort(ulong* keys, int count) => Sort(keys, null, count);
+    public void Sort(ulong* keys, int count) => Sort(_scratch, keys, null, count);
 
+    public void Sort(ulong* keys, int* values, int count) => Sort(_scratch, keys, values, count);
+
+    /// <param name="scratch">Where room is found meanwhile.</param>
     /// <param name="keys">Sorted in place.</param>
     /// <param name="values">Moved along with the keys; may be null.</param>
     /// <param name="count">Keys to sort.</param>
-    public void Sort(ulong* keys, int* values, int count)
+    public static void Sort(Scratch scratch, ulong* keys, int* values, int count)
     {
         if (count <= SmallCount)
         {
@@ -33,21 +33,16 @@ internal sealed unsafe class RadixSort
             return;
         }
 
-        _keys.EnsureCapacity(count);
-        if (values != null)
-        {
-            _values.EnsureCapacity(count);
-        }
-
-        int* histograms = _histograms.Pointer;
+        int mark = scratch.Mark;
+        int* histograms = scratch.Take<int>(Digits * Values);
         Count(keys, count, histograms);
         ulong* from = keys;
-        ulong* to = _keys.Pointer;
+        ulong* to = scratch.Take<ulong>(count);
         int* fromValues = values;
-        int* toValues = _values.Pointer;
-        for (int digit = 0; digit < 8; digit++)
+        int* toValues = values == null ? null : scratch.Take<int>(count);
+        for (int digit = 0; digit < Digits; digit++)
         {
-            int* histogram = histograms + (digit * 256);
+            int* histogram = histograms + (digit * Values);
             int shift = digit * 8;
             if (histogram[(int)(from[0] >> shift) & 255] == count)
             {
@@ -55,7 +50,7 @@ internal sealed unsafe class RadixSort
             }
 
             int sum = 0;
-            for (int i = 0; i < 256; i++)
+            for (int i = 0; i < Values; i++)
             {
                 int here = histogram[i];
                 histogram[i] = sum;
@@ -93,6 +88,8 @@ internal sealed unsafe class RadixSort
         {
             Copy(from, keys, fromValues, values, count);
         }
+
+        scratch.Release(mark);
     }
 
     /// <summary>Maps a float to a number with the same order; −0 counts as +0. The value must not be NaN.</summary>
@@ -105,7 +102,7 @@ internal sealed unsafe class RadixSort
 
     private static void Count(ulong* keys, int count, int* histograms)
     {
-        for (int i = 0; i < 8 * 256; i++)
+        for (int i = 0; i < Digits * Values; i++)
         {
             histograms[i] = 0;
         }

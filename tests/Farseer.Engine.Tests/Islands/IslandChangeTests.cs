@@ -32,6 +32,7 @@ public sealed unsafe class IslandChangeTests
 
             var islands = new IslandStore();
             var fresh = new IslandStore();
+            var scratch = new Scratch();
             var present = new List<int>();
             for (int step = 0; step < 40; step++)
             {
@@ -52,12 +53,12 @@ public sealed unsafe class IslandChangeTests
                 }
                 else
                 {
-                    islands.Build(graph, Bodies, moves.Pointer);
+                    islands.Build(graph, Bodies, moves.Pointer, scratch);
                 }
 
                 graph.ForgetChanges();
                 List<(int Island, int Level)> mine = Read(graph, records, present);
-                fresh.Build(graph, Bodies, moves.Pointer);
+                fresh.Build(graph, Bodies, moves.Pointer, scratch);
                 Assert.Equal(Read(graph, records, present), mine);
                 Assert.Equal(fresh.Count, islands.Count);
                 Assert.Equal(fresh.SlotCount, islands.SlotCount);

@@ -1,0 +1,77 @@
+using System.Collections.Generic;
+
+namespace Farseer.Engine.Storage;
+
+/// <summary>
+/// Memory that the phases of a step use one after the other, aligned to cache lines. Each phase had columns of its own for what it forgets at
+/// its end, which together were more than all that is kept of a body. What is taken holds whatever was there before; it stays
+/// where it is until it is released, also if more is taken meanwhile. Taken by the calling thread alone.
+/// </summary>
+internal sealed unsafe class Scratch
+{
+    private const int Alignment = 64;
+
+    /// <summary>Blocks that turned out too small, kept until all is released.</summary>
+    private readonly List<Column<byte>> _outgrown = new List<Column<byte>>();
+    private Column<byte> _block = new Column<byte>();
+
+    /// <summary>Bytes taken of the blocks that were outgrown, and of the present one.</summary>
+    private int _usedBefore;
+    private int _used;
+
+    /// <summary>How much is taken: what is taken from here on is released by <see cref="Release"/>.</summary>
+    public int Mark => _usedBefore + _used;
+
+    /// <summary>Room for so many records, whose content is undefined.</summary>
+    public T* Take<T>(int count)
+        where T : unmanaged
+    {
+        int bytes = checked((int)((((long)count * sizeof(T)) + (Alignment - 1)) & -Alignment));
+        if (bytes > _block.Capacity - _used)
+        {
+            Outgrow(bytes);
+        }
+
+        T* start = (T*)(_block.Pointer + _used);
+        _used += bytes;
+        return start;
+    }
+
+    /// <summary>Makes room for so many bytes; nothing is taken yet.</summary>
+    public void Reserve(int bytes)
+    {
+        System.Diagnostics.Debug.Assert(Mark == 0, "room is made while nothing is taken");
+        _block.EnsureCapacity(bytes);
+    }
+
+    /// <summary>Gives back what was taken since the mark. The last one to leave makes one block of several.</summary>
+    public void Release(int mark)
+    {
+        if (mark >= _usedBefore)
+        {
+            _used = mark - _usedBefore;
+        }
+
+        if (mark == 0 && _outgrown.Count > 0)
+        {
+            int most = 0;
+            foreach (Column<byte> block in _outgrown)
+            {
+                most = System.Math.Max(most, block.Capacity);
+            }
+
+            _outgrown.Clear();
+            _used = 0;
+            _usedBefore = 0;
+            _block.EnsureCapacity(most);
+        }
+    }
+
+    private void Outgrow(int bytes)
+    {
+        _outgrown.Add(_block);
+        _usedBefore = checked(_usedBefore + _used);
+        _used = 0;
+        _block = new Column<byte>(ColumnGrowth.Next(_block.Capacity, checked(_usedBefore + bytes), 1));
+    }
+}
