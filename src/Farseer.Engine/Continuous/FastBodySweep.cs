@@ -242,6 +242,12 @@ internal sealed class FastBodySweep
         bool isA = record.BodyA == body;
         float extent = Extent(input.Shapes, record, isA);
         BodyPath other = PathOf(input, isA ? record.BodyB : record.BodyA, input.Dt);
+        if (IsClear(input, record, isA, path, other, extent))
+        {
+            candidate.Mode = SweepMode.Passed;
+            return;
+        }
+
         double separation = TimeOfImpact.SeparationAtStart(
             input.Shapes, record.PieceA, isA ? path : other, record.PieceB, isA ? other : path, FastPairs.Tolerance(extent));
         bool jointed = input.Joints.Degree(body) > 0;
@@ -290,6 +296,12 @@ internal sealed class FastBodySweep
         bool isA = record.BodyA == body;
         float extent = Extent(input.Shapes, record, isA);
         BodyPath other = PathOf(input, isA ? record.BodyB : record.BodyA, left);
+        if (IsClear(input, record, isA, path, other, extent))
+        {
+            time = 1;
+            return false;
+        }
+
         BodyPath a = isA ? path : other;
         BodyPath b = isA ? other : path;
         ImpactQuery query;
@@ -313,6 +325,12 @@ internal sealed class FastBodySweep
         query.Until = 1;
         return TimeOfImpact.Find(input.Shapes, record.PieceA, a, record.PieceB, b, query, out time, out _);
     }
+
+    /// <summary>They come nowhere so near that they would count as touching.</summary>
+    private static bool IsClear(in SweepInput input, in ContactRecord record, bool isA, in BodyPath path, in BodyPath other, float extent) =>
+        isA
+            ? ClearWay.Holds(input.Shapes, record.PieceA, path, record.PieceB, other, PairStage.SkinShare * extent)
+            : ClearWay.Holds(input.Shapes, record.PieceB, path, record.PieceA, other, PairStage.SkinShare * extent);
 
     private static float Extent(ShapeStore shapes, in ContactRecord record, bool isA) =>
         shapes.Pieces[isA ? record.PieceA : record.PieceB].Extent;

@@ -1,5 +1,9 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+#endif
 
 namespace Farseer.Engine.Numerics;
 
@@ -37,6 +41,37 @@ internal struct Box
         MinX <= inner.MinX & MinY <= inner.MinY & MaxX >= inner.MaxX & MaxY >= inner.MaxY;
 
     /// <summary>Rounds double bounds outwards to the nearest floats.</summary>
-    public static Box FromDouble(double minX, double minY, double maxX, double maxY) =>
-        new Box(FloatBits.RoundDown(minX), FloatBits.RoundDown(minY), FloatBits.RoundUp(maxX), FloatBits.RoundUp(maxY));
+    public static Box FromDouble(double minX, double minY, double maxX, double maxY)
+    {
+#if NET8_0_OR_GREATER
+        if (Avx.IsSupported)
+        {
+            return RoundOut(minX, minY, maxX, maxY);
+        }
+#endif
+        return new Box(FloatBits.RoundDown(minX), FloatBits.RoundDown(minY), FloatBits.RoundUp(maxX), FloatBits.RoundUp(maxY));
+    }
+
+#if NET8_0_OR_GREATER
+    /// <summary>
+    /// The four bounds side by side, with their upper half negated so that all are rounded down. Which way the nearest float lies cannot be
+    /// foreseen: with a branch for each bound half of them were guessed wrong.
+    /// </summary>
+    private static unsafe Box RoundOut(double minX, double minY, double maxX, double maxY)
+    {
+        Vector256<double> value = Vector256.Create(minX, minY, -maxX, -maxY);
+        Vector128<float> nearest = Avx.ConvertToVector128Single(value);
+        Vector256<float> above = Avx.CompareGreaterThan(Avx.ConvertToVector256Double(nearest), value).AsSingle();
+        Vector128<int> isAbove = Sse.Shuffle(above.GetLower(), above.GetUpper(), 0x88).AsInt32();
+        Vector128<int> bits = nearest.AsInt32();
+
+        // Towards zero from above it, away from it below it, and from zero of either sign to the first number below.
+        Vector128<int> step = (bits >> 31) | Vector128<int>.One;
+        Vector128<int> isZero = Vector128.Equals(nearest, Vector128<float>.Zero).AsInt32();
+        Vector128<int> below = Vector128.ConditionalSelect(isZero, Vector128.Create(unchecked((int)0x80000001)), bits - step);
+        Vector128<int> down = Vector128.ConditionalSelect(isAbove, below, bits);
+        Vector128<int> box = down ^ Vector128.Create(0, 0, int.MinValue, int.MinValue);
+        return *(Box*)&box;
+    }
+#endif
 }

@@ -3,6 +3,7 @@ using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
@@ -75,8 +76,7 @@ internal sealed unsafe class StruckPairs
         {
             int index = contacts.Idle(i);
             ContactRecord* record = records + index;
-            bool asleep = ((flags[record->BodyA] | flags[record->BodyB]) & BodyFlags.Asleep) != 0;
-            if (throws[record->BodyA] + throws[record->BodyB] > 0 && !asleep)
+            if (throws[record->BodyA] + throws[record->BodyB] > 0 && ((flags[record->BodyA] | flags[record->BodyB]) & BodyFlags.Asleep) == 0)
             {
                 ContactRowWriter.Name(_bundle.Pointer, filled++, index, *record);
                 if (filled == ContactBundle.Lanes)
@@ -106,9 +106,10 @@ internal sealed unsafe class StruckPairs
         {
             foreach (ContactBundle* bundle in color.Bundles)
             {
-                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+                int single = Singles(bundle);
+                for (int lane = 0; single != 0; lane++, single >>= 1)
                 {
-                    if (bundle->Single[lane] == 0 || throws[bundle->BodyA[lane]] + throws[bundle->BodyB[lane]] == 0)
+                    if ((single & 1) == 0 || throws[bundle->BodyA[lane]] + throws[bundle->BodyB[lane]] == 0)
                     {
                         continue;
                     }
@@ -132,6 +133,18 @@ internal sealed unsafe class StruckPairs
         {
             Rewrite(input, graph, filled);
         }
+    }
+
+    /// <summary>The lanes of rows with one point, a bit each.</summary>
+    private static int Singles(ContactBundle* bundle)
+    {
+        int bits = 0;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            bits |= WideLanes.Bits(Wide.Load(bundle->Single + lane) > Wide.Zero) << lane;
+        }
+
+        return bits;
     }
 
     private void Rewrite(in ContactUpdateInput input, ConstraintGraph graph, int filled)

@@ -143,17 +143,21 @@ internal sealed partial class World : IImpactListener
             SetPlace(pairs[i].B.Body, (2 * i) + 1, SweepRoles.Fast | SweepRoles.Paired);
         }
 
+        const SweepRoles FastAtWall = SweepRoles.Fast | SweepRoles.Wall;
         ContactRecord* records = _contacts.Records.Pointer;
         for (int i = 0; i < _contacts.End; i++)
         {
             ContactRecord* record = records + i;
-            if (record->PieceA < 0)
+            SweepRoles a = roles[record->BodyA];
+            SweepRoles b = roles[record->BodyB];
+
+            // Few of all pairs are of this kind, so one question that nearly all answer alike comes first.
+            SweepRoles both = a | b;
+            if (((both & SweepRoles.Bullet) == 0 && (both & FastAtWall) != FastAtWall) || record->PieceA < 0)
             {
                 continue;
             }
 
-            SweepRoles a = roles[record->BodyA];
-            SweepRoles b = roles[record->BodyB];
             bool forA = (a & SweepRoles.Bullet) != 0 || ((a & SweepRoles.Fast) != 0 && (b & SweepRoles.Wall) != 0);
             bool forB = (b & SweepRoles.Bullet) != 0 || ((b & SweepRoles.Fast) != 0 && (a & SweepRoles.Wall) != 0);
             if (!(forA || forB) || !Responds(*record))

@@ -1,0 +1,72 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
+
+namespace Farseer.Engine.Continuous;
+
+/// <summary>
+/// Whether a piece stays before one edge of another for its whole way. Most of what a fast body has a pair with it passes at a distance,
+/// and to see that takes a tenth of what a search for a time of impact takes to find none.
+/// </summary>
+internal static unsafe class ClearWay
+{
+    /// <summary>
+    /// Sees the way of the piece's body from the other one, as if that stood still. It bends there by no more than it turns and
+    /// accelerates, and so lies within an eighth of that of its chord.
+    /// </summary>
+    /// <param name="shapes">The pieces.</param>
+    /// <param name="piece">The piece that moves, of which nothing counts but how far it reaches.</param>
+    /// <param name="way">The way of its body.</param>
+    /// <param name="other">The piece with edges; one without is never before an edge.</param>
+    /// <param name="otherWay">The way of its body.</param>
+    /// <param name="gap">How far apart they must stay at least.</param>
+    public static bool Holds(ShapeStore shapes, int piece, in BodyPath way, int other, in BodyPath otherWay, double gap)
+    {
+        ref Piece hull = ref shapes.Pieces[other];
+        if (hull.VertexCount < 2)
+        {
+            return false;
+        }
+
+        double velocityX = way.VelocityX - otherWay.VelocityX;
+        double velocityY = way.VelocityY - otherWay.VelocityY;
+        double gainX = way.AccelerationX - otherWay.AccelerationX;
+        double gainY = way.AccelerationY - otherWay.AccelerationY;
+        double x = way.X - otherWay.X;
+        double y = way.Y - otherWay.Y;
+        double gain = Math.Abs(gainX) + Math.Abs(gainY);
+        double speed = Math.Abs(velocityX) + Math.Abs(velocityY) + gain;
+        double spin = Math.Abs(otherWay.Spin) + Math.Abs(otherWay.SpinGain);
+        double bend = gain + (2 * spin * speed) + (((spin * spin) + Math.Abs(otherWay.SpinGain)) * (Math.Abs(x) + Math.Abs(y) + speed));
+        double need = shapes.Pieces[piece].Reach + (double)hull.Radius + (0.125 * bend) + gap;
+
+        StableMath.SinCos(otherWay.Angle, out double sin, out double cos);
+        double fromX = (cos * x) + (sin * y);
+        double fromY = (cos * y) - (sin * x);
+        if (spin != 0)
+        {
+            StableMath.SinCos(otherWay.AngleAt(1), out sin, out cos);
+        }
+
+        x += velocityX + (0.5 * gainX);
+        y += velocityY + (0.5 * gainY);
+        double toX = (cos * x) + (sin * y);
+        double toY = (cos * y) - (sin * x);
+        Vector2* vertices = shapes.Vertices.Pointer + hull.VertexStart;
+        Vector2* normals = shapes.Normals.Pointer + hull.VertexStart;
+        for (int i = 0; i < hull.VertexCount; i++)
+        {
+            double nx = normals[i].X;
+            double ny = normals[i].Y;
+            double nearer = Math.Min((nx * fromX) + (ny * fromY), (nx * toX) + (ny * toY));
+            if (nearer - ((nx * vertices[i].X) + (ny * vertices[i].Y)) > need)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+}
