@@ -82,7 +82,7 @@ internal sealed unsafe partial class JointSolver
     public void Settle()
     {
         _nets.Relax(true);
-        SolveLanes(true, false, 1);
+        SolveLanes(Pass.Settle, false, 1);
         LoadVelocities();
         SolveTrees(TargetKind.Relaxed, false);
         Sweep(Pass.Settle);

@@ -17,6 +17,7 @@ internal sealed unsafe partial class JointSolver
     private void TakeToLanes()
     {
         _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _treeCount);
+        ClearOnLanes();
         MarkTied();
         for (int at = 0; at < _treeCount; at++)
         {
@@ -28,9 +29,16 @@ internal sealed unsafe partial class JointSolver
         int kept = 0;
         for (int at = 0; at < _treeCount; at++)
         {
-            if (!_forest.Trees[_trees[at]].OnLanes)
+            JointTree* tree = _forest.Trees + _trees[at];
+            if (!tree->OnLanes)
             {
                 _trees[kept++] = _trees[at];
+            }
+            else if (tree->Touched)
+            {
+                tree->Undone = false;
+                tree->Refactored = false;
+                _laneTrees[_laneTreeCount++] = _trees[at];
             }
         }
 
@@ -67,24 +75,33 @@ internal sealed unsafe partial class JointSolver
             {
                 _agenda[kept++] = _agenda[i];
             }
+            else if (_agenda[i] < 0)
+            {
+                _laneAgenda[_laneAgendaCount++] = _agenda[i];
+            }
         }
 
         _agendaCount = kept;
         _lanes.Load();
     }
 
-    /// <summary>Finds the trees with rows that are not of their own joints.</summary>
+    /// <summary>Finds the trees with rows that are not of their own joints; and those that only contacts with what cannot move push at.</summary>
     private void MarkTied()
     {
         for (int at = 0; at < _treeCount; at++)
         {
             _forest.Trees[_trees[at]].Tied = false;
+            _forest.Trees[_trees[at]].Touched = false;
         }
 
         for (int i = 0; i < _agendaCount; i++)
         {
             int item = _agenda[i];
-            if (item < 0 || _active[item].Role == JointRole.Iterated)
+            if (item < 0 && IsOrdinary(_contacts.Pointer + ~item))
+            {
+                _forest.Trees[TreeOf(_contacts[~item].Ends)].Touched = true;
+            }
+            else if (item < 0 || _active[item].Role == JointRole.Iterated)
             {
                 ref RowEnds ends = ref EndsOf(item);
                 Tie(ends.NodeA);
@@ -108,6 +125,7 @@ internal sealed unsafe partial class JointSolver
     {
         JointTree* tree = _forest.Trees + index;
         tree->OnLanes = false;
+        TakeContactsFromLanes(tree, index);
         ChooseTree(index);
         for (int i = tree->First + 1; i < tree->End; i++)
         {
@@ -121,18 +139,20 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>A pass over the trees on lanes; those that it leaves take part in the same pass of the others.</summary>
-    private void SolveLanes(bool relaxed, bool again, int sweeps)
+    private void SolveLanes(Pass pass, bool again, int sweeps)
     {
         if (_lanes.Any && !again)
         {
-            _lanes.Solve(relaxed, sweeps);
+            _lanes.Solve(pass != Pass.Biased, sweeps, pass != Pass.Settle);
             TakeLeft();
         }
         else if (_lanes.Any)
         {
-            _lanes.SolveAgain(relaxed, sweeps);
+            _lanes.SolveAgain(pass != Pass.Biased, sweeps);
             TakeLeft();
         }
+
+        SweepOnLanes(pass, sweeps);
     }
 
     /// <summary>Trees that leave the lanes within a substep get their rows and factor.</summary>
@@ -142,6 +162,7 @@ internal sealed unsafe partial class JointSolver
         {
             int index = _lanes.Given(k);
             int firstJoint = _jointCount;
+            int firstItem = _agendaCount;
             TakeFromLanes(index);
             JointTree* tree = _forest.Trees + index;
             for (int i = tree->First; i < tree->End && _lanes.HasMoved; i++)
@@ -158,22 +179,19 @@ internal sealed unsafe partial class JointSolver
             if (tree->HasRows)
             {
                 TreeFactor.CompleteMasses(_forest, tree);
-                PrepareFrom(TakeAgenda(k));
+                TakeAgenda(k);
+                PrepareFrom(firstItem);
             }
         }
     }
 
-    /// <summary>The rows of a tree that was on lanes are swept with the others again.</summary>
-    /// <returns>The first of them.</returns>
-    private int TakeAgenda(int given)
+    /// <summary>The motors and springs of a tree that was on lanes are swept with the others again.</summary>
+    private void TakeAgenda(int given)
     {
-        int first = _agendaCount;
         for (int i = 0, joint = _lanes.GivenSoft(given, 0); joint >= 0; joint = _lanes.GivenSoft(given, ++i))
         {
             _agenda[_agendaCount++] = joint;
         }
-
-        return first;
     }
 
     private void PrepareFrom(int first)
@@ -190,6 +208,7 @@ internal sealed unsafe partial class JointSolver
         if (_lanes.Any)
         {
             _lanes.CorrectPositions();
+            CorrectOnLanes();
             for (int k = 0; k < _lanes.GivenCount; k++)
             {
                 int firstJoint = _jointCount;
@@ -221,6 +240,8 @@ internal sealed unsafe partial class JointSolver
     private void FinishLanes()
     {
         _lanes.Finish();
+        _laneTreeCount = 0;
+        _laneAgendaCount = 0;
         for (int k = 0; k < _lanes.GivenCount; k++)
         {
             int firstJoint = _jointCount;

@@ -65,6 +65,7 @@ internal sealed unsafe partial class JointSolver
         LoadPoses();
         WriteRows(false);
         Factor();
+        PrepareOnLanes(false);
         Kick(0.5f);
         _nets.Moved();
     }

@@ -126,6 +126,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         LoadMoves(BrokenCount > 0 ? 0 : own);
         TakeToLanes();
         Factor();
+        PrepareOnLanes(false);
         _nets.Start(_step);
     }
 
@@ -137,6 +138,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     {
         BodyMotion* motions = _step.Bodies.Motion.Pointer;
         _lanes.Enter();
+        WarmStartOnLanes();
         MarkExact();
         for (int at = 0; at < _nodeCount; at++)
         {
@@ -184,7 +186,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     public void Solve(bool again, int sweeps)
     {
         _nets.SolveBiased();
-        SolveLanes(false, again, sweeps);
+        SolveLanes(Pass.Biased, again, sweeps);
         LoadVelocities();
         Run(TargetKind.Biased, Pass.Biased, again, sweeps);
     }
@@ -196,9 +198,10 @@ internal sealed unsafe partial class JointSolver : IStageWork
     public void Relax(bool again, bool rub, int sweeps)
     {
         _nets.Relax(again);
-        SolveLanes(true, again, sweeps);
+        Pass pass = rub ? Pass.Relaxed : Pass.RelaxedSmooth;
+        SolveLanes(pass, again, sweeps);
         LoadVelocities();
-        Run(TargetKind.Relaxed, rub ? Pass.Relaxed : Pass.RelaxedSmooth, again, sweeps);
+        Run(TargetKind.Relaxed, pass, again, sweeps);
     }
 
     /// <summary>Keeps the impulses for the next step.</summary>
@@ -280,20 +283,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         }
 
         JointForestView view = _forest.View;
-        for (int at = 0; at < _treeCount; at++)
-        {
-            JointTree* tree = _forest.Trees + _trees[at];
-            if (tree->HasRows && Acts(tree, some))
-            {
-                TreeWalk.Begin(view, tree);
-            }
-        }
-
-        for (int sweep = 0; sweep < sweeps; sweep++)
-        {
-            SweepOnce(pass == Pass.Relaxed && sweep * 2 < sweeps - 1 ? Pass.RelaxedSmooth : pass, some);
-        }
-
+        Walk(_trees, _treeCount, _agenda, _agendaCount, pass, sweeps, some);
         for (int at = 0; at < _treeCount; at++)
         {
             int i = _trees[at];
@@ -312,11 +302,30 @@ internal sealed unsafe partial class JointSolver : IStageWork
         }
     }
 
-    private void SweepOnce(Pass pass, bool some)
+    /// <summary>Begins a walk of trees and sweeps over their rows.</summary>
+    private void Walk(Column<int> trees, int treeCount, Column<int> agenda, int agendaCount, Pass pass, int sweeps, bool some)
     {
-        for (int i = 0; i < _agendaCount; i++)
+        JointForestView view = _forest.View;
+        for (int at = 0; at < treeCount; at++)
         {
-            int item = _agenda[i];
+            JointTree* tree = _forest.Trees + trees[at];
+            if (tree->HasRows && Acts(tree, some))
+            {
+                TreeWalk.Begin(view, tree);
+            }
+        }
+
+        for (int sweep = 0; sweep < sweeps; sweep++)
+        {
+            SweepOnce(agenda, agendaCount, pass == Pass.Relaxed && sweep * 2 < sweeps - 1 ? Pass.RelaxedSmooth : pass, some);
+        }
+    }
+
+    private void SweepOnce(Column<int> agenda, int agendaCount, Pass pass, bool some)
+    {
+        for (int i = 0; i < agendaCount; i++)
+        {
+            int item = agenda[i];
             if (some && !_forest.Trees[_forest.Trees[TreeOf(EndsOf(item))].Group].GroupActs)
             {
                 continue;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Shapes;
 using Farseer.Engine.Simulation;
 using Farseer.Engine.Storage;
 using Xunit;
@@ -30,43 +31,57 @@ public class TreeLanesTests
     {
         for (int seed = 0; seed < 60; seed++)
         {
-            using World lanes = Build(seed, onLanes: true, out List<Handle> bodies, out List<Handle> joints);
-            using World single = Build(seed, onLanes: false, out _, out _);
-            var random = new Random(seed);
-            for (int step = 0; step < 90; step++)
-            {
-                lanes.Step(Dt);
-                single.Step(Dt);
-                Assert.True(single.StateHash() == lanes.StateHash(), $"seed {seed}, step {step}");
-                foreach (Handle joint in joints)
-                {
-                    ref JointState a = ref single.JointState(joint);
-                    ref JointState b = ref lanes.JointState(joint);
-                    Assert.Equal(a.ForceX, b.ForceX);
-                    Assert.Equal(a.ForceY, b.ForceY);
-                    Assert.Equal(a.Torque, b.Torque);
-                    Assert.Equal(a.Error, b.Error);
-                    Assert.Equal(a.Drift, b.Drift);
-                }
+            Compare(seed, floor: false);
+        }
+    }
 
-                if (step % 20 == 19)
+    [Fact]
+    public void RandomTreesOnAFloor_SideBySideOrOneByOne_GiveTheSameBits()
+    {
+        for (int seed = 0; seed < 60; seed++)
+        {
+            Compare(seed, floor: true);
+        }
+    }
+
+    private static void Compare(int seed, bool floor)
+    {
+        using World lanes = Build(seed, onLanes: true, floor, out List<Handle> bodies, out List<Handle> joints);
+        using World single = Build(seed, onLanes: false, floor, out _, out _);
+        var random = new Random(seed);
+        for (int step = 0; step < 90; step++)
+        {
+            lanes.Step(Dt);
+            single.Step(Dt);
+            Assert.True(single.StateHash() == lanes.StateHash(), $"seed {seed}, step {step}");
+            foreach (Handle joint in joints)
+            {
+                ref JointState a = ref single.JointState(joint);
+                ref JointState b = ref lanes.JointState(joint);
+                Assert.Equal(a.ForceX, b.ForceX);
+                Assert.Equal(a.ForceY, b.ForceY);
+                Assert.Equal(a.Torque, b.Torque);
+                Assert.Equal(a.Error, b.Error);
+                Assert.Equal(a.Drift, b.Drift);
+            }
+
+            if (step % 20 == 19)
+            {
+                // An error that is put there from outside, and a speed that makes corrections go astray.
+                int index = bodies[random.Next(bodies.Count)].Index;
+                double shift = random.NextDouble() - 0.5;
+                float spin = (float)(60 * (random.NextDouble() - 0.5));
+                foreach (World world in new[] { lanes, single })
                 {
-                    // An error that is put there from outside, and a speed that makes corrections go astray.
-                    int index = bodies[random.Next(bodies.Count)].Index;
-                    double shift = random.NextDouble() - 0.5;
-                    float spin = (float)(60 * (random.NextDouble() - 0.5));
-                    foreach (World world in new[] { lanes, single })
-                    {
-                        world.Bodies.Pose[index].X += shift;
-                        world.Bodies.State[index].AngularVelocity += spin;
-                    }
+                    world.Bodies.Pose[index].X += shift;
+                    world.Bodies.State[index].AngularVelocity += spin;
                 }
             }
         }
     }
 
     /// <summary>Trees of a few shapes, some equal: random kinds, parents, anchors, orders of the two bodies, limits, motors, springs, masses and speeds.</summary>
-    private static World Build(int seed, bool onLanes, out List<Handle> bodies, out List<Handle> joints)
+    private static World Build(int seed, bool onLanes, bool floor, out List<Handle> bodies, out List<Handle> joints)
     {
         var random = new Random(seed);
         var world = new World { TreesOnLanes = onLanes };
@@ -84,8 +99,35 @@ public class TreeLanesTests
             AddTree(world, new Random(shape), random, tree == 2 ? carriage : World.WorldFrame, 20.0 * tree, bodies, joints);
         }
 
+        if (floor)
+        {
+            AddShapes(world, bodies, random);
+        }
+
         return world;
     }
+
+    /// <summary>A floor under all of them, and boxes that fall on it; that collide with each other or not, and bounce or not.</summary>
+    private static void AddShapes(World world, List<Handle> bodies, Random random)
+    {
+        Handle ground = world.CreateBody(new BodyDef { X = 0, Y = -1.5, Mass = 1, Inertia = 1, Flags = BodyFlags.Enabled | BodyFlags.Static });
+        world.CreateCollider(ground, ShapeBuilder.Box(1000, 2), ColliderOf(2, 1, 0));
+        uint with = random.Next(3) == 0 ? 3u : 2u;
+        float restitution = random.Next(5) == 0 ? 0.4f : 0;
+        foreach (Handle body in bodies)
+        {
+            world.CreateCollider(body, ShapeBuilder.Box(0.9f, 0.1f + (0.4f * (float)random.NextDouble())), ColliderOf(1, with, restitution));
+        }
+    }
+
+    private static ColliderDef ColliderOf(uint category, uint with, float restitution) => new ColliderDef
+    {
+        Flags = ColliderFlags.CollisionEnabled | ColliderFlags.ResponseEnabled,
+        Friction = 0.5f,
+        Restitution = restitution,
+        Categories = category,
+        CollidesWith = with,
+    };
 
     private static void AddTree(World world, Random shape, Random random, Handle ground, double x, List<Handle> bodies, List<Handle> joints)
     {

@@ -187,6 +187,10 @@ internal unsafe struct LaneTrees
     /// <summary>All edges and anchors have two rows, and none a motor or a spring: it is faster here even if it is alone.</summary>
     public bool IsSimple;
 
+    /// <summary>They have contacts, which are swept one by one; and a bit for each lane in which they are swept next.</summary>
+    public bool Touched;
+    public int Acting;
+
     /// <summary>Range of the joints with motors and springs; and the lanes with a spring that its tree leaves no freedom.</summary>
     public int SoftFirst;
     public int Softs;
@@ -199,4 +203,7 @@ internal unsafe struct LaneTrees
     public fixed double Before[4];
     public fixed double Bent[4];
     public fixed bool Astray[4];
+
+    /// <summary>Something besides the joints' own rows and the limits that they hold is swept over.</summary>
+    public readonly bool HasRows => Softs > 0 || Touched;
 }

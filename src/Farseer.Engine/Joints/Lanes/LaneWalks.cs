@@ -25,7 +25,7 @@ internal unsafe struct LaneWalks
     private int _current;
 
     /// <summary>T of the edges, and the masses within the whole tree: see <see cref="TreeFactor.CompleteMasses"/>.</summary>
-    public void Complete(double* space)
+    public readonly void Complete(double* space)
     {
         for (int i = 0; i < Count; i++)
         {
@@ -114,6 +114,12 @@ internal unsafe struct LaneWalks
             Cross(i, carries);
         }
 
+        Answer();
+    }
+
+    /// <summary>What the joints answered to what was brought: of velocities and Through, of those before and of Got.</summary>
+    public readonly void Answer()
+    {
         for (int i = 1; i < Count; i++)
         {
             React(i);

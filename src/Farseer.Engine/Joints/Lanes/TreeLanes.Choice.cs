@@ -44,6 +44,7 @@ internal sealed unsafe partial class TreeLanes
         }
 
         _count = 0;
+        _walks.EnsureCapacity(_nodeCount);
     }
 
     /// <summary>Takes a tree if its kind can be solved here.</summary>
@@ -57,9 +58,14 @@ internal sealed unsafe partial class TreeLanes
         }
 
         Draft(tree);
-        if (_draftCount > 0 && _step.Audited)
+        if (_draftCount > 0 && (_step.Audited || tree->Touched))
         {
-            // Whoever asks for the work of motors asks the joints themselves.
+            // Whoever asks for the work of motors asks the joints themselves, and what is swept with contacts are their rows.
+            return false;
+        }
+
+        if (tree->Touched && tree->HasLimits && !holdsLimits)
+        {
             return false;
         }
 
@@ -67,7 +73,7 @@ internal sealed unsafe partial class TreeLanes
         for (int b = _count - 1; b >= 0 && b >= _count - OpenBundles; b--)
         {
             LaneTrees* open = _bundles.Pointer + b;
-            if (open->Shape == shape && open->Count < Numerics.DoubleLanes.BundleLanes && IsLike(open, tree))
+            if (open->Shape == shape && open->Touched == tree->Touched && open->Count < Numerics.DoubleLanes.BundleLanes && IsLike(open, tree))
             {
                 Enter(open, index);
                 return true;
@@ -213,6 +219,7 @@ internal sealed unsafe partial class TreeLanes
         bundle->AnchorFirst = _anchorCount;
         bundle->Anchors = tree->AnchorEnd - tree->AnchorFirst;
         bundle->HasLimits = tree->HasLimits;
+        bundle->Touched = tree->Touched;
         _nodeCount += bundle->Nodes;
         _anchorCount += bundle->Anchors;
         _nodes.EnsureCapacity(_nodeCount);
@@ -220,7 +227,7 @@ internal sealed unsafe partial class TreeLanes
         _anchors.EnsureCapacity(_anchorCount);
         _anchorPlaces.EnsureCapacity(_anchorCount);
         AddDrafts(bundle);
-        bundle->IsSimple = bundle->Softs == 0;
+        bundle->IsSimple = !bundle->HasRows;
         for (int i = 0; i < bundle->Nodes; i++)
         {
             TreeNode* node = _forest.Nodes + tree->First + i;

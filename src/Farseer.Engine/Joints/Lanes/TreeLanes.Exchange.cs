@@ -73,7 +73,8 @@ internal sealed unsafe partial class TreeLanes
                 LoadLine(rows->A, joint->LineA, place);
                 LoadLine(rows->B, joint->LineB, place);
 
-                for (int row = 0; row < place->Rows; row++)
+                // A servo has no error: what it is off by is in its speed.
+                for (int row = 0; row < place->Rows && place->Form != LaneForm.Servo; row++)
                 {
                     joint->Error[row * Y] = rows->Error[row];
                 }
@@ -352,7 +353,7 @@ internal sealed unsafe partial class TreeLanes
         PutJointsBack(trees, lane);
         PutHeldBack(trees, lane);
         PutSoftsBack(trees, lane, before);
-        if (before && trees->Softs > 0)
+        if (before && trees->HasRows)
         {
             TakeGivenBack(trees, lane);
         }

@@ -57,12 +57,27 @@ internal sealed unsafe partial class TreeLanes
         }
 
         LaneSolve.Give(bundle);
-        if (changed != 0)
+        PrepareTurned(trees, changed);
+        return changed;
+    }
+
+    /// <summary>The masses of trees of which the limits changed, for what is swept over them.</summary>
+    private void PrepareTurned(LaneTrees* trees, int changed)
+    {
+        if (changed == 0)
         {
-            PrepareSofts(trees);
+            return;
         }
 
-        return changed;
+        PrepareSofts(trees);
+        if (trees->Touched)
+        {
+            ShareMasses(trees, changed);
+            for (int lane = 0; lane < trees->Count; lane++)
+            {
+                _forest.Trees[trees->Tree[lane]].Refactored |= (changed & (1 << lane)) != 0;
+            }
+        }
     }
 
     /// <summary>A lane takes no part in a solution: its velocities are those put aside, and its joints gave nothing.</summary>

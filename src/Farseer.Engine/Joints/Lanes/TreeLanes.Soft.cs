@@ -150,7 +150,7 @@ internal sealed unsafe partial class TreeLanes
             _softPlaces[bundle->SoftFirst + i] = _drafts[i];
         }
 
-        if (_draftCount > 0)
+        if (bundle->HasRows)
         {
             _walks.EnsureCapacity(_nodeCount);
         }
@@ -189,7 +189,7 @@ internal sealed unsafe partial class TreeLanes
         return walks;
     }
 
-    private LaneWalk* WalksOrNone(LaneTrees* trees) => trees->Softs > 0 ? _walks.Pointer + trees->First : null;
+    private LaneWalk* WalksOrNone(LaneTrees* trees) => trees->HasRows ? _walks.Pointer + trees->First : null;
 
     /// <summary>Sweeps may follow each other without a look at limits.</summary>
     public bool SweepsByItself()
@@ -198,7 +198,7 @@ internal sealed unsafe partial class TreeLanes
         for (int b = 0; b < _count; b++)
         {
             LaneTrees* trees = _bundles.Pointer + b;
-            alone &= !(trees->HasLimits && trees->Softs > 0);
+            alone &= !(trees->HasLimits && trees->HasRows);
         }
 
         return alone;
@@ -239,7 +239,7 @@ internal sealed unsafe partial class TreeLanes
 
     private void LoadSofts(LaneTrees* trees)
     {
-        for (int lane = 0; lane < DoubleLanes.BundleLanes && trees->Softs > 0; lane++)
+        for (int lane = 0; lane < DoubleLanes.BundleLanes && trees->HasRows; lane++)
         {
             ExchangeBends(trees, lane, true);
         }
@@ -275,7 +275,7 @@ internal sealed unsafe partial class TreeLanes
     /// <param name="before">Those from before the pass.</param>
     private void PutSoftsBack(LaneTrees* trees, int lane, bool before)
     {
-        if (trees->Softs > 0)
+        if (trees->HasRows)
         {
             ExchangeBends(trees, lane, false);
         }

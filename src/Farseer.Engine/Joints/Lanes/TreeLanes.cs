@@ -146,7 +146,8 @@ internal sealed unsafe partial class TreeLanes
     /// <summary>The biased pass or the relax pass; the trees that are given back are as they were before it.</summary>
     /// <param name="relaxed">The relax pass.</param>
     /// <param name="sweeps">Over motors and springs.</param>
-    public void Solve(bool relaxed, int sweeps)
+    /// <param name="turns">What they push at limits is looked at.</param>
+    public void Solve(bool relaxed, int sweeps, bool turns)
     {
         GivenCount = 0;
         Refresh();
@@ -161,7 +162,7 @@ internal sealed unsafe partial class TreeLanes
                 PutAside(bundle.Nodes, bundle.Count);
             }
 
-            if (trees->Softs > 0)
+            if (trees->HasRows)
             {
                 PutGivenAside(trees);
             }
@@ -169,10 +170,7 @@ internal sealed unsafe partial class TreeLanes
             if (trees->HoldsLimits)
             {
                 LeaveBefore(trees, leaves & trees->Live);
-                if (SolveLimits(trees, relaxed, trees->Live) != 0)
-                {
-                    PrepareSofts(trees);
-                }
+                PrepareTurned(trees, SolveLimits(trees, relaxed, trees->Live));
             }
             else
             {
@@ -181,7 +179,7 @@ internal sealed unsafe partial class TreeLanes
             }
 
             LaneSolve.Give(bundle);
-            Sweep(trees, relaxed, sweeps);
+            Sweep(trees, relaxed, sweeps, turns);
             StoreVelocities(trees);
         }
     }
@@ -196,7 +194,7 @@ internal sealed unsafe partial class TreeLanes
         for (int b = 0; b < _count; b++)
         {
             LaneTrees* trees = _bundles.Pointer + b;
-            if (trees->Softs > 0)
+            if (trees->HasRows)
             {
                 LoadStill(trees);
                 PutAside(_nodes.Pointer + trees->First, trees->Nodes);
@@ -210,7 +208,7 @@ internal sealed unsafe partial class TreeLanes
                     LeaveBefore(trees, Passed(trees, relaxed) & trees->Live);
                 }
 
-                Sweep(trees, relaxed, sweeps);
+                Sweep(trees, relaxed, sweeps, true);
                 StoreVelocities(trees);
             }
         }
@@ -220,7 +218,7 @@ internal sealed unsafe partial class TreeLanes
     /// Motors and springs. If one drives a tree against a limit or away from one, that tree is solved once more, and they are; if no limit can be
     /// held here, the tree is given back as it was before the pass.
     /// </summary>
-    private void Sweep(LaneTrees* trees, bool relaxed, int sweeps)
+    private void Sweep(LaneTrees* trees, bool relaxed, int sweeps, bool turns)
     {
         if (trees->Softs == 0)
         {
@@ -234,7 +232,7 @@ internal sealed unsafe partial class TreeLanes
             return;
         }
 
-        int refactored = SolveTurned(trees, relaxed);
+        int refactored = turns ? SolveTurned(trees, relaxed) : 0;
         if (refactored != 0)
         {
             SweepIn(trees, refactored, relaxed, 1);
@@ -264,7 +262,10 @@ internal sealed unsafe partial class TreeLanes
 
     private int Passed(LaneTrees* trees, bool relaxed) => !trees->HasLimits ? 0 : LaneLimits.Turned(BundleOf(trees), _step.Substep, relaxed);
 
-    /// <summary>See <see cref="JointSolver.CorrectPositions"/>; the trees that are given back went astray, and are to be projected.</summary>
+    /// <summary>
+    /// See <see cref="JointSolver.CorrectPositions"/>; the trees that are given back went astray, and are to be projected. Of trees with contacts
+    /// the rounds follow: see <see cref="BeginRound"/>.
+    /// </summary>
     public void CorrectPositions()
     {
         GivenCount = 0;
@@ -280,20 +281,34 @@ internal sealed unsafe partial class TreeLanes
 
             LanePoses.Move(_nodes.Pointer + trees->First, trees->Nodes, _step.Substep);
             LoadStill(trees);
-            Correct(trees);
-            LeaveAstray(trees);
-            Factor(trees, false);
-            EndSubstep(trees);
+            FindErrors(trees);
+            for (int round = 0; !trees->Touched && round < JointSolver.Corrections && Choose(trees); round++)
+            {
+                Correct(trees);
+                EndRound(trees, round);
+            }
+
+            if (!trees->Touched)
+            {
+                EndCorrection(trees);
+            }
         }
     }
 
-    private void Correct(LaneTrees* trees)
+    private void EndCorrection(LaneTrees* trees)
+    {
+        LeaveAstray(trees);
+        Factor(trees, false);
+        EndSubstep(trees);
+    }
+
+    private void FindErrors(LaneTrees* trees)
     {
         LaneBundle bundle = BundleOf(trees);
         NoteGiven(trees);
         Place(trees);
         LaneGoals.FindWorst(bundle, trees);
-        if (trees->Softs > 0)
+        if (trees->HasRows)
         {
             LaneGoals.Foresee(bundle, WalksOrNone(trees), _step.Substep);
         }
@@ -303,19 +318,26 @@ internal sealed unsafe partial class TreeLanes
             trees->Before[lane] = double.PositiveInfinity;
             trees->Astray[lane] = false;
         }
+    }
 
-        for (int round = 0; round < JointSolver.Corrections && Choose(trees); round++)
-        {
-            PutAside(bundle.Nodes, bundle.Count);
-            ClearVelocities(bundle.Nodes, bundle.Count);
-            LaneGoals.Correction(bundle, _step.Substep, trees);
-            LaneSolve.Run(bundle);
-            LaneSolve.Give(bundle);
-            LanePoses.MoveOn(bundle.Nodes, bundle.Count, _step.Substep, trees);
-            Place(trees);
-            LaneGoals.FindWorst(bundle, trees);
-            FindAstray(trees, round == JointSolver.Corrections - 1);
-        }
+    /// <summary>The velocity changes that take the errors away in the lanes that take part, as velocities.</summary>
+    private void Correct(LaneTrees* trees)
+    {
+        LaneBundle bundle = BundleOf(trees);
+        PutAside(bundle.Nodes, bundle.Count);
+        ClearVelocities(bundle.Nodes, bundle.Count);
+        LaneGoals.Correction(bundle, _step.Substep, trees);
+        LaneSolve.Run(bundle);
+        LaneSolve.Give(bundle);
+    }
+
+    private void EndRound(LaneTrees* trees, int round)
+    {
+        LaneBundle bundle = BundleOf(trees);
+        LanePoses.MoveOn(bundle.Nodes, bundle.Count, _step.Substep, trees);
+        Place(trees);
+        LaneGoals.FindWorst(bundle, trees);
+        FindAstray(trees, round == JointSolver.Corrections - 1);
     }
 
     private static bool Choose(LaneTrees* trees)
@@ -362,6 +384,10 @@ internal sealed unsafe partial class TreeLanes
     {
         LaneFactor.Run(BundleOf(trees), begin);
         PrepareSofts(trees);
+        if (trees->Touched)
+        {
+            ShareMasses(trees, trees->Live);
+        }
     }
 
     private void PrepareSofts(LaneTrees* trees)

@@ -34,6 +34,9 @@ internal struct JointTree
     /// <summary>Contacts, or joints that are no part of it, push at it.</summary>
     public bool Tied;
 
+    /// <summary>Contacts push at it, and all of them with something that cannot move or among its own bodies.</summary>
+    public bool Touched;
+
     /// <summary>Nothing touches it and no row pushes at it.</summary>
     public bool Free;
 

@@ -1,0 +1,146 @@
+using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Joints;
+
+/// <content>Contacts of trees that are solved side by side: swept one by one, between the passes of the trees.</content>
+internal sealed unsafe partial class JointSolver
+{
+    /// <summary>Trees with contacts that are on lanes, and these contacts, in the order of the agenda.</summary>
+    private readonly Column<int> _laneTrees = new Column<int>();
+    private readonly Column<int> _laneAgenda = new Column<int>();
+    private int _laneTreeCount;
+    private int _laneAgendaCount;
+
+    private void ClearOnLanes()
+    {
+        _laneTrees.EnsureCapacity(_treeCount);
+        _laneAgenda.EnsureCapacity(_agendaCount);
+        _laneTreeCount = 0;
+        _laneAgendaCount = 0;
+    }
+
+    /// <summary>It does not tie its tree to another, nothing bounces, and no overlap is pushed apart.</summary>
+    private bool IsOrdinary(TreeContact* contact)
+    {
+        ref RowEnds ends = ref contact->Ends;
+        return !contact->Deep && contact->Restitution + contact->Rebound <= 0 && (ends.NodeA < 0 || ends.NodeB < 0 || ends.Coupled);
+    }
+
+    /// <summary>The extrapolated impulses of the contacts of trees on lanes.</summary>
+    private void WarmStartOnLanes()
+    {
+        if (_laneTreeCount == 0)
+        {
+            return;
+        }
+
+        _lanes.ShareVelocities();
+        for (int i = 0; i < _laneAgendaCount; i++)
+        {
+            _contactPass.WarmStart(_contacts.Pointer + ~_laneAgenda[i]);
+        }
+
+        _lanes.TakeVelocities();
+    }
+
+    /// <summary>Separations and responses of the contacts of trees on lanes.</summary>
+    /// <param name="refactored">Only of trees whose limits changed.</param>
+    private void PrepareOnLanes(bool refactored)
+    {
+        for (int i = 0; i < _laneAgendaCount; i++)
+        {
+            int item = _laneAgenda[i];
+            if (!refactored || _forest.Trees[TreeOf(EndsOf(item))].Refactored)
+            {
+                Prepare(item);
+            }
+        }
+
+        for (int at = 0; refactored && at < _laneTreeCount; at++)
+        {
+            _forest.Trees[_laneTrees[at]].Refactored = false;
+        }
+    }
+
+    /// <summary>As <see cref="Run"/> goes on after the trees are solved.</summary>
+    private void SweepOnLanes(Pass pass, int sweeps)
+    {
+        if (_laneTreeCount == 0)
+        {
+            return;
+        }
+
+        PrepareOnLanes(true);
+        _lanes.ShareVelocities();
+        WalkOnLanes(pass, sweeps);
+        _lanes.TakeSwept();
+        if (pass != Pass.Settle && _lanes.SolveTouched(pass != Pass.Biased))
+        {
+            PrepareOnLanes(true);
+            WalkOnLanes(pass, 1);
+            _lanes.TakeSwept();
+        }
+    }
+
+    private void WalkOnLanes(Pass pass, int sweeps)
+    {
+        JointForestView view = _forest.View;
+        Walk(_laneTrees, _laneTreeCount, _laneAgenda, _laneAgendaCount, pass, sweeps, true);
+        for (int at = 0; at < _laneTreeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _laneTrees[at];
+            if (tree->GroupActs)
+            {
+                TreeWalk.End(view, tree);
+            }
+        }
+    }
+
+    /// <summary>The rounds of the correction, as <see cref="Correct"/> makes them.</summary>
+    private void CorrectOnLanes()
+    {
+        for (int round = 0; round < Corrections && _laneTreeCount > 0 && _lanes.BeginRound(); round++)
+        {
+            WalkOnLanes(Pass.Correction, CorrectionSweeps);
+            _lanes.EndRound(round);
+        }
+
+        _lanes.EndRounds();
+    }
+
+    /// <summary>The contacts of a tree that leaves the lanes are swept with the others.</summary>
+    private void TakeContactsFromLanes(JointTree* tree, int index)
+    {
+        if (!tree->Touched)
+        {
+            return;
+        }
+
+        int kept = 0;
+        for (int i = 0; i < _laneAgendaCount; i++)
+        {
+            int item = _laneAgenda[i];
+            if (TreeOf(EndsOf(item)) == index)
+            {
+                _agenda[_agendaCount++] = item;
+            }
+            else
+            {
+                _laneAgenda[kept++] = item;
+            }
+        }
+
+        _laneAgendaCount = kept;
+        kept = 0;
+        for (int at = 0; at < _laneTreeCount; at++)
+        {
+            if (_laneTrees[at] != index)
+            {
+                _laneTrees[kept++] = _laneTrees[at];
+            }
+        }
+
+        _laneTreeCount = kept;
+    }
+}

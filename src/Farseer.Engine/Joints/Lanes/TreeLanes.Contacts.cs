@@ -1,0 +1,237 @@
+using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Numerics;
+
+namespace Farseer.Engine.Joints.Lanes;
+
+/// <content>
+/// Trees with contacts. Each has its own at other places, so that these are swept one by one, over the records of the bodies: masses and
+/// velocities are taken there before, and velocities and what went through each body back. All else is side by side.
+/// </content>
+internal sealed unsafe partial class TreeLanes
+{
+    private bool IsTouched(LaneTrees* trees) => trees->Touched && trees->Live != 0;
+
+    /// <summary>The velocities of all trees with contacts to the records of their bodies: a sweep or a start of impulses follows.</summary>
+    public void ShareVelocities()
+    {
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (IsTouched(trees))
+            {
+                ShareVelocities(trees, trees->Live);
+            }
+        }
+    }
+
+    /// <summary>The velocities of some trees to the records of their bodies; of the others nothing is swept.</summary>
+    private void ShareVelocities(LaneTrees* trees, int lanes)
+    {
+        trees->Acting = lanes;
+        for (int lane = 0; lane < trees->Count; lane++)
+        {
+            JointTree* tree = _forest.Trees + trees->Tree[lane];
+            bool acts = (lanes & (1 << lane)) != 0;
+            if (IsLive(trees, lane))
+            {
+                tree->GroupActs = acts;
+            }
+
+            for (int i = 0; i < trees->Nodes && acts; i++)
+            {
+                PutBack(DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Velocity, _forest.Nodes[tree->First + i].Velocity);
+            }
+        }
+    }
+
+    /// <summary>The velocities of the records, after a start of impulses.</summary>
+    public void TakeVelocities()
+    {
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (!IsTouched(trees))
+            {
+                continue;
+            }
+
+            for (int lane = 0; lane < trees->Count; lane++)
+            {
+                TreeNode* nodes = _forest.Nodes + _forest.Trees[trees->Tree[lane]].First;
+                for (int i = 0; i < trees->Nodes && IsLive(trees, lane); i++)
+                {
+                    TakeOver(nodes[i].Velocity, DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Velocity);
+                }
+            }
+
+            StoreVelocities(trees);
+        }
+    }
+
+    /// <summary>After a sweep: the velocities of the trees that took part, and what their joints answered.</summary>
+    public void TakeSwept()
+    {
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (IsTouched(trees))
+            {
+                TakeSwept(trees);
+                StoreVelocities(trees);
+            }
+        }
+    }
+
+    private void TakeSwept(LaneTrees* trees)
+    {
+        bool any = false;
+        for (int lane = 0; lane < trees->Count; lane++)
+        {
+            any |= Carries(trees, lane);
+        }
+
+        if (!any)
+        {
+            return;
+        }
+
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
+        {
+            bool carries = lane < trees->Count && Carries(trees, lane);
+            TreeNode* nodes = _forest.Nodes + _forest.Trees[trees->Tree[carries ? lane : 0]].First;
+            for (int i = 0; i < trees->Nodes; i++)
+            {
+                LaneNode* node = DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane);
+                LaneWalk* walk = DoubleLanes.Shift(_walks.Pointer + trees->First + i, lane);
+                for (int k = 0; k < 3; k++)
+                {
+                    // Where nothing was brought, nothing is answered.
+                    walk->Start[k * Y] = node->Velocity[k * Y];
+                    node->Velocity[k * Y] = carries ? nodes[i].Velocity[k] : node->Velocity[k * Y];
+                    walk->Through[k * Y] = carries ? nodes[i].Through[k] : 0;
+                    node->Got[k * Y] = carries ? nodes[i].Got[k] : 0;
+                }
+            }
+        }
+
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
+        {
+            WalksOf(trees, lane).Answer();
+        }
+
+        LaneSolve.Give(BundleOf(trees));
+    }
+
+    private bool Carries(LaneTrees* trees, int lane) => (trees->Acting & (1 << lane)) != 0 && _forest.Trees[trees->Tree[lane]].Carries;
+
+    private static void TakeOver(double* from, double* to)
+    {
+        to[0] = from[0];
+        to[Y] = from[1];
+        to[W] = from[2];
+    }
+
+    /// <summary>Masses within the tree, ways and turns, for the rows of contacts.</summary>
+    private void ShareMasses(LaneTrees* trees, int lanes)
+    {
+        double* space = stackalloc double[3 * LaneMatrix.Row];
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
+        {
+            WalksOf(trees, lane).Complete(space);
+        }
+
+        for (int lane = 0; lane < trees->Count; lane++)
+        {
+            TreeNode* nodes = _forest.Nodes + _forest.Trees[trees->Tree[lane]].First;
+            for (int i = 0; i < trees->Nodes && (lanes & (1 << lane)) != 0; i++)
+            {
+                LaneNode* from = DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane);
+                LaneWalk* walk = DoubleLanes.Shift(_walks.Pointer + trees->First + i, lane);
+                PutBack(from->Move, nodes[i].Move);
+                nodes[i].TurnSin = from->TurnSin[0];
+                nodes[i].TurnCos = from->TurnCos[0];
+                for (int k = 0; k < 9; k++)
+                {
+                    nodes[i].FullMass[k] = walk->FullMass[k * Y];
+                    nodes[i].T[k] = walk->T[k * Y];
+                }
+            }
+        }
+    }
+
+    /// <summary>After a sweep: solves the trees again of which it turned a limit.</summary>
+    /// <returns>True if other limits hold than before: their contacts are to be prepared, and swept once more.</returns>
+    public bool SolveTouched(bool relaxed)
+    {
+        bool any = false;
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (IsTouched(trees))
+            {
+                int changed = trees->HoldsLimits ? SolveTurned(trees, relaxed) : 0;
+                ShareVelocities(trees, changed);
+                StoreVelocities(trees);
+                any |= changed != 0;
+            }
+        }
+
+        return any;
+    }
+
+    /// <summary>A round of the correction of trees with contacts, which are to be swept over then.</summary>
+    /// <returns>True if any takes part.</returns>
+    public bool BeginRound()
+    {
+        bool any = false;
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (!IsTouched(trees))
+            {
+                continue;
+            }
+
+            int lanes = 0;
+            if (Choose(trees))
+            {
+                Correct(trees);
+                for (int lane = 0; lane < trees->Count; lane++)
+                {
+                    lanes |= trees->Corrects[lane] != 0 ? 1 << lane : 0;
+                }
+            }
+
+            ShareVelocities(trees, lanes);
+            any |= lanes != 0;
+        }
+
+        return any;
+    }
+
+    public void EndRound(int round)
+    {
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (IsTouched(trees) && trees->Acting != 0)
+            {
+                TakeSwept(trees);
+                EndRound(trees, round);
+            }
+        }
+    }
+
+    /// <summary>After the rounds.</summary>
+    public void EndRounds()
+    {
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (IsTouched(trees))
+            {
+                EndCorrection(trees);
+            }
+        }
+    }
+}
