@@ -39,6 +39,12 @@ public unsafe class HullSuite
             _inputs[lane + PairLanes.Lanes] = Input(hull, hull, turn, Away(turn, 1.3f));
             _inputs[lane + (2 * PairLanes.Lanes)] = Input(hull, circle, turn, Away(turn, 0.9f));
         }
+
+        foreach (Column<PairLanes> pairs in new[] { _touching, _apart, _circles })
+        {
+            Name(&pairs.Pointer->Hulls.A, hull);
+            Name(&pairs.Pointer->Hulls.B, hull);
+        }
     }
 
     [Benchmark(OperationsPerInvoke = PairLanes.Lanes)]
@@ -63,8 +69,6 @@ public unsafe class HullSuite
     private static Vector2 Away(float turn, float distance) => new Vector2(MathF.Cos(3 * turn), MathF.Sin(3 * turn)) * distance;
 
     private static Rotation Turn(float angle) => new Rotation(MathF.Cos(angle), MathF.Sin(angle));
-
-    private int Pack(int piece) => HullLanes.Pack(_shapes.Pieces[piece].VertexStart, _shapes.Pieces[piece].VertexCount);
 
     private Vector2 Corner(int i) => new Vector2(MathF.Cos(i * 2 * MathF.PI / Corners), MathF.Sin(i * 2 * MathF.PI / Corners)) * 0.5f;
 
@@ -103,7 +107,26 @@ public unsafe class HullSuite
         pairs->A.Extent[lane] = _shapes.Pieces[a].Extent;
         pairs->B.Extent[lane] = _shapes.Pieces[b].Extent;
         pairs->B.HalfX[lane] = _shapes.Pieces[b].Radius;
-        HullLanes.Set(&pairs->Hulls.A, lane, Pack(a), Turn(turn));
-        HullLanes.Set(&pairs->Hulls.B, lane, Pack(b), Turn(2 * turn));
+        Set(&pairs->Hulls.A, lane, Turn(turn));
+        Set(&pairs->Hulls.B, lane, Turn(2 * turn));
+    }
+
+    private static void Set(HullLanes* hulls, int lane, Rotation turn)
+    {
+        hulls->Cos[lane] = turn.Cos;
+        hulls->Sin[lane] = turn.Sin;
+    }
+
+    private void Name(HullLanes* hulls, int piece)
+    {
+        int* pieces = stackalloc int[PairLanes.Lanes];
+        int* packed = stackalloc int[PairLanes.Lanes];
+        for (int lane = 0; lane < PairLanes.Lanes; lane++)
+        {
+            pieces[lane] = lane;
+            packed[lane] = HullLanes.Pack(_shapes.Pieces[piece].VertexStart, _shapes.Pieces[piece].VertexCount);
+        }
+
+        HullLanes.Name(hulls, AllLanes, pieces, packed);
     }
 }

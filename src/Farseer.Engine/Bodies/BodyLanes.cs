@@ -85,7 +85,7 @@ internal static unsafe class BodyLanes
             Vector256<float> r1 = Pair(records, index[1], index[5]);
             Vector256<float> r2 = Pair(records, index[2], index[6]);
             Vector256<float> r3 = Pair(records, index[3], index[7]);
-            Transpose(ref r0, ref r1, ref r2, ref r3);
+            WideLanes.Transpose(ref r0, ref r1, ref r2, ref r3);
             a = r0;
             b = r1;
             c = r2;
@@ -120,7 +120,7 @@ internal static unsafe class BodyLanes
                 Vector256<float> r1 = Vector256.Create(Vector128.Load(p1 + i), Vector128.Load(p5 + i));
                 Vector256<float> r2 = Vector256.Create(Vector128.Load(p2 + i), Vector128.Load(p6 + i));
                 Vector256<float> r3 = Vector256.Create(Vector128.Load(p3 + i), Vector128.Load(p7 + i));
-                Transpose(ref r0, ref r1, ref r2, ref r3);
+                WideLanes.Transpose(ref r0, ref r1, ref r2, ref r3);
                 r0.Store(target);
                 r1.Store(target + 8);
                 r2.Store(target + 16);
@@ -171,7 +171,7 @@ internal static unsafe class BodyLanes
             Vector256<float> r1 = b;
             Vector256<float> r2 = c;
             Vector256<float> r3 = d;
-            Transpose(ref r0, ref r1, ref r2, ref r3);
+            WideLanes.Transpose(ref r0, ref r1, ref r2, ref r3);
             r0.GetLower().Store(Record(records, index[0]));
             r1.GetLower().Store(Record(records, index[1]));
             r2.GetLower().Store(Record(records, index[2]));
@@ -286,20 +286,6 @@ internal static unsafe class BodyLanes
         Vector256<double> from = Vector256.Create(Vector128.Load((double*)(poses + a[0])), Vector128.Load((double*)(poses + a[1])));
         Vector256<double> to = Vector256.Create(Vector128.Load((double*)(poses + b[0])), Vector128.Load((double*)(poses + b[1])));
         return Avx.ConvertToVector128Single(to - from);
-    }
-
-    /// <summary>Transposes 4x4 blocks in both 128-bit halves; its own inverse.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Transpose(ref Vector256<float> r0, ref Vector256<float> r1, ref Vector256<float> r2, ref Vector256<float> r3)
-    {
-        Vector256<float> t0 = Avx.UnpackLow(r0, r1);
-        Vector256<float> t1 = Avx.UnpackHigh(r0, r1);
-        Vector256<float> t2 = Avx.UnpackLow(r2, r3);
-        Vector256<float> t3 = Avx.UnpackHigh(r2, r3);
-        r0 = Avx.Shuffle(t0, t2, 0x44);
-        r1 = Avx.Shuffle(t0, t2, 0xEE);
-        r2 = Avx.Shuffle(t1, t3, 0x44);
-        r3 = Avx.Shuffle(t1, t3, 0xEE);
     }
 #endif
 }

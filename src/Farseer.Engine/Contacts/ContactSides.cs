@@ -55,8 +55,8 @@ internal sealed unsafe class ContactSides
     /// <summary>The side of piece 0; that of <see cref="NoPiece"/> stands before it.</summary>
     public ContactSide* Pointer => _sides.Pointer + 1;
 
-    /// <summary>Where the corners of each piece are, as <see cref="HullLanes.Pack"/> gives it: all that the kernels of hulls need besides.</summary>
-    public int* Hulls => _hulls.Pointer;
+    /// <summary>Where the corners of each piece are, as <see cref="HullLanes.Pack"/> gives it: all that the kernels of hulls need besides. Something stands at <see cref="NoPiece"/>.</summary>
+    public int* Hulls => _hulls.Pointer + 1;
 
     /// <summary>Makes room for the sides of all pieces.</summary>
     /// <param name="shapes">The pieces.</param>
@@ -65,7 +65,7 @@ internal sealed unsafe class ContactSides
     {
         _steps = steps;
         _sides.EnsureCapacity(shapes.PieceIds.End + 1);
-        _hulls.EnsureCapacity(shapes.PieceIds.End);
+        _hulls.EnsureCapacity(shapes.PieceIds.End + 1);
         _sides[0] = new ContactSide { Cos = 1, HalfX = 1, HalfY = 1, Flags = SideFlags.Box };
     }
 
@@ -185,6 +185,11 @@ internal sealed unsafe class ContactSides
             flags |= SideFlags.Hull;
         }
 
-        return piece->Kind == ShapeKind.Box ? flags | SideFlags.Box : piece->Kind == ShapeKind.Circle ? flags | SideFlags.Circle : flags;
+        if (piece->Kind == ShapeKind.Box)
+        {
+            return flags | SideFlags.Box | (piece->Axis != Vector2.UnitX ? SideFlags.Tilted : SideFlags.None);
+        }
+
+        return piece->Kind == ShapeKind.Circle ? flags | SideFlags.Circle : flags;
     }
 }

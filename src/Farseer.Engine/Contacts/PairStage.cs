@@ -26,6 +26,9 @@ internal struct PairBits
     /// <summary>Such a hull and a circle, and those whose circle is A.</summary>
     public int CircleHulls;
     public int CircleFirst;
+
+    /// <summary>One of the sides is a box whose own axes are not those of its body.</summary>
+    public int Tilted;
     public int NewBox;
 
     /// <summary>A body of the pair is fast.</summary>
@@ -120,6 +123,7 @@ internal static unsafe class PairStage
             WideMask circleSecond = WideLanes.Has(flagsB, (int)SideFlags.Circle) & WideLanes.Has(flagsA, (int)SideFlags.Hull);
             bits.CircleFirst |= WideLanes.Bits(circleFirst) << lane;
             bits.CircleHulls |= WideLanes.Bits(circleFirst | circleSecond) << lane;
+            bits.Tilted |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.Tilted)) << lane;
             bits.NewBox |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.NewBox)) << lane;
             bits.Fast |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.Fast)) << lane;
         }
@@ -164,8 +168,8 @@ internal static unsafe class PairStage
 
         if (hulls != 0)
         {
-            NameHulls(input, &input.Pairs->Hulls.A, &input.Pairs->A, hulls, row->PieceA, row->BodyA);
-            NameHulls(input, &input.Pairs->Hulls.B, &input.Pairs->B, hulls, row->PieceB, row->BodyB);
+            NameHulls(input, row, &input.Pairs->Hulls.A, hulls, 0, bits.Tilted);
+            NameHulls(input, row, &input.Pairs->Hulls.B, hulls, hulls, bits.Tilted);
             WideConvex.Collide(input.Pairs, hulls, input.Shapes.Vertices.Pointer, input.Shapes.Normals.Pointer);
             left &= ~hulls;
         }
@@ -173,9 +177,7 @@ internal static unsafe class PairStage
         int circleHulls = bits.CircleHulls & left;
         if (circleHulls != 0)
         {
-            HullLanes* named = &input.Pairs->Hulls.A;
-            NameHulls(input, named, &input.Pairs->A, circleHulls & ~bits.CircleFirst, row->PieceA, row->BodyA);
-            AddHulls(input, named, &input.Pairs->B, circleHulls & bits.CircleFirst, row->PieceB, row->BodyB);
+            NameHulls(input, row, &input.Pairs->Hulls.A, circleHulls, bits.CircleFirst, bits.Tilted);
             WideCircleHull.Collide(
                 input.Pairs, circleHulls, bits.CircleFirst, input.Shapes.Vertices.Pointer, input.Shapes.Normals.Pointer);
             left &= ~circleHulls;
@@ -289,35 +291,32 @@ internal static unsafe class PairStage
         return (separation <= reach) | (separation + ((closing + gain) * dt) <= Wide.Zero);
     }
 
-    /// <summary>Names the hulls of some lanes and clears the others.</summary>
-    private static void NameHulls(in ContactUpdateInput input, HullLanes* hulls, SideLanes* side, int lanes, int* piece, int* body)
+    /// <summary>Names the hulls of some lanes: those of B where a bit of <paramref name="ofB"/> is set, elsewhere those of A.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    private static void NameHulls(in ContactUpdateInput input, ContactBundle* row, HullLanes* hulls, int lanes, int ofB, int tilted)
     {
-        for (int lane = 0; lane < PairLanes.Lanes; lane++)
+        PairLanes* pairs = input.Pairs;
+        int* pieces = stackalloc int[PairLanes.Lanes];
+        for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
         {
-            HullLanes.Clear(hulls, lane);
+            WideMask b = WideLanes.Mask(ofB >> lane);
+            Wide.Select(b, Wide.Load((float*)row->PieceB + lane), Wide.Load((float*)row->PieceA + lane)).Store((float*)pieces + lane);
+            Wide.Select(b, Wide.Load(pairs->B.Cos + lane), Wide.Load(pairs->A.Cos + lane)).Store(hulls->Cos + lane);
+            Wide.Select(b, Wide.Load(pairs->B.Sin + lane), Wide.Load(pairs->A.Sin + lane)).Store(hulls->Sin + lane);
         }
 
-        AddHulls(input, hulls, side, lanes, piece, body);
-    }
+        HullLanes.Name(hulls, lanes, pieces, input.Hulls);
 
-    private static void AddHulls(in ContactUpdateInput input, HullLanes* hulls, SideLanes* side, int lanes, int* piece, int* body)
-    {
-        for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
+        // The side of a box has the box's own axis, a hull turns with its body.
+        tilted &= lanes;
+        for (int lane = 0; tilted != 0; lane++, tilted >>= 1)
         {
-            if ((lanes & 1) == 0)
+            if ((tilted & 1) != 0)
             {
-                continue;
+                BodyPose* pose = input.Bodies.Pose.Pointer + (((ofB >> lane) & 1) != 0 ? row->BodyB[lane] : row->BodyA[lane]);
+                hulls->Cos[lane] = pose->Cos;
+                hulls->Sin[lane] = pose->Sin;
             }
-
-            // The side of a box has the box's own axis.
-            var rotation = new Rotation(side->Cos[lane], side->Sin[lane]);
-            if ((side->Flags[lane] & (int)SideFlags.Box) != 0)
-            {
-                BodyPose* pose = input.Bodies.Pose.Pointer + body[lane];
-                rotation = new Rotation(pose->Cos, pose->Sin);
-            }
-
-            HullLanes.Set(hulls, lane, input.Hulls[piece[lane]], rotation);
         }
     }
 

@@ -4,6 +4,8 @@ using System.Runtime.InteropServices;
 using Farseer.Engine.Numerics;
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+using Farseer.Engine.Shapes;
 #endif
 
 namespace Farseer.Engine.NarrowPhase;
@@ -39,20 +41,30 @@ internal unsafe struct HullLanes
     /// <summary>Start and number of corners, of 1 to <see cref="MostCorners"/>, in one number.</summary>
     public static int Pack(int start, int count) => (start << CornerBits) | ((count - 1) & (MostCorners - 1));
 
-    /// <summary>Names the hull of a lane, of which <see cref="Pack"/> told where it is.</summary>
-    public static void Set(HullLanes* hulls, int lane, int packed, Rotation rotation)
+    /// <summary>
+    /// Names the hulls of some lanes. The others repeat the first point of the pool; a lane without a piece is named -1, and something must stand there.
+    /// </summary>
+    /// <param name="hulls">The lanes to name.</param>
+    /// <param name="lanes">Those that have a hull, a bit each.</param>
+    /// <param name="pieces">The piece of each lane.</param>
+    /// <param name="packed">By piece, what <see cref="Pack"/> told.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Name(HullLanes* hulls, int lanes, int* pieces, int* packed)
     {
-        hulls->Start[lane] = packed >> CornerBits;
-        hulls->Last[lane] = packed & (MostCorners - 1);
-        hulls->Cos[lane] = rotation.Cos;
-        hulls->Sin[lane] = rotation.Sin;
-    }
-
-    /// <summary>A lane without a hull that counts: it repeats the first point of the pool.</summary>
-    public static void Clear(HullLanes* hulls, int lane)
-    {
-        hulls->Start[lane] = 0;
-        hulls->Last[lane] = 0;
+#if NET8_0_OR_GREATER
+        Vector256<int> all = WideLanes.Mask(lanes).AsInt32() & Vector256.Create(
+            packed[pieces[0]], packed[pieces[1]], packed[pieces[2]], packed[pieces[3]],
+            packed[pieces[4]], packed[pieces[5]], packed[pieces[6]], packed[pieces[7]]);
+        (all >>> CornerBits).Store(hulls->Start);
+        (all & Vector256.Create(MostCorners - 1)).Store(hulls->Last);
+#else
+        for (int lane = 0; lane < Lanes; lane++)
+        {
+            int one = packed[pieces[lane]] & -((lanes >> lane) & 1);
+            hulls->Start[lane] = one >> CornerBits;
+            hulls->Last[lane] = one & (MostCorners - 1);
+        }
+#endif
     }
 
     /// <summary>Reads the corners of all lanes from the pools and returns how many the largest hull has.</summary>
@@ -65,8 +77,18 @@ internal unsafe struct HullLanes
             most = hulls->Last[lane] > most ? hulls->Last[lane] : most;
         }
 
+        int corner = 0;
+#if NET8_0_OR_GREATER
+        if (Avx.IsSupported)
+        {
+            Vector256<int> last = Vector256.Load(hulls->Last);
+            WidePoints.GatherFour(vertices, hulls->Start, last, hulls->VertexX, hulls->VertexY);
+            WidePoints.GatherFour(normals, hulls->Start, last, hulls->NormalX, hulls->NormalY);
+            corner = ShapeStore.ReadAtOnce;
+        }
+#endif
         int* index = stackalloc int[Lanes];
-        for (int corner = 0; corner <= most; corner++)
+        for (; corner <= most; corner++)
         {
             Place(hulls, corner, index);
             for (int lane = 0; lane < Lanes; lane += Wide.Count)

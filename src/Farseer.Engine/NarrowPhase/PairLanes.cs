@@ -45,6 +45,9 @@ internal enum SideFlags : int
 
     /// <summary>A hull without seams, of two to <see cref="HullLanes.MostCorners"/> corners: the kernels of hulls can do it.</summary>
     Hull = 1024,
+
+    /// <summary>A box whose own axes are not those of its body.</summary>
+    Tilted = 2048,
 }
 
 /// <summary>One side of each pair of a bundle: shape, motion and material, as the record it was gathered from has them.</summary>

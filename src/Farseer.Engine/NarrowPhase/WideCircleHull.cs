@@ -20,24 +20,16 @@ internal static unsafe class WideCircleHull
     {
         HullPairLanes* hulls = &pairs->Hulls;
         int edges = HullLanes.Gather(&hulls->A, vertices, normals);
-        for (int lane = 0; lane < PairLanes.Lanes; lane++)
-        {
-            hulls->Active[lane] = -((lanes >> lane) & 1);
-            hulls->Flipped[lane] = -((circleFirst >> lane) & 1);
-        }
-
         for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
         {
-            Collide(pairs, lane, edges, vertices);
+            Collide(pairs, lane, WideLanes.Mask(lanes >> lane), WideLanes.Mask(circleFirst >> lane), edges, vertices);
         }
     }
 
     [MethodImpl(KernelMethod.Optimized)]
-    private static void Collide(PairLanes* pairs, int lane, int edges, Vector2* vertices)
+    private static void Collide(PairLanes* pairs, int lane, WideMask active, WideMask flipped, int edges, Vector2* vertices)
     {
         HullPairLanes* hulls = &pairs->Hulls;
-        WideMask flipped = WideLanes.Has(Wide.Load((float*)hulls->Flipped + lane), -1);
-        WideMask active = WideLanes.Has(Wide.Load((float*)hulls->Active + lane), -1);
         WidePlacement hull;
         hull.Cos = Wide.Load(hulls->A.Cos + lane);
         hull.Sin = Wide.Load(hulls->A.Sin + lane);
@@ -59,6 +51,7 @@ internal static unsafe class WideCircleHull
             return;
         }
 
+        Wide.Keep(active, Wide.FromBits(-1)).Store((float*)hulls->Active + lane);
         FindEnds(hulls, lane);
         WidePoints.Gather(vertices, hulls->Edge.Place + lane, out Wide startX, out Wide startY);
         WidePoints.Gather(vertices, hulls->End.Place + lane, out Wide endX, out Wide endY);
@@ -130,6 +123,17 @@ internal static unsafe class WideCircleHull
         return best;
     }
 
+#if NET8_0_OR_GREATER
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void FindEnds(HullPairLanes* hulls, int first)
+    {
+        Vector256<int> edge = Vector256.ConvertToInt32(Vector256.Load(hulls->FromA.Edge + first)) & Vector256.Load(hulls->Active + first);
+        Vector256<int> start = Vector256.Load(hulls->A.Start + first);
+        Vector256<int> isLast = Vector256.Equals(edge, Vector256.Load(hulls->A.Last + first));
+        (start + edge).Store(hulls->Edge.Place + first);
+        (start + Vector256.AndNot(edge + Vector256<int>.One, isLast)).Store(hulls->End.Place + first);
+    }
+#else
     private static void FindEnds(HullPairLanes* hulls, int first)
     {
         for (int lane = first; lane < first + Wide.Count; lane++)
@@ -140,4 +144,5 @@ internal static unsafe class WideCircleHull
             hulls->End.Place[lane] = edge == hulls->A.Last[lane] ? start : start + edge + 1;
         }
     }
+#endif
 }

@@ -24,28 +24,9 @@ internal static unsafe class WideConvex
         int cornersA = HullLanes.Gather(&hulls->A, vertices, normals);
         int cornersB = HullLanes.Gather(&hulls->B, vertices, normals);
         int near = 0;
-        int flipped = 0;
-        for (int lane = 0; lane < PairLanes.Lanes; lane++)
-        {
-            hulls->Active[lane] = -((lanes >> lane) & 1);
-        }
-
         for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
         {
-            near |= FindAxes(pairs, lanes >> lane, cornersA, cornersB, lane, out int turned) << lane;
-            flipped |= turned << lane;
-        }
-
-        near &= lanes;
-        for (int lane = 0; lane < PairLanes.Lanes; lane++)
-        {
-            if ((lanes & (1 << lane)) != 0)
-            {
-                pairs->Count[lane] = 0;
-            }
-
-            hulls->Active[lane] = -((near >> lane) & 1);
-            hulls->Flipped[lane] = -((flipped >> lane) & 1);
+            near |= FindAxes(pairs, WideLanes.Mask(lanes >> lane), cornersA, cornersB, lane);
         }
 
         if (near == 0)
@@ -53,7 +34,7 @@ internal static unsafe class WideConvex
             return;
         }
 
-        FindFeatures(hulls, near, flipped);
+        FindFeatures(hulls);
         for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
         {
             Build(pairs, lane, vertices, normals);
@@ -94,21 +75,24 @@ internal static unsafe class WideConvex
         return placement;
     }
 
-    /// <summary>The lanes (a bit each) that no axis separates by more than the margin, and those whose reference is B.</summary>
-    private static int FindAxes(PairLanes* pairs, int lanes, int cornersA, int cornersB, int lane, out int flipped)
+    /// <summary>Finds the best axis of each side, notes which lanes no axis separates by more than the margin, and whose reference is B.</summary>
+    /// <returns>0 if there are none.</returns>
+    private static int FindAxes(PairLanes* pairs, WideMask named, int cornersA, int cornersB, int lane)
     {
         HullPairLanes* hulls = &pairs->Hulls;
         WidePlacement placement = PlaceB(pairs, lane);
         Wide radiusA = SideLanes.Radius(&pairs->A, lane);
         Wide radiusB = SideLanes.Radius(&pairs->B, lane);
         Wide limit = (Wide.Load(pairs->Margin + lane) + radiusA) + radiusB;
+        WideLanes.Replace(named, Wide.Zero, pairs->Count + lane);
         WideAxisQuery.Find(&hulls->A, cornersA, &hulls->B, cornersB, placement, lane, &hulls->FromA);
         Wide fromA = Wide.Load(hulls->FromA.Separation + lane);
-        int near = ~WideLanes.Bits(fromA > limit) & ((1 << Wide.Count) - 1);
-        flipped = 0;
-        if ((near & lanes) == 0)
+        WideMask near = named & ~(fromA > limit);
+        if (WideLanes.Bits(near) == 0)
         {
-            NoteGap(pairs, lane, fromA - radiusA - radiusB, Wide.Zero - Wide.One);
+            NoteGap(pairs, lane, named, fromA - radiusA - radiusB, Wide.Zero - Wide.One);
+            Wide.Zero.Store((float*)hulls->Active + lane);
+            Wide.Zero.Store((float*)hulls->Flipped + lane);
             return 0;
         }
 
@@ -117,27 +101,66 @@ internal static unsafe class WideConvex
         Wide fromB = Wide.Load(hulls->FromB.Separation + lane);
         Wide scale = Wide.Min(Wide.Load(pairs->A.Extent + lane), Wide.Load(pairs->B.Extent + lane));
         NoteGap(
-            pairs, lane, Wide.Max(fromA, fromB) - radiusA - radiusB, Wide.Select(fromA > fromB, Wide.Zero - Wide.One, Wide.One));
-        flipped = WideLanes.Bits(fromB > fromA + (Wide.Splat(ConvexConvex.ReferenceBias) * scale));
-        return near & ~WideLanes.Bits(fromB > limit);
+            pairs, lane, named, Wide.Max(fromA, fromB) - radiusA - radiusB, Wide.Select(fromA > fromB, Wide.Zero - Wide.One, Wide.One));
+        WideMask flipped = fromB > fromA + (Wide.Splat(ConvexConvex.ReferenceBias) * scale);
+        near = near & ~(fromB > limit);
+        Wide set = Wide.FromBits(-1);
+        Wide.Keep(near, set).Store((float*)hulls->Active + lane);
+        Wide.Keep(flipped, set).Store((float*)hulls->Flipped + lane);
+        return WideLanes.Bits(near);
     }
 
     /// <summary>Notes what separates the hulls of the named lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void NoteGap(PairLanes* pairs, int lane, Wide gap, Wide owner)
+    private static void NoteGap(PairLanes* pairs, int lane, WideMask named, Wide gap, Wide owner)
     {
-        WideMask named = WideLanes.Has(Wide.Load((float*)pairs->Hulls.Active + lane), -1);
         WideLanes.Replace(named, gap, pairs->Gap + lane);
         WideLanes.Replace(named, owner, pairs->GapOwner + lane);
     }
 
+#if NET8_0_OR_GREATER
     /// <summary>Looks up where the features lie that the contact can be made of.</summary>
-    private static void FindFeatures(HullPairLanes* hulls, int near, int flipped)
+    private static void FindFeatures(HullPairLanes* hulls)
+    {
+        Vector256<int> turned = Vector256.Load(hulls->Flipped);
+        Vector256<int> counts = Vector256.Load(hulls->Active);
+        Vector256<int> startA = Vector256.Load(hulls->A.Start);
+        Vector256<int> startB = Vector256.Load(hulls->B.Start);
+        Vector256<int> lastA = Vector256.Load(hulls->A.Last);
+        Vector256<int> lastB = Vector256.Load(hulls->B.Last);
+        Vector256<int> edge = Pick(turned, hulls->FromB.Edge, hulls->FromA.Edge) & counts;
+        Vector256<int> support = Pick(turned, hulls->FromB.Support, hulls->FromA.Support) & counts;
+        Vector256<int> start = Vector256.ConditionalSelect(turned, startB, startA);
+        Vector256<int> last = Vector256.ConditionalSelect(turned, lastB, lastA);
+        Set(&hulls->Edge, start, edge, turned);
+        Set(&hulls->End, start, Vector256.AndNot(edge + Vector256<int>.One, Vector256.Equals(edge, last)), turned);
+        start = Vector256.ConditionalSelect(turned, startA, startB);
+        last = Vector256.ConditionalSelect(turned, lastA, lastB);
+        Vector256<int> first = Vector256.Equals(support, Vector256<int>.Zero);
+        Set(&hulls->Before, start, Vector256.ConditionalSelect(first, last, support - Vector256<int>.One), ~turned);
+        Set(&hulls->Support, start, support, ~turned);
+        Set(&hulls->After, start, Vector256.AndNot(support + Vector256<int>.One, Vector256.Equals(support, last)), ~turned);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<int> Pick(Vector256<int> turned, float* fromB, float* fromA) =>
+        Vector256.ConvertToInt32(Vector256.ConditionalSelect(turned.AsSingle(), Vector256.Load(fromB), Vector256.Load(fromA)));
+
+    // A name is EdgeContact.Id, of which each feature gives its half: that of B's the lower.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Set(FeatureLanes* feature, Vector256<int> start, Vector256<int> number, Vector256<int> ofB)
+    {
+        (start + number).Store(feature->Place);
+        (Vector256.ConditionalSelect(ofB, number << 1, number << 16) | Vector256<int>.One).Store(feature->Name);
+    }
+#else
+    /// <summary>Looks up where the features lie that the contact can be made of.</summary>
+    private static void FindFeatures(HullPairLanes* hulls)
     {
         for (int lane = 0; lane < HullPairLanes.Lanes; lane++)
         {
-            bool turned = ((flipped >> lane) & 1) != 0;
-            bool counts = ((near >> lane) & 1) != 0;
+            bool turned = hulls->Flipped[lane] != 0;
+            bool counts = hulls->Active[lane] != 0;
             HullLanes* reference = turned ? &hulls->B : &hulls->A;
             HullLanes* other = turned ? &hulls->A : &hulls->B;
             AxisLanes* axis = turned ? &hulls->FromB : &hulls->FromA;
@@ -163,6 +186,7 @@ internal static unsafe class WideConvex
         feature->Place[lane] = start + number;
         feature->Name[lane] = (number << shift) | 1;
     }
+#endif
 
     [MethodImpl(KernelMethod.Optimized)]
     private static void Build(PairLanes* pairs, int lane, Vector2* vertices, Vector2* normals)

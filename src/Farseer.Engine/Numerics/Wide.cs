@@ -141,10 +141,44 @@ internal static unsafe class WideLanes
     public static void Replace(WideMask mask, Wide value, float* target) => Wide.Select(mask, value, Wide.Load(target)).Store(target);
 
 #if NET8_0_OR_GREATER
+    /// <summary>The mask whose lane i is set where bit i is: the reverse of <see cref="Bits"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideMask Mask(int bits)
+    {
+        Vector256<int> each = Vector256.Create(1, 2, 4, 8, 16, 32, 64, 128);
+        return Vector256.Equals(Vector256.Create(bits) & each, each).AsSingle();
+    }
+
+    /// <summary>Transposes 4x4 blocks in both 128-bit halves; its own inverse.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Transpose(ref Vector256<float> r0, ref Vector256<float> r1, ref Vector256<float> r2, ref Vector256<float> r3)
+    {
+        Vector256<float> t0 = Avx.UnpackLow(r0, r1);
+        Vector256<float> t1 = Avx.UnpackHigh(r0, r1);
+        Vector256<float> t2 = Avx.UnpackLow(r2, r3);
+        Vector256<float> t3 = Avx.UnpackHigh(r2, r3);
+        r0 = Avx.Shuffle(t0, t2, 0x44);
+        r1 = Avx.Shuffle(t0, t2, 0xEE);
+        r2 = Avx.Shuffle(t1, t3, 0x44);
+        r3 = Avx.Shuffle(t1, t3, 0xEE);
+    }
+
     /// <summary>Bit i is set where lane i of the mask is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Bits(WideMask mask) => (int)Vector256.ExtractMostSignificantBits(mask);
 #else
+    /// <summary>The mask whose lane i is set where bit i is: the reverse of <see cref="Bits"/>.</summary>
+    public static WideMask Mask(int bits)
+    {
+        int* lanes = stackalloc int[BundleLanes];
+        for (int i = 0; i < BundleLanes; i++)
+        {
+            lanes[i] = -((bits >> i) & 1);
+        }
+
+        return Unsafe.ReadUnaligned<WideMask>(lanes);
+    }
+
     /// <summary>Bit i is set where lane i of the mask is.</summary>
     public static int Bits(WideMask mask)
     {

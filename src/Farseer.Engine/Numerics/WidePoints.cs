@@ -31,6 +31,48 @@ internal static unsafe class WidePoints
     }
 
 #if NET8_0_OR_GREATER
+    /// <summary>
+    /// Brings four points in a row of each lane into lane vectors. Where a lane's last one is before a point, that repeats the one before it; what
+    /// lies behind it in the pool is read all the same.
+    /// </summary>
+    /// <param name="pool">Where the points lie.</param>
+    /// <param name="start">The place of each lane's first point.</param>
+    /// <param name="last">How many more each lane has.</param>
+    /// <param name="x">Their x, the points <see cref="WideLanes.BundleLanes"/> floats apart.</param>
+    /// <param name="y">Their y, likewise.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void GatherFour(Vector2* pool, int* start, Vector256<int> last, float* x, float* y)
+    {
+        float* p0 = (float*)(pool + start[0]);
+        float* p1 = (float*)(pool + start[1]);
+        float* p2 = (float*)(pool + start[2]);
+        float* p3 = (float*)(pool + start[3]);
+        float* p4 = (float*)(pool + start[4]);
+        float* p5 = (float*)(pool + start[5]);
+        float* p6 = (float*)(pool + start[6]);
+        float* p7 = (float*)(pool + start[7]);
+        Wide beforeX = Wide.Zero;
+        Wide beforeY = Wide.Zero;
+        for (int i = 0; i < 4; i += 2)
+        {
+            Vector256<float> r0 = Vector256.Create(Vector128.Load(p0 + (2 * i)), Vector128.Load(p4 + (2 * i)));
+            Vector256<float> r1 = Vector256.Create(Vector128.Load(p1 + (2 * i)), Vector128.Load(p5 + (2 * i)));
+            Vector256<float> r2 = Vector256.Create(Vector128.Load(p2 + (2 * i)), Vector128.Load(p6 + (2 * i)));
+            Vector256<float> r3 = Vector256.Create(Vector128.Load(p3 + (2 * i)), Vector128.Load(p7 + (2 * i)));
+            WideLanes.Transpose(ref r0, ref r1, ref r2, ref r3);
+            WideMask has = Vector256.GreaterThanOrEqual(last, Vector256.Create(i)).AsSingle();
+            beforeX = Wide.Select(has, r0, beforeX);
+            beforeY = Wide.Select(has, r1, beforeY);
+            beforeX.Store(x + (i * WideLanes.BundleLanes));
+            beforeY.Store(y + (i * WideLanes.BundleLanes));
+            has = Vector256.GreaterThan(last, Vector256.Create(i)).AsSingle();
+            beforeX = Wide.Select(has, r2, beforeX);
+            beforeY = Wide.Select(has, r3, beforeY);
+            beforeX.Store(x + ((i + 1) * WideLanes.BundleLanes));
+            beforeY.Store(y + ((i + 1) * WideLanes.BundleLanes));
+        }
+    }
+
     // A point is eight bytes: two of them fill a vector of 128 bits in two loads.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<float> Pair(Vector2* pool, int first, int second) =>

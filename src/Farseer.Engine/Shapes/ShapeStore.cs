@@ -13,6 +13,9 @@ namespace Farseer.Engine.Shapes;
 /// <summary>All pieces, colliders and their vertex pools, of which equal pieces share a run.</summary>
 internal sealed class ShapeStore
 {
+    /// <summary>Corners that the kernels of hulls read at once, whether a piece has so many or not.</summary>
+    public const int ReadAtOnce = 4;
+
     private readonly ColumnSet _vertexSet = new ColumnSet();
     private readonly ColumnSet _pieceSet = new ColumnSet();
     private readonly Column<Handle> _pieceHandles;
@@ -263,7 +266,7 @@ internal sealed class ShapeStore
 
         int start = _vertexEnd;
         _vertexEnd += 1 << size;
-        _vertexSet.EnsureCapacity(_vertexEnd);
+        _vertexSet.EnsureCapacity(start + Math.Max(1 << size, ReadAtOnce));
         return start;
     }
 

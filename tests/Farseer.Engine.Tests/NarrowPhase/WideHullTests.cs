@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using System.Numerics;
 using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Shapes;
 using FsCheck;
 using FsCheck.Fluent;
@@ -14,7 +15,11 @@ public unsafe class WideHullTests
 {
     private const float Margin = 0.2f;
 
+    private static readonly int[] Each = [.. Enumerable.Range(0, PairLanes.Lanes)];
+
     private readonly LanesFixture _lanes = new LanesFixture();
+    private readonly int[] _packedA = new int[PairLanes.Lanes];
+    private readonly int[] _packedB = new int[PairLanes.Lanes];
     private int _points;
 
     [Fact]
@@ -113,8 +118,6 @@ public unsafe class WideHullTests
             PairInput input = posed.Pair.Input(posed.Pair.FirstA, posed.Pair.FirstB, posed.AngleA, posed.AngleB, posed.Offset, Margin);
             _lanes.Set(lane, input);
             PairLanes.Write(_lanes.Pairs, lane, untouched);
-            HullLanes.Clear(&_lanes.Pairs->Hulls.A, lane);
-            HullLanes.Clear(&_lanes.Pairs->Hulls.B, lane);
             expected[lane] = untouched;
             if (random.Next(4) == 0)
             {
@@ -123,6 +126,12 @@ public unsafe class WideHullTests
 
             Name(lane, input, ref hulls, ref circles, ref circleFirst);
             Truth(input, out expected[lane]);
+        }
+
+        fixed (int* each = Each, a = _packedA, b = _packedB)
+        {
+            HullLanes.Name(&_lanes.Pairs->Hulls.A, hulls | circles, each, a);
+            HullLanes.Name(&_lanes.Pairs->Hulls.B, hulls, each, b);
         }
 
         // Every lane is of one of the two kinds; the other kernel is to leave it alone.
@@ -148,24 +157,29 @@ public unsafe class WideHullTests
     {
         if (input.A.Kind == ShapeKind.Circle)
         {
-            HullLanes.Set(&_lanes.Pairs->Hulls.A, lane, Pack(input.B), input.RotationB);
+            Name(&_lanes.Pairs->Hulls.A, _packedA, lane, input.B, input.RotationB);
             circleFirst |= 1 << lane;
             circles |= 1 << lane;
             return;
         }
 
-        HullLanes.Set(&_lanes.Pairs->Hulls.A, lane, Pack(input.A), input.RotationA);
+        Name(&_lanes.Pairs->Hulls.A, _packedA, lane, input.A, input.RotationA);
         if (input.B.Kind == ShapeKind.Circle)
         {
             circles |= 1 << lane;
             return;
         }
 
-        HullLanes.Set(&_lanes.Pairs->Hulls.B, lane, Pack(input.B), input.RotationB);
+        Name(&_lanes.Pairs->Hulls.B, _packedB, lane, input.B, input.RotationB);
         hulls |= 1 << lane;
     }
 
-    private static int Pack(in Piece piece) => HullLanes.Pack(piece.VertexStart, piece.VertexCount);
+    private static void Name(HullLanes* hulls, int[] packed, int lane, in Piece piece, Rotation rotation)
+    {
+        packed[lane] = HullLanes.Pack(piece.VertexStart, piece.VertexCount);
+        hulls->Cos[lane] = rotation.Cos;
+        hulls->Sin[lane] = rotation.Sin;
+    }
 
     // Two boxes have a kernel of their own and come here only corner to corner.
     private static void Truth(in PairInput input, out Manifold manifold)
