@@ -3,10 +3,10 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints;
 
-/// <content>Contacts of trees that are solved side by side: swept one by one, between the passes of the trees.</content>
+/// <content>Contacts of trees that are solved side by side: swept one by one, with the motors and springs of these trees, between their passes.</content>
 internal sealed unsafe partial class JointSolver
 {
-    /// <summary>Trees with contacts that are on lanes, and these contacts, in the order of the agenda.</summary>
+    /// <summary>Trees with contacts that are on lanes, and their rows, in the order of the agenda.</summary>
     private readonly Column<int> _laneTrees = new Column<int>();
     private readonly Column<int> _laneAgenda = new Column<int>();
     private int _laneTreeCount;
@@ -27,7 +27,7 @@ internal sealed unsafe partial class JointSolver
         return !contact->Deep && contact->Restitution + contact->Rebound <= 0 && (ends.NodeA < 0 || ends.NodeB < 0 || ends.Coupled);
     }
 
-    /// <summary>The extrapolated impulses of the contacts of trees on lanes.</summary>
+    /// <summary>The impulses that the rows of trees with contacts on lanes start from.</summary>
     private void WarmStartOnLanes()
     {
         if (_laneTreeCount == 0)
@@ -38,13 +38,13 @@ internal sealed unsafe partial class JointSolver
         _lanes.ShareVelocities();
         for (int i = 0; i < _laneAgendaCount; i++)
         {
-            _contactPass.WarmStart(_contacts.Pointer + ~_laneAgenda[i]);
+            WarmStart(_laneAgenda[i]);
         }
 
         _lanes.TakeVelocities();
     }
 
-    /// <summary>Separations and responses of the contacts of trees on lanes.</summary>
+    /// <summary>Separations and responses of the rows of trees with contacts on lanes.</summary>
     /// <param name="refactored">Only of trees whose limits changed.</param>
     private void PrepareOnLanes(bool refactored)
     {

@@ -75,7 +75,7 @@ internal sealed unsafe partial class JointSolver
             {
                 _agenda[kept++] = _agenda[i];
             }
-            else if (_agenda[i] < 0)
+            else if (_forest.Trees[TreeOf(EndsOf(_agenda[i]))].Touched)
             {
                 _laneAgenda[_laneAgendaCount++] = _agenda[i];
             }

@@ -163,15 +163,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         LoadVelocities();
         for (int i = 0; i < _agendaCount; i++)
         {
-            int item = _agenda[i];
-            if (item < 0)
-            {
-                _contactPass.WarmStart(_contacts.Pointer + ~item);
-            }
-            else
-            {
-                _pass.WarmStart(_active.Pointer + item, _rows.Pointer + item);
-            }
+            WarmStart(_agenda[i]);
         }
 
         ForgetLimits();
@@ -420,6 +412,18 @@ internal sealed unsafe partial class JointSolver : IStageWork
         }
 
         PrepareFrom(0);
+    }
+
+    private void WarmStart(int item)
+    {
+        if (item < 0)
+        {
+            _contactPass.WarmStart(_contacts.Pointer + ~item);
+        }
+        else
+        {
+            _pass.WarmStart(_active.Pointer + item, _rows.Pointer + item);
+        }
     }
 
     private void Prepare(int item)

@@ -206,4 +206,7 @@ internal unsafe struct LaneTrees
 
     /// <summary>Something besides the joints' own rows and the limits that they hold is swept over.</summary>
     public readonly bool HasRows => Softs > 0 || Touched;
+
+    /// <summary>Motors and springs are swept here, and not with contacts.</summary>
+    public readonly bool SweepsSofts => Softs > 0 && !Touched;
 }

@@ -58,9 +58,9 @@ internal sealed unsafe partial class TreeLanes
         }
 
         Draft(tree);
-        if (_draftCount > 0 && (_step.Audited || tree->Touched))
+        if (_draftCount > 0 && _step.Audited)
         {
-            // Whoever asks for the work of motors asks the joints themselves, and what is swept with contacts are their rows.
+            // Whoever asks for the work of motors asks the joints themselves.
             return false;
         }
 

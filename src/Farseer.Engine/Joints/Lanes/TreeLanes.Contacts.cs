@@ -4,8 +4,9 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <content>
-/// Trees with contacts. Each has its own at other places, so that these are swept one by one, over the records of the bodies: masses and
-/// velocities are taken there before, and velocities and what went through each body back. All else is side by side.
+/// Trees with contacts. Each has its own at other places, so that these are swept one by one, with the motors and springs of the tree, over the
+/// records of the bodies and joints: masses, lines and velocities are taken there before, and velocities and what went through each body back.
+/// All else is side by side.
 /// </content>
 internal sealed unsafe partial class TreeLanes
 {
@@ -41,6 +42,26 @@ internal sealed unsafe partial class TreeLanes
             {
                 PutBack(DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Velocity, _forest.Nodes[tree->First + i].Velocity);
             }
+
+            for (int i = 0; i < trees->Softs && acts; i++)
+            {
+                LaneSoftPlace* place = _softPlaces.Pointer + trees->SoftFirst + i;
+                PutBack(JointOf(trees, place, lane)->Given, _active[ActiveOf(trees, place, lane)].Given);
+            }
+        }
+    }
+
+    private LaneJoint* JointOf(LaneTrees* trees, LaneSoftPlace* place, int lane) => place->Joint >= 0
+        ? &DoubleLanes.Shift(_nodes.Pointer + trees->First + place->Joint, lane)->Joint
+        : &DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + ~place->Joint, lane)->Joint;
+
+    /// <summary>What motors and springs gave in a sweep.</summary>
+    private void TakeGiven(LaneTrees* trees, int lane)
+    {
+        for (int i = 0; i < trees->Softs; i++)
+        {
+            LaneSoftPlace* place = _softPlaces.Pointer + trees->SoftFirst + i;
+            TakeOver(_active[ActiveOf(trees, place, lane)].Given, JointOf(trees, place, lane)->Given);
         }
     }
 
@@ -61,6 +82,11 @@ internal sealed unsafe partial class TreeLanes
                 for (int i = 0; i < trees->Nodes && IsLive(trees, lane); i++)
                 {
                     TakeOver(nodes[i].Velocity, DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Velocity);
+                }
+
+                if (IsLive(trees, lane))
+                {
+                    TakeGiven(trees, lane);
                 }
             }
 
@@ -98,6 +124,11 @@ internal sealed unsafe partial class TreeLanes
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
         {
             bool carries = lane < trees->Count && Carries(trees, lane);
+            if (carries)
+            {
+                TakeGiven(trees, lane);
+            }
+
             TreeNode* nodes = _forest.Nodes + _forest.Trees[trees->Tree[carries ? lane : 0]].First;
             for (int i = 0; i < trees->Nodes; i++)
             {
@@ -131,7 +162,7 @@ internal sealed unsafe partial class TreeLanes
         to[W] = from[2];
     }
 
-    /// <summary>Masses within the tree, ways and turns, for the rows of contacts.</summary>
+    /// <summary>Masses within the tree, ways and turns, and the lines along which springs and motors push.</summary>
     private void ShareMasses(LaneTrees* trees, int lanes)
     {
         double* space = stackalloc double[3 * LaneMatrix.Row];
@@ -156,6 +187,33 @@ internal sealed unsafe partial class TreeLanes
                     nodes[i].T[k] = walk->T[k * Y];
                 }
             }
+
+            for (int i = 0; i < trees->Softs && (lanes & (1 << lane)) != 0; i++)
+            {
+                LaneSoftPlace* place = _softPlaces.Pointer + trees->SoftFirst + i;
+                LaneJoint* joint = JointOf(trees, place, lane);
+                JointRows* rows = _rows + ActiveOf(trees, place, lane);
+                ShareRow(joint, rows, place->Kind0);
+                if (place->Rows > 1)
+                {
+                    ShareRow(joint, rows, place->Kind1);
+                }
+            }
+        }
+    }
+
+    /// <summary>Rows of angles are the same at all poses.</summary>
+    private static void ShareRow(LaneJoint* joint, JointRows* rows, in LaneSoftKind kind)
+    {
+        if (kind.Along)
+        {
+            PutBack(joint->LineA, rows->A + (kind.Index * 3));
+            PutBack(joint->LineB, rows->B + (kind.Index * 3));
+        }
+
+        if (kind.IsSpring)
+        {
+            rows->Error[kind.Index] = joint->Travel[0];
         }
     }
 

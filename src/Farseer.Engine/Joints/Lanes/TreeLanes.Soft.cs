@@ -169,7 +169,7 @@ internal sealed unsafe partial class TreeLanes
             lane++;
         }
 
-        return index < trees->Softs ? ActiveOf(trees, _softPlaces.Pointer + trees->SoftFirst + index, lane) : -1;
+        return trees->SweepsSofts && index < trees->Softs ? ActiveOf(trees, _softPlaces.Pointer + trees->SoftFirst + index, lane) : -1;
     }
 
     private int ActiveOf(LaneTrees* trees, LaneSoftPlace* soft, int lane) => soft->Joint >= 0
@@ -285,6 +285,13 @@ internal sealed unsafe partial class TreeLanes
             LaneSoft* soft = DoubleLanes.Shift(_softs.Pointer + i, lane);
             LaneSoftPlace* place = _softPlaces.Pointer + i;
             ActiveJoint* joint = _active + ActiveOf(trees, place, lane);
+            if (trees->Touched)
+            {
+                joint->PlainLambda[place->Kind0.Index] = joint->Lambda[place->Kind0.Index];
+                joint->PlainLambda[place->Kind1.Index] = joint->Lambda[place->Kind1.Index];
+                continue;
+            }
+
             PutRowBack(joint, place->Kind0.Index, before ? soft->Row0.Before[0] : soft->Row0.Lambda[0]);
             if (place->Rows > 1)
             {

@@ -114,7 +114,7 @@ internal sealed unsafe partial class TreeLanes
                 }
             }
 
-            if (trees->Softs > 0)
+            if (trees->SweepsSofts)
             {
                 WarmStart(trees);
             }
@@ -220,7 +220,7 @@ internal sealed unsafe partial class TreeLanes
     /// </summary>
     private void Sweep(LaneTrees* trees, bool relaxed, int sweeps, bool turns)
     {
-        if (trees->Softs == 0)
+        if (!trees->SweepsSofts)
         {
             return;
         }
@@ -393,7 +393,7 @@ internal sealed unsafe partial class TreeLanes
     private void PrepareSofts(LaneTrees* trees)
     {
         trees->Stalled = 0;
-        for (int lane = 0; lane < DoubleLanes.BundleLanes && trees->Softs > 0; lane += WideDouble.Count)
+        for (int lane = 0; lane < DoubleLanes.BundleLanes && trees->SweepsSofts; lane += WideDouble.Count)
         {
             LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
             LaneSoft* softs = _softs.Pointer + trees->SoftFirst;
