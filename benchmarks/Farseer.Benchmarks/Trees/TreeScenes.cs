@@ -58,6 +58,68 @@ internal static class TreeScenes
         return world;
     }
 
+    /// <summary>Chains of four links at the world, each link joined to the one before in the same way.</summary>
+    /// <param name="chains">How many.</param>
+    /// <param name="link">What joins them.</param>
+    /// <param name="floor">They lie on a floor.</param>
+    public static World Crowd(int chains, TreeKinds.Link link, bool floor)
+    {
+        const int Links = 4;
+        World world = Make();
+        if (floor)
+        {
+            AddFloor(world);
+        }
+
+        for (int chain = 0; chain < chains; chain++)
+        {
+            Handle before = World.WorldFrame;
+            Vector2 held = new Vector2(chain * 10f, 0.1f);
+            for (int i = 0; i < Links; i++)
+            {
+                Vector2 at = new Vector2((chain * 10f) + i + 0.5f, 0.1f);
+                Handle part = Add(world, ShapeBuilder.Box(0.9f, 4 * Radius), at, 0, 1, Inertia, 1, 2);
+                JoinBy(world, link.Kind, link, before, part, held);
+                if (link.With is { } second)
+                {
+                    JoinBy(world, second, link with { Flags = JointFlags.Enabled }, before, part, held);
+                }
+
+                before = part;
+                held = new Vector2(0.5f, 0);
+            }
+        }
+
+        return world;
+    }
+
+    private static void JoinBy(World world, JointKind kind, TreeKinds.Link link, Handle a, Handle b, Vector2 anchorA)
+    {
+        JointSettings settings = Rigid(anchorA, new Vector2(-0.5f, 0));
+        bool turns = kind is JointKind.Revolute or JointKind.AngleLimit;
+        settings.AxisY = 1;
+        settings.Lower = turns ? -0.1 : kind == JointKind.Slider ? 0 : -0.05;
+        settings.Upper = 0.1;
+        settings.Softness = link.Softness;
+        settings.Frequency = 4;
+        settings.DampingRatio = 0.5;
+        settings.MotorSpeed = 0.1;
+        settings.MotorLimit = 20;
+        settings.TorqueLimit = 20;
+        settings.Ratio = kind == JointKind.Target ? 0 : 1;
+        if (kind == JointKind.Distance || kind == JointKind.Pulley)
+        {
+            settings.AnchorBY = 0.3;
+            settings.Target = kind == JointKind.Distance ? 0.3 : 8;
+            settings.GroundAX = a.Index == World.WorldFrame.Index ? anchorA.X : world.Bodies.Pose[a.Index].X;
+            settings.GroundBX = world.Bodies.Pose[b.Index].X;
+            settings.GroundAY = 4;
+            settings.GroundBY = 4;
+        }
+
+        world.CreateJoint(kind, a, b, settings, link.Flags);
+    }
+
     /// <summary>Links that hang one below the other on rods of 1 m, let go from the side.</summary>
     public static World Pendulums(int pendulums)
     {
@@ -106,16 +168,21 @@ internal static class TreeScenes
         return world;
     }
 
-    /// <summary>Cars in the air: a body with two sprung and driven wheels.</summary>
-    public static World Cars(int cars)
+    /// <summary>Cars in the air or on a floor: a body with two sprung and driven wheels.</summary>
+    public static World Cars(int cars, bool floor)
     {
         World world = Make();
+        if (floor)
+        {
+            AddFloor(world);
+        }
+
         for (int car = 0; car < cars; car++)
         {
-            Handle body = Add(world, ShapeBuilder.Box(2, 0.5f), new Vector2(car * 5f, 0), 0.1f * (car % 5), 10, 4, 1, 2);
+            Handle body = Add(world, ShapeBuilder.Box(2, 0.5f), new Vector2(car * 5f, floor ? 1 : 0), 0.1f * (car % 5), 10, 4, 1, 2);
             for (int side = -1; side <= 1; side += 2)
             {
-                Handle wheel = Add(world, ShapeBuilder.Circle(0.3f), new Vector2((car * 5f) + (side * 0.8f), -0.4f), 0, 1, 0.045f, 1, 2);
+                Handle wheel = Add(world, ShapeBuilder.Circle(0.3f), new Vector2((car * 5f) + (side * 0.8f), (floor ? 1 : 0) - 0.4f), 0, 1, 0.045f, 1, 2);
                 JointSettings settings = Rigid(new Vector2(side * 0.8f, -0.4f), default);
                 settings.AxisY = 1;
                 settings.Frequency = 4;
@@ -165,8 +232,7 @@ internal static class TreeScenes
         World world = Make();
         if (floor)
         {
-            Handle ground = world.CreateBody(new BodyDef { X = 0, Y = -1, Mass = 1, Inertia = 1, Flags = BodyFlags.Enabled | BodyFlags.Static });
-            Collide(world, ground, ShapeBuilder.Box(4000, 2), 2, 1);
+            AddFloor(world);
         }
 
         for (int i = 0; i < dolls; i++)
@@ -175,6 +241,12 @@ internal static class TreeScenes
         }
 
         return world;
+    }
+
+    private static void AddFloor(World world)
+    {
+        Handle ground = world.CreateBody(new BodyDef { X = 0, Y = -1, Mass = 1, Inertia = 1, Flags = BodyFlags.Enabled | BodyFlags.Static });
+        Collide(world, ground, ShapeBuilder.Box(4000, 2), 2, 1);
     }
 
     private static void AddRagdoll(World world, Vector2 at, float spin, bool friction)

@@ -13,7 +13,7 @@ namespace Farseer.Benchmarks.Trees;
 /// </summary>
 internal static class TreeTiming
 {
-    public const string Usage = "trees [NAME] [--runs N] [--lanes]";
+    public const string Usage = "trees [NAME | kinds] [--runs N] [--lanes]";
 
     private const float Dt = 1f / 60;
     private const int WarmSteps = 60;
@@ -33,7 +33,8 @@ internal static class TreeTiming
         new("weld", "one such beam", () => TreeScenes.Chains(1, JointKind.Weld, true)),
         new("crane", "one crane of five driven arms", () => TreeScenes.Cranes(1)),
         new("cranes", "64 cranes of five driven arms", () => TreeScenes.Cranes(64)),
-        new("cars", "64 cars with two sprung and driven wheels, in the air", () => TreeScenes.Cars(64)),
+        new("cars", "64 cars with two sprung and driven wheels, in the air", () => TreeScenes.Cars(64, false)),
+        new("drive", "the same on a floor", () => TreeScenes.Cars(64, true)),
         new("bridge", "ten bridges of 20 planks under ten planks' load", () => TreeScenes.Bridges(10)),
         new("flight", "64 ragdolls in flight, limits in their hinges", () => TreeScenes.Ragdolls(64, false, false)),
         new("friction", "64 ragdolls in flight, limits and friction in their hinges", () => TreeScenes.Ragdolls(64, true, false)),
@@ -63,6 +64,17 @@ internal static class TreeTiming
         }
 
         output.WriteLine($"ns a body and substep: mean over {Steps} steps of the least of {runs} runs; user time, median; the least with trees one by one");
+        if (name == "kinds")
+        {
+            foreach (TreeKinds.Link link in TreeKinds.All)
+            {
+                Time(new Scene("air", link.Name, () => TreeScenes.Crowd(64, link, false)), runs, lanesOnly, output);
+                Time(new Scene("floor", link.Name, () => TreeScenes.Crowd(64, link, true)), runs, lanesOnly, output);
+            }
+
+            return 0;
+        }
+
         foreach (Scene scene in Scenes)
         {
             if (name.Length == 0 || name == scene.Name)
