@@ -29,9 +29,46 @@ internal static unsafe class BlowKernel
     /// </summary>
     private const float LeastCosine = 0.9f;
 
-    /// <summary>What the spins lack after normal impulses were applied at the arms of the middle.</summary>
+    /// <summary>What the spins of some bundles lack after normal impulses were applied at the arms of the middle.</summary>
+    /// <returns>Those of the <paramref name="blows"/> that are some.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Strike(ContactBundle* row, int lane, BodyState* bodies, Wide p0, Wide p1, out Wide spinA, out Wide spinB)
+    public static ulong Strike(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
+    {
+        ulong fresh = 0;
+        for (int i = 0; i < count; i++, row++, work++)
+        {
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                ulong bit = ContactWork.Bit(i, lane);
+                if ((blows & bit) != 0 && WideLanes.Bits(Fresh(row, lane)) != 0)
+                {
+                    fresh |= bit;
+                    StrikeLanes(row, lane, work, bodies);
+                }
+            }
+        }
+
+        return fresh;
+    }
+
+    /// <summary>The same for friction impulses.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Rub(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
+    {
+        for (int i = 0; i < count; i++, row++, work++)
+        {
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                if ((blows & ContactWork.Bit(i, lane)) != 0)
+                {
+                    RubLanes(row, lane, work, bodies);
+                }
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void StrikeLanes(ContactBundle* row, int lane, ContactWork* work, BodyState* bodies)
     {
         BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
         BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
@@ -42,17 +79,18 @@ internal static unsafe class BlowKernel
         WideMask blow = Fresh(row, lane) & (Wide.Min(movedA.Cos, movedB.Cos) >= Wide.Splat(LeastCosine))
             & Fits(row, lane, Wide.Load(row->InverseK11 + lane), a0, b0)
             & Fits(row, lane, Wide.Load(row->InverseK22 + lane), a1, b1);
-        Wide more0 = Wide.Keep(blow, p0);
-        Wide more1 = Wide.Keep(blow, p1);
-        spinA = Wide.Load(row->InertiaA + lane)
+        Wide more0 = Wide.Keep(blow, Wide.Load(work->Value0 + lane));
+        Wide more1 = Wide.Keep(blow, Wide.Load(work->Value1 + lane));
+        Wide spinA = Wide.Load(row->InertiaA + lane)
             * (((Wide.Load(row->Point0.TangentArmA + lane) - a0) * more0) + ((Wide.Load(row->Point1.TangentArmA + lane) - a1) * more1));
-        spinB = Wide.Load(row->InertiaB + lane)
+        Wide spinB = Wide.Load(row->InertiaB + lane)
             * (((b0 - Wide.Load(row->Point0.TangentArmB + lane)) * more0) + ((b1 - Wide.Load(row->Point1.TangentArmB + lane)) * more1));
+        spinA.Store(work->BlowA + lane);
+        spinB.Store(work->BlowB + lane);
     }
 
-    /// <summary>The same for friction impulses.</summary>
-    [MethodImpl(KernelMethod.Optimized)]
-    public static void Rub(ContactBundle* row, int lane, BodyState* bodies, Wide p0, Wide p1, out Wide spinA, out Wide spinB)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void RubLanes(ContactBundle* row, int lane, ContactWork* work, BodyState* bodies)
     {
         BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
         BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
@@ -65,12 +103,14 @@ internal static unsafe class BlowKernel
         WideMask blow = Fresh(row, lane) & (Wide.Min(movedA.Cos, movedB.Cos) >= Wide.Splat(LeastCosine))
             & Fits(row, lane, Wide.Load(row->TangentMass0 + lane), a0 + radiusA, b0 - radiusB)
             & Fits(row, lane, Wide.Load(row->TangentMass1 + lane), a1 + radiusA, b1 - radiusB);
-        Wide more0 = Wide.Keep(blow, p0);
-        Wide more1 = Wide.Keep(blow, p1);
-        spinA = Wide.Load(row->InertiaA + lane)
+        Wide more0 = Wide.Keep(blow, Wide.Load(work->Value0 + lane));
+        Wide more1 = Wide.Keep(blow, Wide.Load(work->Value1 + lane));
+        Wide spinA = Wide.Load(row->InertiaA + lane)
             * (((a0 - Wide.Load(row->Point0.NormalArmA + lane)) * more0) + ((a1 - Wide.Load(row->Point1.NormalArmA + lane)) * more1));
-        spinB = Wide.Load(row->InertiaB + lane)
+        Wide spinB = Wide.Load(row->InertiaB + lane)
             * (((Wide.Load(row->Point0.NormalArmB + lane) - b0) * more0) + ((Wide.Load(row->Point1.NormalArmB + lane) - b1) * more1));
+        spinA.Store(work->BlowA + lane);
+        spinB.Store(work->BlowB + lane);
     }
 
     /// <summary>Lanes whose contact did not push before this substep.</summary>

@@ -1,6 +1,7 @@
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
 #endif
+using System;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Numerics;
@@ -15,9 +16,6 @@ namespace Farseer.Engine.Contacts;
 /// </summary>
 internal static unsafe class ContactKernel
 {
-    /// <summary>Bundles ahead for which memory is asked.</summary>
-    private const int Ahead = 3;
-
     /// <summary>
     /// Applies the impulses of the substep before, extrapolated by a third of their change (a free momentum term for the
     /// block solver), friction kept within its cone.
@@ -30,7 +28,7 @@ internal static unsafe class ContactKernel
         ContactBundle* end = rows.Bundles + rows.Count;
         for (ContactBundle* row = rows.Bundles; row < end; row++)
         {
-            AskAhead(rows, row);
+            rows.AskAhead(row);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
@@ -54,75 +52,26 @@ internal static unsafe class ContactKernel
     /// their overlap goes in <see cref="PushOut"/>.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
+    [SkipLocalsInit]
     public static void SolveBiased<TScatter>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
         where TScatter : struct, IVelocityScatter
     {
-        Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
-        Wide biasRate = Wide.Splat(c.BiasRate * ContactCoefficients.MassScale);
-        Wide massScale = Wide.Splat(ContactCoefficients.MassScale);
-        Wide leak = Wide.Splat(ContactCoefficients.ImpulseScale);
-        Wide rest = Wide.Splat(c.Rest);
-        Wide settle = Wide.Splat(c.BiasRate * c.Rest);
-        Wide settleShare = Wide.Splat(ContactCoefficients.SettleShare);
-        ContactBundle* end = rows.Bundles + rows.Count;
-        for (ContactBundle* row = rows.Bundles; row < end; row++)
+        byte* memory = stackalloc byte[ContactWork.Bytes];
+        ContactWork* work = ContactWork.In(memory);
+        for (int done = 0; done < rows.Count; done += rows.Stride)
         {
-            AskAhead(rows, row);
-            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            ContactBundle* some = rows.Bundles + done;
+            int count = Math.Min(rows.Stride, rows.Count - done);
+            ContactStages.AimBiased(rows, some, count, work, bodies, c, anyDeep);
+
+            // Who pushes for long has a feed-forward: only others may be struck, and are asked further.
+            ulong blows = ContactStages.Push(some, count, work, onlyUnfed: true, feed: false);
+            if (blows != 0)
             {
-                BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
-                BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
-                Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
-                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
-                TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
-                Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
-                Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
-
-                Wide gap0 = s0 - rest;
-                Wide gap1 = s1 - rest;
-                WideMask apart0 = gap0 > Wide.Zero;
-                WideMask apart1 = gap1 > Wide.Zero;
-                Wide load0 = lambda0 * Wide.Load(row->K11 + lane);
-                Wide load1 = lambda1 * Wide.Load(row->K22 + lane);
-                Wide sink = settleShare * Wide.Select(Wide.Load(row->Single + lane) > Wide.Zero, load0, Wide.Min(load0, load1));
-                Wide slowly = Wide.Min(settle, sink);
-                Wide closing0 = (gap0 * inverseSubstep) + slowly;
-                Wide closing1 = (gap1 * inverseSubstep) + slowly;
-                if (anyDeep)
-                {
-                    WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
-                    closing0 = Wide.Select(deep, Wide.Max(gap0, Wide.Zero) * inverseSubstep, closing0);
-                    closing1 = Wide.Select(deep, Wide.Max(gap1, Wide.Zero) * inverseSubstep, closing1);
-                    apart0 = apart0 | deep;
-                    apart1 = apart1 | deep;
-                }
-
-                Wide soft0 = (massScale * v0) + Wide.Min(biasRate * s0, sink)
-                    + (Wide.Load(row->K11 + lane) * leak * (lambda0 - Wide.Load(row->Point0.Feed + lane)));
-                Wide soft1 = (massScale * v1) + Wide.Min(biasRate * s1, sink)
-                    + (Wide.Load(row->K22 + lane) * leak * (lambda1 - Wide.Load(row->Point1.Feed + lane)));
-                Wide r0 = Wide.Select(apart0, v0 + closing0, soft0);
-                Wide r1 = Wide.Select(apart1, v1 + closing1, soft1);
-                SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
-                x0.Store(row->Point0.Normal + lane);
-                x1.Store(row->Point1.Normal + lane);
-                Wide push0 = x0 - lambda0;
-                Wide push1 = x1 - lambda1;
-                ApplyNormal(row, lane, ref a, ref b, push0, push1);
-
-                // Who pushes for long has a feed-forward: only others may be struck, and are asked further.
-                WideMask blow = ((Wide.Load(row->Point0.Feed + lane) + Wide.Load(row->Point1.Feed + lane)) <= Wide.Zero)
-                    & ((Wide.Abs(push0) + Wide.Abs(push1)) > Wide.Zero);
-                if (WideLanes.Bits(blow) != 0)
-                {
-                    BlowKernel.Strike(row, lane, bodies, push0, push1, out Wide spinA, out Wide spinB);
-                    a.W = a.W + spinA;
-                    b.W = b.W + spinB;
-                }
-
-                StoreVelocities<TScatter>(row, lane, bodies, a, b);
+                blows = BlowKernel.Strike(some, count, work, bodies, blows);
             }
+
+            ContactStages.Give<TScatter>(some, count, work, bodies, blows);
         }
     }
 
@@ -139,7 +88,7 @@ internal static unsafe class ContactKernel
         ContactBundle* end = rows.Bundles + rows.Count;
         for (ContactBundle* row = rows.Bundles; row < end; row++)
         {
-            AskAhead(rows, row);
+            rows.AskAhead(row);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
@@ -173,97 +122,36 @@ internal static unsafe class ContactKernel
     /// into spin. (To leave every open surface to the next substep cured that as well, but cost a tipping box 9e-4 rad/s.)
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
+    [SkipLocalsInit]
     public static void Relax<TScatter>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, bool rub, bool first)
         where TScatter : struct, IVelocityScatter
     {
-        Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
-        Wide rest = Wide.Splat(c.Rest);
-        Wide level = Wide.Splat(c.Level);
-        ContactBundle* end = rows.Bundles + rows.Count;
-        for (ContactBundle* row = rows.Bundles; row < end; row++)
+        byte* memory = stackalloc byte[ContactWork.Bytes];
+        ContactWork* work = ContactWork.In(memory);
+        for (int done = 0; done < rows.Count; done += rows.Stride)
         {
-            AskAhead(rows, row);
-            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            ContactBundle* some = rows.Bundles + done;
+            int count = Math.Min(rows.Stride, rows.Count - done);
+            ContactStages.AimRelaxed(rows, some, count, work, bodies, c);
+            ulong blows = ContactStages.Push(some, count, work, onlyUnfed: first, feed: true);
+            if (blows != 0)
             {
-                BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
-                BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
-                Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
-                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
-                TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
-                Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
-                Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
-                Wide gap0 = s0 - rest;
-                Wide gap1 = s1 - rest;
-                WideMask flat = Wide.Max(gap0 - gap1, gap1 - gap0) <= level;
-                Wide mean = Wide.Splat(0.5f) * (gap0 + gap1);
-                gap0 = Wide.Select(flat, mean, gap0);
-                gap1 = Wide.Select(flat, mean, gap1);
-                Wide r0 = v0 + (Wide.Max(gap0, Wide.Zero) * inverseSubstep);
-                Wide r1 = v1 + (Wide.Max(gap1, Wide.Zero) * inverseSubstep);
-                SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
-                x0.Store(row->Point0.Normal + lane);
-                x1.Store(row->Point1.Normal + lane);
-                Wide push0 = x0 - lambda0;
-                Wide push1 = x1 - lambda1;
-                ApplyNormal(row, lane, ref a, ref b, push0, push1);
-                Wide feed0 = Wide.Load(row->Point0.Feed + lane);
-                Wide feed1 = Wide.Load(row->Point1.Feed + lane);
-                WideMask blow = (Wide.Abs(push0) + Wide.Abs(push1)) > Wide.Zero;
-                if (first)
-                {
-                    blow = blow & ((feed0 + feed1) <= Wide.Zero);
-                }
-
-                bool struck = WideLanes.Bits(blow) != 0;
-                if (struck)
-                {
-                    BlowKernel.Strike(row, lane, bodies, push0, push1, out Wide spinA, out Wide spinB);
-                    a.W = a.W + spinA;
-                    b.W = b.W + spinB;
-                }
-
-                if (rub)
-                {
-                    SolveFriction(row, lane, ref a, ref b, movedA, movedB, x0, x1, WideLanes.AllSet, out Wide rub0, out Wide rub1);
-                    if (struck)
-                    {
-                        BlowKernel.Rub(row, lane, bodies, rub0, rub1, out Wide spinA, out Wide spinB);
-                        a.W = a.W + spinA;
-                        b.W = b.W + spinB;
-                    }
-                }
-
-                StoreVelocities<TScatter>(row, lane, bodies, a, b);
-
-                // Only the load common to both points is fed forward: with each point's own, random piles creep.
-                Wide single = Wide.Load(row->Single + lane);
-                Wide common = Wide.Min(x0, x1);
-                Wide load = Wide.Select(single > Wide.Zero, x0, common);
-                Wide target = Wide.Load(row->FeedShare + lane) * load;
-                Wide feedRate = Wide.Load(row->FeedRate + lane);
-                Wide.Min(x0, feed0 + (feedRate * (target - feed0))).Store(row->Point0.Feed + lane);
-                Wide.Min(x1, feed1 + (feedRate * (target - feed1))).Store(row->Point1.Feed + lane);
+                blows = BlowKernel.Strike(some, count, work, bodies, blows);
             }
-        }
-    }
 
-    /// <summary>
-    /// Rows of a large world come from memory, and their lines are not read in order, which the processor's own foresight needs. Rows that
-    /// are near lose by it (a pyramid of 100: a fifth of the solver's time).
-    /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void AskAhead(in BundleRun rows, ContactBundle* row)
-    {
-        if (Prefetch.IsUseful && rows.IsFar)
-        {
-            ContactBundle* ahead = row + Ahead;
-            long past = ahead - (rows.Bundles + rows.Count);
-            ahead = past < 0 ? ahead : rows.Following + past;
-            byte* end = (byte*)ahead->Contact;
-            for (byte* line = (byte*)ahead; line < end; line += Prefetch.LineBytes)
+            if (rub)
             {
-                Prefetch.Line(line);
+                ContactStages.Rub(some, count, work, blows);
+                if (blows != 0)
+                {
+                    BlowKernel.Rub(some, count, work, bodies, blows);
+                }
+
+                ContactStages.GiveRubbed<TScatter>(some, count, work, bodies, blows);
+            }
+            else
+            {
+                ContactStages.Give<TScatter>(some, count, work, bodies, blows);
             }
         }
     }
@@ -309,17 +197,29 @@ internal static unsafe class ContactKernel
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void Separations(ContactBundle* row, int lane, in WideDelta a, in WideDelta b, out Wide s0, out Wide s1)
     {
-        Wide moved = (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
-        s0 = PointSeparation(&row->Point0, lane, a, b, moved);
-        s1 = PointSeparation(&row->Point1, lane, a, b, moved);
+        Wide moved = MovedAlong(row, lane, a, b);
+        s0 = PointSeparation(&row->Point0, lane, a, b, moved, out _, out _);
+        s1 = PointSeparation(&row->Point1, lane, a, b, moved, out _, out _);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Wide PointSeparation(ContactPointLanes* p, int lane, in WideDelta a, in WideDelta b, Wide moved)
+    internal static Wide MovedAlong(ContactBundle* row, int lane, in WideDelta a, in WideDelta b) =>
+        (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
+
+    /// <summary>The separation of a point, and its turned normal arms, which friction turns the bodies with.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Wide PointSeparation(
+        ContactPointLanes* p, int lane, in WideDelta a, in WideDelta b, Wide moved, out Wide turnedA, out Wide turnedB)
     {
-        Wide turnedB = (b.Cos * Wide.Load(p->NormalArmB + lane)) + (b.Sin * Wide.Load(p->TangentArmB + lane));
-        Wide turnedA = (a.Cos * Wide.Load(p->NormalArmA + lane)) + (a.Sin * Wide.Load(p->TangentArmA + lane));
+        Turn(p, lane, a, b, out turnedA, out turnedB);
         return (Wide.Load(p->Base + lane) + moved) + (turnedB - turnedA);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Turn(ContactPointLanes* p, int lane, in WideDelta a, in WideDelta b, out Wide turnedA, out Wide turnedB)
+    {
+        turnedB = (b.Cos * Wide.Load(p->NormalArmB + lane)) + (b.Sin * Wide.Load(p->TangentArmB + lane));
+        turnedA = (a.Cos * Wide.Load(p->NormalArmA + lane)) + (a.Sin * Wide.Load(p->TangentArmA + lane));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -374,7 +274,7 @@ internal static unsafe class ContactKernel
 
     // t = (ny, -nx), and r×t = -an.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void ApplyTangent(ContactBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide p0, Wide p1)
+    internal static void ApplyTangent(ContactBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide p0, Wide p1)
     {
         Wide sum = p0 + p1;
         Wide px = Wide.Load(row->NormalY + lane) * sum;
@@ -407,6 +307,27 @@ internal static unsafe class ContactKernel
         in WideDelta movedB,
         Wide normal0,
         Wide normal1,
+        WideMask active)
+    {
+        Turn(&row->Point0, lane, movedA, movedB, out Wide armA0, out Wide armB0);
+        Turn(&row->Point1, lane, movedA, movedB, out Wide armA1, out Wide armB1);
+        FindFriction(row, lane, a, b, armA0, armB0, armA1, armB1, normal0, normal1, active, out Wide change0, out Wide change1);
+        ApplyTangent(row, lane, ref a, ref b, change0, change1);
+    }
+
+    /// <summary>The same with the turned arms given, and without giving the bodies what it finds.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void FindFriction(
+        ContactBundle* row,
+        int lane,
+        in WideVelocity a,
+        in WideVelocity b,
+        Wide armA0,
+        Wide armB0,
+        Wide armA1,
+        Wide armB1,
+        Wide normal0,
+        Wide normal1,
         WideMask active,
         out Wide change0,
         out Wide change1)
@@ -415,8 +336,8 @@ internal static unsafe class ContactKernel
         Wide ut = (Wide.Load(row->NormalY + lane) * (b.X - a.X)) - (Wide.Load(row->NormalX + lane) * (b.Y - a.Y));
         Wide radiusA = Wide.Load(row->RadiusA + lane);
         Wide radiusB = Wide.Load(row->RadiusB + lane);
-        Wide armA0 = (movedA.Cos * Wide.Load(row->Point0.NormalArmA + lane)) + (movedA.Sin * Wide.Load(row->Point0.TangentArmA + lane)) + radiusA;
-        Wide armB0 = (movedB.Cos * Wide.Load(row->Point0.NormalArmB + lane)) + (movedB.Sin * Wide.Load(row->Point0.TangentArmB + lane)) - radiusB;
+        armA0 = armA0 + radiusA;
+        armB0 = armB0 - radiusB;
         Wide v0 = ut + ((a.W * armA0) - (b.W * armB0));
         Wide old0 = Wide.Load(row->Point0.Tangent + lane);
         Wide bound0 = friction * normal0;
@@ -425,8 +346,8 @@ internal static unsafe class ContactKernel
         new0.Store(row->Point0.Tangent + lane);
         change0 = new0 - old0;
 
-        Wide armA1 = (movedA.Cos * Wide.Load(row->Point1.NormalArmA + lane)) + (movedA.Sin * Wide.Load(row->Point1.TangentArmA + lane)) + radiusA;
-        Wide armB1 = (movedB.Cos * Wide.Load(row->Point1.NormalArmB + lane)) + (movedB.Sin * Wide.Load(row->Point1.TangentArmB + lane)) - radiusB;
+        armA1 = armA1 + radiusA;
+        armB1 = armB1 - radiusB;
         Wide coupling = Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane)
             + (Wide.Load(row->InertiaA + lane) * armA0 * armA1) + (Wide.Load(row->InertiaB + lane) * armB0 * armB1);
         Wide v1 = ut + ((a.W * armA1) - (b.W * armB1)) + (coupling * change0);
@@ -436,7 +357,6 @@ internal static unsafe class ContactKernel
         new1 = Wide.Select(active, new1, old1);
         new1.Store(row->Point1.Tangent + lane);
         change1 = new1 - old1;
-        ApplyTangent(row, lane, ref a, ref b, change0, change1);
     }
 
     /// <summary>

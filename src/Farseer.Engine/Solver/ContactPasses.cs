@@ -67,7 +67,7 @@ internal sealed unsafe class ContactPasses : IStageWork
         bool far = _color.BundleCount > MostNear;
         while (runs.Next())
         {
-            var rows = new BundleRun(runs.Bundles, runs.Count, runs.Following, far);
+            var rows = new BundleRun(runs.Bundles, runs.Count, runs.Following, far, _color.IsSequential);
             if (_color.IsGrounded)
             {
                 Run<ScatterMoving>(rows);

@@ -1,0 +1,275 @@
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
+
+namespace Farseer.Engine.Contacts;
+
+/// <summary>
+/// The stages of the biased and the relax pass. A bundle is one long chain, gather – separations – block – friction – scatter, of some 160 cycles
+/// and 600 instructions. A processor looks ahead some 150 results, so it never saw the next bundle and waited. Now up to
+/// <see cref="ContactWork.MostBundles"/> bundles go through each stage before the next: a stage is short enough for several of them to be under way at once.
+/// What stages hand on stays in the nearest cache. No bit changes, for rows of a colour share no body.
+/// </summary>
+internal static unsafe class ContactStages
+{
+    /// <summary>Velocities, and what the biased pass is to make 0.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void AimBiased(
+        in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
+    {
+        Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
+        Wide biasRate = Wide.Splat(c.BiasRate * ContactCoefficients.MassScale);
+        Wide massScale = Wide.Splat(ContactCoefficients.MassScale);
+        Wide leak = Wide.Splat(ContactCoefficients.ImpulseScale);
+        Wide rest = Wide.Splat(c.Rest);
+        Wide settle = Wide.Splat(c.BiasRate * c.Rest);
+        Wide settleShare = Wide.Splat(ContactCoefficients.SettleShare);
+        ContactWork* end = work + count;
+        for (; work < end; work++, row++)
+        {
+            rows.AskAhead(row);
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                Gather(row, lane, work, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
+                ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
+                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
+                Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
+                Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
+
+                Wide gap0 = s0 - rest;
+                Wide gap1 = s1 - rest;
+                WideMask apart0 = gap0 > Wide.Zero;
+                WideMask apart1 = gap1 > Wide.Zero;
+                Wide load0 = lambda0 * Wide.Load(row->K11 + lane);
+                Wide load1 = lambda1 * Wide.Load(row->K22 + lane);
+                Wide sink = settleShare * Wide.Select(Wide.Load(row->Single + lane) > Wide.Zero, load0, Wide.Min(load0, load1));
+                Wide slowly = Wide.Min(settle, sink);
+                Wide closing0 = (gap0 * inverseSubstep) + slowly;
+                Wide closing1 = (gap1 * inverseSubstep) + slowly;
+                if (anyDeep)
+                {
+                    WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
+                    closing0 = Wide.Select(deep, Wide.Max(gap0, Wide.Zero) * inverseSubstep, closing0);
+                    closing1 = Wide.Select(deep, Wide.Max(gap1, Wide.Zero) * inverseSubstep, closing1);
+                    apart0 = apart0 | deep;
+                    apart1 = apart1 | deep;
+                }
+
+                Wide soft0 = (massScale * v0) + Wide.Min(biasRate * s0, sink)
+                    + (Wide.Load(row->K11 + lane) * leak * (lambda0 - Wide.Load(row->Point0.Feed + lane)));
+                Wide soft1 = (massScale * v1) + Wide.Min(biasRate * s1, sink)
+                    + (Wide.Load(row->K22 + lane) * leak * (lambda1 - Wide.Load(row->Point1.Feed + lane)));
+                Wide.Select(apart0, v0 + closing0, soft0).Store(work->Value0 + lane);
+                Wide.Select(apart1, v1 + closing1, soft1).Store(work->Value1 + lane);
+            }
+        }
+    }
+
+    /// <summary>Velocities, turned arms, and what the relax pass is to make 0.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void AimRelaxed(
+        in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c)
+    {
+        Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
+        Wide rest = Wide.Splat(c.Rest);
+        Wide level = Wide.Splat(c.Level);
+        ContactWork* end = work + count;
+        for (; work < end; work++, row++)
+        {
+            rows.AskAhead(row);
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                Gather(row, lane, work, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
+                Wide moved = ContactKernel.MovedAlong(row, lane, movedA, movedB);
+                Wide gap0 = ContactKernel.PointSeparation(&row->Point0, lane, movedA, movedB, moved, out Wide armA, out Wide armB) - rest;
+                armA.Store(work->ArmA0 + lane);
+                armB.Store(work->ArmB0 + lane);
+                Wide gap1 = ContactKernel.PointSeparation(&row->Point1, lane, movedA, movedB, moved, out armA, out armB) - rest;
+                armA.Store(work->ArmA1 + lane);
+                armB.Store(work->ArmB1 + lane);
+                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
+                WideMask flat = Wide.Max(gap0 - gap1, gap1 - gap0) <= level;
+                Wide mean = Wide.Splat(0.5f) * (gap0 + gap1);
+                gap0 = Wide.Select(flat, mean, gap0);
+                gap1 = Wide.Select(flat, mean, gap1);
+                (v0 + (Wide.Max(gap0, Wide.Zero) * inverseSubstep)).Store(work->Value0 + lane);
+                (v1 + (Wide.Max(gap1, Wide.Zero) * inverseSubstep)).Store(work->Value1 + lane);
+            }
+        }
+    }
+
+    /// <summary>Solves the blocks.</summary>
+    /// <param name="row">The first bundle.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="work">What the stage before has left; then what the points are pushed with.</param>
+    /// <param name="onlyUnfed">Who pushes for long has a feed-forward: only others may be struck.</param>
+    /// <param name="feed">The feed-forward follows.</param>
+    /// <returns>The bits of the vectors with a lane that may be struck.</returns>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static ulong Push(ContactBundle* row, int count, ContactWork* work, bool onlyUnfed, bool feed)
+    {
+        ulong blows = 0;
+        for (int i = 0; i < count; i++, work++, row++)
+        {
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
+                Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
+                Wide r0 = Wide.Load(work->Value0 + lane);
+                Wide r1 = Wide.Load(work->Value1 + lane);
+                ContactKernel.SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
+                x0.Store(row->Point0.Normal + lane);
+                x1.Store(row->Point1.Normal + lane);
+                Wide push0 = x0 - lambda0;
+                Wide push1 = x1 - lambda1;
+                push0.Store(work->Value0 + lane);
+                push1.Store(work->Value1 + lane);
+                Wide feed0 = Wide.Load(row->Point0.Feed + lane);
+                Wide feed1 = Wide.Load(row->Point1.Feed + lane);
+                WideMask blow = (Wide.Abs(push0) + Wide.Abs(push1)) > Wide.Zero;
+                if (onlyUnfed)
+                {
+                    blow = blow & ((feed0 + feed1) <= Wide.Zero);
+                }
+
+                blows |= WideLanes.Bits(blow) != 0 ? ContactWork.Bit(i, lane) : 0;
+                if (feed)
+                {
+                    // Only the load common to both points is fed forward: with each point's own, random piles creep.
+                    Wide load = Wide.Select(Wide.Load(row->Single + lane) > Wide.Zero, x0, Wide.Min(x0, x1));
+                    Wide target = Wide.Load(row->FeedShare + lane) * load;
+                    Wide rate = Wide.Load(row->FeedRate + lane);
+                    Wide.Min(x0, feed0 + (rate * (target - feed0))).Store(row->Point0.Feed + lane);
+                    Wide.Min(x1, feed1 + (rate * (target - feed1))).Store(row->Point1.Feed + lane);
+                }
+            }
+        }
+
+        return blows;
+    }
+
+    /// <summary>Gives the bodies what they were pushed with.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Give<TScatter>(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
+        where TScatter : struct, IVelocityScatter
+    {
+        for (int i = 0; i < count; i++, work++, row++)
+        {
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                TakePushed(row, lane, work, (blows & ContactWork.Bit(i, lane)) != 0, out WideVelocity a, out WideVelocity b);
+                ContactKernel.StoreVelocities<TScatter>(row, lane, bodies, a, b);
+            }
+        }
+    }
+
+    /// <summary>Friction of bodies that were pushed, which do not know yet.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Rub(ContactBundle* row, int count, ContactWork* work, ulong blows)
+    {
+        for (int i = 0; i < count; i++, work++, row++)
+        {
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                TakePushed(row, lane, work, (blows & ContactWork.Bit(i, lane)) != 0, out WideVelocity a, out WideVelocity b);
+                Keep(work, lane, a, b);
+                ContactKernel.FindFriction(
+                    row,
+                    lane,
+                    a,
+                    b,
+                    Wide.Load(work->ArmA0 + lane),
+                    Wide.Load(work->ArmB0 + lane),
+                    Wide.Load(work->ArmA1 + lane),
+                    Wide.Load(work->ArmB1 + lane),
+                    Wide.Load(row->Point0.Normal + lane),
+                    Wide.Load(row->Point1.Normal + lane),
+                    WideLanes.AllSet,
+                    out Wide rub0,
+                    out Wide rub1);
+                rub0.Store(work->Value0 + lane);
+                rub1.Store(work->Value1 + lane);
+            }
+        }
+    }
+
+    /// <summary>Gives the bodies what they were pushed and rubbed with.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void GiveRubbed<TScatter>(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
+        where TScatter : struct, IVelocityScatter
+    {
+        for (int i = 0; i < count; i++, work++, row++)
+        {
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                Take(work, lane, out WideVelocity a, out WideVelocity b);
+                ContactKernel.ApplyTangent(row, lane, ref a, ref b, Wide.Load(work->Value0 + lane), Wide.Load(work->Value1 + lane));
+                if ((blows & ContactWork.Bit(i, lane)) != 0)
+                {
+                    AddBlow(work, lane, ref a, ref b);
+                }
+
+                ContactKernel.StoreVelocities<TScatter>(row, lane, bodies, a, b);
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Gather(
+        ContactBundle* row,
+        int lane,
+        ContactWork* work,
+        BodyState* bodies,
+        out WideVelocity a,
+        out WideVelocity b,
+        out WideDelta movedA,
+        out WideDelta movedB)
+    {
+        BodyLanes.GatherState(bodies, row->BodyA + lane, out a, out movedA);
+        BodyLanes.GatherState(bodies, row->BodyB + lane, out b, out movedB);
+        Keep(work, lane, a, b);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Keep(ContactWork* work, int lane, in WideVelocity a, in WideVelocity b)
+    {
+        a.X.Store(work->VelocityAX + lane);
+        a.Y.Store(work->VelocityAY + lane);
+        a.W.Store(work->SpinA + lane);
+        b.X.Store(work->VelocityBX + lane);
+        b.Y.Store(work->VelocityBY + lane);
+        b.W.Store(work->SpinB + lane);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Take(ContactWork* work, int lane, out WideVelocity a, out WideVelocity b)
+    {
+        a.X = Wide.Load(work->VelocityAX + lane);
+        a.Y = Wide.Load(work->VelocityAY + lane);
+        a.W = Wide.Load(work->SpinA + lane);
+        b.X = Wide.Load(work->VelocityBX + lane);
+        b.Y = Wide.Load(work->VelocityBY + lane);
+        b.W = Wide.Load(work->SpinB + lane);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void TakePushed(ContactBundle* row, int lane, ContactWork* work, bool isBlow, out WideVelocity a, out WideVelocity b)
+    {
+        Take(work, lane, out a, out b);
+        ContactKernel.ApplyNormal(row, lane, ref a, ref b, Wide.Load(work->Value0 + lane), Wide.Load(work->Value1 + lane));
+        if (isBlow)
+        {
+            AddBlow(work, lane, ref a, ref b);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void AddBlow(ContactWork* work, int lane, ref WideVelocity a, ref WideVelocity b)
+    {
+        a.W = a.W + Wide.Load(work->BlowA + lane);
+        b.W = b.W + Wide.Load(work->BlowB + lane);
+    }
+}

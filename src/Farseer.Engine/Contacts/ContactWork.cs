@@ -1,0 +1,47 @@
+using System.Runtime.InteropServices;
+
+namespace Farseer.Engine.Contacts;
+
+/// <summary>What the stages of a pass hand on to each other for a bundle: see <see cref="ContactStages"/>.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct ContactWork
+{
+    /// <summary>Bundles that go through the stages together: 4 and 16 took the same time. A bit a lane of all of them fits an integer.</summary>
+    public const int MostBundles = 8;
+
+    private const int Lanes = ContactBundle.Lanes;
+    private const int LineBytes = 64;
+
+    /// <summary>Room for all of them, and to begin at a line.</summary>
+    public const int Bytes = (MostBundles * Columns * Lanes * sizeof(float)) + LineBytes;
+
+    private const int Columns = 14;
+
+    /// <summary>Velocities of the bodies.</summary>
+    public fixed float VelocityAX[Lanes];
+    public fixed float VelocityAY[Lanes];
+    public fixed float SpinA[Lanes];
+    public fixed float VelocityBX[Lanes];
+    public fixed float VelocityBY[Lanes];
+    public fixed float SpinB[Lanes];
+
+    /// <summary>Normal arms turned along.</summary>
+    public fixed float ArmA0[Lanes];
+    public fixed float ArmB0[Lanes];
+    public fixed float ArmA1[Lanes];
+    public fixed float ArmB1[Lanes];
+
+    /// <summary>What the block is to make 0; then what the points are pushed with; then what they rub with.</summary>
+    public fixed float Value0[Lanes];
+    public fixed float Value1[Lanes];
+
+    /// <summary>Spins by blows, valid only in lanes that have one.</summary>
+    public fixed float BlowA[Lanes];
+    public fixed float BlowB[Lanes];
+
+    /// <summary>The first line in memory of <see cref="Bytes"/>.</summary>
+    public static ContactWork* In(byte* memory) => (ContactWork*)(((ulong)memory + (LineBytes - 1)) & ~(ulong)(LineBytes - 1));
+
+    /// <summary>The bit of a bundle's lane and of those beside it in a vector.</summary>
+    public static ulong Bit(int bundle, int lane) => 1UL << ((bundle * Lanes) + lane);
+}
