@@ -15,7 +15,7 @@ internal sealed unsafe partial class JointSolver
     private readonly Column<int> _moved = new Column<int>();
 
     /// <summary>Rounding of a way that joints hold, as a share of what the force alone would give: 256 last places of a double.</summary>
-    private const double HeldShare = 5.6843418860808015e-14;
+    internal const double HeldShare = 5.6843418860808015e-14;
     private const int MeshRounds = 2;
 
     private void LoadMasses()
@@ -305,7 +305,7 @@ internal sealed unsafe partial class JointSolver
     /// that stands on its line stays there to the last bit.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double Kept(double way, double rounding, ref float stored)
+    internal static double Kept(double way, double rounding, ref float stored)
     {
         if (Math.Abs(way) <= Math.Abs(rounding))
         {

@@ -18,6 +18,7 @@ internal sealed unsafe partial class JointSolver
     private int _nodeCount;
     private int _jointCount;
     private double _fineness = 1;
+    private int _class;
 
     /// <summary>Turns to the trees of a class.</summary>
     /// <param name="index">The class.</param>
@@ -26,6 +27,7 @@ internal sealed unsafe partial class JointSolver
     public void Select(int index, double substep, int fineness)
     {
         _fineness = fineness;
+        _class = index;
         _step.Substep = substep;
         Choose(index);
         _nets.Select(index);
@@ -35,6 +37,7 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
+    /// <summary>The trees of a class, but for quiet chains.</summary>
     private void Choose(int index)
     {
         _trees.EnsureCapacity(_forest.TreeCount);
@@ -45,15 +48,17 @@ internal sealed unsafe partial class JointSolver
         _jointCount = 0;
         for (int i = 0; i < _forest.TreeCount; i++)
         {
-            if (index == All || _forest.Trees[i].Class == index)
+            JointTree* tree = _forest.Trees + i;
+            if (!tree->IsQuiet && (index == All || tree->Class == index))
             {
                 ChooseTree(i);
             }
         }
 
-        for (int i = 0; i < _count; i++)
+        for (int i = 0; i < _count && _chains.QuietJoints < _count; i++)
         {
-            if (index == All || ClassOf(_active[i].Ends) == index)
+            JointTree* tree = _forest.Trees + TreeOf(_active[i].Ends);
+            if (!tree->IsQuiet && (index == All || tree->Class == index))
             {
                 _joints[_jointCount++] = i;
             }
@@ -69,6 +74,4 @@ internal sealed unsafe partial class JointSolver
             _nodes[_nodeCount++] = i;
         }
     }
-
-    private int ClassOf(in RowEnds ends) => _forest.Trees[TreeOf(ends)].Class;
 }

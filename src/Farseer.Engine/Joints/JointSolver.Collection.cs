@@ -59,6 +59,7 @@ internal sealed unsafe partial class JointSolver
             return false;
         }
 
+        LookAtChains();
         CopySettings();
         WriteAll();
         if (BlocksChanged(out bool known))
@@ -72,6 +73,7 @@ internal sealed unsafe partial class JointSolver
             }
 
             Build();
+            LookAtChains();
             Choose(All);
             LoadMasses();
             LoadMoves(0);
@@ -84,11 +86,19 @@ internal sealed unsafe partial class JointSolver
     /// <summary>A copy: a callback may change a joint while the step goes on.</summary>
     private void CopySettings()
     {
-        for (int i = 0; i < _count; i++)
+        for (int i = 0; i < _count && _chains.QuietJoints < _count; i++)
         {
-            _active[i].Settings = _store.Settings[_active[i].Joint];
-            _active[i].Flags = _store.Flags[_active[i].Joint];
+            if (!IsQuiet(i))
+            {
+                CopySettings(i);
+            }
         }
+    }
+
+    private void CopySettings(int index)
+    {
+        _active[index].Settings = _store.Settings[_active[index].Joint];
+        _active[index].Flags = _store.Flags[_active[index].Joint];
     }
 
     private void WriteAll()
@@ -103,8 +113,13 @@ internal sealed unsafe partial class JointSolver
     private bool Break()
     {
         _broken.EnsureCapacity(_count);
-        for (int i = 0; i < _count; i++)
+        for (int i = 0; i < _count && _chains.QuietJoints < _count; i++)
         {
+            if (IsQuiet(i))
+            {
+                continue;
+            }
+
             int joint = _active[i].Joint;
             ref JointState state = ref _store.States[joint];
             state.Error = _rows[i].JointError;
@@ -153,8 +168,13 @@ internal sealed unsafe partial class JointSolver
     {
         bool changed = false;
         known = false;
-        for (int i = 0; i < _count; i++)
+        for (int i = 0; i < _count && _chains.QuietJoints < _count; i++)
         {
+            if (IsQuiet(i))
+            {
+                continue;
+            }
+
             if (_rows[i].Hard != _active[i].BuiltHard || _rows[i].Count != _active[i].BuiltCount || IsLimited(i) != _active[i].Limited)
             {
                 changed = true;
@@ -224,6 +244,7 @@ internal sealed unsafe partial class JointSolver
 
         // The rows are not known yet: the first build makes nodes for the poses, the second the trees.
         _forest.Build(_active.Pointer, _count, _step.Bodies.Mass.Pointer, _step.Moves, _nets.Search, _step.Bodies.Ids.End);
+        _chains.Forget();
     }
 
     private void Build()
@@ -241,6 +262,7 @@ internal sealed unsafe partial class JointSolver
             _active[i].BlockLimits = _active[i].Limited && _active[i].Role != JointRole.Iterated && HasRoom(i);
         }
 
+        _chains.Renew(_forest, _active.Pointer, _rows.Pointer, _count);
         _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _forest.TreeCount);
         _lanes.Reserve();
     }

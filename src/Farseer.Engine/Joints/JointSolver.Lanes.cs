@@ -144,33 +144,38 @@ internal sealed unsafe partial class JointSolver
         if (_lanes.Any && !again)
         {
             _lanes.Solve(pass != Pass.Biased, sweeps, pass != Pass.Settle);
-            TakeLeft();
+            TakeLeft(_lanes);
         }
         else if (_lanes.Any)
         {
             _lanes.SolveAgain(pass != Pass.Biased, sweeps);
-            TakeLeft();
+            TakeLeft(_lanes);
+        }
+
+        if (pass != Pass.Settle && !again)
+        {
+            SolveChains(pass != Pass.Biased);
         }
 
         SweepOnLanes(pass, sweeps);
     }
 
     /// <summary>Trees that leave the lanes within a substep get their rows and factor.</summary>
-    private void TakeLeft()
+    private void TakeLeft(TreesAside from)
     {
-        for (int k = 0; k < _lanes.GivenCount; k++)
+        for (int k = 0; k < from.GivenCount; k++)
         {
-            int index = _lanes.Given(k);
+            int index = from.Given(k);
             int firstJoint = _jointCount;
             int firstItem = _agendaCount;
             TakeFromLanes(index);
             JointTree* tree = _forest.Trees + index;
-            for (int i = tree->First; i < tree->End && _lanes.HasMoved; i++)
+            for (int i = tree->First; i < tree->End && from.HasMoved; i++)
             {
                 LoadPose(_forest.Nodes + i);
             }
 
-            for (int at = firstJoint; at < _jointCount && _lanes.HasMoved; at++)
+            for (int at = firstJoint; at < _jointCount && from.HasMoved; at++)
             {
                 Rewrite(_joints[at]);
             }
@@ -179,16 +184,16 @@ internal sealed unsafe partial class JointSolver
             if (tree->HasRows)
             {
                 TreeFactor.CompleteMasses(_forest, tree);
-                TakeAgenda(k);
+                TakeAgenda(from, k);
                 PrepareFrom(firstItem);
             }
         }
     }
 
     /// <summary>The motors and springs of a tree that was on lanes are swept with the others again.</summary>
-    private void TakeAgenda(int given)
+    private void TakeAgenda(TreesAside from, int given)
     {
-        for (int i = 0, joint = _lanes.GivenSoft(given, 0); joint >= 0; joint = _lanes.GivenSoft(given, ++i))
+        for (int i = 0, joint = from.GivenSoft(given, 0); joint >= 0; joint = from.GivenSoft(given, ++i))
         {
             _agenda[_agendaCount++] = joint;
         }
@@ -209,15 +214,22 @@ internal sealed unsafe partial class JointSolver
         {
             _lanes.CorrectPositions();
             CorrectOnLanes();
-            for (int k = 0; k < _lanes.GivenCount; k++)
+            TakeAstray(_lanes);
+        }
+
+        CorrectChains();
+    }
+
+    private void TakeAstray(TreesAside from)
+    {
+        for (int k = 0; k < from.GivenCount; k++)
+        {
+            int firstJoint = _jointCount;
+            TakeFromLanes(from.Given(k));
+            TakeAgenda(from, k);
+            for (int at = firstJoint; at < _jointCount; at++)
             {
-                int firstJoint = _jointCount;
-                TakeFromLanes(_lanes.Given(k));
-                TakeAgenda(k);
-                for (int at = firstJoint; at < _jointCount; at++)
-                {
-                    SetGoals(_joints[at]);
-                }
+                SetGoals(_joints[at]);
             }
         }
     }

@@ -1,6 +1,7 @@
 using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Joints.Chains;
 using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Stepping;
@@ -38,6 +39,9 @@ internal unsafe struct JointStep
     /// <summary>Somebody asks for the work of motors and springs.</summary>
     public bool Audited;
 
+    /// <summary>Others look at velocities between the passes, or change them: springs, joints that a user wrote, accounts.</summary>
+    public bool Watched;
+
     /// <summary>A joint that breaks still acts in the step.</summary>
     public bool BreaksLate;
 }
@@ -65,6 +69,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     {
         _store = store;
         _nets = new NetSolver(store);
+        _chains = new ChainSolver(store);
     }
 
     /// <summary>Joints act in this step.</summary>
@@ -98,6 +103,8 @@ internal sealed unsafe partial class JointSolver : IStageWork
     /// <summary>Starts the substeps: contacts with trees have been taken.</summary>
     public void Start(in ContactCoefficients coefficients)
     {
+        _chains.Select(_class, _step);
+        AdmitTouched();
         int own = _nodeCount;
         Collate();
         _pass.Enter(_forest.View, _step.Bodies.State.Pointer);
@@ -125,6 +132,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         // Nothing has moved since the rows were written, unless somebody was told of a broken joint; guests are new.
         LoadMoves(BrokenCount > 0 ? 0 : own);
         TakeToLanes();
+        _chains.Start();
         Factor();
         PrepareOnLanes(false);
         _nets.Start(_step);
@@ -139,6 +147,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         BodyMotion* motions = _step.Bodies.Motion.Pointer;
         _lanes.Enter();
         WarmStartOnLanes();
+        _chains.Enter();
         MarkExact();
         for (int at = 0; at < _nodeCount; at++)
         {
@@ -199,6 +208,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     /// <summary>Keeps the impulses for the next step.</summary>
     public void Finish()
     {
+        _chains.Finish();
         FinishLanes();
         for (int at = 0; at < _jointCount; at++)
         {

@@ -34,6 +34,11 @@ internal sealed class JointStore
     /// <summary>Joints came, went, or were switched since the solver last looked.</summary>
     public bool Changed { get; set; }
 
+    /// <summary>Counts the edits of joints' settings and flags.</summary>
+    public int Edition { get; private set; }
+
+    public void NoteEdit() => Edition++;
+
     /// <summary>Number of joints at a body, switched off ones included.</summary>
     public int Degree(int body) => body < _bodies ? _degree[body] : 0;
 

@@ -11,6 +11,11 @@ internal static unsafe partial class StableMath
     /// <summary>Angles that <see cref="SinCos(double*, float*, float*)"/> takes at once.</summary>
     public const int Lanes = 4;
 
+#if NET8_0_OR_GREATER
+    /// <summary>Angles up to this are less than half a quadrant.</summary>
+    private const double NoQuadrant = 0.785;
+#endif
+
     /// <summary>
     /// Sines and cosines of four angles, rounded to float: to the last bit those of <see cref="SinCos(double, out double, out double)"/>,
     /// whose operations are repeated in its order, at a third of the time. The angles must be finite.
@@ -46,6 +51,14 @@ internal static unsafe partial class StableMath
         if (Avx.IsSupported)
         {
             Vector256<double> angle = Vector256.Load(angles);
+            if (Vector256.LessThanOrEqualAll(Vector256.Abs(angle), Vector256.Create(NoQuadrant)))
+            {
+                SinCosNearZero(angle, out Vector256<double> s, out Vector256<double> c);
+                s.Store(sin);
+                c.Store(cos);
+                return;
+            }
+
             if (Vector256.LessThanOrEqualAll(Vector256.Abs(angle), Vector256.Create(DirectLimit)))
             {
                 SinCos(angle, out Vector256<double> s, out Vector256<double> c);
@@ -93,6 +106,20 @@ internal static unsafe partial class StableMath
         Vector256<double> cosSign = (((quadrant + Vector256<long>.One) & Vector256.Create(2L)) << 62).AsDouble();
         sin = Vector256.ConditionalSelect(odd, c, s) ^ sinSign;
         cos = Vector256.ConditionalSelect(odd, s, c) ^ cosSign;
+    }
+
+    /// <summary>The same bits for angles of the first quadrant, of which nothing is to be taken away and nothing left over.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void SinCosNearZero(Vector256<double> x, out Vector256<double> sin, out Vector256<double> cos)
+    {
+        Vector256<double> one = Vector256<double>.One;
+        Vector256<double> z = x * x;
+        Vector256<double> half = Vector256.Create(0.5) * z;
+        Vector256<double> p = Next(Next(Next(Next(Next(Next(Vector256.Create(S17), z, S15), z, S13), z, S11), z, S9), z, S7), z, S5);
+        sin = x + (z * x * (Vector256.Create(S3) + (z * p)));
+        p = Next(Next(Next(Next(Next(Next(Vector256.Create(C16), z, C14), z, C12), z, C10), z, C8), z, C6), z, C4);
+        Vector256<double> w = one - half;
+        cos = w + (((one - w) - half) + (z * z * p));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -37,6 +37,7 @@ internal sealed partial class World
                 settings.AnchorBY -= y;
             }
 
+            Joints.NoteEdit();
             _jointSolver.Nets.Edited(entry >> 1, afresh: false);
         }
 

@@ -17,6 +17,13 @@ internal sealed partial class World
         set => _jointSolver.UsesLanes = value;
     }
 
+    /// <summary>Trees that are chains of hinges are solved as such: other roundings than those of the passes for all trees.</summary>
+    internal bool TreesAsChains
+    {
+        get => _jointSolver.UsesChains;
+        set => _jointSolver.UsesChains = value;
+    }
+
     /// <summary>The frame of the world: joints with a fixed point hold on to it.</summary>
     public static Handle WorldFrame => new Handle(0, 1);
 
@@ -69,6 +76,7 @@ internal sealed partial class World
         DisturbByJoint(Joints.Links[joint.Index].BodyB);
         Joints.Settings[joint.Index] = settings;
         Joints.Flags[joint.Index] = flags | JointFlags.Alive;
+        Joints.NoteEdit();
         if (((before ^ flags) & JointFlags.Enabled) != 0)
         {
             Joints.Changed = true;
@@ -148,6 +156,7 @@ internal sealed partial class World
         step.Dt = dt;
         step.Substep = substep;
         step.Audited = Audit != null;
+        step.Watched = Audit != null || (UserJoints != null && UserJoints.Any) || _springs.Count > 0;
         step.BreaksLate = Settings.JointsBreakLate;
         step.ImpulseScale = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? (double)substep / _lastSubstep : 1;
         step.Drifts = !Settings.CorrectPositions;

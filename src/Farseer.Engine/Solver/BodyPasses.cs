@@ -38,9 +38,15 @@ internal sealed unsafe class BodyPasses : IStageWork
         _states = input.Bodies.State.Pointer;
         _motions = input.Bodies.Motion.Pointer;
         _drives = input.Bodies.Drive.Pointer;
-        _list = input.List;
-        _bundles = input.PaddedCount / WideLanes.BundleLanes;
         _substep = input.Substep;
+        Use(input.List, input.PaddedCount);
+    }
+
+    /// <summary>Goes on with another list, padded as well.</summary>
+    public void Use(int* list, int paddedCount)
+    {
+        _list = list;
+        _bundles = paddedCount / WideLanes.BundleLanes;
     }
 
     public void IntegrateVelocities() => Run(Pass.Velocities);

@@ -89,6 +89,7 @@ internal sealed unsafe class SubstepSolver
         {
             colors = TakeTreeContacts(colors, input.Joints) ? colors : default;
             input.Joints.Start(coefficients);
+            _bodies.Use(input.Joints.Movers(input.List, input.PaddedCount, out int movers), movers);
         }
 
         if (input.AnyBounce)
@@ -153,6 +154,10 @@ internal sealed unsafe class SubstepSolver
                 }
 
                 input.Joints.EndPositions();
+                if (input.Joints.GivesBodiesBack)
+                {
+                    _bodies.Use(input.List, input.PaddedCount);
+                }
             }
 
             input.Audit?.Book(SolverPart.Joints);

@@ -156,11 +156,7 @@ internal sealed unsafe partial class TreeLanes
         }
     }
 
-    /// <summary>Joints of a tree that is given back, in the order of the sweep, of those that have rows.</summary>
-    /// <param name="tree">Which of the trees given back last.</param>
-    /// <param name="index">Which of its joints with rows.</param>
-    /// <returns>The active joint, -1: there are no more.</returns>
-    public int GivenSoft(int tree, int index)
+    public override int GivenSoft(int tree, int index)
     {
         LaneTrees* trees = _bundles.Pointer + _givenFrom[tree];
         int lane = 0;

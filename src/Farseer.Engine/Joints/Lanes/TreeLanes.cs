@@ -12,7 +12,7 @@ namespace Farseer.Engine.Joints.Lanes;
 /// limit is reached, that is put out of joint from outside, or whose correction goes astray is given back before that pass and is solved
 /// there for the rest of the step.
 /// </summary>
-internal sealed unsafe partial class TreeLanes
+internal sealed unsafe partial class TreeLanes : TreesAside
 {
     private const int AllLanes = (1 << DoubleLanes.BundleLanes) - 1;
 
@@ -31,15 +31,9 @@ internal sealed unsafe partial class TreeLanes
     private int _nodeCount;
     private int _anchorCount;
 
-    /// <summary>Trees given back by the last pass, and which.</summary>
-    public int GivenCount { get; private set; }
-
     public bool Any => _count > 0;
 
-    /// <summary>The rows of the step's start are no longer those of the present poses.</summary>
-    public bool HasMoved { get; private set; }
-
-    public int Given(int index) => _given[index];
+    public override int Given(int index) => _given[index];
 
     /// <summary>The velocities in double stand as long as the store has their rounding.</summary>
     public void Refresh()

@@ -28,6 +28,12 @@ internal struct JointTree
     /// <summary>Limits belong to its blocks.</summary>
     public bool HasLimits;
 
+    /// <summary>It is a chain of hinges, anchored at one end or not at all.</summary>
+    public bool IsChain;
+
+    /// <summary>A chain that is solved as such in this step: it is in none of the lists of the general passes.</summary>
+    public bool IsQuiet;
+
     /// <summary>Rows are iterated against its inverse mass: its bodies' full masses are needed.</summary>
     public bool HasRows;
 

@@ -1,0 +1,242 @@
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Farseer.Engine.Joints.Chains;
+
+/// <summary>The impulses with which a chain's joints meet what their rows lack, and what these do to its bodies.</summary>
+internal static unsafe class ChainSolve
+{
+    /// <summary>What the rows lack at the present velocities: to take the errors away within the substep.</summary>
+    /// <returns>True if an error was put there from outside.</returns>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static bool LackBiased(in ChainView chain, double perSubstep)
+    {
+        int s = chain.Stride;
+        double* error = chain[ChainColumn.Error];
+        double* residual = chain[ChainColumn.Residual];
+        double* size = chain[ChainColumn.Size];
+        WideDouble rate = WideDouble.Splat(perSubstep);
+        WideDoubleMask large = ~(WideDouble.Zero <= WideDouble.Zero);
+        for (int i = 0; i < chain.Joints; i += WideDouble.Count)
+        {
+            WideDouble x = WideDouble.Load(error + i);
+            WideDouble y = WideDouble.Load(error + s + i);
+            WideDouble most = WideDouble.Splat(JointSolver.Small) * WideDouble.Load(size + i);
+            large |= ~(WideDouble.Abs(x) <= most) | ~(WideDouble.Abs(y) <= most);
+            Speed(chain, i, out WideDouble vx, out WideDouble vy);
+            (WideDouble.Negate(x * rate) - vx).Store(residual + i);
+            (WideDouble.Negate(y * rate) - vy).Store(residual + s + i);
+        }
+
+        return DoubleLanes.Bits(large) != 0;
+    }
+
+    /// <summary>What the rows lack at the present velocities: to stand still.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void LackRelaxed(in ChainView chain)
+    {
+        int s = chain.Stride;
+        double* residual = chain[ChainColumn.Residual];
+        for (int i = 0; i < chain.Joints; i += WideDouble.Count)
+        {
+            Speed(chain, i, out WideDouble vx, out WideDouble vy);
+            WideDouble.Negate(vx).Store(residual + i);
+            WideDouble.Negate(vy).Store(residual + s + i);
+        }
+    }
+
+    /// <summary>The velocity changes that take the errors away within the substep.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void LackErrors(in ChainView chain, double perSubstep)
+    {
+        int s = chain.Stride;
+        double* error = chain[ChainColumn.Error];
+        double* residual = chain[ChainColumn.Residual];
+        WideDouble rate = WideDouble.Splat(-perSubstep);
+        for (int i = 0; i < chain.Joints; i += WideDouble.Count)
+        {
+            (rate * WideDouble.Load(error + i)).Store(residual + i);
+            (rate * WideDouble.Load(error + s + i)).Store(residual + s + i);
+        }
+    }
+
+    /// <summary>Finds the impulses: see <see cref="ChainFactor"/>.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Run(in ChainView chain)
+    {
+        nint s = chain.Stride;
+        nint s2 = 2 * s;
+        nint s3 = 3 * s;
+        int middle = chain.Joints / 2;
+        int last = chain.Joints - 1;
+        double* residual = chain[ChainColumn.Residual];
+        double* half = chain[ChainColumn.Half];
+        double* inverse = chain[ChainColumn.Inverse];
+        double* gain = chain[ChainColumn.Gain];
+        double* lambda = chain[ChainColumn.Lambda];
+        double ux = 0;
+        double uy = 0;
+        double dx = 0;
+        double dy = 0;
+        int i = 0;
+        for (int k = last; i < middle; i++, k--)
+        {
+            Reduce(residual + i, gain + i, half + i, inverse + i, s, s2, s3, ref ux, ref uy);
+            if (k > middle)
+            {
+                Reduce(residual + k, gain + k + 1, half + k, inverse + k, s, s2, s3, ref dx, ref dy);
+            }
+        }
+
+        double* g = gain + middle + 1;
+        double* e = inverse + middle;
+        double x = residual[middle] - ((g[0] * dx) + (g[s] * dy));
+        double y = residual[middle + s] - ((g[s2] * dx) + (g[s3] * dy));
+        g--;
+        x -= (g[0] * ux) + (g[s] * uy);
+        y -= (g[s2] * ux) + (g[s3] * uy);
+        ux = (e[0] * x) + (e[s] * y);
+        uy = (e[s] * x) + (e[s2] * y);
+        lambda[middle] = ux;
+        lambda[middle + s] = uy;
+        dx = ux;
+        dy = uy;
+        i = middle - 1;
+        for (int k = middle + 1; i >= 0; i--, k++)
+        {
+            Resolve(lambda + i, gain + i + 1, half + i, s, s2, s3, ref ux, ref uy);
+            if (k <= last)
+            {
+                Resolve(lambda + k, gain + k, half + k, s, s2, s3, ref dx, ref dy);
+            }
+        }
+    }
+
+    /// <summary>y = r - B·D⁻¹·y of the joint before, and D⁻¹·y.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Reduce(double* r, double* g, double* half, double* e, nint s, nint s2, nint s3, ref double x, ref double y)
+    {
+        double rx = r[0] - ((g[0] * x) + (g[s] * y));
+        double ry = r[s] - ((g[s2] * x) + (g[s3] * y));
+        half[0] = (e[0] * rx) + (e[s] * ry);
+        half[s] = (e[s] * rx) + (e[s2] * ry);
+        x = rx;
+        y = ry;
+    }
+
+    /// <summary>λ = D⁻¹·y - (B·D⁻¹)ᵀ·λ of the joint behind.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Resolve(double* lambda, double* g, double* half, nint s, nint s2, nint s3, ref double x, ref double y)
+    {
+        double lx = half[0] - ((g[0] * x) + (g[s2] * y));
+        double ly = half[s] - ((g[s] * x) + (g[s3] * y));
+        lambda[0] = lx;
+        lambda[s] = ly;
+        x = lx;
+        y = ly;
+    }
+
+    /// <summary>Gives the impulses to the bodies. What is left of a velocity that its changes cancel is rounding, and none.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Give(in ChainView chain)
+    {
+        int s = chain.Stride;
+        double* velocity = chain[ChainColumn.Velocity];
+        WideDouble rounding = WideDouble.Splat(TreeSolve.Rounding);
+        for (int i = 0; i <= chain.Joints; i += WideDouble.Count)
+        {
+            Impulses(chain, i, out WideDouble x, out WideDouble y, out WideDouble w);
+            Add(velocity + i, x, rounding);
+            Add(velocity + s + i, y, rounding);
+            Add(velocity + (2 * s) + i, w, rounding);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Add(double* velocity, WideDouble change, WideDouble rounding)
+    {
+        WideDouble before = WideDouble.Load(velocity);
+        WideDouble sum = before + change;
+        WideDoubleMask still = WideDouble.Abs(sum) <= rounding * WideDouble.Abs(before);
+        WideDouble.Select(still, WideDouble.Zero, sum).Store(velocity);
+    }
+
+    /// <summary>
+    /// Gives the impulses of a correction to the bodies: positions and velocities go on by them. The angles by which they turned are added up.
+    /// </summary>
+    /// <returns>The largest of these.</returns>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static double Correct(in ChainView chain, double h)
+    {
+        int s = chain.Stride;
+        double* velocity = chain[ChainColumn.Velocity];
+        double* move = chain[ChainColumn.Move];
+        double* bent = chain[ChainColumn.Bent];
+        WideDouble time = WideDouble.Splat(h);
+        WideDouble largest = WideDouble.Zero;
+        for (int i = 0; i <= chain.Joints; i += WideDouble.Count)
+        {
+            Impulses(chain, i, out WideDouble x, out WideDouble y, out WideDouble w);
+            (WideDouble.Load(velocity + i) + x).Store(velocity + i);
+            (WideDouble.Load(velocity + s + i) + y).Store(velocity + s + i);
+            (WideDouble.Load(velocity + (2 * s) + i) + w).Store(velocity + (2 * s) + i);
+            w = time * w;
+            (WideDouble.Load(move + i) + (time * x)).Store(move + i);
+            (WideDouble.Load(move + s + i) + (time * y)).Store(move + s + i);
+            (WideDouble.Load(move + (2 * s) + i) + w).Store(move + (2 * s) + i);
+            WideDouble turn = WideDouble.Load(bent + i) + WideDouble.Abs(w);
+            turn.Store(bent + i);
+            largest = ChainPoses.Larger(largest, turn);
+        }
+
+        return ChainPoses.Largest(largest);
+    }
+
+    /// <summary>How fast the high anchor moves away from the low one.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Speed(in ChainView chain, int i, out WideDouble x, out WideDouble y)
+    {
+        int s = chain.Stride;
+        double* low = chain[chain.Arms] + i;
+        double* high = low + (2 * s);
+        double* v = chain[ChainColumn.Velocity] + i;
+        WideDouble w = WideDouble.Load(v + (2 * s));
+        WideDouble u = WideDouble.Load(v + (2 * s) + 1);
+        x = (WideDouble.Load(v + 1) - WideDouble.Load(v)) + ((w * WideDouble.Load(low + s)) - (u * WideDouble.Load(high + s)));
+        y = (WideDouble.Load(v + s + 1) - WideDouble.Load(v + s)) + ((u * WideDouble.Load(high)) - (w * WideDouble.Load(low)));
+    }
+
+    /// <summary>
+    /// The velocity changes of bodies by the impulses of their joints, which are added to what these gave in the step. There is one body more
+    /// than joints, and be it the one that cannot move.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Impulses(in ChainView chain, int i, out WideDouble x, out WideDouble y, out WideDouble w)
+    {
+        int s = chain.Stride;
+        double* low = chain[chain.Arms] + i;
+        double* high = low + (2 * s) - 1;
+        double* lambda = chain[ChainColumn.Lambda] + i;
+        double* given = chain[ChainColumn.Given] + i;
+        WideDouble lx = WideDouble.Load(lambda);
+        WideDouble ly = WideDouble.Load(lambda + s);
+        WideDouble hx = WideDouble.Load(lambda - 1);
+        WideDouble hy = WideDouble.Load(lambda + s - 1);
+        WideDouble momentLow = (WideDouble.Load(low) * ly) - (WideDouble.Load(low + s) * lx);
+        WideDouble momentHigh = (WideDouble.Load(high) * hy) - (WideDouble.Load(high + s) * hx);
+        (WideDouble.Load(given) + lx).Store(given);
+        (WideDouble.Load(given + s) + ly).Store(given + s);
+        (WideDouble.Load(given + (2 * s)) + momentLow).Store(given + (2 * s));
+
+        // Of the joint before, so that it stands one place further on.
+        (WideDouble.Load(given + (3 * s)) + momentHigh).Store(given + (3 * s));
+        WideDouble mass = WideDouble.Load(chain[ChainColumn.InverseMass] + i);
+        x = mass * (hx - lx);
+        y = mass * (hy - ly);
+        w = WideDouble.Load(chain[ChainColumn.InverseInertia] + i) * (momentHigh - momentLow);
+    }
+}
