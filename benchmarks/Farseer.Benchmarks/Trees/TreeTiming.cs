@@ -109,6 +109,7 @@ internal static class TreeTiming
         {
             using World world = scene.Build();
             world.TreesOnLanes = onLanes;
+            world.TreesAsChains = onLanes;
             for (int step = 0; step < WarmSteps; step++)
             {
                 world.Step(Dt);
