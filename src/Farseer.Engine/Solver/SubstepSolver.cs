@@ -147,17 +147,7 @@ internal sealed unsafe class SubstepSolver
 
             if (input.Joints != null)
             {
-                input.Joints.CorrectPositions(recovery);
-                if (input.Joints.NetsDisturbed)
-                {
-                    PullNets(input.Joints);
-                }
-
-                input.Joints.EndPositions();
-                if (input.Joints.GivesBodiesBack)
-                {
-                    _bodies.Use(input.List, input.PaddedCount);
-                }
+                CorrectJoints(input, input.Joints, recovery);
             }
 
             input.Audit?.Book(SolverPart.Joints);
@@ -196,6 +186,22 @@ internal sealed unsafe class SubstepSolver
         }
 
         input.Joints?.Finish();
+    }
+
+    /// <summary>Positions by the joints; bodies that only they moved may be for all to move from here on.</summary>
+    private void CorrectJoints(in SolverInput input, JointSolver joints, double recovery)
+    {
+        joints.CorrectPositions(recovery);
+        if (joints.NetsDisturbed)
+        {
+            PullNets(joints);
+        }
+
+        joints.EndPositions();
+        if (joints.GivesBodiesBack)
+        {
+            _bodies.Use(input.List, input.PaddedCount);
+        }
     }
 
     /// <returns>True if the colours have contacts left.</returns>
