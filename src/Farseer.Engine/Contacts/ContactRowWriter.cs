@@ -202,6 +202,13 @@ internal static unsafe class ContactRowWriter
         id0.Store((float*)row->Point0.Id + lane);
         id1.Store((float*)row->Point1.Id + lane);
         same1 = same1 & ~crossed1;
+        if (input.LoadGrowth > 0)
+        {
+            Wide growth = Wide.Splat(input.LoadGrowth);
+            GrowLoad(&row->Point0, lane, growth);
+            GrowLoad(&row->Point1, lane, growth);
+        }
+
         Wide scale = Wide.Splat(input.ImpulseScale);
         Carry(row->Point0.Normal + lane, row->Point1.Normal + lane, same0, crossed0, same1, crossed1, scale);
         Carry(row->Point0.Tangent + lane, row->Point1.Tangent + lane, same0, crossed0, same1, crossed1, scale);
@@ -250,6 +257,28 @@ internal static unsafe class ContactRowWriter
             - Wide.Keep(movesA, (Wide.Load(pairs->A.VelocityX + lane) * ny) - (Wide.Load(pairs->A.VelocityY + lane) * nx));
         turn.MostSlide = Wide.Splat(SlideShare) * Wide.Min(Wide.Load(pairs->A.Extent + lane), Wide.Load(pairs->B.Extent + lane));
         return turn;
+    }
+
+    /// <summary>
+    /// A longer substep bears more of a load: of what lasted for two substeps, at most some times the feed-forward, which alone knows only the lesser of
+    /// two points. Whole impulses in proportion would repeat blows as much harder, and the little that sweeps have not settled: a stack of ten
+    /// boxes leapt by 20 m when steps of 1/300 and 1/30 s took turns. Without it loads sink, and boxes creep down slopes.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void GrowLoad(ContactPointLanes* point, int lane, Wide growth)
+    {
+        Wide feed = Wide.Load(point->Feed + lane);
+        Wide normal = Wide.Load(point->Normal + lane);
+        Wide previous = Wide.Load(point->PreviousNormal + lane);
+        Wide tangent = Wide.Load(point->Tangent + lane);
+        Wide previousTangent = Wide.Load(point->PreviousTangent + lane);
+        Wide more = growth * Wide.Min(Wide.Min(normal, previous), Wide.Splat(ContactCoefficients.LoadInFeeds) * feed);
+        Wide rub = Wide.Select(feed > Wide.Zero, growth, Wide.Zero);
+        (feed + (growth * feed)).Store(point->Feed + lane);
+        (normal + more).Store(point->Normal + lane);
+        (previous + more).Store(point->PreviousNormal + lane);
+        (tangent + (rub * tangent)).Store(point->Tangent + lane);
+        (previousTangent + (rub * previousTangent)).Store(point->PreviousTangent + lane);
     }
 
     /// <summary>Impulses follow their point by its id: into the same place, or crosswise.</summary>

@@ -38,8 +38,11 @@ internal unsafe struct ContactUpdateInput
     /// <summary>How far the blows of this step may throw each body; null while that is not known.</summary>
     public float* Throws;
 
-    /// <summary>Ratio of this step's substep to the last one's.</summary>
+    /// <summary>Ratio of this step's substep to the last one's, at most 1: of an impulse nothing says how much was a blow.</summary>
     public float ImpulseScale;
+
+    /// <summary>By how much a longer substep exceeds the last one, as a share of that: loads, which the feed-forward tells, grow with it.</summary>
+    public float LoadGrowth;
     public ContactCoefficients Coefficients;
 }
 

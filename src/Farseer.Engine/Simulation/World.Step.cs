@@ -120,11 +120,14 @@ internal sealed partial class World
         input.Settings = Settings;
         input.Scratch = Scratch;
         input.Dt = dt;
-        input.ImpulseScale = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? substep / _lastSubstep : 1f;
+        float ratio = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? substep / _lastSubstep : 1f;
+        input.ImpulseScale = Math.Min(1f, ratio);
+        input.LoadGrowth = Math.Max(0f, ratio - 1f);
+        _recovery = Math.Max(substep, _recovery - (dt * ContactCoefficients.RecoveryShare));
         System.Numerics.Vector2 g = Settings.Gravity;
         float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
         float coarseness = WorldSettings.DefaultSubsteps / (float)_substeps;
-        input.Coefficients = new ContactCoefficients(substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold, coarseness);
+        input.Coefficients = new ContactCoefficients(substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold, coarseness, _recovery);
         return input;
     }
 
@@ -265,8 +268,8 @@ internal sealed partial class World
             input.RowCount = _classes.RowCount(index);
             input.Substeps = _substeps * fineness;
             input.Substep = substep;
-            input.Coefficients = new ContactCoefficients(
-                substep, input.Coefficients.Gravity, input.Coefficients.Rest, input.Coefficients.BounceThreshold);
+            ref readonly ContactCoefficients c = ref input.Coefficients;
+            input.Coefficients = new ContactCoefficients(substep, c.Gravity, c.Rest, c.BounceThreshold, 1f, _recovery / fineness);
             input.Springs = null;
             joints?.Select(index, substep, fineness);
             AuditSolve(input);

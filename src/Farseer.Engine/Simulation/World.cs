@@ -33,6 +33,12 @@ internal sealed partial class World
     private bool _bodiesSwitched;
     private float _lastSubstep;
 
+    /// <summary>
+    /// The substep at whose rate depths are taken back: the longest of late. The sag under a load goes by the square of the substep; a short one after a
+    /// long one would close it at a speed larger by their ratio. It takes as long to come down to the present one as such a sag does to go.
+    /// </summary>
+    private float _recovery;
+
     public World()
     {
         _jointSolver = new JointSolver(Joints);
