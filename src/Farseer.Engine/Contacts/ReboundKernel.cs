@@ -32,6 +32,16 @@ internal static unsafe class ReboundKernel
         return bits;
     }
 
+    /// <summary>Asks for what the walks over bundles are going to read of one further on.</summary>
+    public static void AskAhead(ContactBundle* row)
+    {
+        ContactBundle.AskAhead(row->BodyA);
+        ContactBundle.AskAhead(row->NormalX);
+        ContactBundle.AskAhead(row->Restitution);
+        AskAhead(&row->Point0);
+        AskAhead(&row->Point1);
+    }
+
     /// <summary>Bits of the lanes whose surfaces approach fast enough to bounce.</summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static int FastLanes(ContactBundle* row, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
@@ -141,6 +151,15 @@ internal static unsafe class ReboundKernel
         BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
         ContactKernel.NormalVelocities(row, lane, a, b, out v0, out v1);
         slow = Wide.Zero - BounceKernel.Slowest(row, lane, drives, c);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void AskAhead(ContactPointLanes* point)
+    {
+        ContactBundle.AskAhead(point->TangentArmA);
+        ContactBundle.AskAhead(point->TangentArmB);
+        ContactBundle.AskAhead(point->Normal);
+        ContactBundle.AskAhead(point->Bounce);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -140,6 +140,11 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         float* sags = stackalloc float[ContactBundle.Lanes];
         for (ContactBundle* row = rows; count > 0; count--, row++)
         {
+            ContactBundle.AskAhead(row->Point0.Normal);
+            ContactBundle.AskAhead(row->Point1.Normal);
+            ContactBundle.AskAhead(row->K11);
+            ContactBundle.AskAhead(row->Deep);
+            ContactBundle.AskAhead(row->Level);
             int deep = 0;
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
@@ -179,6 +184,9 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         float* deeps = _deep.Pointer;
         for (ContactBundle* row = rows; count > 0; count--, row++)
         {
+            ContactBundle.AskAhead(row->Island);
+            ContactBundle.AskAhead(row->FeedRate);
+            ContactBundle.AskAhead(row->Deep);
             int first = row->Island[0];
             WideMask same = WideLanes.AllSet;
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)

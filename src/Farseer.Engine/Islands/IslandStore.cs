@@ -91,6 +91,7 @@ internal sealed unsafe partial class IslandStore
         {
             foreach (ContactBundle* row in color.Bundles)
             {
+                ContactBundle.AskAhead(row->BodyA);
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
                     // In an empty lane both are the dummy, which does not move and carries nothing.
@@ -235,6 +236,8 @@ internal sealed unsafe partial class IslandStore
         {
             foreach (ContactBundle* row in color.Bundles)
             {
+                ContactBundle.AskAhead(row->BodyA);
+                ContactBundle.AskAhead(row->Island);
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
                     if (row->BodyA[lane] != row->BodyB[lane])

@@ -28,6 +28,9 @@ internal sealed unsafe partial class JointSolver
         for (int i = 0; i < count; i++)
         {
             ContactBundle* bundle = bundles + i;
+            ContactBundle.AskAhead(bundle->BodyA);
+            ContactBundle.AskAhead(bundle->Contact);
+            ContactBundle.AskAhead(bundle->Point0.Base);
             bool wheels = false;
             for (int lane = 0; lane < ContactBundle.Lanes; lane++)
             {

@@ -16,6 +16,9 @@ namespace Farseer.Engine.Simulation;
 /// </summary>
 internal sealed unsafe class StruckPairs
 {
+    /// <summary>Idle pairs from one that is read to the one asked for.</summary>
+    private const int Ahead = 16;
+
     private readonly Column<float> _throws = new Column<float>();
     private readonly Column<ContactBundle> _bundle = new Column<ContactBundle>();
     private ScratchList<int> _struck;
@@ -74,6 +77,7 @@ internal sealed unsafe class StruckPairs
         int filled = 0;
         for (int i = 0; i < contacts.IdleCount; i++)
         {
+            Prefetch.Line(records + contacts.Idle(Math.Min(i + Ahead, contacts.IdleCount - 1)));
             int index = contacts.Idle(i);
             ContactRecord* record = records + index;
             if (throws[record->BodyA] + throws[record->BodyB] > 0 && ((flags[record->BodyA] | flags[record->BodyB]) & BodyFlags.Asleep) == 0)
@@ -106,6 +110,8 @@ internal sealed unsafe class StruckPairs
         {
             foreach (ContactBundle* bundle in color.Bundles)
             {
+                ContactBundle.AskAhead(bundle->BodyA);
+                ContactBundle.AskAhead(bundle->Single);
                 int single = Singles(bundle);
                 for (int lane = 0; single != 0; lane++, single >>= 1)
                 {

@@ -79,6 +79,7 @@ internal sealed unsafe class ImpactPass
         {
             foreach (ContactBundle* row in colors[k].Bundles)
             {
+                ContactBundle.AskAhead(row->Restitution);
                 int can = BounceKernel.BouncingLanes(row);
                 if (can != 0)
                 {

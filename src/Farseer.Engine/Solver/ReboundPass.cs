@@ -27,23 +27,27 @@ internal sealed unsafe class ReboundPass
     private int _count;
 
     /// <summary>Takes the weak bounces out of the rows of islands in turmoil.</summary>
-    public void Begin(ReadOnlySpan<GraphColor> colors, int rowCount, BodyStore bodies, in ContactCoefficients c)
+    public void Begin(ReadOnlySpan<GraphColor> colors, int rowCount, int islands, BodyStore bodies, in ContactCoefficients c)
     {
         _count = 0;
-        if (rowCount < Many || !FindTurmoil(colors, bodies, c))
+        if (rowCount < Many)
         {
             return;
         }
 
-        for (int k = 0; k < colors.Length; k++)
+        ListWeak(colors);
+        int weak = _count;
+        _count = 0;
+        if (weak * ContactBundle.Lanes < Many || !FindTurmoil(weak, islands, bodies, c))
         {
-            foreach (ContactBundle* row in colors[k].Bundles)
+            return;
+        }
+
+        for (int i = 0; i < weak; i++)
+        {
+            if (ReboundKernel.Take(_entries[i].Row, _inTurmoil.Pointer))
             {
-                if (ReboundKernel.Take(row, _inTurmoil.Pointer))
-                {
-                    _entries.EnsureCapacity(_count + 1);
-                    _entries[_count++].Row = row;
-                }
+                _entries[_count++].Row = _entries[i].Row;
             }
         }
     }
@@ -54,6 +58,7 @@ internal sealed unsafe class ReboundPass
         for (int i = 0; i < _count; i++)
         {
             Entry* entry = _entries.Pointer + i;
+            ReboundKernel.AskAhead(entry->Row);
             entry->Any = ReboundKernel.Note(entry->Row, bodies.State.Pointer, bodies.Drive.Pointer, c);
         }
     }
@@ -70,9 +75,25 @@ internal sealed unsafe class ReboundPass
         }
     }
 
-    private bool FindTurmoil(ReadOnlySpan<GraphColor> colors, BodyStore bodies, in ContactCoefficients c)
+    /// <summary>Lists the bundles with contacts that bounce weakly.</summary>
+    private void ListWeak(ReadOnlySpan<GraphColor> colors)
     {
-        int end = IslandEnd(colors);
+        for (int k = 0; k < colors.Length; k++)
+        {
+            foreach (ContactBundle* row in colors[k].Bundles)
+            {
+                ContactBundle.AskAhead(row->Restitution);
+                if (ReboundKernel.WeakLanes(row) != 0)
+                {
+                    _entries.EnsureCapacity(_count + 1);
+                    _entries[_count++].Row = row;
+                }
+            }
+        }
+    }
+
+    private bool FindTurmoil(int weakCount, int end, BodyStore bodies, in ContactCoefficients c)
+    {
         _rows.EnsureCapacity(end);
         _strikes.EnsureCapacity(end);
         _inTurmoil.EnsureCapacity(end);
@@ -82,17 +103,17 @@ internal sealed unsafe class ReboundPass
             _strikes[i] = 0;
         }
 
-        for (int k = 0; k < colors.Length; k++)
+        for (int i = 0; i < weakCount; i++)
         {
-            foreach (ContactBundle* row in colors[k].Bundles)
+            ContactBundle* row = _entries[i].Row;
+            ReboundKernel.AskAhead(row);
+            ContactBundle.AskAhead(row->Island);
+            int weak = ReboundKernel.WeakLanes(row);
+            int strikes = weak & ReboundKernel.FastLanes(row, bodies.State.Pointer, bodies.Drive.Pointer, c);
+            for (int lane = 0; weak >> lane != 0; lane++)
             {
-                int weak = ReboundKernel.WeakLanes(row);
-                int strikes = weak == 0 ? 0 : weak & ReboundKernel.FastLanes(row, bodies.State.Pointer, bodies.Drive.Pointer, c);
-                for (int lane = 0; weak >> lane != 0; lane++)
-                {
-                    _rows[row->Island[lane]] += (weak >> lane) & 1;
-                    _strikes[row->Island[lane]] += (strikes >> lane) & 1;
-                }
+                _rows[row->Island[lane]] += (weak >> lane) & 1;
+                _strikes[row->Island[lane]] += (strikes >> lane) & 1;
             }
         }
 
@@ -105,24 +126,6 @@ internal sealed unsafe class ReboundPass
         }
 
         return any;
-    }
-
-    /// <summary>One past the last island of the rows.</summary>
-    private static int IslandEnd(ReadOnlySpan<GraphColor> colors)
-    {
-        int end = 1;
-        for (int k = 0; k < colors.Length; k++)
-        {
-            foreach (ContactBundle* row in colors[k].Bundles)
-            {
-                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
-                {
-                    end = Math.Max(end, row->Island[lane] + 1);
-                }
-            }
-        }
-
-        return end;
     }
 
     /// <summary>A bundle with such contacts.</summary>

@@ -21,6 +21,9 @@ internal unsafe ref struct SolverInput
     public ReadOnlySpan<GraphColor> Colors;
     public int RowCount;
 
+    /// <summary>One past the last island that a row names.</summary>
+    public int IslandCount;
+
     /// <summary>Bodies with constraints, padded to whole bundles with body 0.</summary>
     public int* List;
     public int PaddedCount;
@@ -81,7 +84,7 @@ internal sealed unsafe class SubstepSolver
         double recovery = input.AnyDeep ? RecoveryRate(input.Recovery, input.Substeps) : 0;
         if (input.AnyBounce)
         {
-            _rebounds.Begin(input.Colors, input.RowCount, input.Bodies, coefficients);
+            _rebounds.Begin(input.Colors, input.RowCount, input.IslandCount, input.Bodies, coefficients);
         }
 
         ReadOnlySpan<GraphColor> colors = input.Colors;
