@@ -92,6 +92,15 @@ internal unsafe struct ContactBundle
     public fixed int Island[Lanes];
     public fixed int Level[Lanes];
 
+    /// <summary>Asks for all of a bundle.</summary>
+    public static void AskFor(ContactBundle* bundle)
+    {
+        for (int line = 0; line < sizeof(ContactBundle); line += Prefetch.LineBytes)
+        {
+            Prefetch.Line((byte*)bundle + line);
+        }
+    }
+
     /// <summary>
     /// For walks that read a few columns of each bundle: asks for the same column some bundles on. They lie some thirty lines apart, which no
     /// processor foresees, and to wait for each was most of such a walk.

@@ -2,6 +2,7 @@ using System;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
@@ -10,6 +11,9 @@ namespace Farseer.Engine.Simulation;
 /// <summary>Runs the narrow phase over all pairs and moves pairs in and out of the graph, in an order set by the state alone.</summary>
 internal sealed unsafe class ContactStage
 {
+    /// <summary>Rows to be taken from one to the one that is asked for.</summary>
+    private const int RowsAhead = 2;
+
     private bool _startedCold;
     private readonly ContactSides _sides = new ContactSides();
     private readonly FastPairStage _fast = new FastPairStage();
@@ -267,6 +271,11 @@ internal sealed unsafe class ContactStage
     {
         for (int i = 0; i < _lost.Count; i++)
         {
+            if (Prefetch.IsUseful)
+            {
+                ContactBundle.AskFor(graph.BundleOf(contacts.Records[_lost[Math.Min(i + RowsAhead, _lost.Count - 1)]].Row));
+            }
+
             graph.Remove(ref contacts.Records[_lost[i]], contacts.Records);
             contacts.AddIdle(_lost[i]);
         }

@@ -177,9 +177,9 @@ internal sealed unsafe class ContactWork : IStageWork
             AskFor(input, next->PieceB[lane], next->BodyB[lane]);
         }
 
-        for (int line = 0; behind != null && line < sizeof(ContactBundle); line += Prefetch.LineBytes)
+        if (behind != null)
         {
-            Prefetch.Line((byte*)behind + line);
+            ContactBundle.AskFor(behind);
         }
     }
 
