@@ -81,6 +81,8 @@ internal sealed unsafe partial class JointSolver
             WalkOnLanes(pass, 1);
             _lanes.TakeSwept();
         }
+
+        _lanes.StoreTouched();
     }
 
     private void WalkOnLanes(Pass pass, int sweeps)

@@ -8,8 +8,8 @@ using System.Runtime.Intrinsics;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <summary>
-/// The elimination of <see cref="TreeFactor"/> for trees side by side, to the last bit; what has two rows is written out, the rest is in <see cref="LaneBlock"/>. Of T and full masses nothing is found: they are
-/// for rows, and trees on lanes have none.
+/// The elimination of <see cref="TreeFactor"/> for trees side by side, to the last bit; what has two rows is written out, the rest is in
+/// <see cref="LaneBlock"/>. T and full masses, which rows need, are found by <see cref="LaneWalks"/>.
 /// </summary>
 internal static unsafe class LaneFactor
 {

@@ -6,7 +6,7 @@ using System.Runtime.Intrinsics;
 
 namespace Farseer.Engine.Joints.Lanes;
 
-/// <summary>Limits of joints of trees side by side: what those that hold are to reach, and which are passed or would pull; see <see cref="JointSolver"/>.</summary>
+/// <summary>Limits of joints of trees side by side, as in <see cref="JointSolver"/>: what those that hold are to reach, and which are passed or pull.</summary>
 internal static unsafe class LaneLimits
 {
     private const int Y = DoubleLanes.BundleLanes;
@@ -51,7 +51,9 @@ internal static unsafe class LaneLimits
         {
             if (bundle.Places[i].HasLimits)
             {
-                turned |= Turned(&bundle.Nodes[i].Joint, bundle.Places + i, bundle.Nodes[i].Velocity, bundle.Nodes[bundle.Places[i].Parent].Velocity, h, relaxed);
+                LaneNode* node = bundle.Nodes + i;
+                double* parent = bundle.Nodes[bundle.Places[i].Parent].Velocity;
+                turned |= Turned(&node->Joint, bundle.Places + i, node->Velocity, parent, h, relaxed);
             }
         }
 

@@ -103,8 +103,28 @@ internal sealed unsafe partial class TreeLanes
             if (IsTouched(trees))
             {
                 TakeSwept(trees);
+            }
+        }
+    }
+
+    /// <summary>At the end of a pass; of trees without contacts the velocities are in the store then.</summary>
+    public void StoreTouched()
+    {
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (IsTouched(trees))
+            {
                 StoreVelocities(trees);
             }
+        }
+    }
+
+    private void StoreUntouched(LaneTrees* trees)
+    {
+        if (!trees->Touched)
+        {
+            StoreVelocities(trees);
         }
     }
 
@@ -229,7 +249,6 @@ internal sealed unsafe partial class TreeLanes
             {
                 int changed = trees->HoldsLimits ? SolveTurned(trees, relaxed) : 0;
                 ShareVelocities(trees, changed);
-                StoreVelocities(trees);
                 any |= changed != 0;
             }
         }

@@ -7,10 +7,9 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <summary>
-/// Trees of rigid joints that nothing touches, with the motors and springs at them, four of equal shape side by side for a step; one that has no partner runs
-/// the same kernels in a bundle with empty lanes. Each lane gives the bits of the passes of <see cref="JointSolver"/>. A tree of which a
-/// limit is reached, that is put out of joint from outside, or whose correction goes astray is given back before that pass and is solved
-/// there for the rest of the step.
+/// Trees of rigid joints with their limits, motors and springs, four of equal shape side by side for a step; one of hinges that has no partner
+/// runs the same kernels in a bundle with empty lanes. Each lane gives the bits of the passes of <see cref="JointSolver"/>. A tree that is put
+/// out of joint from outside, or whose correction goes astray, is given back before that pass and is solved there for the rest of the step.
 /// </summary>
 internal sealed unsafe partial class TreeLanes : TreesAside
 {
@@ -174,7 +173,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
 
             LaneSolve.Give(bundle);
             Sweep(trees, relaxed, sweeps, turns);
-            StoreVelocities(trees);
+            StoreUntouched(trees);
         }
     }
 
@@ -203,7 +202,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
                 }
 
                 Sweep(trees, relaxed, sweeps, true);
-                StoreVelocities(trees);
+                StoreUntouched(trees);
             }
         }
     }
