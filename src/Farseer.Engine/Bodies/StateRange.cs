@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace Farseer.Engine.Bodies;
 
@@ -14,11 +15,14 @@ internal static class StateRange
     /// <summary>2⁻⁶³: the least size of a shape; the squares of smaller lengths lose their digits.</summary>
     public const float Least = 1.0842022e-19f;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool Holds(in BodyState state) =>
         Math.Abs(state.LinearVelocity.X) <= Limit & Math.Abs(state.LinearVelocity.Y) <= Limit & Math.Abs(state.AngularVelocity) <= Limit;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool Holds(double x, double y, double angle) =>
         Math.Abs(x) <= Limit & Math.Abs(y) <= Limit & Math.Abs(angle) <= Limit;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool Holds(in BodyState state, in BodyPose pose) => Holds(state) & Holds(pose.X, pose.Y, pose.Angle);
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
@@ -181,36 +182,41 @@ internal sealed unsafe class BodyWork : IStageWork
     {
         if (_part == Part.UseUpForces)
         {
-            for (int body = word * BitSet.WordBits; body < end; body++)
+            int first = word * BitSet.WordBits;
+            if (end > first)
             {
-                _bodies.Force.Pointer[body] = default;
+                Unsafe.InitBlock(_bodies.Force.Pointer + first, 0, (uint)((end - first) * sizeof(BodyForce)));
             }
 
             return;
         }
 
         BodySorts sorts = default;
+        BodyFlags* flags = _bodies.Flags.Pointer;
+        BodyState* states = _bodies.State.Pointer;
+        BodyPose* poses = _bodies.Pose.Pointer;
+        byte* moves = _moves;
         for (int body = word * BitSet.WordBits; body < end; body++)
         {
-            BodyFlags f = _bodies.Flags.Pointer[body];
-            _moves[body] = 0;
+            BodyFlags f = flags[body];
+            moves[body] = 0;
             if ((f & (BodyFlags.Alive | BodyFlags.Enabled | BodyFlags.Asleep)) != (BodyFlags.Alive | BodyFlags.Enabled))
             {
                 continue;
             }
 
             ulong bit = 1UL << body;
-            if (!StateRange.Holds(_bodies.State[body], _bodies.Pose[body]))
+            if (!StateRange.Holds(states[body], poses[body]))
             {
                 sorts.Special |= bit;
                 continue;
             }
 
-            sorts.Special |= (f & (BodyFlags.Static | BodyFlags.Kinematic)) != 0 && IsDriven(_bodies.State[body]) ? bit : 0;
+            sorts.Special |= (f & (BodyFlags.Static | BodyFlags.Kinematic)) != 0 && IsDriven(states[body]) ? bit : 0;
             if ((f & BodyFlags.Static) == 0)
             {
                 sorts.Active |= bit;
-                _moves[body] = (f & BodyFlags.Kinematic) == 0 ? (byte)1 : (byte)0;
+                moves[body] = (f & BodyFlags.Kinematic) == 0 ? (byte)1 : (byte)0;
             }
         }
 
