@@ -15,8 +15,8 @@ public partial class PhysicsSimulator
     {
         if (_geomsIn.Count + _bodiesIn.Count > 0)
         {
-            World.Expect(_bodiesIn.Count, _geomsIn.Count);
-            _table.Expect(World.Bodies.Ids.EndAfter(_bodiesIn.Count), World.Shapes.ColliderIds.EndAfter(_geomsIn.Count));
+            (int bodyEnd, int geomEnd) = World.Expect(_bodiesIn.Count, _geomsIn.Count);
+            _table.Expect(bodyEnd, geomEnd);
             ListRoom.Expect(BodyList, _bodiesIn.Count);
             ListRoom.Expect(GeomList, _geomsIn.Count);
         }

@@ -77,9 +77,7 @@ internal static unsafe class FastPairs
             touch.Touching &= ~bit;
             touch.Hit &= ~bit;
             touch.Same &= ~bit;
-
-            // The margin is all that both can move: what is farther apart has no impact to look for.
-            deferred |= discrete || pairs->Gap[lane] > pairs->Margin[lane] ? 0 : bit & sweep.Meets;
+            deferred |= discrete ? 0 : bit & sweep.Meets;
         }
 
         return deferred;

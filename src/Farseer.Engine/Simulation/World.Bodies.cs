@@ -23,15 +23,18 @@ internal sealed partial class World
     /// <summary>
     /// Makes room for so many more bodies and colliders at once: columns that grow one by one have up to a quarter to spare in the end.
     /// </summary>
-    public void Expect(int bodies, int colliders)
+    /// <returns>One past the highest indices that these will have.</returns>
+    public (int BodyEnd, int ColliderEnd) Expect(int bodies, int colliders)
     {
         int bodyEnd = Bodies.Ids.EndAfter(bodies);
+        int colliderEnd = Shapes.ColliderIds.EndAfter(colliders);
         EnsureBodies(bodyEnd);
         _rest.EnsureBodies(bodyEnd);
-        EnsureColliders(Shapes.ColliderIds.EndAfter(colliders));
+        EnsureColliders(colliderEnd);
         int pieceEnd = Shapes.PieceIds.EndAfter(colliders);
         Shapes.PieceSet.EnsureCapacity(pieceEnd);
         Proxies.Set.EnsureCapacity(pieceEnd);
+        return (bodyEnd, colliderEnd);
     }
 
     public Handle CreateBody(in BodyDef def)
