@@ -132,6 +132,7 @@ public partial class PhysicsSimulator
         }
 
         geom.Membership = Membership.Added;
+        _lastForm = geom.ShareForm(_lastForm);
         AttachCollider(geom);
         GeomList.TakeIn(geom);
         _broadPhaseCollider.Add(geom);

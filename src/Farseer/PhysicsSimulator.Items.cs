@@ -20,6 +20,7 @@ public partial class PhysicsSimulator
     private readonly List<Body> _bodiesDisposed = new List<Body>();
     private readonly List<Geom> _geomsChanged = new List<Geom>();
     private int _geomsWaiting;
+    private GeomForm? _lastForm;
     private bool _clearWaits;
 
     /// <summary>Adds a body; it takes part from the next update on.</summary>
@@ -233,14 +234,11 @@ public partial class PhysicsSimulator
             return;
         }
 
-        if (body.Geoms is not null)
+        for (int i = 0; i < body.GeomCount; i++)
         {
-            foreach (Geom geom in body.Geoms)
+            if (body.GeomAt(i).Membership != Membership.None)
             {
-                if (geom.Membership != Membership.None)
-                {
-                    return;
-                }
+                return;
             }
         }
 

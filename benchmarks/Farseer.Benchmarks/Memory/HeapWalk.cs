@@ -53,7 +53,7 @@ internal sealed class HeapWalk
                 if (!field.FieldType.IsValueType && !field.FieldType.IsPointer)
                 {
                     object? value = field.GetValue(item);
-                    Open(value, StoreOf(value, value is Array ? store : $"{item.GetType().Name}.{Plain(field.Name)}"));
+                    Open(value, StoreOf(value, value is Array || IsStorage(item) ? store : $"{item.GetType().Name}.{Plain(field.Name)}"));
                 }
             }
         }
@@ -75,6 +75,9 @@ internal sealed class HeapWalk
         bool isPublic = type?.Namespace?.StartsWith("FarseerGames", StringComparison.Ordinal) == true && !type.IsArray;
         return isPublic ? type!.Name : field;
     }
+
+    // Lists and maps of the engine are part of the field that has them.
+    private static bool IsStorage(object item) => item.GetType().Namespace == "Farseer.Engine.Storage";
 
     private static string Plain(string field) => field.StartsWith('<') ? field[1..field.IndexOf('>', StringComparison.Ordinal)] : field;
 

@@ -29,7 +29,13 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
 
     private const int NotInTree = -1;
 
-    private readonly List<GridLevel> _grids = new List<GridLevel>();
+    // Hits of a box in the tree, for which there is room.
+    private const int UsualHits = 1024;
+
+    // There from the start: a size class that comes late, as fast boxes make one, allocates nothing.
+    private const int UsualLevels = 8;
+
+    private readonly List<GridLevel> _grids = new List<GridLevel>(UsualLevels);
     private readonly SizeLevels _levels = new SizeLevels();
     private readonly PackedTree _tree = new PackedTree();
     private readonly FewSeekers _few = new FewSeekers();
@@ -112,7 +118,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
     {
         int mark = proxies.Scratch.Mark;
         _levels.Assign(proxies.Scratch, proxies.Fat.Pointer, _active.Pointer, _active.Count);
-        while (_grids.Count < _levels.Count)
+        while (_grids.Count < System.Math.Max(_levels.Count, UsualLevels))
         {
             _grids.Add(new GridLevel());
         }
@@ -324,6 +330,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
         _active.Reserve(_reserved);
         _resting.Reserve(_reserved);
         _tree.Reserve(_reserved);
+        _hits[0].Reserve(System.Math.Min(_reserved, UsualHits));
     }
 
     private void Know(ProxyStore proxies, int end)

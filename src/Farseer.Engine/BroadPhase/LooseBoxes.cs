@@ -15,6 +15,13 @@ internal sealed class LooseBoxes
 
     public int Proxy(int place) => _proxies[place];
 
+    /// <summary>Makes room for so many boxes.</summary>
+    public void Reserve(int count)
+    {
+        _proxies.Reserve(count);
+        _rows.EnsureCapacity(count);
+    }
+
     public void Clear()
     {
         _proxies.Clear();

@@ -28,6 +28,9 @@ internal sealed class PairBuffer
         return _pairs.Pointer + Count;
     }
 
+    /// <summary>Makes room for so many pairs in all.</summary>
+    public void Expect(int pairs) => _pairs.EnsureCapacity(pairs);
+
     public unsafe void SetEnd(ulong* end) => Count = (int)(end - _pairs.Pointer);
 
     /// <summary>Moves all pairs of another buffer behind those of this one.</summary>

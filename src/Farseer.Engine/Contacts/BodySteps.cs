@@ -56,13 +56,21 @@ internal sealed unsafe class BodySteps
 
     public BodyStep* Pointer => _steps.Pointer;
 
-    /// <summary>Makes room for so many bodies. After a time without passes all are looked at.</summary>
-    public void Begin(int end, bool afresh)
+    /// <summary>Makes room for so many bodies.</summary>
+    /// <returns>Words of as many bits as they fill.</returns>
+    public int Reserve(int end)
     {
         int words = (end + BitSet.WordBits - 1) / BitSet.WordBits;
         _steps.EnsureCapacity(words * BitSet.WordBits);
         _places.EnsureCapacity(words * BitSet.WordBits);
         _left.EnsureCapacity(words);
+        return words;
+    }
+
+    /// <summary>Begins with so many bodies. After a time without passes all are looked at.</summary>
+    public void Begin(int end, bool afresh)
+    {
+        int words = Reserve(end);
         for (int word = 0; afresh && word < words; word++)
         {
             _left[word] = LastPasses;

@@ -71,16 +71,18 @@ internal sealed class ContactStore
     private const int FewPairs = 64;
 
     private readonly ColumnSet _set = new ColumnSet();
-    private readonly Column<int> _free = new Column<int>();
-    private readonly Column<int> _idle = new Column<int>();
+    private readonly Column<int> _idle;
     private readonly Column<IdleBundle> _gaps = new Column<IdleBundle>();
-    private int _freeCount;
+
+    /// <summary>The record that was freed last; each holds the one freed before it, for its row. -1: none.</summary>
+    private int _lastFree = -1;
     private bool _keepsManifolds;
+    private bool _keepsFriction;
 
     public ContactStore()
     {
         Records = _set.Add<ContactRecord>();
-        FirstFriction = _set.Add<float>();
+        _idle = _set.Add<int>();
         Map.EnsureCapacity(FewPairs);
     }
 
@@ -89,8 +91,8 @@ internal sealed class ContactStore
     /// <summary>Last manifold of pairs that a listener hears; empty until there is a listener.</summary>
     public Column<Manifold> Manifolds { get; } = new Column<Manifold>();
 
-    /// <summary>Friction when the pair was made, for worlds that freeze it.</summary>
-    public Column<float> FirstFriction { get; }
+    /// <summary>Friction when the pair was made, in worlds that freeze it; empty in others.</summary>
+    public Column<float> FirstFriction { get; } = new Column<float>();
 
     public PairMap Map { get; } = new PairMap();
 
@@ -144,29 +146,60 @@ internal sealed class ContactStore
         Manifolds.EnsureCapacity(Records.Capacity);
     }
 
+    /// <summary>Makes room for so many pairs, in all that is kept of them, with their gaps if these are going to be.</summary>
+    public void Reserve(int pairs, bool withGaps)
+    {
+        Map.EnsureCapacity(pairs);
+        EnsureCapacity(pairs);
+        if (withGaps)
+        {
+            EnsureGaps();
+        }
+    }
+
+    /// <summary>Makes room for so many more pairs at once, if they are many: grown one by one there would be up to a quarter to spare.</summary>
+    public void Expect(int more)
+    {
+        if (more > Count)
+        {
+            EnsureCapacity(Count + more);
+        }
+    }
+
+    /// <summary>
+    /// Whether frictions are kept from now on. When that begins, nobody knows any more what they were when the pairs were made, and the
+    /// present ones are kept.
+    /// </summary>
+    /// <returns>True if it begins: the frictions of the pairs that there are must be set.</returns>
+    public bool KeepFriction(bool value)
+    {
+        bool begins = value && !_keepsFriction;
+        _keepsFriction = value;
+        if (begins)
+        {
+            FirstFriction.EnsureCapacity(Records.Capacity);
+        }
+
+        return begins;
+    }
+
     public int Create(ulong key, in ContactRecord record)
     {
         int index;
-        if (_freeCount > 0)
+        if (_lastFree >= 0)
         {
-            index = _free[--_freeCount];
+            index = _lastFree;
+            _lastFree = Records[index].Row;
         }
         else
         {
             index = End++;
-            _set.EnsureCapacity(End);
-            _free.EnsureCapacity(Records.Capacity);
-            _idle.EnsureCapacity(Records.Capacity);
-            if (KeepsGaps)
-            {
-                EnsureGaps();
-            }
+            EnsureCapacity(End);
         }
 
         Records[index] = record;
         if (_keepsManifolds)
         {
-            Manifolds.EnsureCapacity(Records.Capacity);
             Manifolds[index] = default;
         }
 
@@ -196,7 +229,8 @@ internal sealed class ContactStore
 
         Records[index] = default;
         Records[index].PieceA = -1;
-        _free[_freeCount++] = index;
+        Records[index].Row = _lastFree;
+        _lastFree = index;
         Count--;
     }
 
@@ -233,6 +267,25 @@ internal sealed class ContactStore
 
         Records[last].Row = row;
         Records[index].Row = -1;
+    }
+
+    private void EnsureCapacity(int pairs)
+    {
+        _set.EnsureCapacity(pairs);
+        if (KeepsGaps)
+        {
+            EnsureGaps();
+        }
+
+        if (_keepsManifolds)
+        {
+            Manifolds.EnsureCapacity(Records.Capacity);
+        }
+
+        if (_keepsFriction)
+        {
+            FirstFriction.EnsureCapacity(Records.Capacity);
+        }
     }
 
     private void EnsureGaps() => _gaps.EnsureCapacity((Records.Capacity + IdleBundle.Lanes - 1) / IdleBundle.Lanes);

@@ -98,6 +98,9 @@ internal sealed unsafe class ConstraintGraph
         Groups.EnsureBodies(capacity);
     }
 
+    /// <summary>Makes room for so many rows.</summary>
+    public void Reserve(int rows) => _arena.Reserve(rows);
+
     public void Add(int contact, ref ContactRecord record, bool movesA, bool movesB)
     {
         int color = _bodies.Choose(record.BodyA, record.BodyB, movesA, movesB);

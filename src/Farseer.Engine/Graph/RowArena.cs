@@ -102,7 +102,7 @@ internal sealed unsafe class RowArena
 
         if (taken < 0)
         {
-            Grow();
+            Grow(Math.Max(LeastGrowth, Capacity >> GrowthShift));
             return Take(bundles);
         }
 
@@ -140,10 +140,20 @@ internal sealed unsafe class RowArena
         _free[size] = extent;
     }
 
-    private void Grow()
+    /// <summary>Makes room for so many rows, and a quarter more: extents end half empty, and rows that overflow have a bundle each.</summary>
+    public void Reserve(int rows)
+    {
+        int bundles = rows / ContactBundle.Lanes * 5 / 4;
+        if (bundles > Capacity)
+        {
+            Grow(Math.Max(LeastGrowth, bundles - Capacity));
+        }
+    }
+
+    private void Grow(int bundles)
     {
         int first = _granules;
-        int count = Math.Max(LeastGrowth, Capacity >> GrowthShift) >> GranuleShift;
+        int count = bundles >> GranuleShift;
         var segment = new Column<ContactBundle>(count << GranuleShift);
         _segments.Add(segment);
         _granules += count;

@@ -36,9 +36,9 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     private const int LeastBundles = 32;
 
     private readonly ColorRanges _ranges = new ColorRanges();
-    private readonly Column<float> _sags = new Column<float>();
-    private readonly Column<float> _rate = new Column<float>();
+    private float* _sags;
     private readonly Column<float> _deep = new Column<float>();
+    private float* _rate;
     private ContactCoefficients _coefficients;
     private int _slots;
     private bool _writes;
@@ -47,21 +47,25 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     /// <summary>Whether an island is pushed apart in this step.</summary>
     public bool IsDeep(int island) => _deep[island] > 0;
 
+    /// <summary>Makes room for so many islands.</summary>
+    public void Reserve(int islands) => _deep.EnsureCapacity(islands);
+
     /// <summary>Writes rate and deepness into every row.</summary>
     /// <returns>True if any island is deep.</returns>
-    public bool Apply(StageRunner runner, IslandStore islands, ConstraintGraph graph, in ContactCoefficients c)
+    public bool Apply(StageRunner runner, IslandStore islands, ConstraintGraph graph, in ContactCoefficients c, Scratch scratch)
     {
+        int mark = scratch.Mark;
+        _rate = scratch.Take<float>(Math.Max(1, islands.Count));
         _ranges.Find(graph.Used);
-        CollectSag(runner, islands, c);
-        _rate.EnsureCapacity(islands.Count);
+        CollectSag(runner, islands, c, scratch);
         for (int i = 0; i < islands.Count; i++)
         {
             float sag = 0;
             float largest = 0;
             for (int slot = islands.FirstSlot[i]; slot < islands.FirstSlot[i + 1]; slot++)
             {
-                sag += islands.SlotSag[slot];
-                largest = Math.Max(largest, islands.SlotSag[slot]);
+                sag += _sags[slot];
+                largest = Math.Max(largest, _sags[slot]);
             }
 
             float time = LongestTime;
@@ -78,6 +82,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
 
         _writes = true;
         runner.Run(this, _ranges.Count, LeastBundles);
+        scratch.Release(mark);
         return _anyDeep;
     }
 
@@ -94,24 +99,24 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
                 }
                 else
                 {
-                    CollectSag(runs.Bundles, runs.Count, _sags.Pointer + ((long)worker * _slots), _coefficients);
+                    CollectSag(runs.Bundles, runs.Count, _sags + ((long)worker * _slots), _coefficients);
                 }
             }
         }
     }
 
     /// <summary>Each worker finds the largest sags of its rows; the largest of these are those of all rows, in any order.</summary>
-    private void CollectSag(StageRunner runner, IslandStore islands, in ContactCoefficients c)
+    private void CollectSag(StageRunner runner, IslandStore islands, in ContactCoefficients c, Scratch scratch)
     {
         _slots = islands.SlotCount;
         int workers = runner.IsShared(_ranges.Count, LeastBundles) ? runner.Workers : 1;
-        _sags.EnsureCapacity(Math.Max(1, workers * _slots));
+        _sags = scratch.Take<float>(Math.Max(1, workers * _slots));
         for (int i = 0; i < workers * _slots; i++)
         {
             _sags[i] = 0;
         }
 
-        _deep.EnsureCapacity(Math.Max(islands.Count, 1));
+        Reserve(islands.Count);
         for (int i = 0; i < islands.Count; i++)
         {
             _deep[i] = 0;
@@ -121,16 +126,12 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         _writes = false;
         _anyDeep = false;
         runner.Run(this, _ranges.Count, LeastBundles);
-        float* slotSag = islands.SlotSag;
         for (int i = 0; i < _slots; i++)
         {
-            float sag = _sags[i];
             for (int k = i + _slots; k < workers * _slots; k += _slots)
             {
-                sag = Math.Max(sag, _sags[k]);
+                _sags[i] = Math.Max(_sags[i], _sags[k]);
             }
-
-            slotSag[i] = sag;
         }
     }
 
@@ -180,7 +181,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     [MethodImpl(KernelMethod.Optimized)]
     private void WriteRows(ContactBundle* rows, int count)
     {
-        float* rates = _rate.Pointer;
+        float* rates = _rate;
         float* deeps = _deep.Pointer;
         for (ContactBundle* row = rows; count > 0; count--, row++)
         {

@@ -21,8 +21,9 @@ internal sealed unsafe class IslandGroups
     private const int LeastWait = 16;
     private const int MostWait = 1024;
 
-    private readonly Column<int> _ends = new Column<int>();
-    private readonly Column<int> _groupOf = new Column<int>();
+    // In scratch memory, while the islands are packed.
+    private int* _ends;
+    private int* _groupOf;
     private int _wait;
     private int _nextWait = 1;
 
@@ -33,7 +34,7 @@ internal sealed unsafe class IslandGroups
     public int Sorts { get; private set; }
 
     /// <summary>Sorts the rows if it is worth it. The islands are up to date.</summary>
-    public void Sort(IslandStore islands, ConstraintGraph graph, Column<ContactRecord> records, byte* moves)
+    public void Sort(IslandStore islands, ConstraintGraph graph, Column<ContactRecord> records, byte* moves, Scratch scratch)
     {
         if (graph.RowCount / LeastGroups < GroupRows || --_wait > 0)
         {
@@ -47,14 +48,22 @@ internal sealed unsafe class IslandGroups
             return;
         }
 
+        int mark = scratch.Mark;
+        _ends = scratch.Take<int>(islands.Count);
+        _groupOf = scratch.Take<int>(islands.Count);
         int groups = Pack(islands, graph, moves);
-        _wait = _nextWait;
-        _nextWait = Math.Min(2 * Math.Max(_nextWait, LeastWait), MostWait);
-        if (groups == 0)
+        if (groups > 0)
         {
-            return;
+            Regroup(groups, islands, graph, records, moves);
         }
 
+        scratch.Release(mark);
+        _wait = _nextWait;
+        _nextWait = Math.Min(2 * Math.Max(_nextWait, LeastWait), MostWait);
+    }
+
+    private void Regroup(int groups, IslandStore islands, ConstraintGraph graph, Column<ContactRecord> records, byte* moves)
+    {
         graph.Groups.Begin(groups);
         for (int body = 0; body < islands.BodyEnd; body++)
         {
@@ -82,8 +91,6 @@ internal sealed unsafe class IslandGroups
     /// <returns>How many groups there are; 0: most rows are of islands that are too large.</returns>
     private int Pack(IslandStore islands, ConstraintGraph graph, byte* moves)
     {
-        _ends.EnsureCapacity(islands.Count);
-        _groupOf.EnsureCapacity(islands.Count);
         for (int i = 0; i < islands.Count; i++)
         {
             _ends[i] = 0;

@@ -8,19 +8,18 @@ namespace Farseer.Engine.Islands;
 
 /// <summary>
 /// Groups of bodies that touch, and in each the support levels: how many contacts away the ground is. They are found anew
-/// only when rows came or went. A level's slot collects the largest sag of its contacts; their sum is the island's.
+/// only when rows came or went. Each level of an island has a slot.
 /// </summary>
 internal sealed unsafe partial class IslandStore
 {
     private readonly Column<int> _level = new Column<int>();
     private readonly Column<int> _start = new Column<int>();
     private readonly Column<int> _neighbours = new Column<int>();
-    private readonly Column<int> _queue = new Column<int>();
     private readonly Column<int> _islandOf = new Column<int>();
     private readonly Column<int> _firstSlot = new Column<int>();
-    private readonly Column<float> _slotSag = new Column<float>();
 
     // In scratch memory, while the islands are built.
+    private int* _queue;
     private Edge* _edges;
     private int _edgeCount;
 
@@ -28,8 +27,6 @@ internal sealed unsafe partial class IslandStore
 
     /// <summary>One past the last slot.</summary>
     public int SlotCount { get; private set; }
-
-    public float* SlotSag => _slotSag.Pointer;
 
     /// <summary>The island of a body that had a row when the islands were last built.</summary>
     public int Of(int body) => _islandOf[body];
@@ -50,23 +47,25 @@ internal sealed unsafe partial class IslandStore
     /// <param name="scratch">Where room is found meanwhile.</param>
     public void Build(ConstraintGraph graph, int bodyEnd, byte* moves, Scratch scratch)
     {
-        EnsureBodies(bodyEnd, graph.RowCount);
+        Reserve(bodyEnd, graph.RowCount);
         int mark = scratch.Mark;
+        _queue = scratch.Take<int>(bodyEnd + 1);
         _edges = scratch.Take<Edge>(graph.RowCount + 1);
         _bodyEnd = bodyEnd;
         int queued = CollectEdges(graph, bodyEnd, moves);
         FindLevels(bodyEnd, queued);
-        scratch.Release(mark);
         NumberIslands(bodyEnd, moves);
+        scratch.Release(mark);
         WriteRows(graph, moves);
     }
 
-    private void EnsureBodies(int bodyEnd, int rows)
+    /// <summary>Makes room for so many bodies and rows.</summary>
+    public void Reserve(int bodyEnd, int rows)
     {
         _level.EnsureCapacity(bodyEnd);
         _islandOf.EnsureCapacity(bodyEnd);
         _start.EnsureCapacity(bodyEnd + 1);
-        _queue.EnsureCapacity(bodyEnd + 1);
+        _firstSlot.EnsureCapacity(bodyEnd + 1);
         _neighbours.EnsureCapacity(2 * Math.Max(rows, 2 * bodyEnd));
     }
 
@@ -76,7 +75,7 @@ internal sealed unsafe partial class IslandStore
     {
         int* start = _start.Pointer;
         int* level = _level.Pointer;
-        int* queue = _queue.Pointer;
+        int* queue = _queue;
         Edge* edges = _edges;
         for (int i = 0; i < bodyEnd; i++)
         {
@@ -126,7 +125,7 @@ internal sealed unsafe partial class IslandStore
     {
         int* start = _start.Pointer;
         int* level = _level.Pointer;
-        int* queue = _queue.Pointer;
+        int* queue = _queue;
         int* neighbours = _neighbours.Pointer;
         for (int i = 0; i < bodyEnd; i++)
         {
@@ -173,7 +172,6 @@ internal sealed unsafe partial class IslandStore
     private void NumberIslands(int bodyEnd, byte* moves)
     {
         int* islandOf = _islandOf.Pointer;
-        _firstSlot.EnsureCapacity(bodyEnd + 1);
         for (int i = 0; i < bodyEnd; i++)
         {
             islandOf[i] = -1;
@@ -200,7 +198,6 @@ internal sealed unsafe partial class IslandStore
 
         firstSlot[Count] = total;
         SlotCount = total;
-        _slotSag.EnsureCapacity(Math.Max(total, 1));
     }
 
     /// <returns>How many levels the island has.</returns>
@@ -208,7 +205,7 @@ internal sealed unsafe partial class IslandStore
     {
         int* start = _start.Pointer;
         int* level = _level.Pointer;
-        int* queue = _queue.Pointer;
+        int* queue = _queue;
         int* neighbours = _neighbours.Pointer;
         int* islandOf = _islandOf.Pointer;
         int levels = 0;

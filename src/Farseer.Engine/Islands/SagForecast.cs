@@ -173,7 +173,7 @@ internal sealed unsafe class SagForecast
     }
 
     /// <summary>There are at most as many islands, and levels in all, as bodies: later steps allocate nothing, whatever piles up in them.</summary>
-    private void Reserve(int bodyEnd)
+    public void Reserve(int bodyEnd)
     {
         _islands.EnsureCapacity(bodyEnd);
         _doublings.EnsureCapacity(bodyEnd);

@@ -92,7 +92,12 @@ internal sealed unsafe partial class JointSolver
             return false;
         }
 
-        _wheelContacts.EnsureCapacity(_wheelContactCount + 1);
+        if (_wheelContactCount == _wheelContacts.Capacity)
+        {
+            // A drum that fills has one of its contacts for every eighth body or so.
+            _wheelContacts.EnsureCapacity(Math.Max(_wheelContactCount + 1, _step.Bodies.State.Capacity / 4));
+        }
+
         ref WheelContact contact = ref _wheelContacts[_wheelContactCount++];
         contact.Bundle = bundle;
         contact.Lane = lane;

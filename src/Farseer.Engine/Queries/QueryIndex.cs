@@ -225,6 +225,7 @@ internal sealed unsafe class QueryIndex
         }
 
         Loose.Clear();
+        Loose.Reserve(FewLoose + (_members.Count / LooseShare) + 1);
         _count = _members.Count;
         Tree.Reserve(_boxes.Capacity);
         Tree.Build(_scratch, _boxes.Pointer, _members.Pointer, _members.Count);

@@ -76,7 +76,7 @@ internal sealed unsafe class ContactStage
         _gained = new ScratchList<int>(scratch);
         _fast.Begin(scratch);
         _struck.Begin(input.Bodies, joints, scratch);
-        Lone.Begin();
+        Lone.Begin(input.Bodies.State.Capacity);
         UpdateGraph(runner, input, graph);
         UpdateIdle(runner, input);
         if (world.AsleepCount > 0)

@@ -19,6 +19,9 @@ internal sealed unsafe class LonePairs
     /// <summary>Share of their extent by which the two may overlap as the step begins.</summary>
     private const double CoreShare = 0.25;
 
+    /// <summary>Candidates that there is room for from the start, a part of the bodies.</summary>
+    private const int BodiesAPair = 2;
+
     private readonly IndexList _candidates = new IndexList();
     private readonly Column<LonePair> _pairs = new Column<LonePair>();
 
@@ -26,8 +29,10 @@ internal sealed unsafe class LonePairs
 
     public ref LonePair this[int position] => ref _pairs[position];
 
-    public void Begin()
+    /// <param name="bodies">Bodies that there are: there are seldom more fast pairs than half as many.</param>
+    public void Begin(int bodies)
     {
+        _candidates.Reserve(bodies / BodiesAPair);
         _candidates.Clear();
         Count = 0;
     }

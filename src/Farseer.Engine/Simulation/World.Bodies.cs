@@ -110,6 +110,7 @@ internal sealed partial class World
             Order = _colliderOrder++,
             UserIndex = def.UserIndex,
         };
+        _roomIsDue = true;
         int piece = Shapes.AttachPieces(shape, body.Index, collider, def.Offset, StableMath.FromAngle(def.RotationOffset));
         _nextCollider[collider] = _firstCollider[body.Index];
         _firstCollider[body.Index] = collider;

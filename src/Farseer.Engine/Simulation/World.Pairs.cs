@@ -94,6 +94,17 @@ internal sealed partial class World
     private unsafe void FindPairs()
     {
         _pairs.Clear();
+        if (_contacts.KeepFriction(Settings.FreezePairFriction))
+        {
+            for (int i = 0; i < _contacts.End; i++)
+            {
+                if (_contacts.Records[i].PieceA >= 0)
+                {
+                    FreezeFriction(i);
+                }
+            }
+        }
+
         if (_verdicts.Count > 0)
         {
             _verdicts.Clear();
@@ -109,6 +120,7 @@ internal sealed partial class World
         BroadPhase.Collect(Proxies, _pairs);
         _pairWork.Run(_runner, this, _pairs, Scratch);
         RadixSort.Sort(Scratch, _pairs.Pointer, null, _pairs.Count);
+        _contacts.Expect(_pairs.Count);
         for (int i = 0; i < _pairs.Count; i++)
         {
             // A user's search may name a pair twice.
@@ -165,8 +177,14 @@ internal sealed partial class World
             OfSeveral = ofSeveral,
         };
         int index = _contacts.Create(key, record);
-        _contacts.FirstFriction[index] = ContactUpdate.MixFriction(Shapes, Settings.FrictionMix, record);
+        if (Settings.FreezePairFriction)
+        {
+            FreezeFriction(index);
+        }
     }
+
+    private void FreezeFriction(int index) =>
+        _contacts.FirstFriction[index] = ContactUpdate.MixFriction(Shapes, Settings.FrictionMix, _contacts.Records[index]);
 
     private bool HasSeveralPieces(int collider) => Shapes.NextPiece[Shapes.Colliders[collider].FirstPiece] >= 0;
 

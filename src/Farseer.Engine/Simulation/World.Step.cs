@@ -39,6 +39,7 @@ internal sealed partial class World
         ContactUpdateInput contacts = ContactInput(dt, substep);
         _contactStage.Update(_runner, this, contacts, _graph, Joints, UserJoints != null && UserJoints.Any);
         _events.Raise(this, _contacts, _graph, _contactStage.AnyHeard);
+        MakeRoomAhead();
         Profile.End(StepStage.NarrowPhase);
 
         bool anyDeep = UpdateIslands(dt, contacts.Coefficients);
@@ -153,11 +154,11 @@ internal sealed partial class World
 
         if (!_contactStage.AnyBounce && Joints.Count == 0 && _springs.Count == 0)
         {
-            IslandGroups.Sort(_islands, _graph, _contacts.Records, _lists.Moves);
+            IslandGroups.Sort(_islands, _graph, _contacts.Records, _lists.Moves, Scratch);
         }
 
         _sagForecast.Begin(_islands, _graph, Bodies, dt, Settings.Gravity, rebuilt);
-        return _feedForward.Apply(_runner, _islands, _graph, coefficients);
+        return _feedForward.Apply(_runner, _islands, _graph, coefficients, Scratch);
     }
 
     private unsafe void Solve(float dt, bool anyDeep, in ContactCoefficients coefficients)

@@ -94,9 +94,9 @@ internal sealed unsafe class ReboundPass
 
     private bool FindTurmoil(int weakCount, int end, BodyStore bodies, in ContactCoefficients c)
     {
-        _rows.EnsureCapacity(end);
-        _strikes.EnsureCapacity(end);
-        _inTurmoil.EnsureCapacity(end);
+        _rows.EnsureCapacity(bodies.State.Capacity);
+        _strikes.EnsureCapacity(bodies.State.Capacity);
+        _inTurmoil.EnsureCapacity(bodies.State.Capacity);
         for (int i = 0; i < end; i++)
         {
             _rows[i] = 0;

@@ -61,6 +61,10 @@ internal sealed class GeomForm
     /// </summary>
     public ShapeGeometry Shape => Kind == FormKind.Outline ? _shape ??= Build() : Build();
 
+    /// <summary>Whether the two say the same; outlines are not compared.</summary>
+    public bool IsSameAs(GeomForm other) =>
+        Kind == other.Kind && (Kind is FormKind.Box or FormKind.Circle) && Radius == other.Radius && Size == other.Size;
+
     public static GeomForm Circle(float radius) => new GeomForm(FormKind.Circle, System.Array.Empty<Vector2>(), radius, default, false);
 
     public static GeomForm Box(float width, float height) =>

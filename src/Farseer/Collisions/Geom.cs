@@ -163,6 +163,18 @@ public partial class Geom : IDisposable, IEquatable<Geom>
 
     internal GeomForm? Form => _form;
 
+    /// <summary>Takes another form in place of its own if it says the same: a wall of equal bricks then keeps one.</summary>
+    /// <returns>The form that the geom has.</returns>
+    internal GeomForm? ShareForm(GeomForm? other)
+    {
+        if (other is not null && _form is not null && _form.IsSameAs(other))
+        {
+            _form = other;
+        }
+
+        return _form;
+    }
+
     internal Vector2 Offset => _offset;
 
     internal float RotationOffset => _rotationOffset;

@@ -18,6 +18,8 @@ public partial class Body : IDisposable
 
     internal readonly BodyLink Link = new BodyLink();
 
+    /// <summary>The geom, or a list of several: nearly all bodies have one.</summary>
+    private object? _geoms;
     private UpdatedEventHandler? _updated;
     private float _idleTime;
     private float _minimumVelocity = 55;
@@ -297,8 +299,8 @@ public partial class Body : IDisposable
     /// <summary>True while the body is in its simulator's list of those that want to hear of their moves.</summary>
     internal bool IsListenerNoted { get; set; }
 
-    /// <summary>Geoms made for this body, in the order of their creation; null until there is one.</summary>
-    internal List<Geom>? Geoms { get; private set; }
+    /// <summary>How many geoms were made for this body; they are in the order of their creation.</summary>
+    internal int GeomCount => _geoms is List<Geom> several ? several.Count : _geoms is null ? 0 : 1;
 
     private bool HasInfiniteMass => (Link.UserFlags & (BodyFlags.Static | BodyFlags.Kinematic)) != 0;
 
@@ -327,21 +329,40 @@ public partial class Body : IDisposable
             return;
         }
 
-        if (Geoms is not null)
+        for (int i = GeomCount - 1; i >= 0; i--)
         {
-            for (int i = Geoms.Count - 1; i >= 0; i--)
-            {
-                Geoms[i].Dispose();
-            }
+            GeomAt(i).Dispose();
         }
 
         Simulator?.NoteDisposed(this);
         Disposed?.Invoke(this, EventArgs.Empty);
     }
 
-    internal void AddGeom(Geom geom) => (Geoms ??= new List<Geom>(1)).Add(geom);
+    internal Geom GeomAt(int index) => _geoms is List<Geom> several ? several[index] : (Geom)_geoms!;
 
-    internal void RemoveGeom(Geom geom) => Geoms?.Remove(geom);
+    internal void AddGeom(Geom geom)
+    {
+        if (_geoms is List<Geom> several)
+        {
+            several.Add(geom);
+        }
+        else
+        {
+            _geoms = _geoms is Geom first ? new List<Geom> { first, geom } : geom;
+        }
+    }
+
+    internal void RemoveGeom(Geom geom)
+    {
+        if (_geoms is List<Geom> several)
+        {
+            several.Remove(geom);
+        }
+        else if (ReferenceEquals(_geoms, geom))
+        {
+            _geoms = null;
+        }
+    }
 
     internal void RaiseUpdated()
     {

@@ -158,9 +158,9 @@ public class BadArgumentTests
                 parts.Add(string.Join(" ", points));
             }
 
-            if (item is Body { Geoms: { } geoms })
+            if (item is Body body)
             {
-                parts.Add(geoms.Count + " geoms");
+                parts.Add(body.GeomCount + " geoms");
             }
         }
 

@@ -209,7 +209,7 @@ public class HandlerMischiefTests
         floor.IsStatic = true;
         GeomFactory.Instance.CreateRectangleGeom(simulator, floor, 400, 20);
         Body box = Box(simulator, new Vector2(0, -25));
-        geom = box.Geoms![0];
+        geom = box.GeomAt(0);
         Box(simulator, new Vector2(0, -50));
         return simulator;
     }

@@ -200,7 +200,7 @@ public class KindsInHandlersTests
             Coil = SpringFactory.Instance.CreateFixedLinearSpring(Simulator, other, Vector2.Zero, new Vector2(120, -60), 1, 0);
             Fluid = new FluidDragController();
             Fluid.Initialize(new AABBFluidContainer(new AABB(new Vector2(80, -34), new Vector2(140, 0))), 0.001f, 1, 1, new Vector2(0, 100));
-            Fluid.AddGeom(other.Geoms![0]);
+            Fluid.AddGeom(other.GeomAt(0));
             OwnJoint = new Kinds.OwnJoint(Bystander, other);
             OwnSpring = new Kinds.OwnSpring(other);
             OwnController = new Kinds.OwnController(Bystander, other);

@@ -76,7 +76,7 @@ public class PolygonFuzzTests
         GeomFactory.Instance.CreateRectangleGeom(simulator, floor, 20 * scale, scale);
         Body second = BodyFactory.Instance.CreateBody(simulator, body);
         second.Position = new Vector2(0.3f * scale, -3 * scale);
-        GeomFactory.Instance.CreateGeom(simulator, second, body.Geoms![0]);
+        GeomFactory.Instance.CreateGeom(simulator, second, body.GeomAt(0));
         for (int i = 0; i < 10; i++)
         {
             simulator.Update(0.06f);

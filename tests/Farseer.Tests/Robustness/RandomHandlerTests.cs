@@ -160,9 +160,9 @@ public class RandomHandlerTests
             foreach (Body body in Simulator.BodyList.Where(IsSpent).ToList())
             {
                 Simulator.Remove(body);
-                foreach (Geom geom in body.Geoms!.ToList())
+                for (int i = 0; i < body.GeomCount; i++)
                 {
-                    Simulator.Remove(geom);
+                    Simulator.Remove(body.GeomAt(i));
                 }
             }
 

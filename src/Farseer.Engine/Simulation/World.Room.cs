@@ -1,0 +1,93 @@
+using System;
+using Farseer.Engine.Shapes;
+
+namespace Farseer.Engine.Simulation;
+
+/// <content>
+/// Room for contacts to come. Bodies that touch nothing yet will pile up, and a pile has several contacts a body: what grew with them
+/// went on allocating for seconds. A pile that was built as one and does not bounce has its contacts in its first step, and gets no more room
+/// than these need. What is not used is address space that nobody touches.
+/// </content>
+internal sealed partial class World
+{
+    /// <summary>
+    /// Pairs and rows for each piece: of the timing scenes smash and spinner come to 9 pairs and 4.9 rows, piles of discs or polygons to 4
+    /// and 2.7.
+    /// </summary>
+    private const int PairsAPiece = 10;
+    private const int RowsAPiece = 5;
+
+    /// <summary>Twice the rows for each piece from which on a world lies as dense as it will: 2.97 in a large pyramid, 2 in a grid of boxes.</summary>
+    private const int DenseTwice = 5;
+
+    /// <summary>Of more pieces the rest comes by need: a growth by a quarter is seldom then, and the room would be gigabytes.</summary>
+    private const int MostPieces = 1 << 15;
+
+    /// <summary>Bytes of scratch memory for each pair and each row: what the narrow phase notes of them.</summary>
+    private const int ScratchAPair = 16;
+    private const int ScratchARow = 12;
+
+    private bool _roomIsDue;
+
+    /// <summary>Makes room once colliders have come, after their first contacts are known.</summary>
+    private void MakeRoomAhead()
+    {
+        if (!_roomIsDue || _contacts.Count == 0)
+        {
+            return;
+        }
+
+        _roomIsDue = false;
+        _islands.Reserve(Bodies.State.Capacity, _graph.RowCount);
+        _sagForecast.Reserve(Bodies.State.Capacity);
+        _feedForward.Reserve(Bodies.State.Capacity);
+        int pieces = CountPieces(out int hulls, out int immovable);
+        _immovable.Reserve(Math.Min(immovable, MostInARow + 1));
+        if (_graph.RowCount * 2L >= (long)DenseTwice * pieces && !_contactStage.AnyBounce)
+        {
+            return;
+        }
+
+        pieces = Math.Min(pieces, MostPieces);
+        int pairs = PairsAPiece * pieces;
+        int rows = RowsAPiece * pieces;
+        _contacts.Reserve(pairs, withGaps: hulls * 2 > pieces);
+        _contacts.Compounds.EnsureCapacity(_contacts.Compounds.Count == 0 ? 0 : Math.Max(2 * _contacts.Compounds.Count, pieces / 8));
+        _pairs.Expect(pairs);
+        _graph.Reserve(rows);
+        _islands.Reserve(Bodies.State.Capacity, rows);
+        Scratch.Reserve((ScratchAPair * pairs) + (ScratchARow * rows));
+        if (hulls * 2 > pieces)
+        {
+            _contacts.Steps.Reserve(Bodies.State.Capacity);
+        }
+    }
+
+    /// <summary>Pieces that can move and may collide with any other, how many of them are neither boxes nor discs, and those that cannot move.</summary>
+    private int CountPieces(out int hulls, out int immovable)
+    {
+        int count = 0;
+        hulls = 0;
+        immovable = 0;
+        for (int i = 0; i < Shapes.PieceIds.End; i++)
+        {
+            ref Piece piece = ref Shapes.Pieces[i];
+            if (!Shapes.PieceIds.IsUsed(i))
+            {
+                continue;
+            }
+
+            if (!IsMovable(piece.Body))
+            {
+                immovable++;
+            }
+            else if (Shapes.Colliders[piece.Collider].Group == 0)
+            {
+                count++;
+                hulls += piece.Kind != ShapeKind.Box && piece.Kind != ShapeKind.Circle ? 1 : 0;
+            }
+        }
+
+        return count;
+    }
+}
