@@ -28,6 +28,9 @@ internal unsafe struct ActiveJoint
     public JointFlags Flags;
     public JointSettings Settings;
 
+    /// <summary>Two hard rows that hold two points together, and no others.</summary>
+    public bool Pivot;
+
     /// <summary>The iteration has rows of this joint to solve.</summary>
     public bool HasRows;
 

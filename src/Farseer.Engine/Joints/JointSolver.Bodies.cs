@@ -14,6 +14,9 @@ internal sealed unsafe partial class JointSolver
     private readonly TurnTable _turns = new TurnTable();
     private readonly Column<int> _moved = new Column<int>();
 
+    /// <summary>The poses of the nodes are those of their displacements.</summary>
+    private bool _posed;
+
     /// <summary>Rounding of a way that joints hold, as a share of what the force alone would give: 256 last places of a double.</summary>
     internal const double HeldShare = 5.6843418860808015e-14;
     private const int MeshRounds = 2;
@@ -191,6 +194,7 @@ internal sealed unsafe partial class JointSolver
 
     private void ReadMove(TreeNode* node)
     {
+        _posed = false;
         BodyState* state = _step.Bodies.State.Pointer + node->Body;
         node->Move[0] = state->DeltaPosition.X;
         node->Move[1] = state->DeltaPosition.Y;
@@ -199,6 +203,7 @@ internal sealed unsafe partial class JointSolver
 
     private void SetMove(TreeNode* node, double x, double y, double turned)
     {
+        _posed = false;
         node->Move[0] = x;
         node->Move[1] = y;
         node->Move[2] = turned;
@@ -220,6 +225,7 @@ internal sealed unsafe partial class JointSolver
 
     private void ClearMoves()
     {
+        _posed = false;
         _turns.Clear(_nodeCount);
         _moved.EnsureCapacity(_nodeCount);
     }
@@ -322,6 +328,8 @@ internal sealed unsafe partial class JointSolver
         {
             LoadPose(_forest.Nodes + _nodes[at]);
         }
+
+        _posed = true;
     }
 
     private void LoadPose(TreeNode* node)

@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
@@ -99,6 +100,7 @@ internal sealed unsafe partial class JointSolver
     {
         _active[index].Settings = _store.Settings[_active[index].Joint];
         _active[index].Flags = _store.Flags[_active[index].Joint];
+        _active[index].Pivot = _kinds.Of(_active[index].Kind).NetFormOf(_active[index].Settings, _active[index].Flags) == NetForm.Pivot;
     }
 
     private void WriteAll()

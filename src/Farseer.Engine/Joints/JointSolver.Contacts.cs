@@ -204,6 +204,11 @@ internal sealed unsafe partial class JointSolver
             _forest.Trees[i].Group = i;
         }
 
+        for (int at = 0; at < _nodeCount; at++)
+        {
+            _forest.Nodes[_nodes[at]].Bears = false;
+        }
+
         _agendaCount = 0;
         _agendaKeys.EnsureCapacity(_count + _contactCount);
         _agenda.EnsureCapacity(_count + _contactCount);
@@ -264,13 +269,13 @@ internal sealed unsafe partial class JointSolver
         if (ends.NodeA >= 0)
         {
             first = ends.NodeA;
-            _forest.Trees[_forest.Nodes[ends.NodeA].Tree].HasRows = true;
+            Load(ends.NodeA);
         }
 
         if (ends.NodeB >= 0)
         {
             first = ends.NodeB < first ? ends.NodeB : first;
-            _forest.Trees[_forest.Nodes[ends.NodeB].Tree].HasRows = true;
+            Load(ends.NodeB);
         }
 
         if (ends.NodeA >= 0 && ends.NodeB >= 0 && !ends.Coupled)
@@ -282,6 +287,15 @@ internal sealed unsafe partial class JointSolver
 
         _agendaKeys[_agendaCount] = ((ulong)(uint)first << 32) | key;
         _agenda[_agendaCount++] = item;
+    }
+
+    private void Load(int node)
+    {
+        _forest.Trees[_forest.Nodes[node].Tree].HasRows = true;
+        for (int at = node; at >= 0 && !_forest.Nodes[at].Bears; at = _forest.Nodes[at].Parent)
+        {
+            _forest.Nodes[at].Bears = true;
+        }
     }
 
     /// <summary>The first tree of a tree's group; ways to it become shorter.</summary>

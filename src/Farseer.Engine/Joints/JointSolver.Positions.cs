@@ -62,7 +62,11 @@ internal sealed unsafe partial class JointSolver
     /// <summary>The bodies stand where they stay in this substep.</summary>
     public void EndPositions()
     {
-        LoadPoses();
+        if (!_posed)
+        {
+            LoadPoses();
+        }
+
         WriteRows(false);
         Factor();
         PrepareOnLanes(false);

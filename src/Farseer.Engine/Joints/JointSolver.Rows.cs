@@ -50,11 +50,47 @@ internal sealed unsafe partial class JointSolver
     private void Rewrite(int index)
     {
         JointRows* rows = _rows.Pointer + index;
+        if (_active[index].Pivot)
+        {
+            RewritePivot(_active.Pointer + index, rows);
+            return;
+        }
+
         double* speeds = stackalloc double[JointRows.Most];
         Copy(rows->Speed, speeds, rows->Count);
         int before = rows->Count;
         WriteJoint(index);
         Copy(speeds, rows->Speed, before);
+    }
+
+    /// <summary>Of the rows of a rigid pivot only arms and distance change: most joints are such, and trees of them are written twice a substep.</summary>
+    private void RewritePivot(ActiveJoint* joint, JointRows* rows)
+    {
+        ReadFrame(joint, out JointFrame f);
+        rows->A[2] = f.RAY;
+        rows->A[5] = -f.RAX;
+        rows->B[2] = -f.RBY;
+        rows->B[5] = f.RBX;
+        rows->Error[0] = f.DX;
+        rows->Error[1] = f.DY;
+        rows->ArmX = f.RBX;
+        rows->ArmY = f.RBY;
+        rows->JointError = Math.Sqrt((f.DX * f.DX) + (f.DY * f.DY));
+        if (_step.Drifts)
+        {
+            JointRows.ForgetErrors(rows);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void ReadFrame(ActiveJoint* joint, out JointFrame frame)
+    {
+        frame = default;
+        frame.Dt = _step.Dt;
+        frame.H = _step.Substep;
+        ReadPose(joint->Ends.NodeA, joint->Ends.BodyA, out frame.AX, out frame.AY, out frame.AAngle, out frame.ACos, out frame.ASin);
+        ReadPose(joint->Ends.NodeB, joint->Ends.BodyB, out frame.BX, out frame.BY, out frame.BAngle, out frame.BCos, out frame.BSin);
+        frame.SetAnchors(joint->Settings);
     }
 
     private void WriteErrors()
@@ -66,12 +102,21 @@ internal sealed unsafe partial class JointSolver
         {
             int i = _joints[at];
             JointRows* rows = _rows.Pointer + i;
-            fresh.Count = 0;
-            fresh.Hard = 0;
-            WriteInto(i, ref fresh);
-            for (int k = 0; k < rows->Count; k++)
+            if (_active[i].Pivot)
             {
-                rows->Error[k] = fresh.Error[k];
+                ReadFrame(_active.Pointer + i, out JointFrame frame);
+                rows->Error[0] = frame.DX;
+                rows->Error[1] = frame.DY;
+            }
+            else
+            {
+                fresh.Count = 0;
+                fresh.Hard = 0;
+                WriteInto(i, ref fresh);
+                for (int k = 0; k < rows->Count; k++)
+                {
+                    rows->Error[k] = fresh.Error[k];
+                }
             }
 
             if (_step.Drifts)
@@ -99,12 +144,7 @@ internal sealed unsafe partial class JointSolver
     {
         ref ActiveJoint joint = ref _active[index];
         ref JointSettings settings = ref joint.Settings;
-        JointFrame frame = default;
-        frame.Dt = _step.Dt;
-        frame.H = _step.Substep;
-        ReadPose(joint.Ends.NodeA, joint.Ends.BodyA, out frame.AX, out frame.AY, out frame.AAngle, out frame.ACos, out frame.ASin);
-        ReadPose(joint.Ends.NodeB, joint.Ends.BodyB, out frame.BX, out frame.BY, out frame.BAngle, out frame.BCos, out frame.BSin);
-        frame.SetAnchors(settings);
+        ReadFrame(_active.Pointer + index, out JointFrame frame);
         if (!rows.ErrorsOnly)
         {
             rows.Bias = settings.BiasFactor;

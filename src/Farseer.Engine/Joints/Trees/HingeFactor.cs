@@ -98,6 +98,37 @@ internal static unsafe class HingeFactor
         t[8] = 0d - (g[2] * p[2]) - (g[5] * p[5]);
     }
 
+    /// <summary>The inverse mass of the child within the whole tree, A = Y - G S Y + T Aₚ Tᵀ.</summary>
+    public static void CompleteMass(TreeNode* node, TreeNode* parent)
+    {
+        double* s = node->ChildS;
+        double* y = node->SubtreeMass;
+        double* g = node->G;
+        double* t = node->T;
+        double* p = parent->FullMass;
+        double* full = node->FullMass;
+        double a00 = (s[0] * y[0]) + (s[1] * y[3]) + (s[2] * y[6]);
+        double a01 = (s[0] * y[1]) + (s[1] * y[4]) + (s[2] * y[7]);
+        double a02 = (s[0] * y[2]) + (s[1] * y[5]) + (s[2] * y[8]);
+        double a10 = (s[3] * y[0]) + (s[4] * y[3]) + (s[5] * y[6]);
+        double a11 = (s[3] * y[1]) + (s[4] * y[4]) + (s[5] * y[7]);
+        double a12 = (s[3] * y[2]) + (s[4] * y[5]) + (s[5] * y[8]);
+        for (int r = 0; r < 3; r++)
+        {
+            double* u = t + (r * 3);
+            double* from = y + (r * 3);
+            double* to = full + (r * 3);
+            double g0 = g[r];
+            double g1 = g[3 + r];
+            double b0 = (u[0] * p[0]) + (u[1] * p[3]) + (u[2] * p[6]);
+            double b1 = (u[0] * p[1]) + (u[1] * p[4]) + (u[2] * p[7]);
+            double b2 = (u[0] * p[2]) + (u[1] * p[5]) + (u[2] * p[8]);
+            to[0] = from[0] - (g0 * a00) - (g1 * a10) + ((b0 * t[0]) + (b1 * t[1]) + (b2 * t[2]));
+            to[1] = from[1] - (g0 * a01) - (g1 * a11) + ((b0 * t[3]) + (b1 * t[4]) + (b2 * t[5]));
+            to[2] = from[2] - (g0 * a02) - (g1 * a12) + ((b0 * t[6]) + (b1 * t[7]) + (b2 * t[8]));
+        }
+    }
+
     /// <summary>The response of a body to a row by its own mass.</summary>
     private static double Own(double* s, TreeNode* node) =>
         (((s[0] * s[0]) + (s[1] * s[1])) * node->InverseMass) + (s[2] * s[2] * node->InverseInertia);

@@ -286,6 +286,7 @@ internal sealed unsafe class JointForest
         int index = Count++;
         TreeNode* node = Nodes + index;
         *node = default;
+        node->Bears = true;
         node->Body = body;
         node->Parent = parent;
         node->Tree = TreeCount;

@@ -49,35 +49,49 @@ internal static unsafe class TreeFactor
         }
     }
 
-    /// <summary>Inverse mass within the whole tree, root first: A = Y - G S Y + T Aₚ Tᵀ.</summary>
+    /// <summary>Inverse mass within the whole tree, root first: A = Y - G S Y + T Aₚ Tᵀ. Only where walks come by.</summary>
     public static void CompleteMasses(JointForest forest, JointTree* tree)
     {
         TreeNode* nodes = forest.Nodes;
-        double* product = stackalloc double[9];
         for (int i = tree->First; i < tree->End; i++)
         {
             TreeNode* node = nodes + i;
+            if (!node->Bears)
+            {
+                continue;
+            }
+
+            if (node->Parent >= 0 && node->Rows == 2)
+            {
+                HingeFactor.CompleteMass(node, nodes + node->Parent);
+                continue;
+            }
+
             for (int k = 0; k < 9; k++)
             {
                 node->FullMass[k] = node->SubtreeMass[k];
             }
 
-            if (node->Parent < 0)
+            if (node->Parent >= 0)
             {
-                continue;
+                CompleteMass(node, nodes + node->Parent);
             }
+        }
+    }
 
-            // G S Y: both factors are kept row by row of the edge.
-            int n = node->Rows;
-            SmallMatrix.Multiply(node->ChildS, n, node->SubtreeMass, product);
-            SmallMatrix.SubtractOuter(node->FullMass, node->G, product, n);
-            SmallMatrix.Multiply(node->T, 3, nodes[node->Parent].FullMass, product);
-            for (int r = 0; r < 3; r++)
+    private static void CompleteMass(TreeNode* node, TreeNode* parent)
+    {
+        // G S Y: both factors are kept row by row of the edge.
+        double* product = stackalloc double[9];
+        int n = node->Rows;
+        SmallMatrix.Multiply(node->ChildS, n, node->SubtreeMass, product);
+        SmallMatrix.SubtractOuter(node->FullMass, node->G, product, n);
+        SmallMatrix.Multiply(node->T, 3, parent->FullMass, product);
+        for (int r = 0; r < 3; r++)
+        {
+            for (int c = 0; c < 3; c++)
             {
-                for (int c = 0; c < 3; c++)
-                {
-                    node->FullMass[(r * 3) + c] += SmallMatrix.Dot(product + (r * 3), node->T + (c * 3));
-                }
+                node->FullMass[(r * 3) + c] += SmallMatrix.Dot(product + (r * 3), node->T + (c * 3));
             }
         }
     }

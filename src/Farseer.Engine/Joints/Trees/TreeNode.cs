@@ -32,6 +32,9 @@ internal unsafe struct TreeNode
     /// <summary>It has anchors: what it gets is noted for their multipliers.</summary>
     public bool Anchored;
 
+    /// <summary>Iterated rows push at it or at a body of its subtree, or are not known yet: walks come by.</summary>
+    public bool Bears;
+
     /// <summary>Next node on the way down of a walk.</summary>
     public int Towards;
 

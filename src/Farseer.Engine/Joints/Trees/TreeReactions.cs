@@ -37,7 +37,7 @@ internal static unsafe class TreeReactions
             TreeNode* node = nodes + i;
             TreeNode* parent = nodes + node->Parent;
             OfWalk(node, parent);
-            TreeWalk.Cross(nodes, i);
+            TreeWalk.Follow(nodes, i);
             if (anchored)
             {
                 PushEnds(node, parent);
@@ -76,8 +76,8 @@ internal static unsafe class TreeReactions
         {
             double fall0 = (s[0] * x) + (s[1] * y) + (s[2] * w);
             double fall1 = (s[3] * x) + (s[4] * y) + (s[5] * w);
-            node->Edge[0] = -SmallMatrix.Dot(node->G, node->Through) - (0d + (e[0] * fall0) + (e[1] * fall1));
-            node->Edge[1] = -SmallMatrix.Dot(node->G + 3, node->Through) - (0d + (e[2] * fall0) + (e[3] * fall1));
+            node->Edge[0] = -Passed(node, 0) - (0d + (e[0] * fall0) + (e[1] * fall1));
+            node->Edge[1] = -Passed(node, 1) - (0d + (e[2] * fall0) + (e[3] * fall1));
         }
         else
         {
@@ -98,9 +98,13 @@ internal static unsafe class TreeReactions
         TreeSolve.Multiply(node->E, fall, node->Rows, answer);
         for (int r = 0; r < node->Rows; r++)
         {
-            node->Edge[r] = -SmallMatrix.Dot(node->G + (r * 3), node->Through) - answer[r];
+            node->Edge[r] = -Passed(node, r) - answer[r];
         }
     }
+
+    /// <summary>What a row of the edge answers to the impulses that a walk took through the child.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double Passed(TreeNode* node, int row) => node->Bears ? SmallMatrix.Dot(node->G + (row * 3), node->Through) : 0;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void GiveEdge(TreeNode* node, ActiveJoint* active, JointRows* rows)

@@ -17,13 +17,22 @@ internal static unsafe class TreeWalk
         for (int i = tree->First; i < tree->End; i++)
         {
             TreeNode* node = nodes + i;
+            for (int k = 0; k < 3; k++)
+            {
+                node->Through[k] = 0;
+                node->Got[k] = 0;
+                node->Start[k] = node->Velocity[k];
+            }
+
+            if (!node->Bears)
+            {
+                continue;
+            }
+
             double* parent = node->Parent < 0 ? node->Velocity : nodes[node->Parent].Velocity;
             for (int k = 0; k < 3; k++)
             {
                 node->Pending[k] = 0;
-                node->Through[k] = 0;
-                node->Got[k] = 0;
-                node->Start[k] = node->Velocity[k];
                 node->Seen[k] = parent[k];
             }
         }
@@ -86,7 +95,7 @@ internal static unsafe class TreeWalk
             Visit(view, tree->First);
             for (int i = tree->First + 1; i < tree->End; i++)
             {
-                Cross(view.Nodes, i);
+                Follow(view.Nodes, i);
             }
         }
     }
@@ -124,6 +133,21 @@ internal static unsafe class TreeWalk
         node->Seen[2] = v[2];
     }
 
+    /// <summary>At the end of a walk: takes the parent's change down to the child, where no walk came by all of it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Follow(TreeNode* nodes, int index)
+    {
+        TreeNode* node = nodes + index;
+        if (node->Bears)
+        {
+            Cross(nodes, index);
+            return;
+        }
+
+        TreeNode* parent = nodes + node->Parent;
+        Take(node, parent->Velocity[0] - parent->Start[0], parent->Velocity[1] - parent->Start[1], parent->Velocity[2] - parent->Start[2]);
+    }
+
     /// <summary>Takes the parent's change since the last crossing down to the child.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Cross(TreeNode* nodes, int index)
@@ -134,12 +158,18 @@ internal static unsafe class TreeWalk
         double x = v[0] - seen[0];
         double y = v[1] - seen[1];
         double w = v[2] - seen[2];
+        Take(node, x, y, w);
+        seen[0] = v[0];
+        seen[1] = v[1];
+        seen[2] = v[2];
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Take(TreeNode* node, double x, double y, double w)
+    {
         double* t = node->T;
         node->Velocity[0] += (t[0] * x) + (t[1] * y) + (t[2] * w);
         node->Velocity[1] += (t[3] * x) + (t[4] * y) + (t[5] * w);
         node->Velocity[2] += (t[6] * x) + (t[7] * y) + (t[8] * w);
-        seen[0] = v[0];
-        seen[1] = v[1];
-        seen[2] = v[2];
     }
 }
