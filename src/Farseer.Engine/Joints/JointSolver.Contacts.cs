@@ -201,6 +201,7 @@ internal sealed unsafe partial class JointSolver
         {
             int i = _trees[at];
             _forest.Trees[i].HasRows = false;
+            _forest.Trees[i].Pressed = false;
             _forest.Trees[i].Group = i;
         }
 
@@ -225,6 +226,8 @@ internal sealed unsafe partial class JointSolver
         {
             uint contact = (uint)_contacts[i].Bundle->Contact[_contacts[i].Lane];
             Enlist(_contacts[i].Ends, ~i, contact | 0x80000000u);
+            Press(_contacts[i].Ends.NodeA);
+            Press(_contacts[i].Ends.NodeB);
         }
 
         for (int at = 0; at < _treeCount; at++)
@@ -233,6 +236,14 @@ internal sealed unsafe partial class JointSolver
         }
 
         _sort.Sort(_agendaKeys.Pointer, _agenda.Pointer, _agendaCount);
+    }
+
+    private void Press(int node)
+    {
+        if (node >= 0)
+        {
+            _forest.Trees[_forest.Nodes[node].Tree].Pressed = true;
+        }
     }
 
     private void Invite(int body)

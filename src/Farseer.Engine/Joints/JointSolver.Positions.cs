@@ -19,6 +19,12 @@ internal sealed unsafe partial class JointSolver
     /// <summary>Errors in terms of the joint's size: none, good enough to stay with, and too large after all corrections.</summary>
     internal const double Tolerance = 1e-8;
     internal const double Loose = 2e-6;
+
+    /// <summary>
+    /// None of a tree that contacts press on. What is left is met by the next biased pass and does not add up; the energy that a correction would
+    /// keep is nothing beside what contacts take, and most substeps of a bridge under its load need none.
+    /// </summary>
+    internal const double PressedTolerance = 3e-7;
     internal const double Failed = 1e-4;
 
     /// <summary>A correction that does not shrink the error to this share goes astray; so does one that turns a body further.</summary>
@@ -198,7 +204,7 @@ internal sealed unsafe partial class JointSolver
         {
             int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
-            tree->Corrects = tree->Eliminates && tree->Worst > Tolerance && !tree->Astray;
+            tree->Corrects = tree->Eliminates && tree->Worst > (tree->Pressed ? PressedTolerance : Tolerance) && !tree->Astray;
             any |= tree->Corrects;
             _forest.Trees[tree->Group].GroupActs |= tree->Corrects && tree->HasRows;
         }

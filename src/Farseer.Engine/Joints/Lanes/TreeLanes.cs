@@ -336,9 +336,10 @@ internal sealed unsafe partial class TreeLanes : TreesAside
     private static bool Choose(LaneTrees* trees)
     {
         bool any = false;
+        double tolerance = trees->Touched ? JointSolver.PressedTolerance : JointSolver.Tolerance;
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
         {
-            bool takes = IsLive(trees, lane) && trees->Worst[lane] > JointSolver.Tolerance && !trees->Astray[lane];
+            bool takes = IsLive(trees, lane) && trees->Worst[lane] > tolerance && !trees->Astray[lane];
             trees->Corrects[lane] = takes ? -1 : 0;
             any |= takes;
         }

@@ -43,6 +43,9 @@ internal struct JointTree
     /// <summary>Contacts push at it, and all of them with something that cannot move or among its own bodies.</summary>
     public bool Touched;
 
+    /// <summary>Contacts are solved against it.</summary>
+    public bool Pressed;
+
     /// <summary>Nothing touches it and no row pushes at it.</summary>
     public bool Free;
 
