@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
@@ -16,21 +17,16 @@ public class MemoryTests
     private const string Name = "What the collector counts";
     private const int Base = 60;
 
-    // 2,639 measured, 750 of it the rows of three contacts a body; 2,264 in a pyramid of base 100, where what a world has anyway weighs less.
+    // 2,550 measured, 750 of it the rows of three contacts a body; 2,264 in a pyramid of base 100, where what a world has anyway weighs less.
     private const double MostBytes = 2750;
 
+    /// <summary>The median of three worlds: what the process makes once, or frees meanwhile of tests before, is not the world's.</summary>
     [Fact]
     public void Pyramid_OfBoxes_KeepsLittleABody()
     {
-        long before = GC.GetTotalMemory(forceFullCollection: true);
-        using PhysicsSimulator simulator = Pyramid();
-        for (int i = 0; i < 20; i++)
-        {
-            simulator.Update(1f / 60f);
-        }
-
-        double kept = (GC.GetTotalMemory(forceFullCollection: true) - before) / (double)simulator.BodyList.Count;
-        Assert.True(kept < MostBytes, $"{kept:F0} bytes a body");
+        double[] kept = [KeptABody(), KeptABody(), KeptABody()];
+        Array.Sort(kept);
+        Assert.True(kept[1] < MostBytes, $"{kept[0]:F0}, {kept[1]:F0}, {kept[2]:F0} bytes a body");
     }
 
     [Fact]
@@ -66,6 +62,21 @@ public class MemoryTests
         simulator.Add(body);
         simulator.Update(0.01f);
         Assert.True(body.Position.X > place.X && body.Rotation > angle && body.AngularVelocity > 0.49f);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static double KeptABody()
+    {
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        long before = GC.GetTotalMemory(forceFullCollection: true);
+        using PhysicsSimulator simulator = Pyramid();
+        for (int i = 0; i < 20; i++)
+        {
+            simulator.Update(1f / 60f);
+        }
+
+        return (GC.GetTotalMemory(forceFullCollection: true) - before) / (double)simulator.BodyList.Count;
     }
 
     private static PhysicsSimulator Pyramid()
