@@ -17,8 +17,8 @@ public class MemoryTests
     private const string Name = "What the collector counts";
     private const int Base = 60;
 
-    // 2,550 measured, 750 of it the rows of three contacts a body; 2,264 in a pyramid of base 100, where what a world has anyway weighs less.
-    private const double MostBytes = 2750;
+    // 2,550 measured alone, 2,815 among all tests of the net standard asset, 750 of it the rows of three contacts a body; 2,264 in a pyramid of base 100, where what a world has anyway weighs less.
+    private const double MostBytes = 2900;
 
     /// <summary>The median of three worlds: what the process makes once, or frees meanwhile of tests before, is not the world's.</summary>
     [Fact]
