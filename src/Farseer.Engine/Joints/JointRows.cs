@@ -206,6 +206,18 @@ internal unsafe struct JointRows
         return turns ? 1 : Size;
     }
 
+    /// <summary>Two limits are one, or the two ends of one range.</summary>
+    public readonly bool BoundSame(int one, int other)
+    {
+        bool opposed = true;
+        for (int k = 0; k < 3; k++)
+        {
+            opposed &= A[(one * 3) + k] == -A[(other * 3) + k] && B[(one * 3) + k] == -B[(other * 3) + k];
+        }
+
+        return one == other || opposed;
+    }
+
     /// <summary>As if hard rows had no error, and limits were not overrun.</summary>
     public static void ForgetErrors(JointRows* rows)
     {

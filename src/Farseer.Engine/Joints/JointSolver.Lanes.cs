@@ -13,6 +13,9 @@ internal sealed unsafe partial class JointSolver
     /// <summary>Trees that can go side by side do.</summary>
     public bool UsesLanes { get; set; } = true;
 
+    /// <summary>Trees that none of the last step's passes gave back.</summary>
+    public int TreesSideBySide => UsesLanes ? _lanes.GivenCount : 0;
+
     /// <summary>Moves the trees that can be solved side by side out of the lists of the passes.</summary>
     private void TakeToLanes()
     {
@@ -129,7 +132,11 @@ internal sealed unsafe partial class JointSolver
         ChooseTree(index);
         for (int i = tree->First + 1; i < tree->End; i++)
         {
-            _joints[_jointCount++] = _forest.Nodes[i].RowJoint[0];
+            TreeNode* node = _forest.Nodes + i;
+            for (int k = 0; k < node->EdgeCount; k++)
+            {
+                _joints[_jointCount++] = _forest.EdgeJoints[node->EdgeFirst + k];
+            }
         }
 
         for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)

@@ -274,7 +274,7 @@ internal sealed unsafe partial class JointSolver
             JointRows* rows = _rows.Pointer + index;
             for (int row = rows->Hard; row < rows->Count && _active[index].BlockLimits; row++)
             {
-                if (!Holds(node, index, row) && IsPassed(_active.Pointer + index, rows, row, kind))
+                if (!Holds(node, index, rows, row) && IsPassed(_active.Pointer + index, rows, row, kind))
                 {
                     return row;
                 }
@@ -284,11 +284,12 @@ internal sealed unsafe partial class JointSolver
         return -1;
     }
 
-    private static bool Holds(TreeNode* node, int joint, int row)
+    /// <summary>The limit holds, or that at the other end of its range.</summary>
+    private static bool Holds(TreeNode* node, int joint, JointRows* rows, int row)
     {
         for (int r = node->HardRows; r < node->Rows; r++)
         {
-            if (node->RowJoint[r] == joint && node->RowIndex[r] == row)
+            if (node->RowJoint[r] == joint && rows->BoundSame(node->RowIndex[r], row))
             {
                 return true;
             }
@@ -371,7 +372,7 @@ internal sealed unsafe partial class JointSolver
             bool held = false;
             for (int r = rows->Hard; r < anchor->Rows; r++)
             {
-                held |= anchor->RowIndex[r] == row;
+                held |= rows->BoundSame(anchor->RowIndex[r], row);
             }
 
             if (!held && IsPassed(_active.Pointer + anchor->Active, rows, row, kind))

@@ -17,6 +17,9 @@ internal sealed partial class World
         set => _jointSolver.UsesLanes = value;
     }
 
+    /// <summary>Trees that were side by side in the last step from its start to its end.</summary>
+    internal int TreesSideBySide => _jointSolver.TreesSideBySide;
+
     /// <summary>Trees that are chains of hinges are solved as such: other roundings than those of the passes for all trees.</summary>
     internal bool TreesAsChains
     {

@@ -26,12 +26,18 @@ public class TreeLanesTests
         JointKind.Gear,
     ];
 
+    /// <summary>Joints that are limits alone.</summary>
+    private static readonly JointKind[] Ranges = [JointKind.AngleLimit, JointKind.Slider, JointKind.Rope];
+
+    /// <summary>What stands between the two bodies of another joint.</summary>
+    private static readonly JointKind[] Seconds = [JointKind.AngleLimit, JointKind.AngleLimit, JointKind.Angle];
+
     [Fact]
     public void RandomTrees_SideBySideOrOneByOne_GiveTheSameBits()
     {
         for (int seed = 0; seed < 60; seed++)
         {
-            Compare(seed, floor: false);
+            Compare(seed, floor: false, ranges: false);
         }
     }
 
@@ -40,20 +46,36 @@ public class TreeLanesTests
     {
         for (int seed = 0; seed < 60; seed++)
         {
-            Compare(seed, floor: true);
+            Compare(seed, floor: true, ranges: false);
         }
     }
 
-    private static void Compare(int seed, bool floor)
+    [Fact]
+    public void TreesOfLimitsAndPairsOfJoints_SideBySideOrOneByOne_GiveTheSameBits()
     {
-        using World lanes = Build(seed, onLanes: true, floor, out List<Handle> bodies, out List<Handle> joints);
-        using World single = Build(seed, onLanes: false, floor, out _, out _);
+        int sideBySide = 0;
+        for (int seed = 0; seed < 80; seed++)
+        {
+            sideBySide += Compare(seed, floor: seed % 2 == 1, ranges: true);
+        }
+
+        // Or the two ways would be one.
+        Assert.True(sideBySide > 10000, $"{sideBySide}");
+    }
+
+    /// <returns>Steps of trees that went side by side.</returns>
+    private static int Compare(int seed, bool floor, bool ranges)
+    {
+        using World lanes = Build(seed, onLanes: true, floor, ranges, out List<Handle> bodies, out List<Handle> joints);
+        using World single = Build(seed, onLanes: false, floor, ranges, out _, out _);
+        int sideBySide = 0;
         var random = new Random(seed);
         for (int step = 0; step < 90; step++)
         {
             lanes.Step(Dt);
             single.Step(Dt);
             Assert.True(single.StateHash() == lanes.StateHash(), $"seed {seed}, step {step}");
+            sideBySide += lanes.TreesSideBySide;
             foreach (Handle joint in joints)
             {
                 ref JointState a = ref single.JointState(joint);
@@ -78,10 +100,12 @@ public class TreeLanesTests
                 }
             }
         }
+
+        return sideBySide;
     }
 
     /// <summary>Trees of a few shapes, some equal: random kinds, parents, anchors, orders of the two bodies, limits, motors, springs, masses and speeds.</summary>
-    private static World Build(int seed, bool onLanes, bool floor, out List<Handle> bodies, out List<Handle> joints)
+    private static World Build(int seed, bool onLanes, bool floor, bool ranges, out List<Handle> bodies, out List<Handle> joints)
     {
         var random = new Random(seed);
         // With every other seed chains of hinges are left to those who solve them as such, in both worlds.
@@ -97,7 +121,15 @@ public class TreeLanesTests
         for (int tree = 0; tree < trees; tree++)
         {
             shape = random.Next(3) == 0 ? random.Next() : shape;
-            AddTree(world, new Random(shape), random, tree == 2 ? carriage : World.WorldFrame, 20.0 * tree, bodies, joints);
+            Handle ground = tree == 2 ? carriage : World.WorldFrame;
+            if (ranges)
+            {
+                AddTreeOfLimits(world, new Random(shape), random, ground, 20.0 * tree, bodies, joints);
+            }
+            else
+            {
+                AddTree(world, new Random(shape), random, ground, 20.0 * tree, bodies, joints);
+            }
         }
 
         if (floor)
@@ -142,10 +174,7 @@ public class TreeLanesTests
         var own = new Handle[count];
         for (int i = 0; i < count; i++)
         {
-            float mass = (float)Math.Pow(10, 3 * random.NextDouble());
-            own[i] = world.CreateBody(new BodyDef { X = x + i, Y = 0, Mass = mass, Inertia = mass / 6, Flags = BodyFlags.Enabled });
-            world.Bodies.State[own[i].Index].LinearVelocity = new Vector2((float)random.NextDouble(), (float)random.NextDouble());
-            world.Bodies.State[own[i].Index].AngularVelocity = (float)(20 * (random.NextDouble() - 0.5));
+            own[i] = AddBody(world, x + i, random);
             bodies.Add(own[i]);
             if (i > 0)
             {
@@ -171,6 +200,71 @@ public class TreeLanesTests
         }
     }
 
+    /// <summary>Trees of which every joint has limits or is one, or has a second beside it, and whose bodies hang on the world by limits as well.</summary>
+    private static void AddTreeOfLimits(World world, Random shape, Random random, Handle ground, double x, List<Handle> bodies, List<Handle> joints)
+    {
+        JointKind[] kinds = [JointKind.Revolute, JointKind.Revolute, JointKind.Wheel, JointKind.Distance, JointKind.Prismatic, JointKind.Gear];
+        int count = 1 + shape.Next(6);
+        int pairs = shape.Next(3);
+        int anchors = shape.Next(3);
+        JointFlags more = shape.Next(3) == 0 ? JointFlags.Motor : JointFlags.None;
+        more |= shape.Next(3) == 0 ? JointFlags.Spring : JointFlags.None;
+        var own = new Handle[count];
+        for (int i = 0; i < count; i++)
+        {
+            own[i] = AddBody(world, x + i, random);
+            bodies.Add(own[i]);
+            Handle before = i == 0 ? ground : own[shape.Next(i)];
+            double start = before.Index == World.WorldFrame.Index ? 0 : world.Bodies.Pose[before.Index].X;
+            double middle = x + i - 0.5;
+            if (i == 0 && shape.Next(3) == 0)
+            {
+                continue;
+            }
+
+            bool pair = i > 0 && shape.Next(3) < pairs;
+            JointKind kind = kinds[shape.Next(kinds.Length)];
+            JointFlags flags = JointFlags.Enabled | (kind == JointKind.Distance ? JointFlags.None : more | (pair ? JointFlags.None : JointFlags.Limit));
+            bool turned = shape.Next(2) == 0;
+            joints.Add(JoinAt(world, kind, before, middle - start, own[i], -0.5, turned, flags, random));
+            if (pair)
+            {
+                JointKind second = Seconds[shape.Next(Seconds.Length)];
+                joints.Add(JoinAt(world, second, before, 0, own[i], 0, shape.Next(2) == 0, JointFlags.Enabled, random));
+            }
+        }
+
+        for (int i = 0; i < anchors; i++)
+        {
+            Handle body = own[shape.Next(count)];
+            double at = ground.Index == World.WorldFrame.Index ? x : x - world.Bodies.Pose[ground.Index].X;
+            JointKind kind = Ranges[shape.Next(Ranges.Length)];
+            joints.Add(JoinAt(world, kind, ground, at, body, 0.3, shape.Next(2) == 0, JointFlags.Enabled, random));
+        }
+    }
+
+    private static Handle JoinAt(
+        World world,
+        JointKind kind,
+        Handle before,
+        double anchorBefore,
+        Handle body,
+        double anchor,
+        bool turned,
+        JointFlags flags,
+        Random random) => turned
+            ? Join(world, kind, body, before, anchor, anchorBefore, flags, random)
+            : Join(world, kind, before, body, anchorBefore, anchor, flags, random);
+
+    private static Handle AddBody(World world, double x, Random random)
+    {
+        float mass = (float)Math.Pow(10, 3 * random.NextDouble());
+        Handle body = world.CreateBody(new BodyDef { X = x, Y = 0, Mass = mass, Inertia = mass / 6, Flags = BodyFlags.Enabled });
+        world.Bodies.State[body.Index].LinearVelocity = new Vector2((float)random.NextDouble(), (float)random.NextDouble());
+        world.Bodies.State[body.Index].AngularVelocity = (float)(20 * (random.NextDouble() - 0.5));
+        return body;
+    }
+
     private static JointKind KindOf(Random shape, bool plain) => plain || shape.Next(3) == 0 ? JointKind.Revolute : Kinds[shape.Next(Kinds.Length)];
 
     private static Handle Join(
@@ -192,6 +286,15 @@ public class TreeLanesTests
         settings.BreakForce = double.PositiveInfinity;
         settings.Lower = -random.NextDouble();
         settings.Upper = random.NextDouble();
+        if (Array.IndexOf(Ranges, kind) >= 0)
+        {
+            settings.Slop = random.Next(2) == 0 ? 0 : 0.1 * random.NextDouble();
+
+            // Sliders keep two anchors apart, and ropes hang through.
+            settings.Lower += kind == JointKind.Slider ? 1 : 0;
+            settings.Upper += kind == JointKind.AngleLimit ? 0 : 1;
+        }
+
         double turn = 6 * random.NextDouble();
         settings.AxisX = Math.Cos(turn);
         settings.AxisY = Math.Sin(turn);

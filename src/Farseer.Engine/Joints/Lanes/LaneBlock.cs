@@ -7,9 +7,9 @@ using System.Runtime.Intrinsics;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <summary>
-/// The elimination of edges and anchors of one or three rows (welds, rods, gears), as in <see cref="TreeFactor"/> operation by operation. The third
+/// The elimination of edges and anchors of one or three rows (welds, rods, gears), as in <see cref="TreeFactor"/> operation by operation. The last
 /// row may be that of a limit that holds in some lanes only: in the others it is 0, its own response is taken for 1, and what is left of the
-/// formulas of three rows are those of two.
+/// formulas are those of a row less.
 /// </summary>
 internal static unsafe class LaneBlock
 {
@@ -27,8 +27,8 @@ internal static unsafe class LaneBlock
         LaneMatrix.Multiply(s, n, node->SubtreeMass, sy);
         LaneMatrix.MultiplyTransposed(sy, s, n, k);
         SetOwn(s, n, node, own);
-        Fill(held, own + (2 * LaneMatrix.Step));
-        Fill(held, k + (8 * LaneMatrix.Step));
+        Fill(held, own + ((n - 1) * LaneMatrix.Step));
+        Fill(held, Last(k, n));
         AddRegular(k, n, own, IsSingular(k, n, own));
         Invert(k, n, anchor->Joint.E, held);
         LaneMatrix.MultiplySquare(anchor->Joint.E, n, sy, anchor->Gain);
@@ -48,8 +48,8 @@ internal static unsafe class LaneBlock
         LaneMatrix.Multiply(s, n, node->SubtreeMass, sy);
         LaneMatrix.MultiplyTransposed(sy, s, n, k);
         SetOwn(s, n, node, own);
-        Fill(held, own + (2 * LaneMatrix.Step));
-        Fill(held, k + (8 * LaneMatrix.Step));
+        Fill(held, own + ((n - 1) * LaneMatrix.Step));
+        Fill(held, Last(k, n));
         AddRegular(k, n, own, IsSingular(k, n, own));
         LaneMatrix.Multiply(node->ParentS, n, parent->SubtreeMass, spy);
         LaneMatrix.MultiplyTransposed(spy, node->ParentS, n, h);
@@ -64,7 +64,7 @@ internal static unsafe class LaneBlock
             (WideDouble.Load(at) + LaneFactor.Own(node->ParentS + (i * LaneMatrix.Row), parent)).Store(at);
         }
 
-        Fill(held, h + (8 * LaneMatrix.Step));
+        Fill(held, Last(h, n));
         WideDoubleMask singular = IsSingular(h, n, own);
         AddRegular(h, n, own, singular);
         AddRegular(k, n, own, singular);
@@ -74,6 +74,8 @@ internal static unsafe class LaneBlock
         LaneMatrix.MultiplySquare(k, n, spy, node->W);
         LaneMatrix.SubtractOuter(parent->SubtreeMass, spy, node->W, n);
     }
+
+    private static double* Last(double* k, int n) => k + (((n * n) - 1) * LaneMatrix.Step);
 
     private static void SetOwn(double* s, int n, LaneNode* node, double* own)
     {
@@ -101,8 +103,12 @@ internal static unsafe class LaneBlock
         }
 
         // Regular only adds to the response that is taken for 1.
-        Fill(held, k + (8 * LaneMatrix.Step));
-        LaneMatrix.Invert(k, 3, r);
+        Fill(held, Last(k, n));
+        LaneMatrix.Invert(k, n, r);
+        if (n < 3)
+        {
+            return;
+        }
 
         // Of two rows the element above the diagonal is taken, of three that below.
         WideDouble f = LaneMatrix.Inverse(LaneMatrix.Determinant(k, 3));

@@ -45,11 +45,11 @@ internal static unsafe class LaneFactor
                     LaneRows.WriteHeld(&anchor->Joint, anchor->OtherS, place);
                 }
 
-                if (place->BlockRows == 2)
+                if (place->BlockRows == 2 && place->HardRows == 2)
                 {
                     EliminateAnchor(anchor, first + place->Parent);
                 }
-                else
+                else if (place->BlockRows > 0)
                 {
                     LaneBlock.EliminateAnchor(anchor, first + place->Parent, place, space);
                 }
@@ -65,7 +65,7 @@ internal static unsafe class LaneFactor
                     LaneRows.WriteHeld(&node->Joint, node->ParentS, place);
                 }
 
-                if (place->BlockRows == 2)
+                if (place->BlockRows == 2 && place->HardRows == 2)
                 {
                     EliminateEdge(node, first + place->Parent);
                 }

@@ -26,6 +26,12 @@ internal enum LaneForm : byte
 
     /// <summary>Two angles in a ratio: one row.</summary>
     Gear,
+
+    /// <summary>A range of the turn between two bodies: no row but that of a limit that holds.</summary>
+    Range,
+
+    /// <summary>A range of the distance of two anchors, of which a rope has the upper end only: no row but that of a limit that holds.</summary>
+    Span,
 }
 
 /// <summary>What follows from the form alone.</summary>
@@ -46,6 +52,8 @@ internal static class LaneForms
             JointKind.Distance => LaneForm.Rod,
             JointKind.Angle => LaneForm.Servo,
             JointKind.Gear => LaneForm.Gear,
+            JointKind.AngleLimit => LaneForm.Range,
+            JointKind.Slider or JointKind.Rope => LaneForm.Span,
             _ => LaneForm.None,
         };
         return rows.Hard == RowsOf(form) ? form : LaneForm.None;
@@ -56,11 +64,19 @@ internal static class LaneForms
     {
         LaneForm.Weld => 3,
         LaneForm.Hinge or LaneForm.Slide => 2,
+        LaneForm.Range or LaneForm.Span => 0,
         _ => 1,
     };
 
     /// <summary>It may have limits, motors and springs, all along one line or all of one angle; of a track, motors turn its wheel.</summary>
-    public static bool MayHaveMore(LaneForm form) => form == LaneForm.Hinge || form == LaneForm.Slide || form == LaneForm.Track;
+    public static bool MayHaveMore(LaneForm form) =>
+        form == LaneForm.Hinge || form == LaneForm.Slide || form == LaneForm.Track || RowsOf(form) == 0;
+
+    /// <summary>It may stand between the two bodies of another joint as well: it has neither arms nor errors.</summary>
+    public static bool MayBeSecond(LaneForm form) => form == LaneForm.Range || form == LaneForm.Servo;
+
+    /// <summary>Its limits bound a turn; else a way along its line.</summary>
+    public static bool BoundsTurn(LaneForm form) => form == LaneForm.Hinge || form == LaneForm.Range;
 
     /// <summary>A bit for each row of angles; the others are of lengths.</summary>
     public static int TurningRowsOf(LaneForm form) => form switch

@@ -158,13 +158,16 @@ internal static unsafe class LaneGoals
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideDoubleMask Bias(LaneJoint* joint, LanePlace* place, LaneBends* bends, WideDouble h)
     {
+        WideDoubleMask large = ~(WideDouble.Zero <= WideDouble.Zero);
         if (place->Form == LaneForm.Servo)
         {
             WideDouble.Load(joint->Axis).Store(joint->Goal);
-            return ~(WideDouble.Zero <= WideDouble.Zero);
+        }
+        else if (place->Rows > 0)
+        {
+            large = BiasRow(joint, place, 0, h);
         }
 
-        WideDoubleMask large = BiasRow(joint, place, 0, h);
         if (place->Rows > 1)
         {
             large |= BiasRow(joint, place, 1, h);
@@ -175,18 +178,29 @@ internal static unsafe class LaneGoals
             large |= BiasRow(joint, place, 2, h);
         }
 
-        for (int row = 0; bends != null && row < place->Rows; row++)
+        for (int row = 0; bends != null && row < place->Rows && place->Form != LaneForm.Servo; row++)
         {
             double* goal = joint->Goal + (row * Y);
             (WideDouble.Load(goal) - (WideDouble.Load(bends->Foreseen + (row * Y)) * h)).Store(goal);
         }
 
+        Turn(joint, place);
         if (place->Held != 0)
         {
             LaneLimits.Aim(joint, place, h, false);
         }
 
         return large;
+    }
+
+    /// <summary>A second joint that is a servo has its row behind those of the first.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Turn(LaneJoint* joint, LanePlace* place)
+    {
+        if (place->Second == LaneForm.Servo)
+        {
+            WideDouble.Load(joint->SecondSpeed).Store(joint->Goal + (place->Rows * Y));
+        }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -204,6 +218,7 @@ internal static unsafe class LaneGoals
         first.Store(joint->Goal);
         WideDouble.Zero.Store(joint->Goal + Y);
         WideDouble.Zero.Store(joint->Goal + W);
+        Turn(joint, place);
         if (place->Held != 0)
         {
             LaneLimits.Aim(joint, place, h, true);
@@ -224,7 +239,7 @@ internal static unsafe class LaneGoals
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideDouble Worse(WideDouble worst, LaneJoint* joint, LanePlace* place)
     {
-        worst = WorseRow(worst, joint, place, 0);
+        worst = place->Rows > 0 ? WorseRow(worst, joint, place, 0) : worst;
         if (place->Rows > 1)
         {
             worst = WorseRow(worst, joint, place, 1);
@@ -248,10 +263,12 @@ internal static unsafe class LaneGoals
         if (place->Form == LaneForm.Servo)
         {
             WideDouble.Zero.Store(joint->Goal);
-            return;
+        }
+        else
+        {
+            CorrectRow(joint, 0, takes, h);
         }
 
-        CorrectRow(joint, 0, takes, h);
         if (place->Rows > 1)
         {
             CorrectRow(joint, Y, takes, h);
@@ -260,6 +277,11 @@ internal static unsafe class LaneGoals
         if (place->Rows > 2)
         {
             CorrectRow(joint, W, takes, h);
+        }
+
+        if (place->Second == LaneForm.Servo)
+        {
+            WideDouble.Zero.Store(joint->Goal + (place->Rows * Y));
         }
 
         if (place->Held != 0)

@@ -27,8 +27,8 @@ internal static unsafe class LaneLimits
     public static void Aim(LaneJoint* joint, LanePlace* place, WideDouble h, bool relaxed)
     {
         WideDouble gap = HeldGap(joint);
-        WideDouble target = Target(gap, h, relaxed, place->Form == LaneForm.Hinge);
-        WideDouble.Select(WideDouble.LoadMask(joint->Held), target, WideDouble.Zero).Store(joint->Goal + (place->Rows * Y));
+        WideDouble target = Target(gap, WideDouble.Load(joint->Slop), h, relaxed, place->LimitTurns);
+        WideDouble.Select(WideDouble.LoadMask(joint->Held), target, WideDouble.Zero).Store(joint->Goal + (place->HardRows * Y));
         if (!relaxed)
         {
             WideDouble.Select(gap > WideDouble.Zero, WideDouble.Zero, gap + (target * h)).Store(joint->Stop);
@@ -39,7 +39,7 @@ internal static unsafe class LaneLimits
     public static void AimToStop(LaneJoint* joint, LanePlace* place, WideDoubleMask takes, WideDouble h)
     {
         WideDouble way = (WideDouble.Load(joint->Stop) - HeldGap(joint)) / h;
-        WideDouble.Select(takes & WideDouble.LoadMask(joint->Held), way, WideDouble.Zero).Store(joint->Goal + (place->Rows * Y));
+        WideDouble.Select(takes & WideDouble.LoadMask(joint->Held), way, WideDouble.Zero).Store(joint->Goal + (place->HardRows * Y));
     }
 
     /// <summary>The lanes in which a limit that does not hold is passed at the present velocities, or what one that holds gave in all was a pull.</summary>
@@ -97,9 +97,9 @@ internal static unsafe class LaneLimits
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             LaneJoint* at = DoubleLanes.Shift(joint, lane);
-            double* a = (place->IsA ? velocity : other) + lane;
-            double* b = (place->IsA ? other : velocity) + lane;
-            bool turns = place->Form == LaneForm.Hinge;
+            double* a = (place->LimitIsA ? velocity : other) + lane;
+            double* b = (place->LimitIsA ? other : velocity) + lane;
+            bool turns = place->LimitTurns;
             WideDouble speed;
             WideDouble terms;
             if (turns)
@@ -117,15 +117,16 @@ internal static unsafe class LaneLimits
             }
 
             terms = WideDouble.Splat(JointSolver.SpeedRounding) * terms;
-            WideDoubleMask lower = speed < Target(WideDouble.Load(at->Gap), time, relaxed, turns) - terms;
-            WideDoubleMask upper = WideDouble.Negate(speed) < Target(WideDouble.Load(at->Gap + Y), time, relaxed, turns) - terms;
+            WideDouble slop = WideDouble.Load(at->Slop);
+            WideDoubleMask lower = speed < Target(WideDouble.Load(at->Gap), slop, time, relaxed, turns) - terms;
+            WideDoubleMask upper = WideDouble.Negate(speed) < Target(WideDouble.Load(at->Gap + Y), slop, time, relaxed, turns) - terms;
             if (place->Held != 0)
             {
                 WideDoubleMask held = WideDouble.LoadMask(at->Held);
-                WideDouble push = WideDouble.Load(at->Push) + WideDouble.Load(at->Lambda + (place->Rows * Y));
+                WideDouble push = WideDouble.Load(at->Push) + WideDouble.Load(at->Lambda + (place->HardRows * Y));
                 verdict.Pulls |= DoubleLanes.Bits(held & ~(push >= WideDouble.Zero)) << lane;
 
-                // There is room for one.
+                // Of the two ends of a range one holds.
                 lower &= ~held;
                 upper &= ~held;
             }
@@ -146,14 +147,16 @@ internal static unsafe class LaneLimits
 
     /// <summary>The speed of a limit that holds, and below which one is passed.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDouble Target(WideDouble gap, WideDouble h, bool relaxed, bool turns)
+    private static WideDouble Target(WideDouble gap, WideDouble slop, WideDouble h, bool relaxed, bool turns)
     {
         WideDouble closing = WideDouble.Negate(gap) / h;
         WideDouble back = WideDouble.Zero;
         if (!relaxed)
         {
             WideDouble fastest = WideDouble.Splat(JointSolver.FastestReturn);
-            back = WideDouble.Splat(-JointPass.LimitRecovery) * gap / h;
+            WideDouble over = gap + slop;
+            over = WideDouble.Select(over > WideDouble.Zero, WideDouble.Zero, over);
+            back = WideDouble.Splat(-JointPass.LimitRecovery) * over / h;
             back = turns ? WideDouble.Select(back > fastest, fastest, back) : back;
         }
 

@@ -8,7 +8,7 @@ using System.Runtime.Intrinsics;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <summary>
-/// <see cref="SmallMatrix"/> for lanes, to the last bit: n is 1 or 3, for what has two rows is written out where it is needed.
+/// <see cref="SmallMatrix"/> for lanes, to the last bit. What always has two rows is written out where it is needed.
 /// </summary>
 internal static unsafe class LaneMatrix
 {
@@ -105,6 +105,11 @@ internal static unsafe class LaneMatrix
             return At(m, 0);
         }
 
+        if (n == 2)
+        {
+            return (At(m, 0) * At(m, 3)) - (At(m, 1) * At(m, 2));
+        }
+
         return (At(m, 0) * ((At(m, 4) * At(m, 8)) - (At(m, 5) * At(m, 7)))) + (At(m, 1) * ((At(m, 5) * At(m, 6)) - (At(m, 3) * At(m, 8))))
             + (At(m, 2) * ((At(m, 3) * At(m, 7)) - (At(m, 4) * At(m, 6))));
     }
@@ -115,6 +120,17 @@ internal static unsafe class LaneMatrix
         if (n == 1)
         {
             Inverse(At(m, 0)).Store(r);
+            return;
+        }
+
+        if (n == 2)
+        {
+            WideDouble g = Inverse(Determinant(m, 2));
+            WideDouble off = WideDouble.Negate(g) * At(m, 1);
+            (g * At(m, 3)).Store(r);
+            off.Store(r + 4);
+            off.Store(r + 8);
+            (g * At(m, 0)).Store(r + 12);
             return;
         }
 

@@ -76,7 +76,8 @@ internal unsafe struct LaneJoint
     /// <summary>The turn or the way along the line, which limits bound and springs pull at.</summary>
     public fixed double Travel[4];
 
-    /// <summary>What is left to the lower limit and to the upper, now and at the start of the substep.</summary>
+    /// <summary>By how much a limit may be overrun, and what is left to the lower limit and to the upper, now and at the start of the substep.</summary>
+    public fixed double Slop[4];
     public fixed double Gap[8];
     public fixed double StartGap[8];
 
@@ -103,8 +104,13 @@ internal unsafe struct LaneJoint
     public fixed double E[36];
     public fixed double Goal[12];
     public fixed double Lambda[12];
-    public fixed double Given[12];
-    public fixed double PlainGiven[12];
+
+    /// <summary>What it gave to its body B; then what a second joint between the same bodies did, which only turns. And the same before corrections.</summary>
+    public fixed double Given[16];
+    public fixed double PlainGiven[16];
+
+    /// <summary>The speed of a second joint that is a servo.</summary>
+    public fixed double SecondSpeed[4];
 }
 
 /// <summary>A joint between the bodies at one place and something that cannot move, as in <see cref="Trees.TreeAnchor"/>.</summary>
@@ -136,9 +142,16 @@ internal unsafe struct LanePlace
     /// <summary>The child, or the anchored body, is body A of the joint.</summary>
     public bool IsA;
 
-    /// <summary>What the joint is, how many rows always hold, and how many its block has with a limit that holds in any lane.</summary>
+    /// <summary>What the joint is, and how many of its rows always hold.</summary>
     public LaneForm Form;
     public byte Rows;
+
+    /// <summary>Of an edge: a second joint between the same bodies, a servo or a range of turns; the child is its body A.</summary>
+    public LaneForm Second;
+    public bool SecondIsA;
+
+    /// <summary>Rows that always hold, of both joints, and how many the block has with a limit that holds in any lane.</summary>
+    public byte HardRows;
     public byte BlockRows;
 
     /// <summary>A bit for each lane in which a limit holds.</summary>
@@ -147,12 +160,17 @@ internal unsafe struct LanePlace
     /// <summary>A bit for each row of angles, which a radian is the measure of; the others are of lengths.</summary>
     public byte Turning;
 
-    /// <summary>The joint has limits; or limits, motors or springs.</summary>
+    /// <summary>There are limits, of the first joint or of a second one: they bound a turn, and the child is body A of their joint.</summary>
     public bool HasLimits;
+    public bool LimitTurns;
+    public bool LimitIsA;
+
+    /// <summary>The joint has limits, motors or springs.</summary>
     public bool HasMore;
 
-    /// <summary>Among the rows of the joint the first of the limits, and the first that goes along its line; -1: none.</summary>
-    public sbyte LimitRow;
+    /// <summary>Among the rows of their joint the lower limit and the upper one, and of the first joint's the first along its line; -1: none.</summary>
+    public sbyte LowerRow;
+    public sbyte UpperRow;
     public sbyte LineRow;
 
     /// <summary>The body has anchors.</summary>
@@ -161,6 +179,12 @@ internal unsafe struct LanePlace
     /// <summary>Of each lane: the body, or what cannot move, and the active joint.</summary>
     public fixed int Body[4];
     public fixed int Active[4];
+
+    /// <summary>The second joint.</summary>
+    public fixed int ActiveSecond[4];
+
+    /// <summary>The joint that has the limits.</summary>
+    public readonly int Limited(int lane) => Second == LaneForm.Range ? ActiveSecond[lane] : Active[lane];
 }
 
 /// <summary>Up to four trees of equal shape side by side.</summary>
@@ -180,9 +204,6 @@ internal unsafe struct LaneTrees
     public int AnchorFirst;
     public int Anchors;
     public bool HasLimits;
-
-    /// <summary>Limits that are reached are held here; else the tree is given back.</summary>
-    public bool HoldsLimits;
 
     /// <summary>All edges and anchors have two rows, and none a motor or a spring: it is faster here even if it is alone.</summary>
     public bool IsSimple;

@@ -27,13 +27,20 @@ internal static unsafe class LaneRows
             {
                 StoreTravel(joint, Bend(joint, a, b));
             }
-
-            return;
+        }
+        else
+        {
+            dx.Store(joint->Apart);
+            dy.Store(joint->Apart + 4);
+            PlaceOther(joint, place, a, b);
         }
 
-        dx.Store(joint->Apart);
-        dy.Store(joint->Apart + 4);
-        PlaceOther(joint, place, a, b);
+        if (place->Second == LaneForm.Range)
+        {
+            bool same = place->SecondIsA == place->IsA;
+            WideDouble turn = WideDouble.Load(b + 8) - WideDouble.Load(a + 8);
+            StoreGap(joint, same ? turn : WideDouble.Load(a + 8) - WideDouble.Load(b + 8));
+        }
     }
 
     /// <summary>The Jacobians at the poses that were placed last, at the child of an edge or the body of an anchor and at the other body.</summary>
@@ -71,12 +78,12 @@ internal static unsafe class LaneRows
     /// <param name="place">What the joint is.</param>
     public static void WriteHeld(LaneJoint* joint, double* other, LanePlace* place)
     {
-        int at = place->Rows * Row;
-        double* a = (place->IsA ? joint->S : other) + at;
-        double* b = (place->IsA ? other : joint->S) + at;
+        int at = place->HardRows * Row;
+        double* a = (place->LimitIsA ? joint->S : other) + at;
+        double* b = (place->LimitIsA ? other : joint->S) + at;
         WideDoubleMask held = WideDouble.LoadMask(joint->Held);
         WideDoubleMask above = WideDouble.LoadMask(joint->HeldAbove);
-        if (place->Form == LaneForm.Hinge)
+        if (place->LimitTurns)
         {
             WideDouble one = WideDouble.Splat(1);
             WideDouble turn = WideDouble.Select(above, WideDouble.Negate(one), one);
@@ -106,6 +113,12 @@ internal static unsafe class LaneRows
     private static void StoreTravel(LaneJoint* joint, WideDouble way)
     {
         way.Store(joint->Travel);
+        StoreGap(joint, way);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void StoreGap(LaneJoint* joint, WideDouble way)
+    {
         (way - WideDouble.Load(joint->Lower)).Store(joint->Gap);
         (WideDouble.Load(joint->Upper) - way).Store(joint->Gap + 4);
     }
@@ -122,11 +135,13 @@ internal static unsafe class LaneRows
                 Bend(joint, a, b).Store(joint->Error + 8);
                 break;
             case LaneForm.Rod:
-                WideDouble length = WideDouble.Sqrt((dx * dx) + (dy * dy));
-                WideDoubleMask apart = length > WideDouble.Zero;
-                WideDouble.Select(apart, dx / length, WideDouble.Splat(1)).Store(joint->Way);
-                WideDouble.Select(apart, dy / length, WideDouble.Zero).Store(joint->Way + 4);
-                (length - WideDouble.Load(joint->Target)).Store(joint->Error);
+                (Direction(joint, dx, dy) - WideDouble.Load(joint->Target)).Store(joint->Error);
+                break;
+            case LaneForm.Span:
+                StoreTravel(joint, Direction(joint, dx, dy));
+                break;
+            case LaneForm.Range:
+                StoreGap(joint, WideDouble.Load(b + 8) - WideDouble.Load(a + 8));
                 break;
             case LaneForm.Gear:
                 (WideDouble.Load(b + 8) + (WideDouble.Load(joint->Axis) * WideDouble.Load(a + 8)) - WideDouble.Load(joint->Target)).Store(joint->Error);
@@ -136,6 +151,17 @@ internal static unsafe class LaneRows
                 PlaceOnLine(joint, place, a, b);
                 break;
         }
+    }
+
+    /// <summary>Stores the unit vector from anchor to anchor; the x axis where they coincide.</summary>
+    /// <returns>How far they are apart.</returns>
+    private static WideDouble Direction(LaneJoint* joint, WideDouble dx, WideDouble dy)
+    {
+        WideDouble length = WideDouble.Sqrt((dx * dx) + (dy * dy));
+        WideDoubleMask apart = length > WideDouble.Zero;
+        WideDouble.Select(apart, dx / length, WideDouble.Splat(1)).Store(joint->Way);
+        WideDouble.Select(apart, dy / length, WideDouble.Zero).Store(joint->Way + 4);
+        return length;
     }
 
     private static void PlaceOnLine(LaneJoint* joint, LanePlace* place, double* a, double* b)
@@ -171,6 +197,11 @@ internal static unsafe class LaneRows
                 break;
             case LaneForm.Gear:
                 WriteAngle(a, b, WideDouble.Load(joint->Axis));
+                break;
+            case LaneForm.Span:
+                WriteDirection(joint->LineA, joint->LineB, x, y, WideDouble.Load(joint->ArmA), WideDouble.Load(joint->ArmA + 4), joint->ArmB);
+                break;
+            case LaneForm.Range:
                 break;
             default:
                 // The line turns with body A, so that its arm reaches as far as the anchor of B.

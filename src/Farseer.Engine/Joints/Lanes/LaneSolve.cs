@@ -38,7 +38,7 @@ internal static unsafe class LaneSolve
                 double* parent = first[bundle.Places[i].Parent].Velocity;
                 int n = bundle.Places[i].BlockRows;
                 Residual(node, node->Velocity, parent, n, out WideDouble r0, out WideDouble r1, out WideDouble r2);
-                Spread(node->W, r0, r1, r2, n, parent, WhereThird(node, bundle.Places + i));
+                SpreadWhere(node->W, r0, r1, r2, n, parent, bundle.Places[i].Held != 0 ? node->Joint.Held : null);
             }
 
             for (int i = 1; i < bundle.Count; i++)
@@ -47,7 +47,7 @@ internal static unsafe class LaneSolve
                 LaneNode* parent = first + bundle.Places[i].Parent;
                 int n = bundle.Places[i].BlockRows;
                 Residual(node, node->Velocity, parent->Velocity, n, out WideDouble r0, out WideDouble r1, out WideDouble r2);
-                Spread(node->G, r0, r1, r2, n, node->Velocity, WhereThird(node, bundle.Places + i));
+                SpreadWhere(node->G, r0, r1, r2, n, node->Velocity, bundle.Places[i].Held != 0 ? node->Joint.Held : null);
                 Multiply(node->Joint.E, r0, r1, r2, n, out WideDouble l0, out WideDouble l1, out WideDouble l2);
                 StoreRows(l0, l1, l2, n, node->Joint.Lambda);
                 if (bundle.Places[i].Anchored)
@@ -78,6 +78,10 @@ internal static unsafe class LaneSolve
             {
                 LaneNode* node = DoubleLanes.Shift(bundle.Nodes + i, lane);
                 Give(&node->Joint, bundle.Places[i].IsA ? node->ParentS : node->Joint.S, bundle.Places + i);
+                if (bundle.Places[i].Second != LaneForm.None)
+                {
+                    GiveSecond(node, bundle.Places + i);
+                }
             }
 
             for (int i = 0; i < bundle.AnchorCount; i++)
@@ -91,12 +95,32 @@ internal static unsafe class LaneSolve
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Give(LaneJoint* joint, double* b, LanePlace* place)
     {
-        Push(b, joint->Lambda, place->BlockRows, joint->Given);
+        Push(b, joint->Lambda, place->Second == LaneForm.None ? place->BlockRows : place->Rows, joint->Given);
         if (place->Held != 0)
         {
             WideDouble push = WideDouble.Load(joint->Push);
-            WideDouble more = push + WideDouble.Load(joint->Lambda + (place->Rows * Step));
+            WideDouble more = push + WideDouble.Load(joint->Lambda + (place->HardRows * Step));
             WideDouble.Select(WideDouble.LoadMask(joint->Held), more, push).Store(joint->Push);
+        }
+    }
+
+    /// <summary>What the rows behind those of the first joint gave: a servo's or a limit's of the second, and behind the servo's a limit's of the first.</summary>
+    private static void GiveSecond(LaneNode* node, LanePlace* place)
+    {
+        int row = place->Rows;
+        bool any = place->Second == LaneForm.Servo || place->Held != 0;
+        if (any)
+        {
+            double* b = (place->SecondIsA ? node->ParentS : node->Joint.S) + (row * Half) + (2 * Step);
+            double* turn = node->Joint.Given + Half;
+            (WideDouble.Load(turn) + (WideDouble.Load(b) * WideDouble.Load(node->Joint.Lambda + (row * Step)))).Store(turn);
+        }
+
+        if (any && place->BlockRows > row + 1)
+        {
+            row++;
+            double* b = (place->IsA ? node->ParentS : node->Joint.S) + (row * Half);
+            Spread(b, WideDouble.Load(node->Joint.Lambda + (row * Step)), WideDouble.Zero, WideDouble.Zero, 1, node->Joint.Given);
         }
     }
 
@@ -130,19 +154,41 @@ internal static unsafe class LaneSolve
         }
     }
 
-    /// <summary>Where a block of three rows has three: the third may be that of a limit, which holds in some lanes only.</summary>
+    /// <summary>v += mᵀ·r, of which the last row may be that of a limit, which holds in some lanes only.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDoubleMask WhereThird(LaneNode* node, LanePlace* place) =>
-        place->Held != 0 ? WideDouble.LoadMask(node->Joint.Held) : WideDouble.Zero <= WideDouble.Zero;
+    private static void SpreadWhere(double* m, WideDouble r0, WideDouble r1, WideDouble r2, int n, double* v, long* held)
+    {
+        if (held == null)
+        {
+            Spread(m, r0, r1, r2, n, v);
+            return;
+        }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Spread(double* m, WideDouble r0, WideDouble r1, WideDouble r2, int n, double* v) =>
-        Spread(m, r0, r1, r2, n, v, WideDouble.Zero <= WideDouble.Zero);
+        if (n > 1)
+        {
+            Spread(m, r0, r1, r2, n - 1, v);
+        }
+
+        WideDouble last = n > 2 ? r2 : n > 1 ? r1 : r0;
+        WideDoubleMask where = WideDouble.LoadMask(held);
+        m += (n - 1) * Half;
+        for (int at = 0; at < Half; at += Step)
+        {
+            // -0 and 0 are 0: a lane without the row keeps its sign.
+            WideDouble plain = WideDouble.Load(v + at);
+            WideDouble.Select(where, plain + (WideDouble.Load(m + at) * last), plain).Store(v + at);
+        }
+    }
 
     /// <summary>v += mᵀ·r.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Spread(double* m, WideDouble r0, WideDouble r1, WideDouble r2, int n, double* v, WideDoubleMask third)
+    private static void Spread(double* m, WideDouble r0, WideDouble r1, WideDouble r2, int n, double* v)
     {
+        if (n == 0)
+        {
+            return;
+        }
+
         WideDouble x = WideDouble.Load(v) + (WideDouble.Load(m) * r0);
         WideDouble y = WideDouble.Load(v + 4) + (WideDouble.Load(m + 4) * r0);
         WideDouble w = WideDouble.Load(v + 8) + (WideDouble.Load(m + 8) * r0);
@@ -155,10 +201,9 @@ internal static unsafe class LaneSolve
 
         if (n > 2)
         {
-            // -0 and 0 are 0: a lane without the row keeps its sign.
-            x = WideDouble.Select(third, x + (WideDouble.Load(m + 24) * r2), x);
-            y = WideDouble.Select(third, y + (WideDouble.Load(m + 28) * r2), y);
-            w = WideDouble.Select(third, w + (WideDouble.Load(m + 32) * r2), w);
+            x += WideDouble.Load(m + 24) * r2;
+            y += WideDouble.Load(m + 28) * r2;
+            w += WideDouble.Load(m + 32) * r2;
         }
 
         x.Store(v);
@@ -239,6 +284,11 @@ internal static unsafe class LaneSolve
     /// <summary>The multipliers of an anchor, with what its body got since.</summary>
     private static void Answer(LaneAnchor* anchor, double* got, int n)
     {
+        if (n == 0)
+        {
+            return;
+        }
+
         double* residual = anchor->Residual;
         WideDouble r0 = WideDouble.Load(residual);
         WideDouble r1 = WideDouble.Load(residual + 4);

@@ -11,7 +11,7 @@ internal sealed unsafe partial class TreeLanes
     private const ulong HashPrime = 1099511628211;
 
     /// <summary>Room in the hash for what a joint is, beside its place.</summary>
-    private const int FormBits = 64;
+    private const int FormBits = 4096;
 
     /// <summary>Before the trees of a step are taken.</summary>
     /// <param name="forest">The trees.</param>
@@ -52,7 +52,7 @@ internal sealed unsafe partial class TreeLanes
     public bool Take(int index)
     {
         JointTree* tree = _forest.Trees + index;
-        if (!tree->Eliminates || tree->Tied || tree->Pulled || tree->Guest || tree->Wheel || !IsKnown(tree, out bool holdsLimits))
+        if (!tree->Eliminates || tree->Tied || tree->Pulled || tree->Guest || tree->Wheel || !IsKnown(tree))
         {
             return false;
         }
@@ -61,11 +61,6 @@ internal sealed unsafe partial class TreeLanes
         if (_draftCount > 0 && _step.Audited)
         {
             // Whoever asks for the work of motors asks the joints themselves.
-            return false;
-        }
-
-        if (tree->Touched && tree->HasLimits && !holdsLimits)
-        {
             return false;
         }
 
@@ -80,9 +75,7 @@ internal sealed unsafe partial class TreeLanes
             }
         }
 
-        LaneTrees* bundle = AddBundle(tree, shape);
-        bundle->HoldsLimits = holdsLimits;
-        Enter(bundle, index);
+        Enter(AddBundle(tree, shape), index);
         return true;
     }
 
@@ -109,42 +102,42 @@ internal sealed unsafe partial class TreeLanes
         _count = kept;
     }
 
-    /// <summary>
-    /// Each edge and anchor is one joint of a form that is known here. Limits are held of joints that have two rows without them; where a track
-    /// has limits, none may hold.
-    /// </summary>
-    private bool IsKnown(JointTree* tree, out bool holdsLimits)
+    /// <summary>Each edge and anchor is one joint of a form that is known here; an edge may have a second one.</summary>
+    private bool IsKnown(JointTree* tree)
     {
-        bool holds = false;
-        holdsLimits = tree->HasLimits;
         for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = _forest.Nodes + i;
-            if (node->EdgeCount != 1 || FormOf(node->RowJoint[0]) == LaneForm.None)
+            if (FormOf(node->RowJoint[0]) == LaneForm.None || (node->EdgeCount > 1 && !IsKnownPair(node)))
             {
                 return false;
             }
-
-            holds |= node->Rows != node->HardRows;
-            holdsLimits &= CanHold(node->RowJoint[0]);
         }
 
         for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
         {
-            TreeAnchor* anchor = _forest.Anchors + i;
-            if (FormOf(anchor->Active) == LaneForm.None)
+            if (FormOf(_forest.Anchors[i].Active) == LaneForm.None)
             {
                 return false;
             }
-
-            holds |= anchor->Rows != _rows[anchor->Active].Hard;
-            holdsLimits &= CanHold(anchor->Active);
         }
 
-        return holdsLimits || !holds;
+        return true;
     }
 
-    private bool CanHold(int active) => LimitRowOf(active) < 0 || FormOf(active) != LaneForm.Track;
+    /// <summary>The second joint of an edge may be a servo, or a range where the first has no limits.</summary>
+    private bool IsKnownPair(TreeNode* node)
+    {
+        int second = SecondOf(node);
+        return node->EdgeCount == 2 && LaneForms.MayBeSecond(FormOf(second)) && !(HasLimits(node->RowJoint[0]) && HasLimits(second));
+    }
+
+    /// <summary>The joint of an edge beside the one that has its first row, -1: none.</summary>
+    private int SecondOf(TreeNode* node)
+    {
+        int* joints = _forest.EdgeJoints + node->EdgeFirst;
+        return node->EdgeCount < 2 ? -1 : joints[0] == node->RowJoint[0] ? joints[1] : joints[0];
+    }
 
     private LaneForm FormOf(int active)
     {
@@ -160,7 +153,9 @@ internal sealed unsafe partial class TreeLanes
         for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = _forest.Nodes + i;
-            hash = (hash * HashPrime) ^ ((ulong)((node->Parent - tree->First) * FormBits) + BitsOf(node->RowJoint[0], i));
+            int second = SecondOf(node);
+            uint bits = BitsOf(node->RowJoint[0], i) + (second < 0 ? 0 : BitsOf(second, i) << 6);
+            hash = (hash * HashPrime) ^ ((ulong)((node->Parent - tree->First) * FormBits) + bits);
         }
 
         for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
@@ -172,12 +167,20 @@ internal sealed unsafe partial class TreeLanes
         return hash;
     }
 
-    private uint BitsOf(int active, int node) => (IsA(active, node) ? 1u : 0) | (LimitRowOf(active) >= 0 ? 2u : 0) | ((uint)FormOf(active) << 2);
+    private uint BitsOf(int active, int node) => (IsA(active, node) ? 1u : 0) | (HasLimits(active) ? 2u : 0) | ((uint)FormOf(active) << 2);
 
-    private bool IsLike(LanePlace* place, int parent, int active, int node) => place->Parent == parent
-        && place->IsA == IsA(active, node)
-        && place->LimitRow == LimitRowOf(active)
-        && place->Form == FormOf(active);
+    private bool IsLike(LanePlace* place, int parent, int active, int second, int node)
+    {
+        LanePlace other = default;
+        SetPlace(&other, parent, active, second, node);
+        return place->Parent == parent
+            && place->IsA == other.IsA
+            && place->Form == other.Form
+            && place->Second == other.Second
+            && place->SecondIsA == other.SecondIsA
+            && place->LowerRow == other.LowerRow
+            && place->UpperRow == other.UpperRow;
+    }
 
     private bool IsLike(LaneTrees* bundle, JointTree* tree)
     {
@@ -190,7 +193,7 @@ internal sealed unsafe partial class TreeLanes
         {
             TreeNode* node = _forest.Nodes + tree->First + i;
             LanePlace* place = _places.Pointer + bundle->First + i;
-            if (!IsLike(place, node->Parent - tree->First, node->RowJoint[0], tree->First + i))
+            if (!IsLike(place, node->Parent - tree->First, node->RowJoint[0], SecondOf(node), tree->First + i))
             {
                 return false;
             }
@@ -200,7 +203,7 @@ internal sealed unsafe partial class TreeLanes
         {
             TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst + i;
             LanePlace* place = _anchorPlaces.Pointer + bundle->AnchorFirst + i;
-            if (!IsLike(place, anchor->Node - tree->First, anchor->Active, anchor->Node))
+            if (!IsLike(place, anchor->Node - tree->First, anchor->Active, -1, anchor->Node))
             {
                 return false;
             }
@@ -237,8 +240,8 @@ internal sealed unsafe partial class TreeLanes
             place->Anchored = node->Anchored;
             if (i > 0)
             {
-                SetPlace(place, node->Parent - tree->First, node->RowJoint[0], tree->First + i);
-                bundle->IsSimple &= place->Rows == 2;
+                SetPlace(place, node->Parent - tree->First, node->RowJoint[0], SecondOf(node), tree->First + i);
+                bundle->IsSimple &= place->HardRows == 2;
             }
         }
 
@@ -247,26 +250,34 @@ internal sealed unsafe partial class TreeLanes
             TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst + i;
             LanePlace* place = _anchorPlaces.Pointer + bundle->AnchorFirst + i;
             *place = default;
-            SetPlace(place, anchor->Node - tree->First, anchor->Active, anchor->Node);
-            bundle->IsSimple &= place->Rows == 2;
+            SetPlace(place, anchor->Node - tree->First, anchor->Active, -1, anchor->Node);
+            bundle->IsSimple &= place->HardRows == 2;
         }
 
         return bundle;
     }
 
-    private void SetPlace(LanePlace* place, int parent, int active, int node)
+    private void SetPlace(LanePlace* place, int parent, int active, int second, int node)
     {
         place->Parent = parent;
         place->IsA = IsA(active, node);
         place->Form = FormOf(active);
-        place->LimitRow = (sbyte)LimitRowOf(active);
-        place->HasLimits = place->LimitRow >= 0;
+        place->Second = second < 0 ? LaneForm.None : FormOf(second);
+        place->SecondIsA = second >= 0 && IsA(second, node);
+        bool ofSecond = place->Second == LaneForm.Range;
+        FindLimits(ofSecond ? second : active, out int lower, out int upper);
+        place->LowerRow = (sbyte)lower;
+        place->UpperRow = (sbyte)upper;
+        place->HasLimits = upper >= 0;
+        place->LimitTurns = ofSecond || LaneForms.BoundsTurn(place->Form);
+        place->LimitIsA = ofSecond ? place->SecondIsA : place->IsA;
         place->HasMore = _rows[active].Count > _rows[active].Hard;
 
         // The first row behind the hard ones is along the line where any is: a spring, a lower limit or a motor that slides.
         place->LineRow = (sbyte)(place->HasMore ? _rows[active].Hard : -1);
         place->Rows = (byte)LaneForms.RowsOf(place->Form);
-        place->BlockRows = place->Rows;
+        place->HardRows = (byte)(place->Rows + (place->Second == LaneForm.Servo ? 1 : 0));
+        place->BlockRows = place->HardRows;
         place->Turning = (byte)LaneForms.TurningRowsOf(place->Form);
     }
 
@@ -281,6 +292,7 @@ internal sealed unsafe partial class TreeLanes
             TreeNode* node = _forest.Nodes + tree->First + i;
             _places[bundle->First + i].Body[lane] = node->Body;
             _places[bundle->First + i].Active[lane] = i == 0 ? -1 : node->RowJoint[0];
+            _places[bundle->First + i].ActiveSecond[lane] = SecondOf(node);
         }
 
         for (int i = 0; i < bundle->Anchors; i++)

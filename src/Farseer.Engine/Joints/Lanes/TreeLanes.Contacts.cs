@@ -247,7 +247,7 @@ internal sealed unsafe partial class TreeLanes
             LaneTrees* trees = _bundles.Pointer + b;
             if (IsTouched(trees))
             {
-                int changed = trees->HoldsLimits ? SolveTurned(trees, relaxed) : 0;
+                int changed = trees->HasLimits ? SolveTurned(trees, relaxed) : 0;
                 ShareVelocities(trees, changed);
                 any |= changed != 0;
             }

@@ -33,8 +33,9 @@ internal sealed unsafe partial class TreeLanes
                     {
                         LanePlace* place = _places.Pointer + trees->First + i;
                         TreeNode* own = _forest.Nodes + tree->First + i;
-                        LoadJoint(&node->Joint, place->Form, place->Active[from]);
-                        LoadHeld(&node->Joint, place, lane, from, own->Rows, own->RowIndex[2]);
+                        LoadJoint(&node->Joint, place, from);
+                        LoadSecond(node, place, from);
+                        LoadHeld(&node->Joint, place, lane, from, own->Rows, own->RowIndex[own->Rows - 1]);
                     }
                 }
 
@@ -43,8 +44,8 @@ internal sealed unsafe partial class TreeLanes
                     LaneAnchor* anchor = DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + i, lane);
                     LanePlace* place = _anchorPlaces.Pointer + trees->AnchorFirst + i;
                     TreeAnchor* own = _forest.Anchors + tree->AnchorFirst + i;
-                    LoadJoint(&anchor->Joint, place->Form, place->Active[from]);
-                    LoadHeld(&anchor->Joint, place, lane, from, own->Rows, own->RowIndex[2]);
+                    LoadJoint(&anchor->Joint, place, from);
+                    LoadHeld(&anchor->Joint, place, lane, from, own->Rows, own->Rows > 0 ? own->RowIndex[own->Rows - 1] : -1);
                     anchor->Angle[0] = double.NaN;
                 }
             }
@@ -81,8 +82,8 @@ internal sealed unsafe partial class TreeLanes
 
                 if (place->HasLimits)
                 {
-                    joint->Gap[0] = rows->Error[place->LimitRow];
-                    joint->Gap[Y] = rows->Error[place->LimitRow + 1];
+                    joint->Gap[0] = place->LowerRow < 0 ? double.PositiveInfinity : rows->Error[place->LowerRow];
+                    joint->Gap[Y] = rows->Error[place->UpperRow];
                 }
 
                 if (place->HasMore)
@@ -104,14 +105,15 @@ internal sealed unsafe partial class TreeLanes
         {
             to[k * Y] = from[k];
         }
-
     }
 
+    /// <summary>The line goes the way of lower limits.</summary>
     private static void LoadLine(double* from, double* to, LanePlace* place)
     {
         for (int k = 0; k < 3 && place->HasMore; k++)
         {
-            to[k * Y] = from[(place->LineRow * 3) + k];
+            double along = from[(place->LineRow * 3) + k];
+            to[k * Y] = place->LineRow == place->UpperRow ? -along : along;
         }
     }
 
@@ -136,32 +138,45 @@ internal sealed unsafe partial class TreeLanes
         node->Lead[0] = _step.Bodies.Drive[from->Body].Lead;
     }
 
-    private void LoadJoint(LaneJoint* joint, LaneForm form, int active)
+    private void LoadJoint(LaneJoint* joint, LanePlace* place, int lane)
     {
+        int active = place->Active[lane];
         ref JointSettings settings = ref _active[active].Settings;
         joint->AnchorA[0] = settings.AnchorAX;
         joint->AnchorA[Y] = settings.AnchorAY;
         joint->AnchorB[0] = settings.AnchorBX;
         joint->AnchorB[Y] = settings.AnchorBY;
         joint->Target[0] = settings.Target;
-        joint->Lower[0] = settings.Lower;
-        joint->Upper[0] = settings.Upper;
-        joint->Axis[0] = form == LaneForm.Servo ? _rows[active].Speed[0] : form == LaneForm.Gear ? settings.Ratio : settings.AxisX;
+        joint->Axis[0] = place->Form == LaneForm.Servo ? _rows[active].Speed[0] : place->Form == LaneForm.Gear ? settings.Ratio : settings.AxisX;
         joint->Axis[Y] = settings.AxisY;
         joint->Error[0] = 0;
-        joint->Given[0] = 0;
-        joint->Given[Y] = 0;
-        joint->Given[W] = 0;
-        joint->PlainGiven[0] = 0;
-        joint->PlainGiven[Y] = 0;
-        joint->PlainGiven[W] = 0;
-
-        // What limits gave in the step before is no start.
-        int limit = LimitRowOf(active);
-        for (int row = limit; limit >= 0 && row < limit + 2; row++)
+        for (int k = 0; k <= LaneMatrix.Row; k += Y)
         {
-            _active[active].Lambda[row] = 0;
-            _active[active].PlainLambda[row] = 0;
+            joint->Given[k] = 0;
+            joint->PlainGiven[k] = 0;
+        }
+
+        if (place->HasLimits)
+        {
+            LoadLimits(joint, place, place->Limited(lane));
+        }
+    }
+
+    /// <summary>A second joint that is a servo: its row is the same at all poses.</summary>
+    private void LoadSecond(LaneNode* node, LanePlace* place, int lane)
+    {
+        if (place->Second != LaneForm.Servo)
+        {
+            return;
+        }
+
+        node->Joint.SecondSpeed[0] = _rows[place->ActiveSecond[lane]].Speed[0];
+        for (int k = 0; k < 3; k++)
+        {
+            int at = (place->Rows * LaneMatrix.Row) + (k * Y);
+            double turn = k < 2 ? 0 : 1;
+            node->Joint.S[at] = place->SecondIsA && k == 2 ? -1 : turn;
+            node->ParentS[at] = !place->SecondIsA && k == 2 ? -1 : turn;
         }
     }
 
@@ -225,7 +240,7 @@ internal sealed unsafe partial class TreeLanes
 
     private static void NoteGiven(LaneJoint* joint, bool hasLimits)
     {
-        Copy(joint->Given, joint->PlainGiven, 3);
+        Copy(joint->Given, joint->PlainGiven, 4);
         if (hasLimits)
         {
             Copy(joint->Gap, joint->StartGap, 2);
@@ -366,8 +381,13 @@ internal sealed unsafe partial class TreeLanes
     {
         for (int i = 1; i < trees->Nodes; i++)
         {
-            ActiveJoint* joint = _active + _places[trees->First + i].Active[lane];
-            PutBack(DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Joint.PlainGiven, joint->Given);
+            LanePlace* place = _places.Pointer + trees->First + i;
+            LaneJoint* from = &DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Joint;
+            PutBack(from->PlainGiven, _active[place->Active[lane]].Given);
+            if (place->Second != LaneForm.None)
+            {
+                _active[place->ActiveSecond[lane]].Given[2] = from->PlainGiven[LaneMatrix.Row];
+            }
         }
 
         for (int i = 0; i < trees->Anchors; i++)
@@ -398,11 +418,21 @@ internal sealed unsafe partial class TreeLanes
         PutBack(joint->PlainGiven, _active[active].PlainGiven);
         _rows[active].ArmX = joint->ArmB[0];
         _rows[active].ArmY = joint->ArmB[Y];
+        if (place->Second != LaneForm.None)
+        {
+            _active[place->ActiveSecond[lane]].Given[2] = joint->Given[LaneMatrix.Row];
+            _active[place->ActiveSecond[lane]].PlainGiven[2] = joint->PlainGiven[LaneMatrix.Row];
+        }
+
         if (place->HasLimits && HasMoved)
         {
             // The goals of a projection follow from what the limits were off by at the start of the substep.
-            _rows[active].Error[place->LimitRow] = joint->StartGap[0];
-            _rows[active].Error[place->LimitRow + 1] = joint->StartGap[Y];
+            JointRows* limited = _rows + place->Limited(lane);
+            limited->Error[place->UpperRow] = joint->StartGap[Y];
+            if (place->LowerRow >= 0)
+            {
+                limited->Error[place->LowerRow] = joint->StartGap[0];
+            }
         }
     }
 

@@ -172,7 +172,7 @@ internal sealed unsafe partial class TreeLanes
 
         if (pulls != 0)
         {
-            place->BlockRows = (byte)(place->Held != 0 ? place->Rows + 1 : place->Rows);
+            place->BlockRows = (byte)(place->Held != 0 ? place->HardRows + 1 : place->HardRows);
         }
 
         return pulls | passed;
@@ -185,7 +185,7 @@ internal sealed unsafe partial class TreeLanes
         joint->Push[lane] = 0;
         joint->PlainPush[lane] = 0;
         place->Held |= (byte)(1 << lane);
-        place->BlockRows = (byte)(place->Rows + 1);
+        place->BlockRows = (byte)(place->HardRows + 1);
     }
 
     /// <summary>What the limit gave in the substep is taken from the velocities that the next round starts from.</summary>
@@ -194,15 +194,20 @@ internal sealed unsafe partial class TreeLanes
         double push = joint->Push[lane];
         if (push != 0)
         {
-            int row = (place->Rows * LaneMatrix.Row) + lane;
+            int row = (place->HardRows * LaneMatrix.Row) + lane;
             TakeBack(node, joint->S + row, push, lane);
             if (other != null)
             {
                 TakeBack(other, otherS + row, push, lane);
             }
 
-            double* b = (place->IsA ? otherS : joint->S) + row;
-            for (int at = 0; at < LaneMatrix.Row; at += LaneMatrix.Step)
+            double* b = (place->LimitIsA ? otherS : joint->S) + row;
+            if (place->Second == LaneForm.Range)
+            {
+                joint->Given[LaneMatrix.Row + lane] -= b[W] * push;
+            }
+
+            for (int at = 0; at < LaneMatrix.Row && place->Second != LaneForm.Range; at += LaneMatrix.Step)
             {
                 joint->Given[at + lane] -= b[at] * push;
             }
@@ -228,18 +233,34 @@ internal sealed unsafe partial class TreeLanes
         }
     }
 
+    /// <summary>The range of a joint, and nothing given by its limits.</summary>
+    private void LoadLimits(LaneJoint* joint, LanePlace* place, int active)
+    {
+        ref JointSettings settings = ref _active[active].Settings;
+        joint->Lower[0] = place->LowerRow < 0 ? double.NegativeInfinity : settings.Lower;
+        joint->Upper[0] = settings.Upper;
+        joint->Slop[0] = _rows[active].Share[place->UpperRow];
+
+        // What limits gave in the step before is no start.
+        for (int row = place->LowerRow < 0 ? place->UpperRow : place->LowerRow; row <= place->UpperRow; row++)
+        {
+            _active[active].Lambda[row] = 0;
+            _active[active].PlainLambda[row] = 0;
+        }
+    }
+
     /// <summary>The limits of an edge or anchor that hold as the step begins.</summary>
     /// <param name="joint">The joint, moved on to its lane.</param>
     /// <param name="place">What it is.</param>
     /// <param name="lane">The lane.</param>
     /// <param name="from">The lane of which it is a copy.</param>
     /// <param name="rows">Rows of the block.</param>
-    /// <param name="row">The third of them, if there is one.</param>
+    /// <param name="row">Which row of its joint the last of them is, if it is a limit.</param>
     private void LoadHeld(LaneJoint* joint, LanePlace* place, int lane, int from, int rows, int row)
     {
-        bool held = rows > place->Rows;
+        bool held = rows > place->HardRows;
         joint->Held[0] = held ? -1 : 0;
-        joint->HeldAbove[0] = held && row > place->LimitRow ? -1 : 0;
+        joint->HeldAbove[0] = held && row == place->UpperRow ? -1 : 0;
         joint->Push[0] = 0;
         joint->PlainPush[0] = 0;
         if (held)
@@ -253,7 +274,7 @@ internal sealed unsafe partial class TreeLanes
     private void PutHeldBack(LaneTrees* trees, int lane)
     {
         JointTree* tree = _forest.Trees + trees->Tree[lane];
-        for (int i = 1; i < trees->Nodes && trees->HoldsLimits; i++)
+        for (int i = 1; i < trees->Nodes && trees->HasLimits; i++)
         {
             LanePlace* place = _places.Pointer + trees->First + i;
             TreeNode* node = _forest.Nodes + tree->First + i;
@@ -261,17 +282,17 @@ internal sealed unsafe partial class TreeLanes
             node->Rows = node->HardRows;
             if (row >= 0)
             {
-                node->RowJoint[node->Rows] = place->Active[lane];
+                node->RowJoint[node->Rows] = place->Limited(lane);
                 node->RowIndex[node->Rows++] = row;
             }
         }
 
-        for (int i = 0; i < trees->Anchors && trees->HoldsLimits; i++)
+        for (int i = 0; i < trees->Anchors && trees->HasLimits; i++)
         {
             LanePlace* place = _anchorPlaces.Pointer + trees->AnchorFirst + i;
             TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst + i;
             int row = PutHeldBack(&DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + i, lane)->Joint, place, lane);
-            anchor->Rows = place->Rows;
+            anchor->Rows = place->HardRows;
             if (row >= 0)
             {
                 anchor->RowIndex[anchor->Rows++] = row;
@@ -287,10 +308,10 @@ internal sealed unsafe partial class TreeLanes
             return -1;
         }
 
-        ActiveJoint* active = _active + place->Active[lane];
+        ActiveJoint* active = _active + place->Limited(lane);
         bool holds = joint->Held[0] != 0;
-        int row = place->LimitRow + (joint->HeldAbove[0] != 0 ? 1 : 0);
-        for (int k = place->LimitRow; k < place->LimitRow + 2; k++)
+        int row = joint->HeldAbove[0] != 0 ? place->UpperRow : place->LowerRow;
+        for (int k = place->LowerRow < 0 ? place->UpperRow : place->LowerRow; k <= place->UpperRow; k++)
         {
             active->Lambda[k] = holds && k == row ? joint->Push[0] : 0;
             active->PlainLambda[k] = holds && k == row ? joint->PlainPush[0] : 0;

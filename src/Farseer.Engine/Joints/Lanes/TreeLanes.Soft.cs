@@ -108,23 +108,32 @@ internal sealed unsafe partial class TreeLanes
             softs += rows->Type[k] == (byte)RowType.Limit ? 0 : 1;
         }
 
-        return (limits == 0 || (limits == 2 && _active[active].BlockLimits)) && softs <= MostSoft
+        // Of a rope there is one.
+        int ends = _active[active].Kind == JointKind.Rope ? 1 : 2;
+        return (limits == 0 || (limits == ends && _active[active].BlockLimits)) && softs <= MostSoft
             && (rows->Count == rows->Hard || LaneForms.MayHaveMore(form));
     }
 
-    /// <summary>The first of two limits among the rows of a joint, -1: none.</summary>
-    private int LimitRowOf(int active)
+    /// <summary>The lower limit among the rows of a joint and the upper one behind it, -1: none. A rope has the upper one alone.</summary>
+    private void FindLimits(int active, out int lower, out int upper)
     {
         JointRows* rows = _rows + active;
+        lower = -1;
+        upper = -1;
         for (int k = rows->Hard; k < rows->Count; k++)
         {
             if (rows->Type[k] == (byte)RowType.Limit)
             {
-                return k;
+                lower = upper;
+                upper = k;
             }
         }
+    }
 
-        return -1;
+    private bool HasLimits(int active)
+    {
+        FindLimits(active, out _, out int upper);
+        return upper >= 0;
     }
 
     private bool IsDrafted(LaneTrees* bundle)
@@ -302,19 +311,19 @@ internal sealed unsafe partial class TreeLanes
         joint->PlainLambda[row] = lambda;
     }
 
-    /// <summary>Notes what the joints have given before a pass: a tree that a limit of stops in it starts the pass anew elsewhere.</summary>
+    /// <summary>Notes what the joints have given before a pass: a tree that is given back starts the pass anew elsewhere.</summary>
     private void PutGivenAside(LaneTrees* trees)
     {
         for (int i = 1; i < trees->Nodes; i++)
         {
             LaneJoint* joint = &_nodes.Pointer[trees->First + i].Joint;
-            Copy(joint->Given, joint->PlainGiven, 3);
+            Copy(joint->Given, joint->PlainGiven, 4);
         }
 
         for (int i = 0; i < trees->Anchors; i++)
         {
             LaneJoint* joint = &_anchors.Pointer[trees->AnchorFirst + i].Joint;
-            Copy(joint->Given, joint->PlainGiven, 3);
+            Copy(joint->Given, joint->PlainGiven, 4);
         }
 
         for (int i = trees->SoftFirst; i < trees->SoftFirst + trees->Softs; i++)

@@ -112,7 +112,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
                 WarmStart(trees);
             }
 
-            if (trees->HoldsLimits)
+            if (trees->HasLimits)
             {
                 ForgetPushes(trees);
             }
@@ -160,15 +160,14 @@ internal sealed unsafe partial class TreeLanes : TreesAside
                 PutGivenAside(trees);
             }
 
-            if (trees->HoldsLimits)
+            LeaveBefore(trees, leaves & trees->Live);
+            if (trees->HasLimits)
             {
-                LeaveBefore(trees, leaves & trees->Live);
                 PrepareTurned(trees, SolveLimits(trees, relaxed, trees->Live));
             }
             else
             {
                 LaneSolve.Run(bundle);
-                LeaveBefore(trees, (leaves | Passed(trees, relaxed)) & trees->Live);
             }
 
             LaneSolve.Give(bundle);
@@ -190,15 +189,9 @@ internal sealed unsafe partial class TreeLanes : TreesAside
             if (trees->HasRows)
             {
                 LoadStill(trees);
-                PutAside(_nodes.Pointer + trees->First, trees->Nodes);
-                PutGivenAside(trees);
-                if (trees->HoldsLimits)
+                if (trees->HasLimits)
                 {
                     SolveTurned(trees, relaxed);
-                }
-                else
-                {
-                    LeaveBefore(trees, Passed(trees, relaxed) & trees->Live);
                 }
 
                 Sweep(trees, relaxed, sweeps, true);
@@ -208,8 +201,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
     }
 
     /// <summary>
-    /// Motors and springs. If one drives a tree against a limit or away from one, that tree is solved once more, and they are; if no limit can be
-    /// held here, the tree is given back as it was before the pass.
+    /// Motors and springs. If one drives a tree against a limit or away from one, that tree is solved once more, and they are.
     /// </summary>
     private void Sweep(LaneTrees* trees, bool relaxed, int sweeps, bool turns)
     {
@@ -219,13 +211,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         }
 
         SweepIn(trees, AllLanes, relaxed, sweeps);
-        if (!trees->HoldsLimits)
-        {
-            LeaveBefore(trees, Passed(trees, relaxed) & trees->Live);
-            return;
-        }
-
-        int refactored = turns ? SolveTurned(trees, relaxed) : 0;
+        int refactored = turns && trees->HasLimits ? SolveTurned(trees, relaxed) : 0;
         if (refactored != 0)
         {
             SweepIn(trees, refactored, relaxed, 1);
@@ -252,8 +238,6 @@ internal sealed unsafe partial class TreeLanes : TreesAside
             LaneSolve.Give(BundleOf(trees));
         }
     }
-
-    private int Passed(LaneTrees* trees, bool relaxed) => !trees->HasLimits ? 0 : LaneLimits.Turned(BundleOf(trees), _step.Substep, relaxed);
 
     /// <summary>
     /// See <see cref="JointSolver.CorrectPositions"/>; the trees that are given back went astray, and are to be projected. Of trees with contacts
