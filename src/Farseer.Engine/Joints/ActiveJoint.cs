@@ -28,8 +28,8 @@ internal unsafe struct ActiveJoint
     public JointFlags Flags;
     public JointSettings Settings;
 
-    /// <summary>Two hard rows that hold two points together, and no others.</summary>
-    public bool Pivot;
+    /// <summary>Its rows are those of a rigid pivot, and no others.</summary>
+    public PivotKind Pivot;
 
     /// <summary>The iteration has rows of this joint to solve.</summary>
     public bool HasRows;

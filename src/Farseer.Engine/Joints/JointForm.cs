@@ -3,6 +3,19 @@ using Farseer.Engine.Joints.Nets;
 
 namespace Farseer.Engine.Joints;
 
+/// <summary>What the rows of a rigid pivot are.</summary>
+internal enum PivotKind : byte
+{
+    /// <summary>It is none, or has other rows.</summary>
+    None,
+
+    /// <summary>Two hard rows that hold two points together.</summary>
+    Point,
+
+    /// <summary>The same, and behind them the lower and the upper limit of the angle.</summary>
+    Limited,
+}
+
 /// <summary>
 /// A kind of joint: the equations φ(xA, xB) that it keeps, written as rows. Everything else (factorisation, iteration, warm
 /// start, limits, motors, springs) is the same for all kinds and is written once, in the solver.
@@ -16,6 +29,9 @@ internal abstract class JointForm
 
     /// <summary>The form in which nets have it on lanes: hard rows of that form and no others.</summary>
     public virtual NetForm NetFormOf(in JointSettings s, JointFlags flags) => NetForm.None;
+
+    /// <summary>Whether it is a rigid pivot that can be written without the form.</summary>
+    public virtual PivotKind PivotOf(in JointSettings s, JointFlags flags) => PivotKind.None;
 
     /// <summary>
     /// The original's softness σ: dφ/dt + β·φ/dt + σ·P = 0 with the impulse P of a whole step, so that a force F holds it at

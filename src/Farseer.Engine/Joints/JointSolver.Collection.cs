@@ -1,5 +1,4 @@
 using System;
-using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
@@ -100,7 +99,7 @@ internal sealed unsafe partial class JointSolver
     {
         _active[index].Settings = _store.Settings[_active[index].Joint];
         _active[index].Flags = _store.Flags[_active[index].Joint];
-        _active[index].Pivot = _kinds.Of(_active[index].Kind).NetFormOf(_active[index].Settings, _active[index].Flags) == NetForm.Pivot;
+        _active[index].Pivot = _kinds.Of(_active[index].Kind).PivotOf(_active[index].Settings, _active[index].Flags);
     }
 
     private void WriteAll()

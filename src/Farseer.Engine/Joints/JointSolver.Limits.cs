@@ -272,6 +272,18 @@ internal sealed unsafe partial class JointSolver
         {
             index = _forest.EdgeJoints[node->EdgeFirst + k];
             JointRows* rows = _rows.Pointer + index;
+            if (_active[index].Pivot == PivotKind.Limited && _active[index].BlockLimits)
+            {
+                // Two rows of the block are its own, so neither limit holds if there is room.
+                int passed = FindTurnedPast(_active.Pointer + index, rows, kind);
+                if (passed >= 0)
+                {
+                    return passed;
+                }
+
+                continue;
+            }
+
             for (int row = rows->Hard; row < rows->Count && _active[index].BlockLimits; row++)
             {
                 if (!Holds(node, index, rows, row) && IsPassed(_active.Pointer + index, rows, row, kind))

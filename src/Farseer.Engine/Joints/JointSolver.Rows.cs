@@ -50,7 +50,7 @@ internal sealed unsafe partial class JointSolver
     private void Rewrite(int index)
     {
         JointRows* rows = _rows.Pointer + index;
-        if (_active[index].Pivot)
+        if (_active[index].Pivot != PivotKind.None)
         {
             RewritePivot(_active.Pointer + index, rows);
             return;
@@ -61,25 +61,6 @@ internal sealed unsafe partial class JointSolver
         int before = rows->Count;
         WriteJoint(index);
         Copy(speeds, rows->Speed, before);
-    }
-
-    /// <summary>Of the rows of a rigid pivot only arms and distance change: most joints are such, and trees of them are written twice a substep.</summary>
-    private void RewritePivot(ActiveJoint* joint, JointRows* rows)
-    {
-        ReadFrame(joint, out JointFrame f);
-        rows->A[2] = f.RAY;
-        rows->A[5] = -f.RAX;
-        rows->B[2] = -f.RBY;
-        rows->B[5] = f.RBX;
-        rows->Error[0] = f.DX;
-        rows->Error[1] = f.DY;
-        rows->ArmX = f.RBX;
-        rows->ArmY = f.RBY;
-        rows->JointError = Math.Sqrt((f.DX * f.DX) + (f.DY * f.DY));
-        if (_step.Drifts)
-        {
-            JointRows.ForgetErrors(rows);
-        }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -102,11 +83,10 @@ internal sealed unsafe partial class JointSolver
         {
             int i = _joints[at];
             JointRows* rows = _rows.Pointer + i;
-            if (_active[i].Pivot)
+            if (_active[i].Pivot != PivotKind.None)
             {
                 ReadFrame(_active.Pointer + i, out JointFrame frame);
-                rows->Error[0] = frame.DX;
-                rows->Error[1] = frame.DY;
+                WritePivotErrors(_active.Pointer + i, rows, frame);
             }
             else
             {
@@ -248,7 +228,7 @@ internal sealed unsafe partial class JointSolver
         for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = _forest.Nodes + i;
-            for (int r = 0; r < node->Rows; r++)
+            for (int r = WritePivotTargets(node, kind, tree); r < node->Rows; r++)
             {
                 int joint = node->RowJoint[r];
                 node->Target[r] = Target(_active.Pointer + joint, _rows.Pointer + joint, node->RowIndex[r], kind, tree);

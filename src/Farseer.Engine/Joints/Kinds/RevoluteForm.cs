@@ -43,5 +43,9 @@ internal sealed class RevoluteForm : JointForm
     public override NetForm NetFormOf(in JointSettings s, JointFlags flags) =>
         IsRigid(s) && (flags & (JointFlags.Limit | JointFlags.Motor)) == 0 ? NetForm.Pivot : NetForm.None;
 
+    public override PivotKind PivotOf(in JointSettings s, JointFlags flags) =>
+        !IsRigid(s) || (flags & JointFlags.Motor) != 0 ? PivotKind.None
+        : (flags & JointFlags.Limit) != 0 ? PivotKind.Limited : PivotKind.Point;
+
     private static bool IsRigid(in JointSettings s) => s.Softness == 0 && double.IsInfinity(s.MaxImpulse);
 }

@@ -1,0 +1,117 @@
+using System;
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Joints.Trees;
+
+namespace Farseer.Engine.Joints;
+
+/// <content>
+/// Rigid pivots, with limits of their angles or without. Most joints are such, and all is asked of them several times a substep: written out it
+/// is a third of the work, and the same to the last bit.
+/// </content>
+internal sealed unsafe partial class JointSolver
+{
+    private const int PointRows = 2;
+    private const int LowerRow = 2;
+    private const int UpperRow = 3;
+
+    /// <summary>A limit that a substep brings nearer by less than this share of its distance is not passed, whatever rounding does.</summary>
+    private const double OutOfReach = 0.5;
+
+    /// <summary>Of the rows of a rigid pivot only arms and errors change.</summary>
+    private void RewritePivot(ActiveJoint* joint, JointRows* rows)
+    {
+        ReadFrame(joint, out JointFrame f);
+        rows->A[2] = f.RAY;
+        rows->A[5] = -f.RAX;
+        rows->B[2] = -f.RBY;
+        rows->B[5] = f.RBX;
+        WritePivotErrors(joint, rows, f);
+        rows->ArmX = f.RBX;
+        rows->ArmY = f.RBY;
+        rows->JointError = Math.Sqrt((f.DX * f.DX) + (f.DY * f.DY));
+        if (_step.Drifts)
+        {
+            JointRows.ForgetErrors(rows);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void WritePivotErrors(ActiveJoint* joint, JointRows* rows, in JointFrame f)
+    {
+        rows->Error[0] = f.DX;
+        rows->Error[1] = f.DY;
+        if (joint->Pivot == PivotKind.Limited)
+        {
+            double angle = f.BAngle - f.AAngle - joint->Settings.Target;
+            rows->Error[LowerRow] = angle - joint->Settings.Lower;
+            rows->Error[UpperRow] = joint->Settings.Upper - angle;
+        }
+    }
+
+    /// <summary>The targets of the rows of an edge that is a pivot, as <see cref="Target"/> finds them.</summary>
+    /// <returns>The first row that is not written.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private int WritePivotTargets(TreeNode* node, TargetKind kind, JointTree* tree)
+    {
+        ActiveJoint* joint = _active.Pointer + node->RowJoint[0];
+        if (node->HardRows < PointRows || joint->Pivot == PivotKind.None || kind == TargetKind.Pull)
+        {
+            return 0;
+        }
+
+        if (kind == TargetKind.Relaxed || (kind == TargetKind.Correction && tree->Disturbed))
+        {
+            node->Target[0] = 0;
+            node->Target[1] = 0;
+            return PointRows;
+        }
+
+        JointRows* rows = _rows.Pointer + node->RowJoint[0];
+        node->Target[0] = PointTarget(joint, rows, 0, kind, tree);
+        node->Target[1] = PointTarget(joint, rows, 1, kind, tree);
+        return PointRows;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private double PointTarget(ActiveJoint* joint, JointRows* rows, int r, TargetKind kind, JointTree* tree)
+    {
+        double error = rows->Error[r];
+        double share = Math.Abs(error) / rows->Size;
+        tree->Worst = Math.Max(tree->Worst, rows->Size > 0 ? share : 0);
+        if (kind != TargetKind.Biased)
+        {
+            return -error / _step.Substep;
+        }
+
+        tree->Disturbed |= tree->IsOutside(share);
+        double speed = -(error / _step.Substep);
+        return tree->Disturbed ? 0 : tree->HasRows ? speed - (joint->Foreseen[r] * _step.Substep) : speed;
+    }
+
+    /// <summary>As <see cref="IsPassed"/> of both limits of a pivot's angle.</summary>
+    /// <returns>The row of the one that is passed, -1: none.</returns>
+    private int FindTurnedPast(ActiveJoint* joint, JointRows* rows, TargetKind kind)
+    {
+        double a = SpinOf(joint->Ends.NodeA, joint->Ends.BodyA);
+        double b = SpinOf(joint->Ends.NodeB, joint->Ends.BodyB);
+        double rounding = SpeedRounding * (Math.Abs(a) + Math.Abs(b));
+        return IsTurnedPast(joint, rows, LowerRow, b - a, rounding, kind) ? LowerRow
+            : IsTurnedPast(joint, rows, UpperRow, a - b, rounding, kind) ? UpperRow : -1;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool IsTurnedPast(ActiveJoint* joint, JointRows* rows, int row, double speed, double rounding, TargetKind kind)
+    {
+        double gap = rows->Error[row];
+        if (gap > 0 && !IsDisplacement(kind) && speed * _step.Substep > -OutOfReach * gap)
+        {
+            joint->Goal[row] = 0;
+            return false;
+        }
+
+        return speed < LimitTarget(joint, rows, row, kind) - rounding;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private double SpinOf(int node, int body) => node >= 0 ? _forest.Nodes[node].Velocity[2] : _step.Bodies.State[body].AngularVelocity;
+}
