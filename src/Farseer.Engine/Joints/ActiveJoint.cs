@@ -31,6 +31,10 @@ internal unsafe struct ActiveJoint
     /// <summary>Its rows are those of a rigid pivot, and no others.</summary>
     public PivotKind Pivot;
 
+    /// <summary>Of a pivot, the arms from the bodies' centres at the poses of its errors.</summary>
+    public fixed double ArmA[2];
+    public fixed double ArmB[2];
+
     /// <summary>The iteration has rows of this joint to solve.</summary>
     public bool HasRows;
 

@@ -17,6 +17,9 @@ internal sealed unsafe partial class JointSolver
     /// <summary>The poses of the nodes are those of their displacements.</summary>
     private bool _posed;
 
+    /// <summary>Joints of the list of which errors and arms are those of the poses, if the nodes are.</summary>
+    private int _armed;
+
     /// <summary>Rounding of a way that joints hold, as a share of what the force alone would give: 256 last places of a double.</summary>
     internal const double HeldShare = 5.6843418860808015e-14;
     private const int MeshRounds = 2;
@@ -233,21 +236,28 @@ internal sealed unsafe partial class JointSolver
     private void StoreMoves()
     {
         _turns.Find();
-        for (int k = 0; k < _turns.Count; k++)
+        TreeNode* nodes = _forest.Nodes;
+        BodyState* states = _step.Bodies.State.Pointer;
+        BodyMotion* motions = _step.Bodies.Motion.Pointer;
+        int count = _turns.Count;
+        for (int k = 0; k < count; k++)
         {
-            TreeNode* node = _forest.Nodes + _moved[k];
+            TreeNode* node = nodes + _moved[k];
             node->TurnSin = _turns.Sin(k);
             node->TurnCos = _turns.Cos(k);
-            StoreMove(node);
+            StoreMove(node, states + node->Body, motions + node->Body);
         }
     }
 
-    private void StoreMove(TreeNode* node)
+    private void StoreMove(TreeNode* node) =>
+        StoreMove(node, _step.Bodies.State.Pointer + node->Body, _step.Bodies.Motion.Pointer + node->Body);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void StoreMove(TreeNode* node, BodyState* state, BodyMotion* motion)
     {
-        BodyState* state = _step.Bodies.State.Pointer + node->Body;
         state->DeltaPosition.X = (float)node->Move[0];
         state->DeltaPosition.Y = (float)node->Move[1];
-        _step.Bodies.Motion[node->Body].Turned = (float)node->Move[2];
+        motion->Turned = (float)node->Move[2];
         state->DeltaSin = (float)node->TurnSin;
         state->DeltaCos = (float)node->TurnCos;
     }
@@ -324,20 +334,28 @@ internal sealed unsafe partial class JointSolver
 
     private void LoadPoses()
     {
+        TreeNode* nodes = _forest.Nodes;
+        int* list = _nodes.Pointer;
+        BodyPose* poses = _step.Bodies.Pose.Pointer;
+        BodyDrive* drives = _step.Bodies.Drive.Pointer;
         for (int at = 0; at < _nodeCount; at++)
         {
-            LoadPose(_forest.Nodes + _nodes[at]);
+            TreeNode* node = nodes + list[at];
+            LoadPose(node, poses + node->Body, drives[node->Body].Lead);
         }
 
         _posed = true;
+        _armed = 0;
     }
 
-    private void LoadPose(TreeNode* node)
+    private void LoadPose(TreeNode* node) => LoadPose(node, _step.Bodies.Pose.Pointer + node->Body, _step.Bodies.Drive[node->Body].Lead);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void LoadPose(TreeNode* node, BodyPose* pose, double lead)
     {
-        ref BodyPose pose = ref _step.Bodies.Pose[node->Body];
-        node->X = pose.X + node->Move[0];
-        node->Y = pose.Y + node->Move[1];
-        node->Angle = pose.Angle + (node->Move[2] + _step.Bodies.Drive[node->Body].Lead);
+        node->X = pose->X + node->Move[0];
+        node->Y = pose->Y + node->Move[1];
+        node->Angle = pose->Angle + (node->Move[2] + lead);
         node->Cos = (node->MiddleCos * node->TurnCos) - (node->MiddleSin * node->TurnSin);
         node->Sin = (node->MiddleSin * node->TurnCos) + (node->MiddleCos * node->TurnSin);
     }
@@ -345,10 +363,11 @@ internal sealed unsafe partial class JointSolver
     private void LoadVelocities()
     {
         BodyState* states = _step.Bodies.State.Pointer;
+        TreeNode* nodes = _forest.Nodes;
+        int* list = _nodes.Pointer;
         for (int at = 0; at < _nodeCount; at++)
         {
-            int i = _nodes[at];
-            TreeNode* node = _forest.Nodes + i;
+            TreeNode* node = nodes + list[at];
             BodyState* state = states + node->Body;
             node->Velocity[0] = HeldVelocity.Refresh(node->Velocity[0], state->LinearVelocity.X);
             node->Velocity[1] = HeldVelocity.Refresh(node->Velocity[1], state->LinearVelocity.Y);
@@ -358,12 +377,17 @@ internal sealed unsafe partial class JointSolver
 
     private void DriveDoubles()
     {
+        BodyState* states = _step.Bodies.State.Pointer;
+        BodyMotion* motions = _step.Bodies.Motion.Pointer;
+        BodyDrive* drives = _step.Bodies.Drive.Pointer;
+        TreeNode* nodes = _forest.Nodes;
+        int* list = _nodes.Pointer;
         for (int at = 0; at < _nodeCount; at++)
         {
-            TreeNode* node = _forest.Nodes + _nodes[at];
-            BodyState* state = _step.Bodies.State.Pointer + node->Body;
-            BodyMotion* motion = _step.Bodies.Motion.Pointer + node->Body;
-            BodyDrive* drive = _step.Bodies.Drive.Pointer + node->Body;
+            TreeNode* node = nodes + list[at];
+            BodyState* state = states + node->Body;
+            BodyMotion* motion = motions + node->Body;
+            BodyDrive* drive = drives + node->Body;
             HeldVelocity.Drive(ref node->Velocity[0], ref state->LinearVelocity.X, motion->StartX, drive->LinearKeep, drive->X);
             HeldVelocity.Drive(ref node->Velocity[1], ref state->LinearVelocity.Y, motion->StartY, drive->LinearKeep, drive->Y);
             HeldVelocity.Drive(ref node->Velocity[2], ref state->AngularVelocity, motion->StartW, drive->AngularKeep, drive->W);
@@ -373,10 +397,11 @@ internal sealed unsafe partial class JointSolver
     private void StoreVelocities()
     {
         BodyState* states = _step.Bodies.State.Pointer;
+        TreeNode* nodes = _forest.Nodes;
+        int* list = _nodes.Pointer;
         for (int at = 0; at < _nodeCount; at++)
         {
-            int i = _nodes[at];
-            TreeNode* node = _forest.Nodes + i;
+            TreeNode* node = nodes + list[at];
             BodyState* state = states + node->Body;
             state->LinearVelocity.X = (float)node->Velocity[0];
             state->LinearVelocity.Y = (float)node->Velocity[1];

@@ -22,10 +22,18 @@ internal sealed unsafe partial class JointSolver
         _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _treeCount);
         ClearOnLanes();
         MarkTied();
+        int touched = 0;
+        for (int at = 0; at < _treeCount; at++)
+        {
+            touched += _forest.Trees[_trees[at]].Touched ? 1 : 0;
+        }
+
+        // A tree that contacts touch goes there with another such.
+        bool alone = touched == 1;
         for (int at = 0; at < _treeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];
-            tree->OnLanes = UsesLanes && !_step.Drifts && !tree->Disturbed && _lanes.Take(_trees[at]);
+            tree->OnLanes = UsesLanes && !_step.Drifts && !tree->Disturbed && !(alone && tree->Touched) && _lanes.Take(_trees[at]);
         }
 
         _lanes.LeaveSingles();

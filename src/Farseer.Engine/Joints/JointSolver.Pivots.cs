@@ -18,26 +18,39 @@ internal sealed unsafe partial class JointSolver
     private const double OutOfReach = 0.5;
 
     /// <summary>Of the rows of a rigid pivot only arms and errors change.</summary>
-    private void RewritePivot(ActiveJoint* joint, JointRows* rows)
+    /// <param name="joint">The joint.</param>
+    /// <param name="rows">Its rows.</param>
+    /// <param name="armed">Its errors have been written at these poses.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void RewritePivot(ActiveJoint* joint, JointRows* rows, bool armed)
     {
-        ReadFrame(joint, out JointFrame f);
-        rows->A[2] = f.RAY;
-        rows->A[5] = -f.RAX;
-        rows->B[2] = -f.RBY;
-        rows->B[5] = f.RBX;
-        WritePivotErrors(joint, rows, f);
-        rows->ArmX = f.RBX;
-        rows->ArmY = f.RBY;
-        rows->JointError = Math.Sqrt((f.DX * f.DX) + (f.DY * f.DY));
+        if (!armed)
+        {
+            ReadFrame(joint, out JointFrame f);
+            WritePivotErrors(joint, rows, f);
+        }
+
+        rows->A[2] = joint->ArmA[1];
+        rows->A[5] = -joint->ArmA[0];
+        rows->B[2] = -joint->ArmB[1];
+        rows->B[5] = joint->ArmB[0];
+        rows->ArmX = joint->ArmB[0];
+        rows->ArmY = joint->ArmB[1];
+        rows->JointError = Math.Sqrt((rows->Error[0] * rows->Error[0]) + (rows->Error[1] * rows->Error[1]));
         if (_step.Drifts)
         {
             JointRows.ForgetErrors(rows);
         }
     }
 
+    /// <summary>The errors, and for when the rows are written the arms: until then these keep their directions.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void WritePivotErrors(ActiveJoint* joint, JointRows* rows, in JointFrame f)
     {
+        joint->ArmA[0] = f.RAX;
+        joint->ArmA[1] = f.RAY;
+        joint->ArmB[0] = f.RBX;
+        joint->ArmB[1] = f.RBY;
         rows->Error[0] = f.DX;
         rows->Error[1] = f.DY;
         if (joint->Pivot == PivotKind.Limited)

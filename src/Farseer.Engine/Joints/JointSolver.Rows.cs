@@ -33,6 +33,7 @@ internal sealed unsafe partial class JointSolver
     /// <summary>The rows at the present poses; servo and motor keep the speeds of the step's start.</summary>
     private void WriteRows(bool begin)
     {
+        int armed = begin || !_posed || _step.Drifts ? 0 : _armed;
         for (int at = 0; at < _jointCount; at++)
         {
             if (begin)
@@ -41,18 +42,18 @@ internal sealed unsafe partial class JointSolver
             }
             else
             {
-                Rewrite(_joints[at]);
+                Rewrite(_joints[at], at < armed);
             }
         }
     }
 
     /// <summary>The rows of a joint at the present poses, with the speeds of the step's start.</summary>
-    private void Rewrite(int index)
+    private void Rewrite(int index, bool armed = false)
     {
         JointRows* rows = _rows.Pointer + index;
         if (_active[index].Pivot != PivotKind.None)
         {
-            RewritePivot(_active.Pointer + index, rows);
+            RewritePivot(_active.Pointer + index, rows, armed);
             return;
         }
 
@@ -104,6 +105,8 @@ internal sealed unsafe partial class JointSolver
                 JointRows.ForgetErrors(rows);
             }
         }
+
+        _armed = _jointCount;
     }
 
     private void WriteJoint(int index)

@@ -8,25 +8,38 @@ internal static unsafe class SmallMatrix
     /// <summary>r = s·y with s of n×3 and y of 3×3.</summary>
     public static void Multiply(double* s, int n, double* y, double* r)
     {
-        for (int i = 0; i < n; i++)
+        double y0 = y[0];
+        double y1 = y[1];
+        double y2 = y[2];
+        double y3 = y[3];
+        double y4 = y[4];
+        double y5 = y[5];
+        double y6 = y[6];
+        double y7 = y[7];
+        double y8 = y[8];
+        for (double* end = s + (n * 3); s < end; s += 3, r += 3)
         {
-            double a = s[i * 3];
-            double b = s[(i * 3) + 1];
-            double c = s[(i * 3) + 2];
-            r[i * 3] = (a * y[0]) + (b * y[3]) + (c * y[6]);
-            r[(i * 3) + 1] = (a * y[1]) + (b * y[4]) + (c * y[7]);
-            r[(i * 3) + 2] = (a * y[2]) + (b * y[5]) + (c * y[8]);
+            double a = s[0];
+            double b = s[1];
+            double c = s[2];
+            r[0] = (a * y0) + (b * y3) + (c * y6);
+            r[1] = (a * y1) + (b * y4) + (c * y7);
+            r[2] = (a * y2) + (b * y5) + (c * y8);
         }
     }
 
     /// <summary>r = p·qᵀ with p and q of n×3; r has rows of length n.</summary>
     public static void MultiplyTransposed(double* p, double* q, int n, double* r)
     {
-        for (int i = 0; i < n; i++)
+        for (int i = 0; i < n; i++, p += 3)
         {
-            for (int j = 0; j < n; j++)
+            double a = p[0];
+            double b = p[1];
+            double c = p[2];
+            double* to = q;
+            for (double* end = q + (n * 3); to < end; to += 3)
             {
-                r[(i * n) + j] = (p[i * 3] * q[j * 3]) + (p[(i * 3) + 1] * q[(j * 3) + 1]) + (p[(i * 3) + 2] * q[(j * 3) + 2]);
+                *r++ = (a * to[0]) + (b * to[1]) + (c * to[2]);
             }
         }
     }
@@ -34,37 +47,47 @@ internal static unsafe class SmallMatrix
     /// <summary>r = hᵗ·p with h of n×n, symmetric, and p of n×3.</summary>
     public static void MultiplySquare(double* h, int n, double* p, double* r)
     {
-        for (int i = 0; i < n; i++)
+        for (int i = 0; i < n; i++, r += 3)
         {
             double a = 0;
             double b = 0;
             double c = 0;
-            for (int k = 0; k < n; k++)
+            double* from = p;
+            for (double* end = h + n; h < end; h++, from += 3)
             {
-                double f = h[(i * n) + k];
-                a += f * p[k * 3];
-                b += f * p[(k * 3) + 1];
-                c += f * p[(k * 3) + 2];
+                double f = *h;
+                a += f * from[0];
+                b += f * from[1];
+                c += f * from[2];
             }
 
-            r[i * 3] = a;
-            r[(i * 3) + 1] = b;
-            r[(i * 3) + 2] = c;
+            r[0] = a;
+            r[1] = b;
+            r[2] = c;
         }
     }
 
     /// <summary>y -= pᵀ·w with p and w of n×3.</summary>
     public static void SubtractOuter(double* y, double* p, double* w, int n)
     {
-        for (int k = 0; k < n; k++)
+        for (double* last = y + 9; y < last; y += 3, p++)
         {
-            for (int i = 0; i < 3; i++)
+            double a = y[0];
+            double b = y[1];
+            double c = y[2];
+            double* from = w;
+            double* share = p;
+            for (double* end = w + (n * 3); from < end; from += 3, share += 3)
             {
-                double f = p[(k * 3) + i];
-                y[i * 3] -= f * w[k * 3];
-                y[(i * 3) + 1] -= f * w[(k * 3) + 1];
-                y[(i * 3) + 2] -= f * w[(k * 3) + 2];
+                double f = *share;
+                a -= f * from[0];
+                b -= f * from[1];
+                c -= f * from[2];
             }
+
+            y[0] = a;
+            y[1] = b;
+            y[2] = c;
         }
     }
 

@@ -227,18 +227,7 @@ internal static unsafe class TreeFactor
         SmallMatrix.Invert(k, n, h);
         SmallMatrix.MultiplySquare(h, n, spy, node->W);
         SmallMatrix.SubtractOuter(parent->SubtreeMass, spy, node->W, n);
-        for (int r = 0; r < 3; r++)
-        {
-            for (int c = 0; c < 3; c++)
-            {
-                double sum = 0;
-                for (int i = 0; i < n; i++)
-                {
-                    sum -= node->G[(i * 3) + r] * node->ParentS[(i * 3) + c];
-                }
-
-                node->T[(r * 3) + c] = sum;
-            }
-        }
+        Reset(node->T, 0, 0);
+        SmallMatrix.SubtractOuter(node->T, node->G, node->ParentS, n);
     }
 }

@@ -26,6 +26,12 @@ internal static unsafe class TreeSolve
         {
             TreeNode* node = nodes + i;
             double* parent = nodes[node->Parent].Velocity;
+            if (node->Rows == 2)
+            {
+                Spread(node->W, Lack(node, parent, 0), Lack(node, parent, 1), parent);
+                continue;
+            }
+
             Residual(node, parent, r);
             Spread(node->W, r, node->Rows, parent);
         }
@@ -33,42 +39,37 @@ internal static unsafe class TreeSolve
         for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = nodes + i;
-            Residual(node, nodes[node->Parent].Velocity, r);
-            Spread(node->G, r, node->Rows, node->Velocity);
+            double* parent = nodes[node->Parent].Velocity;
+            double* e = node->E;
             if (node->Rows == 2)
             {
-                double* e = node->E;
-                node->Edge[0] = (e[0] * r[0]) + (e[1] * r[1]);
-                node->Edge[1] = (e[2] * r[0]) + (e[3] * r[1]);
+                // Hinges have two rows: a loop over so few costs as much as what it does.
+                double r0 = Lack(node, parent, 0);
+                double r1 = Lack(node, parent, 1);
+                Spread(node->G, r0, r1, node->Velocity);
+                node->Edge[0] = (e[0] * r0) + (e[1] * r1);
+                node->Edge[1] = (e[2] * r0) + (e[3] * r1);
+                continue;
             }
-            else
-            {
-                Multiply(node->E, r, node->Rows, node->Edge);
-            }
+
+            Residual(node, parent, r);
+            Spread(node->G, r, node->Rows, node->Velocity);
+            Multiply(e, r, node->Rows, node->Edge);
         }
     }
 
-    /// <summary>Hinges have two rows: written out, since a loop over so few costs as much as what it does.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Residual(TreeNode* node, double* parent, double* r)
     {
-        double* c = node->ChildS;
-        double* p = node->ParentS;
-        double* v = node->Velocity;
-        if (node->Rows == 2)
-        {
-            r[0] = node->Target[0] - ((c[0] * v[0]) + (c[1] * v[1]) + (c[2] * v[2]))
-                - ((p[0] * parent[0]) + (p[1] * parent[1]) + (p[2] * parent[2]));
-            r[1] = node->Target[1] - ((c[3] * v[0]) + (c[4] * v[1]) + (c[5] * v[2]))
-                - ((p[3] * parent[0]) + (p[4] * parent[1]) + (p[5] * parent[2]));
-            return;
-        }
-
         for (int i = 0; i < node->Rows; i++)
         {
-            r[i] = node->Target[i] - SmallMatrix.Dot(c + (i * 3), v) - SmallMatrix.Dot(p + (i * 3), parent);
+            r[i] = Lack(node, parent, i);
         }
     }
+
+    /// <summary>What a row of an edge is short of its target by.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double Lack(TreeNode* node, double* parent, int row) =>
+        node->Target[row] - SmallMatrix.Dot(node->ChildS + (row * 3), node->Velocity) - SmallMatrix.Dot(node->ParentS + (row * 3), parent);
 
     private static void Meet(TreeAnchor* anchor, double* v)
     {
@@ -109,16 +110,15 @@ internal static unsafe class TreeSolve
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Spread(double* m, double r0, double r1, double* v)
+    {
+        v[0] = v[0] + (m[0] * r0) + (m[3] * r1);
+        v[1] = v[1] + (m[1] * r0) + (m[4] * r1);
+        v[2] = v[2] + (m[2] * r0) + (m[5] * r1);
+    }
+
     private static void Spread(double* m, double* r, int rows, double* v)
     {
-        if (rows == 2)
-        {
-            v[0] = v[0] + (m[0] * r[0]) + (m[3] * r[1]);
-            v[1] = v[1] + (m[1] * r[0]) + (m[4] * r[1]);
-            v[2] = v[2] + (m[2] * r[0]) + (m[5] * r[1]);
-            return;
-        }
-
         for (int i = 0; i < rows; i++)
         {
             v[0] += m[i * 3] * r[i];
