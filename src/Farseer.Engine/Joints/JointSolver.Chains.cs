@@ -164,4 +164,128 @@ internal sealed unsafe partial class JointSolver
             _active[index].PlainLambda[row] = 0;
         }
     }
+
+    /// <summary>
+    /// Chains that contacts press on, if what they press on are bodies without joints or what cannot move, and nothing bounces or is pushed out of
+    /// a deep overlap: moves them out of the lists, but for their contacts.
+    /// </summary>
+    private void TakeToChains()
+    {
+        _chains.ClearTouches(_step);
+        if (!UsesChains || !_chains.AnyChains || _agendaCount == 0 || _step.Drifts || _step.Watched || _anyWheels || !FindPressed())
+        {
+            return;
+        }
+
+        int kept = 0;
+        for (int at = 0; at < _treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            tree->OnChain = tree->MayPress && _chains.Press(_trees[at]);
+            if (!tree->OnChain)
+            {
+                _trees[kept++] = _trees[at];
+            }
+        }
+
+        if (kept < _treeCount)
+        {
+            _treeCount = kept;
+            DropAside();
+        }
+    }
+
+    /// <returns>True if there may be any.</returns>
+    private bool FindPressed()
+    {
+        bool any = false;
+        for (int at = 0; at < _treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            tree->MayPress = tree->IsChain && tree->HasRows && !tree->Disturbed && !tree->Pulled && HoldsAlone(_trees[at]);
+            any |= tree->MayPress;
+        }
+
+        for (int i = 0; any && i < _agendaCount; i++)
+        {
+            int item = _agenda[i];
+            ref RowEnds ends = ref EndsOf(item);
+            bool plain = item < 0 && !_contacts[~item].Deep && _contacts[~item].Restitution + _contacts[~item].Rebound <= 0;
+            Press(ends.NodeA, plain);
+            Press(ends.NodeB, plain);
+        }
+
+        return any;
+    }
+
+    /// <summary>Joints hold no other tree of its group.</summary>
+    private bool HoldsAlone(int index)
+    {
+        bool alone = true;
+        for (int at = 0; alone && at < _treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            alone = _trees[at] == index || !tree->Eliminates || tree->Group != _forest.Trees[index].Group;
+        }
+
+        return alone;
+    }
+
+    /// <summary>A contact presses at a node, of a chain perhaps.</summary>
+    private void Press(int node, bool plain)
+    {
+        if (node >= 0)
+        {
+            int index = _forest.Nodes[node].Tree;
+            JointTree* tree = _forest.Trees + index;
+            tree->MayPress &= plain && !_nets.Search.IsNet(_forest.Nodes[node].Body);
+            if (tree->MayPress)
+            {
+                _chains.Touch(index, node);
+            }
+        }
+    }
+
+    private void SolvePressed(bool relaxed, bool again)
+    {
+        if (_chains.AnyPressed)
+        {
+            _chains.SolvePressed(relaxed, again);
+            TakeLeft(_chains);
+        }
+    }
+
+    private void LeaveAstray(bool last)
+    {
+        if (_chains.AnyPressed)
+        {
+            _chains.FindAstray(last);
+            _chains.LeaveAstray();
+            TakeAstray(_chains);
+        }
+    }
+
+    private void LeavePressed()
+    {
+        if (_chains.AnyPressed)
+        {
+            _chains.LeaveAll();
+            TakeLeft(_chains);
+        }
+    }
+
+    private void EndPressed()
+    {
+        if (!_chains.AnyPressed)
+        {
+            return;
+        }
+
+        _chains.EndPressed();
+        for (int k = 0; k < _chains.GivenCount; k++)
+        {
+            TakeFromLanes(_chains.Given(k));
+            _posed = false;
+        }
+    }
 }

@@ -30,6 +30,11 @@ internal sealed unsafe partial class JointSolver
             deep |= _contacts[i].Deep;
         }
 
+        if (disturbed)
+        {
+            LeavePressed();
+        }
+
         if (projected && (disturbed || deep))
         {
             FactorAnew();

@@ -59,26 +59,7 @@ internal sealed unsafe partial class JointSolver
         }
 
         _treeCount = kept;
-        kept = 0;
-        for (int at = 0; at < _nodeCount; at++)
-        {
-            if (!_forest.Trees[_forest.Nodes[_nodes[at]].Tree].OnLanes)
-            {
-                _nodes[kept++] = _nodes[at];
-            }
-        }
-
-        _nodeCount = kept;
-        kept = 0;
-        for (int at = 0; at < _jointCount; at++)
-        {
-            if (!_forest.Trees[TreeOf(_active[_joints[at]].Ends)].OnLanes)
-            {
-                _joints[kept++] = _joints[at];
-            }
-        }
-
-        _jointCount = kept;
+        DropAside();
         kept = 0;
         for (int i = 0; i < _agendaCount; i++)
         {
@@ -95,6 +76,33 @@ internal sealed unsafe partial class JointSolver
         _agendaCount = kept;
         _lanes.Load();
     }
+
+    /// <summary>Nodes and joints of trees that are solved aside leave the lists.</summary>
+    private void DropAside()
+    {
+        int kept = 0;
+        for (int at = 0; at < _nodeCount; at++)
+        {
+            if (!IsAside(_forest.Nodes[_nodes[at]].Tree))
+            {
+                _nodes[kept++] = _nodes[at];
+            }
+        }
+
+        _nodeCount = kept;
+        kept = 0;
+        for (int at = 0; at < _jointCount; at++)
+        {
+            if (!IsAside(TreeOf(_active[_joints[at]].Ends)))
+            {
+                _joints[kept++] = _joints[at];
+            }
+        }
+
+        _jointCount = kept;
+    }
+
+    private bool IsAside(int tree) => _forest.Trees[tree].OnLanes || _forest.Trees[tree].OnChain;
 
     /// <summary>Finds the trees with rows that are not of their own joints; and those that only contacts with what cannot move push at.</summary>
     private void MarkTied()

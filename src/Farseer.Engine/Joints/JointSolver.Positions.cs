@@ -52,13 +52,15 @@ internal sealed unsafe partial class JointSolver
         }
 
         NoteBends();
+        _chains.MovePressed();
 
         for (int round = 0; round < Corrections && ChooseTrees(); round++)
         {
-            Correct();
+            Correct(round == 0);
             LoadPoses();
             WriteErrors();
             FindAstray(round == Corrections - 1);
+            LeaveAstray(round == Corrections - 1);
         }
 
         CorrectLanes();
@@ -68,6 +70,7 @@ internal sealed unsafe partial class JointSolver
     /// <summary>The bodies stand where they stay in this substep.</summary>
     public void EndPositions()
     {
+        EndPressed();
         if (!_posed)
         {
             LoadPoses();
@@ -198,8 +201,8 @@ internal sealed unsafe partial class JointSolver
     /// <summary>A tree takes part if its error is too large, or that of another to which rows tie it.</summary>
     private bool ChooseTrees()
     {
-        bool any = false;
         ClearGroups();
+        bool any = _chains.ChoosePressed();
         for (int at = 0; at < _treeCount; at++)
         {
             int i = _trees[at];
@@ -219,9 +222,9 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>One round: the velocity changes that take the errors away, found as the velocities are.</summary>
-    private void Correct()
+    private void Correct(bool first)
     {
-        bool anyRows = false;
+        bool anyRows = _chains.CorrectPressed(first);
         for (int at = 0; at < _treeCount; at++)
         {
             int i = _trees[at];

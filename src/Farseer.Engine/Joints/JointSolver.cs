@@ -132,6 +132,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         // Nothing has moved since the rows were written, unless somebody was told of a broken joint; guests are new.
         LoadMoves(BrokenCount > 0 ? 0 : own);
         TakeToLanes();
+        TakeToChains();
         _chains.Start();
         Factor();
         PrepareOnLanes(false);
@@ -170,10 +171,13 @@ internal sealed unsafe partial class JointSolver : IStageWork
         DriveDoubles();
         Kick(-0.5f);
         LoadVelocities();
+        _chains.EnterPressed();
         for (int i = 0; i < _agendaCount; i++)
         {
             WarmStart(_agenda[i]);
         }
+
+        _chains.TakeWarmStart();
 
         ForgetLimits();
         HoldWheels();
@@ -188,6 +192,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     {
         _nets.SolveBiased();
         SolveLanes(Pass.Biased, again, sweeps);
+        SolvePressed(false, again);
         LoadVelocities();
         Run(TargetKind.Biased, Pass.Biased, again, sweeps);
     }
@@ -201,6 +206,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         _nets.Relax(again);
         Pass pass = rub ? Pass.Relaxed : Pass.RelaxedSmooth;
         SolveLanes(pass, again, sweeps);
+        SolvePressed(true, again);
         LoadVelocities();
         Run(TargetKind.Relaxed, pass, again, sweeps);
     }
@@ -285,7 +291,18 @@ internal sealed unsafe partial class JointSolver : IStageWork
         }
 
         JointForestView view = _forest.View;
+        bool chains = _chains.AnyPressed && (pass <= Pass.RelaxedSmooth || pass == Pass.Correction);
+        if (chains)
+        {
+            _chains.BeginWalks(some);
+        }
+
         Walk(_trees, _treeCount, _agenda, _agendaCount, pass, sweeps, some);
+        if (chains)
+        {
+            _chains.EndWalks(some, pass == Pass.Correction);
+        }
+
         for (int at = 0; at < _treeCount; at++)
         {
             int i = _trees[at];
@@ -352,6 +369,8 @@ internal sealed unsafe partial class JointSolver : IStageWork
         {
             _forest.Trees[_trees[at]].GroupActs = false;
         }
+
+        _chains.ClearGroups();
     }
 
     private ref RowEnds EndsOf(int item) => ref item < 0 ? ref _contacts[~item].Ends : ref _active[item].Ends;

@@ -10,6 +10,12 @@ internal struct Chain
     public int Bodies;
     public int Joints;
 
+    /// <summary>1 if it has an anchor at both ends: what cannot move before the first body is a body more.</summary>
+    public int Front;
+
+    /// <summary>Bodies on the first way down from the root, less one.</summary>
+    public int Bend;
+
     /// <summary>Of its numbers, and of its places.</summary>
     public int First;
     public int PlaceFirst;
@@ -30,12 +36,28 @@ internal struct Chain
     /// <summary>The arms of the rows are in the second of their two places.</summary>
     public bool Swapped;
 
+    /// <summary>Contacts press on it, between two of its bodies, and it is solved here in the present passes.</summary>
+    public bool IsPressed;
+    public int Low;
+    public int High;
+    public int Middle;
+
+    /// <summary>Of the bodies that contacts press on, the node nearest to the root.</summary>
+    public int Top;
+
+    /// <summary>What the present pass found before the contacts are swept.</summary>
+    public ChainEnds Ends;
+
     /// <summary>Angle of what cannot move, of which sine and cosine are known.</summary>
     public double StillAngle;
+    public double FrontAngle;
 
     public double Worst;
     public double Before;
     public bool Astray;
+
+    /// <summary>The largest angle by which corrections turned a body.</summary>
+    public double Bent;
 }
 
 /// <summary>A body of a chain, and the joint to the next.</summary>

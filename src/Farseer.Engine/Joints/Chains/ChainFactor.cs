@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
@@ -68,7 +69,7 @@ internal static unsafe class ChainFactor
     {
         nint s = chain.Stride;
         nint s2 = 2 * s;
-        int middle = chain.Joints / 2;
+        int middle = chain.Middle;
         int i = 0;
         int k = chain.Joints - 1;
         double* own = chain[ChainColumn.Own];
@@ -78,15 +79,20 @@ internal static unsafe class ChainFactor
         Symmetric up = Symmetric.Load(own, s, s2);
         Symmetric down = Symmetric.Load(own + k, s, s2);
         bool meets = k > middle;
-        for (; k > middle; i++, k--)
+        for (; k > middle && i < middle; i++, k--)
         {
             up = Symmetric.Load(own + i + 1, s, s2) - Next(up, Square.Load(cross + i + 1, s, s2), inverse + i, gain + i + 1, s, s2);
             down = Symmetric.Load(own + k - 1, s, s2) - Next(down, Square.LoadTransposed(cross + k, s, s2), inverse + k, gain + k, s, s2);
         }
 
-        if (i < middle)
+        for (; i < middle; i++)
         {
             up = Symmetric.Load(own + i + 1, s, s2) - Next(up, Square.Load(cross + i + 1, s, s2), inverse + i, gain + i + 1, s, s2);
+        }
+
+        for (; k > middle; k--)
+        {
+            down = Symmetric.Load(own + k - 1, s, s2) - Next(down, Square.LoadTransposed(cross + k, s, s2), inverse + k, gain + k, s, s2);
         }
 
         if (meets)
@@ -99,6 +105,30 @@ internal static unsafe class ChainFactor
         inverse[middle] = f * up.YY;
         inverse[middle + s] = -f * up.XY;
         inverse[middle + s2] = f * up.XX;
+    }
+
+    /// <summary>
+    /// No block is singular by itself: with an anchor at both ends the last of a taut chain is, since there the far end has nothing left to give. The
+    /// general passes make such blocks regular.
+    /// </summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static bool IsRegular(in ChainView chain)
+    {
+        int s = chain.Stride;
+        double* own = chain[ChainColumn.Own];
+        double* inverse = chain[ChainColumn.Inverse];
+        long* exists = (long*)chain[ChainColumn.Exists];
+        WideDouble singular = WideDouble.Splat(TreeFactor.Singular);
+        WideDoubleMask bad = ~(WideDouble.Zero <= WideDouble.Zero);
+        for (int i = 0; i < chain.Joints; i += WideDouble.Count)
+        {
+            WideDouble xy = WideDouble.Load(inverse + s + i);
+            WideDouble determinant = (WideDouble.Load(inverse + i) * WideDouble.Load(inverse + (2 * s) + i)) - (xy * xy);
+            WideDouble share = singular * (WideDouble.Load(own + i) * WideDouble.Load(own + (2 * s) + i) * determinant);
+            bad |= WideDouble.LoadMask(exists + i) & ~((share < WideDouble.Splat(1)) & (determinant > WideDouble.Zero));
+        }
+
+        return DoubleLanes.Bits(bad) == 0;
     }
 
     /// <summary>D⁻¹ and B·D⁻¹ to their columns; what B·D⁻¹·Bᵀ takes from the next block. Only the quotient waits for the determinant.</summary>

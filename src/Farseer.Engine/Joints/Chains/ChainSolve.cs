@@ -49,6 +49,46 @@ internal static unsafe class ChainSolve
         }
     }
 
+    /// <summary>What is foreseen to be left by the bend of the ways.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void LackBends(in ChainView chain, double h)
+    {
+        int s = chain.Stride;
+        double* foreseen = chain[ChainColumn.Foreseen];
+        double* residual = chain[ChainColumn.Residual];
+        WideDouble time = WideDouble.Splat(h);
+        for (int i = 0; i < chain.Joints; i += WideDouble.Count)
+        {
+            (WideDouble.Load(residual + i) - (time * WideDouble.Load(foreseen + i))).Store(residual + i);
+            (WideDouble.Load(residual + s + i) - (time * WideDouble.Load(foreseen + s + i))).Store(residual + s + i);
+        }
+    }
+
+    /// <summary>Notes the bends and foresees the next: see <see cref="JointSolver"/>.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Foresee(in ChainView chain, double h)
+    {
+        int s = chain.Stride;
+        double* error = chain[ChainColumn.Error];
+        double* last = chain[ChainColumn.Bend];
+        double* next = chain[ChainColumn.Foreseen];
+        WideDouble perSquare = WideDouble.Splat(1 / (h * h));
+        WideDouble alike = WideDouble.Splat(JointSolver.Alike);
+        for (int i = 0; i < chain.Joints; i += WideDouble.Count)
+        {
+            WideDouble x = (WideDouble.Load(error + i) * perSquare) + WideDouble.Load(next + i);
+            WideDouble y = (WideDouble.Load(error + s + i) * perSquare) + WideDouble.Load(next + s + i);
+            WideDouble changeX = x - WideDouble.Load(last + i);
+            WideDouble changeY = y - WideDouble.Load(last + s + i);
+            x.Store(last + i);
+            y.Store(last + s + i);
+            WideDouble most = ChainPoses.Larger(WideDouble.Abs(x), WideDouble.Abs(y));
+            WideDoubleMask carries = ChainPoses.Larger(WideDouble.Abs(changeX), WideDouble.Abs(changeY)) <= alike * most;
+            WideDouble.Select(carries, x + changeX, WideDouble.Zero).Store(next + i);
+            WideDouble.Select(carries, y + changeY, WideDouble.Zero).Store(next + s + i);
+        }
+    }
+
     /// <summary>The velocity changes that take the errors away within the substep.</summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static void LackErrors(in ChainView chain, double perSubstep)
@@ -65,27 +105,37 @@ internal static unsafe class ChainSolve
     }
 
     /// <summary>Finds the impulses: see <see cref="ChainFactor"/>.</summary>
-    [MethodImpl(KernelMethod.Optimized)]
     public static void Run(in ChainView chain)
+    {
+        ChainEnds none = default;
+        RunWithin(chain, 0, chain.Joints - 1, none);
+    }
+
+    /// <summary>The same of the joints from one to another, with what the ends beyond them have come to.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void RunWithin(in ChainView chain, int first, int last, in ChainEnds ends)
     {
         nint s = chain.Stride;
         nint s2 = 2 * s;
         nint s3 = 3 * s;
-        int middle = chain.Joints / 2;
-        int last = chain.Joints - 1;
+        int middle = chain.Middle;
         double* residual = chain[ChainColumn.Residual];
         double* half = chain[ChainColumn.Half];
         double* inverse = chain[ChainColumn.Inverse];
         double* gain = chain[ChainColumn.Gain];
         double* lambda = chain[ChainColumn.Lambda];
-        double ux = 0;
-        double uy = 0;
-        double dx = 0;
-        double dy = 0;
-        int i = 0;
-        for (int k = last; i < middle; i++, k--)
+        double ux = ends.LowX;
+        double uy = ends.LowY;
+        double dx = ends.HighX;
+        double dy = ends.HighY;
+        int i = first;
+        for (int k = last; i < middle || k > middle; i++, k--)
         {
-            Reduce(residual + i, gain + i, half + i, inverse + i, s, s2, s3, ref ux, ref uy);
+            if (i < middle)
+            {
+                Reduce(residual + i, gain + i, half + i, inverse + i, s, s2, s3, ref ux, ref uy);
+            }
+
             if (k > middle)
             {
                 Reduce(residual + k, gain + k + 1, half + k, inverse + k, s, s2, s3, ref dx, ref dy);
@@ -106,9 +156,73 @@ internal static unsafe class ChainSolve
         dx = ux;
         dy = uy;
         i = middle - 1;
-        for (int k = middle + 1; i >= 0; i--, k++)
+        for (int k = middle + 1; i >= first || k <= last; i--, k++)
         {
-            Resolve(lambda + i, gain + i + 1, half + i, s, s2, s3, ref ux, ref uy);
+            if (i >= first)
+            {
+                Resolve(lambda + i, gain + i + 1, half + i, s, s2, s3, ref ux, ref uy);
+            }
+
+            if (k <= last)
+            {
+                Resolve(lambda + k, gain + k, half + k, s, s2, s3, ref dx, ref dy);
+            }
+        }
+    }
+
+    /// <summary>Goes from both ends up to the joints that <see cref="ChainView.FirstWithin"/> and its like name.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Gather(in ChainView chain, out ChainEnds ends)
+    {
+        nint s = chain.Stride;
+        nint s2 = 2 * s;
+        nint s3 = 3 * s;
+        int first = chain.FirstWithin;
+        int last = chain.LastWithin;
+        double* residual = chain[ChainColumn.Residual];
+        double* half = chain[ChainColumn.Half];
+        double* inverse = chain[ChainColumn.Inverse];
+        double* gain = chain[ChainColumn.Gain];
+        ends = default;
+        int i = 0;
+        for (int k = chain.Joints - 1; i < first || k > last; i++, k--)
+        {
+            if (i < first)
+            {
+                Reduce(residual + i, gain + i, half + i, inverse + i, s, s2, s3, ref ends.LowX, ref ends.LowY);
+            }
+
+            if (k > last)
+            {
+                Reduce(residual + k, gain + k + 1, half + k, inverse + k, s, s2, s3, ref ends.HighX, ref ends.HighY);
+            }
+        }
+    }
+
+    /// <summary>The impulses of the joints beyond those.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Spread(in ChainView chain)
+    {
+        nint s = chain.Stride;
+        nint s2 = 2 * s;
+        nint s3 = 3 * s;
+        int i = chain.FirstWithin;
+        int k = chain.LastWithin;
+        int last = chain.Joints - 1;
+        double* half = chain[ChainColumn.Half];
+        double* gain = chain[ChainColumn.Gain];
+        double* lambda = chain[ChainColumn.Lambda];
+        double ux = lambda[i];
+        double uy = lambda[i + s];
+        double dx = lambda[k];
+        double dy = lambda[k + s];
+        for (i--, k++; i >= 0 || k <= last; i--, k++)
+        {
+            if (i >= 0)
+            {
+                Resolve(lambda + i, gain + i + 1, half + i, s, s2, s3, ref ux, ref uy);
+            }
+
             if (k <= last)
             {
                 Resolve(lambda + k, gain + k, half + k, s, s2, s3, ref dx, ref dy);
@@ -235,8 +349,28 @@ internal static unsafe class ChainSolve
         // Of the joint before, so that it stands one place further on.
         (WideDouble.Load(given + (3 * s)) + momentHigh).Store(given + (3 * s));
         WideDouble mass = WideDouble.Load(chain[ChainColumn.InverseMass] + i);
-        x = mass * (hx - lx);
-        y = mass * (hy - ly);
-        w = WideDouble.Load(chain[ChainColumn.InverseInertia] + i) * (momentHigh - momentLow);
+        x = hx - lx;
+        y = hy - ly;
+        w = momentHigh - momentLow;
+        if (chain.IsPressed)
+        {
+            double* push = chain[ChainColumn.Push] + i;
+            x += WideDouble.Load(push);
+            y += WideDouble.Load(push + s);
+            w += WideDouble.Load(push + (2 * s));
+        }
+
+        x = mass * x;
+        y = mass * y;
+        w = WideDouble.Load(chain[ChainColumn.InverseInertia] + i) * w;
     }
+}
+
+/// <summary>What the eliminations from both ends of a chain have come to, before the joints at the bodies that contacts press on.</summary>
+internal struct ChainEnds
+{
+    public double LowX;
+    public double LowY;
+    public double HighX;
+    public double HighY;
 }

@@ -49,6 +49,9 @@ internal sealed unsafe partial class ChainSolver
         }
     }
 
+    /// <summary>Some tree is a chain.</summary>
+    public bool AnyChains => _count > 0;
+
     /// <summary>The trees are no more.</summary>
     public void Forget() => _count = 0;
 
@@ -122,6 +125,11 @@ internal sealed unsafe partial class ChainSolver
 
     private bool IsQuiet(Chain* chain)
     {
+        if (chain->Front > 0)
+        {
+            return false;
+        }
+
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         for (int i = 0; i < chain->Bodies; i++)
         {
@@ -131,12 +139,17 @@ internal sealed unsafe partial class ChainSolver
             }
         }
 
+        return HasPlainJoints(chain) && !(chain->Breaks && IsBreaking(chain));
+    }
+
+    private bool HasPlainJoints(Chain* chain)
+    {
         if (chain->Edition != _store.Edition)
         {
             LoadSettings(chain);
         }
 
-        return chain->IsPlain && !(chain->Breaks && IsBreaking(chain));
+        return chain->IsPlain;
     }
 
     /// <summary>All joints are hinges of two rows and no others, that cannot break by their errors.</summary>
@@ -175,7 +188,7 @@ internal sealed unsafe partial class ChainSolver
         return found;
     }
 
-    /// <summary>Bodies one after the other, with one hinge each between them and nothing else; and at one end an anchor at most.</summary>
+    /// <summary>Bodies one after the other, with one hinge each between them and nothing else; and at each end an anchor at most.</summary>
     private bool IsChain(JointTree* tree, JointRows* rows)
     {
         bool found = tree->Eliminates && !tree->HasLimits;
@@ -189,13 +202,14 @@ internal sealed unsafe partial class ChainSolver
             found = node->Parent == tree->First + parent && node->EdgeCount == 1 && IsHinge(node->RowJoint[0], rows);
         }
 
-        if (found && anchors > 0)
+        for (int i = 0; found && i < anchors; i++)
         {
-            TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst;
-            found = anchors == 1 && bend == bodies - 1 && anchor->Node == tree->First && IsHinge(anchor->Active, rows);
+            TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst + i;
+            int node = i == 0 ? tree->First : tree->End - 1;
+            found = i < 2 && bend == bodies - 1 && anchor->Node == node && IsHinge(anchor->Active, rows);
         }
 
-        return found;
+        return found && (anchors < 2 || bodies > 1);
     }
 
     private bool IsHinge(int active, JointRows* rows) => rows[active].Hard == 2 && rows[active].Count == 2
@@ -225,11 +239,16 @@ internal sealed unsafe partial class ChainSolver
     private void SetUp(Chain* chain, int index, ref int numbers, ref int places)
     {
         JointTree* tree = _forest.Trees + index;
-        int bodies = tree->End - tree->First;
+        int anchors = tree->AnchorEnd - tree->AnchorFirst;
+        int front = anchors > 1 ? 1 : 0;
+        int bodies = tree->End - tree->First + front;
         *chain = default;
         chain->Tree = index;
+        chain->Front = front;
+        chain->Bend = BendOf(tree);
         chain->Bodies = bodies;
-        chain->Joints = bodies - 1 + (tree->AnchorEnd - tree->AnchorFirst);
+        chain->Joints = bodies - 1 + (anchors - front);
+        tree->Chain = (int)(chain - _chains.Pointer);
         chain->First = numbers + Lead;
         chain->PlaceFirst = places;
         numbers += RoomOf(bodies);
@@ -251,18 +270,29 @@ internal sealed unsafe partial class ChainSolver
 
         chain->Edition = _store.Edition - 1;
         chain->StillAngle = double.NaN;
+        chain->FrontAngle = double.NaN;
     }
 
     private void SetPlaces(Chain* chain, JointTree* tree)
     {
-        int bend = BendOf(tree);
+        int bend = chain->Bend;
+        int front = chain->Front;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-        for (int i = 0; i < chain->Bodies; i++)
+        if (front > 0)
         {
-            int node = tree->First + (i <= bend ? bend - i : i);
+            places[0].Node = -1;
+            places[0].Active = _forest.Anchors[tree->AnchorEnd - 1].Active;
+            places[0].IsHighB = _active[places[0].Active].Ends.NodeB == tree->First + bend;
+            places[0].Body = StillBody(places[0].Active, places[0].IsHighB);
+        }
+
+        for (int i = front; i < chain->Bodies; i++)
+        {
+            int k = i - front;
+            int node = tree->First + (k <= bend ? bend - k : k);
             places[i].Node = node;
             places[i].Body = _forest.Nodes[node].Body;
-            places[i].Active = i < bend ? _forest.Nodes[node].RowJoint[0] : i < chain->Bodies - 1 ? _forest.Nodes[tree->First + i + 1].RowJoint[0] : -1;
+            places[i].Active = k < bend ? _forest.Nodes[node].RowJoint[0] : i < chain->Bodies - 1 ? _forest.Nodes[tree->First + k + 1].RowJoint[0] : -1;
             if (i == chain->Joints - 1 && i == chain->Bodies - 1)
             {
                 places[i].Active = _forest.Anchors[tree->AnchorFirst].Active;
@@ -274,8 +304,11 @@ internal sealed unsafe partial class ChainSolver
         places[chain->Bodies] = default;
         if (chain->Joints == chain->Bodies)
         {
-            ref RowEnds ends = ref _active[places[chain->Bodies - 1].Active].Ends;
-            places[chain->Bodies].Body = places[chain->Bodies - 1].IsHighB ? ends.BodyB : ends.BodyA;
+            ChainPlace* last = places + chain->Bodies - 1;
+            places[chain->Bodies].Body = StillBody(last->Active, !last->IsHighB);
         }
     }
+
+    /// <summary>What an anchor holds on to.</summary>
+    private int StillBody(int active, bool isA) => isA ? _active[active].Ends.BodyA : _active[active].Ends.BodyB;
 }

@@ -20,7 +20,7 @@ internal sealed unsafe partial class ChainSolver
     {
         ChainView view = ViewOf(chain);
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-        for (int i = 0; i < chain->Bodies; i++)
+        for (int i = chain->Front; i < chain->Bodies; i++)
         {
             LoadPose(view, i, places[i].Body);
         }
@@ -30,7 +30,7 @@ internal sealed unsafe partial class ChainSolver
         bool anchored = chain->Joints == chain->Bodies;
         if (anchored)
         {
-            LoadStill(chain, ref angle[chain->Bodies]);
+            LoadStill(chain, chain->Bodies, ref chain->StillAngle, out angle[chain->Bodies]);
         }
 
         for (int i = 0; i <= chain->Joints; i += StableMath.Lanes)
@@ -162,24 +162,26 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>The pose of what the last joint holds on to.</summary>
     private void LoadStill(Chain* chain)
     {
-        double angle = chain->StillAngle;
-        if (chain->Joints == chain->Bodies && LoadStill(chain, ref angle))
+        if (chain->Joints == chain->Bodies && LoadStill(chain, chain->Bodies, ref chain->StillAngle, out double angle))
         {
-            ChainView view = ViewOf(chain);
-            int i = chain->Bodies;
-            StableMath.SinCos(angle, out view[ChainColumn.MiddleSin][i], out view[ChainColumn.MiddleCos][i]);
+            TurnStill(chain, chain->Bodies, angle);
         }
     }
 
-    /// <returns>True if its angle is another than it was.</returns>
-    private bool LoadStill(Chain* chain, ref double angle)
+    private void TurnStill(Chain* chain, int at, double angle)
     {
         ChainView view = ViewOf(chain);
-        int i = chain->Bodies;
-        angle = JointSolver.ReadStill(_step.Bodies, _places[chain->PlaceFirst + i].Body, out double x, out double y);
-        Put(view[ChainColumn.Place] + i, view.Stride, x, y);
-        bool turned = angle != chain->StillAngle;
-        chain->StillAngle = angle;
+        StableMath.SinCos(angle, out view[ChainColumn.MiddleSin][at], out view[ChainColumn.MiddleCos][at]);
+    }
+
+    /// <returns>True if its angle is another than it was.</returns>
+    private bool LoadStill(Chain* chain, int at, ref double known, out double angle)
+    {
+        ChainView view = ViewOf(chain);
+        angle = JointSolver.ReadStill(_step.Bodies, _places[chain->PlaceFirst + at].Body, out double x, out double y);
+        Put(view[ChainColumn.Place] + at, view.Stride, x, y);
+        bool turned = angle != known;
+        known = angle;
         return turned;
     }
 
@@ -190,7 +192,7 @@ internal sealed unsafe partial class ChainSolver
         double* velocity = view[ChainColumn.Velocity];
         double* start = view[ChainColumn.StartVelocity];
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-        for (int i = 0; i < chain->Bodies; i++)
+        for (int i = chain->Front; i < chain->Bodies; i++)
         {
             BodyState* state = _step.Bodies.State.Pointer + places[i].Body;
             BodyMotion* motion = _step.Bodies.Motion.Pointer + places[i].Body;
@@ -216,7 +218,7 @@ internal sealed unsafe partial class ChainSolver
     {
         ChainView view = ViewOf(chain);
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-        for (int i = 0; i < chain->Bodies; i++)
+        for (int i = chain->Front; i < chain->Bodies; i++)
         {
             Refresh(view[ChainColumn.Velocity] + i, view.Stride, _step.Bodies.State.Pointer + places[i].Body);
         }
@@ -227,7 +229,7 @@ internal sealed unsafe partial class ChainSolver
         ChainView view = ViewOf(chain);
         int s = view.Stride;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-        for (int i = 0; i < chain->Bodies; i++)
+        for (int i = chain->Front; i < chain->Bodies; i++)
         {
             BodyState* state = _step.Bodies.State.Pointer + places[i].Body;
             double* v = view[ChainColumn.Velocity] + i;
@@ -242,7 +244,7 @@ internal sealed unsafe partial class ChainSolver
         ChainView view = ViewOf(chain);
         int s = view.Stride;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-        for (int i = 0; i < chain->Bodies; i++)
+        for (int i = chain->Front; i < chain->Bodies; i++)
         {
             BodyState* state = _step.Bodies.State.Pointer + places[i].Body;
             double* move = view[ChainColumn.Move] + i;
@@ -260,7 +262,7 @@ internal sealed unsafe partial class ChainSolver
         ChainView view = ViewOf(chain);
         int s = view.Stride;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-        for (int i = 0; i < chain->Bodies; i++)
+        for (int i = chain->Front; i < chain->Bodies; i++)
         {
             BodyMotion* motion = _step.Bodies.Motion.Pointer + places[i].Body;
             double* start = view[ChainColumn.StartVelocity] + i;
@@ -273,12 +275,15 @@ internal sealed unsafe partial class ChainSolver
         }
     }
 
+    /// <param name="chain">The chain that is given back.</param>
+    /// <param name="before">As it is; else its correction went astray, and what it was before is told as well.</param>
     private void Leave(Chain* chain, bool before)
     {
         ChainView view = ViewOf(chain);
         int s = view.Stride;
         JointTree* tree = _forest.Trees + chain->Tree;
         tree->IsQuiet = false;
+        tree->OnChain = false;
         tree->Exact = true;
         tree->Disturbed = false;
         tree->Corrects = false;
@@ -287,7 +292,7 @@ internal sealed unsafe partial class ChainSolver
         tree->Worst = chain->Worst;
         tree->Before = chain->Before;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-        for (int i = 0; i < chain->Bodies; i++)
+        for (int i = chain->Front; i < chain->Bodies; i++)
         {
             TreeNode* node = _forest.Nodes + places[i].Node;
             PutBack(view[ChainColumn.Move] + i, s, node->Move);
@@ -312,9 +317,17 @@ internal sealed unsafe partial class ChainSolver
 
         StoreVelocities(chain);
         StoreStart(chain);
+        if (chain->IsPressed)
+        {
+            StoreMoves(chain);
+            GiveBends(chain);
+            chain->HasVelocities = true;
+        }
+
         GiveVelocities(chain);
+        AllStay &= chain->IsPressed;
+        chain->IsPressed = false;
         chain->IsLive = false;
-        AllStay = false;
         if (!FloatBits.IsFinite(chain->Worst))
         {
             // What is no number may have got to where nothing is.
@@ -345,16 +358,22 @@ internal sealed unsafe partial class ChainSolver
             Chain* chain = _chains.Pointer + i;
             if (chain->IsLive)
             {
-                StoreVelocities(chain);
-                StoreMoves(chain);
-                StoreStart(chain);
-                KeepMoves(chain);
-                StoreForces(chain);
+                KeepAll(chain);
                 chain->IsLive = false;
             }
         }
 
         Any = false;
+        FinishPressed();
+    }
+
+    private void KeepAll(Chain* chain)
+    {
+        StoreVelocities(chain);
+        StoreMoves(chain);
+        StoreStart(chain);
+        KeepMoves(chain);
+        StoreForces(chain);
     }
 
     /// <summary>What the floats of the displacements leave out of the step goes into the poses directly: see <see cref="JointSolver"/>.</summary>
@@ -364,7 +383,7 @@ internal sealed unsafe partial class ChainSolver
         ChainView view = ViewOf(chain);
         int s = view.Stride;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-        for (int i = 0; i < chain->Bodies; i++)
+        for (int i = chain->Front; i < chain->Bodies; i++)
         {
             double* move = view[ChainColumn.Move] + i;
             double* drive = view[ChainColumn.Drive] + i;

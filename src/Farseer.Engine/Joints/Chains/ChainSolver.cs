@@ -224,6 +224,10 @@ internal sealed unsafe partial class ChainSolver : TreesAside
         Stride = StrideOf(chain->Bodies),
         Bodies = chain->Bodies,
         Joints = chain->Joints,
+        Middle = chain->IsPressed ? chain->Middle : chain->Joints / 2,
+        IsPressed = chain->IsPressed,
+        Low = chain->Low,
+        High = chain->High,
         Arms = chain->Swapped ? ChainColumn.OtherArms : ChainColumn.Arms,
         NewArms = chain->Swapped ? ChainColumn.Arms : ChainColumn.OtherArms,
     };

@@ -74,7 +74,14 @@ internal enum ChainColumn
 
     /// <summary>All bits set where a joint is.</summary>
     Exists = 80,
-    Count = 81,
+
+    /// <summary>Of a chain that contacts press on: the impulses of these in the pass, and their moments.</summary>
+    Push = 81,
+
+    /// <summary>What h·v left of each row in the last substep, over h², and what is foreseen for the next: see <see cref="ActiveJoint.Bend"/>.</summary>
+    Bend = 84,
+    Foreseen = 86,
+    Count = 88,
 }
 
 /// <summary>
@@ -93,9 +100,21 @@ internal unsafe struct ChainView
     public int Bodies;
     public int Joints;
 
+    /// <summary>The joint at which the eliminations from both ends meet.</summary>
+    public int Middle;
+
+    /// <summary>Contacts press on it, between its bodies <see cref="Low"/> and <see cref="High"/>.</summary>
+    public bool IsPressed;
+    public int Low;
+    public int High;
+
     /// <summary>The arms by which impulses act: those of the poses at which the chain was factored; and those of the poses since.</summary>
     public ChainColumn Arms;
     public ChainColumn NewArms;
+
+    /// <summary>The joints at the bodies between <see cref="Low"/> and <see cref="High"/>, first and last.</summary>
+    public readonly int FirstWithin => Low > 0 ? Low - 1 : 0;
+    public readonly int LastWithin => High < Joints ? High : Joints - 1;
 
     /// <summary>A column.</summary>
     public readonly double* this[ChainColumn column] => First + ((int)column * Stride);

@@ -28,8 +28,13 @@ internal struct JointTree
     /// <summary>Limits belong to its blocks.</summary>
     public bool HasLimits;
 
-    /// <summary>It is a chain of hinges, anchored at one end or not at all.</summary>
+    /// <summary>It is a chain of hinges, anchored at its ends or not at all; and which of the chains.</summary>
     public bool IsChain;
+    public int Chain;
+
+    /// <summary>A chain that is solved as such in this step although contacts press on it; and one that may be.</summary>
+    public bool OnChain;
+    public bool MayPress;
 
     /// <summary>A chain that is solved as such in this step: it is in none of the lists of the general passes.</summary>
     public bool IsQuiet;

@@ -17,24 +17,37 @@ internal static unsafe class TreeWalk
         for (int i = tree->First; i < tree->End; i++)
         {
             TreeNode* node = nodes + i;
-            for (int k = 0; k < 3; k++)
+            if (node->Bears)
             {
-                node->Through[k] = 0;
-                node->Got[k] = 0;
-                node->Start[k] = node->Velocity[k];
+                Begin(node, node->Parent < 0 ? node->Velocity : nodes[node->Parent].Velocity);
             }
+            else
+            {
+                BeginUnvisited(node);
+            }
+        }
+    }
 
-            if (!node->Bears)
-            {
-                continue;
-            }
+    /// <summary>Begins at a node that walks come by.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Begin(TreeNode* node, double* parent)
+    {
+        BeginUnvisited(node);
+        for (int k = 0; k < 3; k++)
+        {
+            node->Pending[k] = 0;
+            node->Seen[k] = parent[k];
+        }
+    }
 
-            double* parent = node->Parent < 0 ? node->Velocity : nodes[node->Parent].Velocity;
-            for (int k = 0; k < 3; k++)
-            {
-                node->Pending[k] = 0;
-                node->Seen[k] = parent[k];
-            }
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void BeginUnvisited(TreeNode* node)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            node->Through[k] = 0;
+            node->Got[k] = 0;
+            node->Start[k] = node->Velocity[k];
         }
     }
 
