@@ -25,7 +25,7 @@ internal sealed unsafe partial class JointSolver
     public int* Movers(int* list, int padded, out int count)
     {
         count = padded;
-        if (!_chains.Any || !_chains.AllStay || _step.Watched)
+        if (!(_chains.Any || _chains.AnyPressed) || !_chains.AllStay || _step.Watched)
         {
             return list;
         }
@@ -47,7 +47,7 @@ internal sealed unsafe partial class JointSolver
         {
             int node = list[i] == 0 ? -1 : _forest.NodeOf(list[i]);
             _movers[count] = list[i];
-            count += list[i] == 0 || (node >= 0 && _forest.Trees[_forest.Nodes[node].Tree].IsQuiet) ? 0 : 1;
+            count += list[i] == 0 || (node >= 0 && IsChained(_forest.Trees + _forest.Nodes[node].Tree)) ? 0 : 1;
         }
 
         while (count % WideLanes.BundleLanes != 0)
@@ -57,6 +57,8 @@ internal sealed unsafe partial class JointSolver
 
         return _movers.Pointer;
     }
+
+    private static bool IsChained(JointTree* tree) => tree->IsQuiet || tree->OnChain;
 
     private void LookAtChains() => _chains.Look(_step, UsesChains && !_step.Drifts);
 

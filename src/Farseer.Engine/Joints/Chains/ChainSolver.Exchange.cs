@@ -325,7 +325,7 @@ internal sealed unsafe partial class ChainSolver
         }
 
         GiveVelocities(chain);
-        AllStay &= chain->IsPressed;
+        AllStay = false;
         chain->IsPressed = false;
         chain->IsLive = false;
         if (!FloatBits.IsFinite(chain->Worst))
