@@ -73,7 +73,7 @@ internal static unsafe class ChainSolve
         double* last = chain[ChainColumn.Bend];
         double* next = chain[ChainColumn.Foreseen];
         WideDouble perSquare = WideDouble.Splat(1 / (h * h));
-        WideDouble alike = WideDouble.Splat(JointSolver.Alike);
+        WideDouble alike = WideDouble.Splat(JointSolver.AlikeInChains);
         for (int i = 0; i < chain.Joints; i += WideDouble.Count)
         {
             WideDouble x = (WideDouble.Load(error + i) * perSquare) + WideDouble.Load(next + i);
