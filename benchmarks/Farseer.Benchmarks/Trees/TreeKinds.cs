@@ -17,6 +17,8 @@ internal static class TreeKinds
         new("hinge, soft", JointKind.Revolute, Plain, Softness: 0.1),
         new("hinge and angle limit", JointKind.Revolute, Plain, With: JointKind.AngleLimit),
         new("hinge and angle joint", JointKind.Revolute, Plain, With: JointKind.Angle),
+        new("hinge, angle limit to the world", JointKind.Revolute, Plain, With: JointKind.AngleLimit, WithWorld: true),
+        new("hinge, rope to the world", JointKind.Revolute, Plain, With: JointKind.Rope, WithWorld: true),
         new("rod (pin, distance)", JointKind.Distance, Plain),
         new("rod, sprung", JointKind.Distance, Plain | JointFlags.Spring),
         new("pin, soft", JointKind.Pin, Plain, Softness: 0.1),
@@ -38,6 +40,12 @@ internal static class TreeKinds
         new("transmission", JointKind.Transmission, Plain),
     ];
 
-    /// <summary>What joins two links of a chain: one joint, or two.</summary>
-    internal sealed record Link(string Name, JointKind Kind, JointFlags Flags, double Softness = 0, JointKind? With = null);
+    /// <summary>What joins two links of a chain: one joint, or two, of which the second may hold each link to the world.</summary>
+    internal sealed record Link(
+        string Name,
+        JointKind Kind,
+        JointFlags Flags,
+        double Softness = 0,
+        JointKind? With = null,
+        bool WithWorld = false);
 }

@@ -82,7 +82,8 @@ internal static class TreeScenes
                 JoinBy(world, link.Kind, link, before, part, held);
                 if (link.With is { } second)
                 {
-                    JoinBy(world, second, link with { Flags = JointFlags.Enabled }, before, part, held);
+                    TreeKinds.Link plain = link with { Flags = JointFlags.Enabled };
+                    JoinBy(world, second, plain, link.WithWorld ? World.WorldFrame : before, part, link.WithWorld ? at - new Vector2(0.5f, 0) : held);
                 }
 
                 before = part;

@@ -13,7 +13,7 @@ namespace Farseer.Benchmarks.Trees;
 /// </summary>
 internal static class TreeTiming
 {
-    public const string Usage = "trees [NAME | kinds] [--runs N] [--lanes]";
+    public const string Usage = "trees [NAME | kinds [PART]] [--runs N] [--lanes]";
 
     private const float Dt = 1f / 60;
     private const int WarmSteps = 60;
@@ -45,6 +45,7 @@ internal static class TreeTiming
     public static int Run(ReadOnlySpan<string> arguments, TextWriter output)
     {
         string name = "";
+        string part = "";
         int runs = DefaultRuns;
         bool lanesOnly = false;
         for (int i = 0; i < arguments.Length; i++)
@@ -57,6 +58,10 @@ internal static class TreeTiming
             {
                 lanesOnly = true;
             }
+            else if (name == "kinds")
+            {
+                part = arguments[i];
+            }
             else
             {
                 name = arguments[i];
@@ -68,6 +73,11 @@ internal static class TreeTiming
         {
             foreach (TreeKinds.Link link in TreeKinds.All)
             {
+                if (!link.Name.Contains(part, StringComparison.Ordinal))
+                {
+                    continue;
+                }
+
                 Time(new Scene("air", link.Name, () => TreeScenes.Crowd(64, link, false)), runs, lanesOnly, output);
                 Time(new Scene("floor", link.Name, () => TreeScenes.Crowd(64, link, true)), runs, lanesOnly, output);
             }
