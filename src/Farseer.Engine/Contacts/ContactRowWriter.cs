@@ -188,6 +188,18 @@ internal static unsafe class ContactRowWriter
         }
     }
 
+    /// <summary>Lets two contacts change their lanes.</summary>
+    public static void ExchangeLanes(ContactBundle* one, int laneOfOne, ContactBundle* other, int laneOfOther)
+    {
+        int* first = (int*)one + laneOfOne;
+        int* second = (int*)other + laneOfOther;
+        int columns = sizeof(ContactBundle) / (sizeof(int) * ContactBundle.Lanes);
+        for (int i = 0; i < columns; i++)
+        {
+            (first[i * ContactBundle.Lanes], second[i * ContactBundle.Lanes]) = (second[i * ContactBundle.Lanes], first[i * ContactBundle.Lanes]);
+        }
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void WritePoints(in ContactUpdateInput input, ContactBundle* row, int lane, WideMask one, WideMask two)
     {

@@ -44,6 +44,9 @@ internal sealed unsafe class ConstraintGraph
 
     public int RowCount { get; private set; }
 
+    /// <summary>Rows that came since they were last put in order.</summary>
+    public int NewRows { get; private set; }
+
     /// <summary>Rows were added or removed since the islands were last brought up to date.</summary>
     public bool Changed { get; private set; }
 
@@ -115,6 +118,7 @@ internal sealed unsafe class ConstraintGraph
         Mark(record.BodyA, color, movesA);
         Mark(record.BodyB, color, movesB);
         RowCount++;
+        NewRows++;
         Note(record, contact);
     }
 
@@ -180,6 +184,26 @@ internal sealed unsafe class ConstraintGraph
         _usedChanged = true;
     }
 
+    /// <summary>Lets two rows of a colour change places.</summary>
+    public void Exchange(int row, int other, Column<ContactRecord> records)
+    {
+        if (row == other)
+        {
+            return;
+        }
+
+        ContactBundle* bundle = _arena.BundleOf(row);
+        ContactBundle* otherBundle = _arena.BundleOf(other);
+        int lane = RowArena.LaneOf(row);
+        int otherLane = RowArena.LaneOf(other);
+        ContactRowWriter.ExchangeLanes(bundle, lane, otherBundle, otherLane);
+        records[bundle->Contact[lane]].Row = row;
+        records[otherBundle->Contact[otherLane]].Row = other;
+    }
+
+    /// <summary>The rows are in order.</summary>
+    public void ForgetNewRows() => NewRows = 0;
+
     /// <summary>Lays a row to rest for as long as others are solved: no island is to hear of it.</summary>
     public void SetAside(ref ContactRecord record, Column<ContactRecord> records)
     {
@@ -196,6 +220,7 @@ internal sealed unsafe class ConstraintGraph
         bool changed = Changed;
         int count = ChangeCount;
         TakeUp(contact, ref record, records, movesA: true, movesB: true);
+        NewRows--;
         Changed = changed;
         ChangeCount = count;
     }

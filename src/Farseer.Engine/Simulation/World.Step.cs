@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Settings;
@@ -18,6 +19,9 @@ internal sealed partial class World
     /// <summary>Sorts the rows of large worlds.</summary>
     public IslandGroups IslandGroups { get; } = new IslandGroups();
 
+    /// <summary>Puts the rows of a colour in the order of their bodies.</summary>
+    public RowOrder RowOrder { get; } = new RowOrder();
+
     private void RunStages(float dt)
     {
         Profile.Begin();
@@ -34,6 +38,7 @@ internal sealed partial class World
         FindPairs();
         Profile.End(StepStage.BroadPhase);
 
+        SortRows();
         float substep = dt / _substeps;
         _runner.Call();
         ContactUpdateInput contacts = ContactInput(dt, substep);
@@ -131,6 +136,8 @@ internal sealed partial class World
         input.Coefficients = new ContactCoefficients(substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold, coarseness, _recovery);
         return input;
     }
+
+    private unsafe void SortRows() => RowOrder.Sort(_graph, _contacts.Records, Bodies.Ids.End, _lists.Moves, Scratch);
 
     private unsafe bool UpdateIslands(float dt, in ContactCoefficients coefficients)
     {
