@@ -1,6 +1,7 @@
 using System;
 using System.Runtime.InteropServices;
 using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Contacts;
@@ -42,6 +43,9 @@ internal struct ContactRecord
     public int ColliderA;
     public int ColliderB;
 
+    /// <summary>Colour of a pair that has no row.</summary>
+    public const int Idle = -1;
+
     /// <summary>Colour of a pair that sleeps and has no row.</summary>
     public const int DormantIdle = -2;
 
@@ -50,7 +54,7 @@ internal struct ContactRecord
 
     public int Row;
 
-    /// <summary>Colour of its row, or -1: not in the graph, <see cref="Row"/> then counts in the idle list.</summary>
+    /// <summary>Colour of its row, or <see cref="Idle"/>: not in the graph, <see cref="Row"/> then counts in the idle list.</summary>
     public sbyte Color;
     public ContactFlags Flags;
 
@@ -59,6 +63,9 @@ internal struct ContactRecord
 
     /// <summary>Group of its row.</summary>
     public byte Group;
+
+    /// <summary>True for a pair in the idle list.</summary>
+    public readonly bool IsIdle => Color == Idle;
 
     /// <summary>True if the pair sleeps: both bodies are asleep, or one is and the other does not move.</summary>
     public readonly bool IsDormant => Color == DormantIdle || Color == DormantRow;
@@ -70,12 +77,15 @@ internal sealed class ContactStore
     /// <summary>Pairs that a small world has room for from the start: elastic balls see their largest crowd late.</summary>
     private const int FewPairs = 64;
 
+    /// <summary>Records that are moved or made, from one to that asked for.</summary>
+    private const int Ahead = 6;
+
     private readonly ColumnSet _set = new ColumnSet();
+
+    // The pairs without a row; behind as many places as there are pairs the records that are free, the last one freed first.
     private readonly Column<int> _idle;
     private readonly Column<IdleBundle> _gaps = new Column<IdleBundle>();
 
-    /// <summary>The record that was freed last; each holds the one freed before it, for its row. -1: none.</summary>
-    private int _lastFree = -1;
     private bool _keepsManifolds;
     private bool _keepsFriction;
 
@@ -186,10 +196,10 @@ internal sealed class ContactStore
     public int Create(ulong key, in ContactRecord record)
     {
         int index;
-        if (_lastFree >= 0)
+        if (Count < End)
         {
-            index = _lastFree;
-            _lastFree = Records[index].Row;
+            index = _idle[Count];
+            AskFor(_idle[Math.Min(Count + Ahead, End - 1)]);
         }
         else
         {
@@ -215,6 +225,9 @@ internal sealed class ContactStore
         return index;
     }
 
+    /// <summary>Asks for a record that is needed soon.</summary>
+    public unsafe void AskFor(int index) => Prefetch.Line(Records.Pointer + index);
+
     public static ulong ColliderKey(int a, int b) => ((ulong)(uint)a << 32) | (uint)b;
 
     /// <summary>Forgets a pair that is in the idle list.</summary>
@@ -229,9 +242,7 @@ internal sealed class ContactStore
 
         Records[index] = default;
         Records[index].PieceA = -1;
-        Records[index].Row = _lastFree;
-        _lastFree = index;
-        Count--;
+        _idle[--Count] = index;
     }
 
     private void Leave(ulong colliders)
@@ -245,7 +256,7 @@ internal sealed class ContactStore
     public void AddIdle(int index)
     {
         ref ContactRecord record = ref Records[index];
-        record.Color = -1;
+        record.Color = ContactRecord.Idle;
         record.Row = IdleCount;
         if (KeepsGaps)
         {
@@ -259,6 +270,7 @@ internal sealed class ContactStore
     {
         int row = Records[index].Row;
         int last = _idle[--IdleCount];
+        AskFor(_idle[Math.Max(IdleCount - Ahead, 0)]);
         _idle[row] = last;
         if (KeepsGaps)
         {

@@ -32,14 +32,13 @@ internal static unsafe class ReboundKernel
         return bits;
     }
 
-    /// <summary>Asks for what the walks over bundles are going to read of one further on.</summary>
-    public static void AskAhead(ContactBundle* row)
+    /// <summary>Asks for what the speeds of approach of a bundle are read from.</summary>
+    public static void AskFor(ContactBundle* row)
     {
-        ContactBundle.AskAhead(row->BodyA);
-        ContactBundle.AskAhead(row->NormalX);
-        ContactBundle.AskAhead(row->Restitution);
-        AskAhead(&row->Point0);
-        AskAhead(&row->Point1);
+        Prefetch.Line(row->BodyA);
+        Prefetch.Line(row->NormalX);
+        AskFor(&row->Point0);
+        AskFor(&row->Point1);
     }
 
     /// <summary>Bits of the lanes whose surfaces approach fast enough to bounce.</summary>
@@ -154,12 +153,12 @@ internal static unsafe class ReboundKernel
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void AskAhead(ContactPointLanes* point)
+    private static void AskFor(ContactPointLanes* point)
     {
-        ContactBundle.AskAhead(point->TangentArmA);
-        ContactBundle.AskAhead(point->TangentArmB);
-        ContactBundle.AskAhead(point->Normal);
-        ContactBundle.AskAhead(point->Bounce);
+        Prefetch.Line(point->TangentArmA);
+        Prefetch.Line(point->TangentArmB);
+        Prefetch.Line(point->Normal);
+        Prefetch.Line(point->Bounce);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

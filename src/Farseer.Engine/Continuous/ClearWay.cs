@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Shapes;
 
@@ -12,6 +13,16 @@ namespace Farseer.Engine.Continuous;
 /// </summary>
 internal static unsafe class ClearWay
 {
+    /// <summary>Whether one piece of a pair comes nowhere so near to an edge of the other that they would count as touching.</summary>
+    /// <param name="shapes">The pieces.</param>
+    /// <param name="record">The pair.</param>
+    /// <param name="a">Way of A's body.</param>
+    /// <param name="b">Way of B's body.</param>
+    /// <param name="ofA">The edge is one of A, else of B.</param>
+    /// <param name="gap">How far apart they must stay at least.</param>
+    public static bool Holds(ShapeStore shapes, in ContactRecord record, in BodyPath a, in BodyPath b, bool ofA, double gap) =>
+        ofA ? Holds(shapes, record.PieceB, b, record.PieceA, a, gap) : Holds(shapes, record.PieceA, a, record.PieceB, b, gap);
+
     /// <summary>
     /// Sees the way of the piece's body from the other one, as if that stood still. It bends there by no more than it turns and
     /// accelerates, and so lies within an eighth of that of its chord.
@@ -22,7 +33,7 @@ internal static unsafe class ClearWay
     /// <param name="other">The piece with edges; one without is never before an edge.</param>
     /// <param name="otherWay">The way of its body.</param>
     /// <param name="gap">How far apart they must stay at least.</param>
-    public static bool Holds(ShapeStore shapes, int piece, in BodyPath way, int other, in BodyPath otherWay, double gap)
+    private static bool Holds(ShapeStore shapes, int piece, in BodyPath way, int other, in BodyPath otherWay, double gap)
     {
         ref Piece hull = ref shapes.Pieces[other];
         if (hull.VertexCount < 2)

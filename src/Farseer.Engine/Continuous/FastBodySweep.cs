@@ -329,8 +329,8 @@ internal sealed class FastBodySweep
     /// <summary>They come nowhere so near that they would count as touching.</summary>
     private static bool IsClear(in SweepInput input, in ContactRecord record, bool isA, in BodyPath path, in BodyPath other, float extent) =>
         isA
-            ? ClearWay.Holds(input.Shapes, record.PieceA, path, record.PieceB, other, PairStage.SkinShare * extent)
-            : ClearWay.Holds(input.Shapes, record.PieceB, path, record.PieceA, other, PairStage.SkinShare * extent);
+            ? ClearWay.Holds(input.Shapes, record, path, other, ofA: false, PairStage.SkinShare * extent)
+            : ClearWay.Holds(input.Shapes, record, other, path, ofA: true, PairStage.SkinShare * extent);
 
     private static float Extent(ShapeStore shapes, in ContactRecord record, bool isA) =>
         shapes.Pieces[isA ? record.PieceA : record.PieceB].Extent;

@@ -14,6 +14,10 @@ internal sealed unsafe class ContactStage
     /// <summary>Rows to be taken from one to the one that is asked for.</summary>
     private const int RowsAhead = 2;
 
+    /// <summary>Pairs from one that comes or goes to that whose record is asked for, and to that whose place in the map is.</summary>
+    private const int RecordsAhead = 12;
+    private const int KeysAhead = 6;
+
     private bool _startedCold;
     private readonly ContactSides _sides = new ContactSides();
     private readonly FastPairStage _fast = new FastPairStage();
@@ -133,13 +137,11 @@ internal sealed unsafe class ContactStage
             int index = _gained[i];
             if (world.WakeByContact(contacts.Records[index]))
             {
-                _gainKeys[kept] = _gainKeys[i];
                 _gained[kept++] = index;
             }
         }
 
         _gained.SetCount(kept);
-        _gainKeys.SetCount(kept);
     }
 
     private void UpdateGraph(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
@@ -207,7 +209,6 @@ internal sealed unsafe class ContactStage
                 }
                 else if ((fates.Solid & (1 << lane)) != 0)
                 {
-                    _gainKeys.Add(Shuffle(PairKey(contacts.Records[pairs[lane]])));
                     _gained.Add(pairs[lane]);
                 }
             }
@@ -273,6 +274,7 @@ internal sealed unsafe class ContactStage
         {
             if (Prefetch.IsUseful)
             {
+                AskFor(contacts, _lost, i);
                 ContactBundle.AskFor(graph.BundleOf(contacts.Records[_lost[Math.Min(i + RowsAhead, _lost.Count - 1)]].Row));
             }
 
@@ -282,9 +284,19 @@ internal sealed unsafe class ContactStage
 
         for (int i = 0; i < _dropped.Count; i++)
         {
+            if (Prefetch.IsUseful)
+            {
+                AskFor(contacts, _dropped, i);
+                contacts.Map.AskForValue(PairKey(contacts.Records[_dropped[Math.Min(i + KeysAhead, _dropped.Count - 1)]]));
+            }
+
             Drop(contacts, graph, _dropped[i]);
         }
     }
+
+    /// <summary>Asks for the record of a pair that comes or goes some places on.</summary>
+    private static void AskFor(ContactStore contacts, in ScratchList<int> pairs, int place) =>
+        contacts.AskFor(pairs[Math.Min(place + RecordsAhead, pairs.Count - 1)]);
 
     /// <summary>
     /// New rows are coloured in a shuffled order: in creation order a stack gets all left supports in one colour and all right
@@ -293,10 +305,18 @@ internal sealed unsafe class ContactStage
     private void Give(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
     {
         ContactStore contacts = input.Contacts;
+        _gainKeys.SetCount(_gained.Count);
+        for (int i = 0; i < _gained.Count; i++)
+        {
+            AskFor(contacts, _gained, i);
+            _gainKeys[i] = Shuffle(PairKey(contacts.Records[_gained[i]]));
+        }
+
         RadixSort.Sort(input.Scratch, _gainKeys.Pointer, _gained.Pointer, _gained.Count);
         for (int i = 0; i < _gained.Count; i++)
         {
             int index = _gained[i];
+            AskFor(contacts, _gained, i);
             ref ContactRecord record = ref contacts.Records[index];
             contacts.RemoveIdle(index);
             graph.Add(index, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
@@ -310,11 +330,9 @@ internal sealed unsafe class ContactStage
     {
         _struck.Find(input);
         ReadOnlySpan<int> found = _struck.Found;
-        _gainKeys.SetCount(found.Length);
         _gained.SetCount(found.Length);
         for (int i = 0; i < found.Length; i++)
         {
-            _gainKeys[i] = Shuffle(PairKey(input.Contacts.Records[found[i]]));
             _gained[i] = found[i];
         }
 

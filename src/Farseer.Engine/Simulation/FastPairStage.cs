@@ -1,6 +1,7 @@
 using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Continuous;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
 using Farseer.Engine.NarrowPhase;
@@ -19,6 +20,9 @@ internal sealed unsafe class FastPairStage : IStageWork
 {
     /// <summary>Pairs that are worth another worker's while, some 2 µs.</summary>
     private const int LeastPairs = 4;
+
+    /// <summary>A piece that reaches so many times as far as the other one is long.</summary>
+    private const float LongReach = 4f;
 
     private readonly Column<ContactBundle> _bundle = new Column<ContactBundle>();
     private ScratchList<ulong> _keys;
@@ -173,6 +177,15 @@ internal sealed unsafe class FastPairStage : IStageWork
         ref Piece pieceA = ref input.Shapes.Pieces[record.PieceA];
         ref Piece pieceB = ref input.Shapes.Pieces[record.PieceB];
         float extent = FastPairs.Extent(pieceA, pieceB, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
+
+        // Most of what a rotor may meet along its whole arm stays before it or behind it. Of pieces of one size the first look knows as much.
+        bool ofA = pieceA.Reach > pieceB.Reach;
+        bool isLong = ofA ? pieceA.Reach > LongReach * pieceB.Reach : pieceB.Reach > LongReach * pieceA.Reach;
+        if (isLong && ClearWay.Holds(input.Shapes, record, a, b, ofA, PairStage.SkinShare * extent))
+        {
+            return;
+        }
+
         ImpactQuery query;
         query.Tolerance = FastPairs.Tolerance(extent);
         query.Target = -FastPairs.Glance(extent, input.Settings.AllowedPenetration);

@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
@@ -16,6 +17,9 @@ internal sealed unsafe class PairWork : IStageWork
 
     /// <summary>Look-ups ahead for which the map is asked: a table of many pairs lies far away.</summary>
     private const int Ahead = 12;
+
+    /// <summary>Pairs that are looked up before those of them that are new are judged: their pieces and colliders are asked for meanwhile.</summary>
+    private const int Block = 64;
 
     private byte* _marks;
     private World _world = null!;
@@ -42,16 +46,45 @@ internal sealed unsafe class PairWork : IStageWork
 
     void IStageWork.Run(int worker, int from, int to)
     {
+        for (int block = from; block < to; block += Block)
+        {
+            Judge(block, Math.Min(block + Block, to));
+        }
+    }
+
+    private void Judge(int from, int to)
+    {
         PairMap known = _world.KnownPairs;
-        int asked = from;
+        ulong* pairs = _pairs.Pointer;
         for (int i = from; i < to; i++)
         {
-            for (; Prefetch.IsUseful && asked < to && asked < i + Ahead; asked++)
+            if (Prefetch.IsUseful)
             {
-                known.AskFor(_pairs[asked]);
+                known.AskFor(pairs[Math.Min(i + Ahead, _pairs.Count - 1)]);
             }
 
-            _marks[i] = _world.IsNewPair(_pairs[i]) ? (byte)1 : (byte)0;
+            bool isNew = !known.Contains(pairs[i]);
+            _marks[i] = isNew ? (byte)1 : (byte)0;
+            if (isNew)
+            {
+                _world.AskForPieces(pairs[i]);
+            }
+        }
+
+        for (int i = from; i < to && Prefetch.IsUseful; i++)
+        {
+            if (_marks[i] != 0)
+            {
+                _world.AskForColliders(pairs[i]);
+            }
+        }
+
+        for (int i = from; i < to; i++)
+        {
+            if (_marks[i] != 0 && !_world.MayTouch(pairs[i]))
+            {
+                _marks[i] = 0;
+            }
         }
     }
 }

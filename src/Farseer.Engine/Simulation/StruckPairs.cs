@@ -16,9 +16,6 @@ namespace Farseer.Engine.Simulation;
 /// </summary>
 internal sealed unsafe class StruckPairs
 {
-    /// <summary>Idle pairs from one that is read to the one asked for.</summary>
-    private const int Ahead = 16;
-
     private readonly Column<float> _throws = new Column<float>();
     private readonly Column<ContactBundle> _bundle = new Column<ContactBundle>();
     private ScratchList<int> _struck;
@@ -75,14 +72,15 @@ internal sealed unsafe class StruckPairs
         ContactRecord* records = contacts.Records.Pointer;
         BodyFlags* flags = input.Bodies.Flags.Pointer;
         int filled = 0;
-        for (int i = 0; i < contacts.IdleCount; i++)
+
+        // In the order of memory, not of the idle list: what is found is put into an order of its own.
+        for (int i = 0; i < contacts.End; i++)
         {
-            Prefetch.Line(records + contacts.Idle(Math.Min(i + Ahead, contacts.IdleCount - 1)));
-            int index = contacts.Idle(i);
-            ContactRecord* record = records + index;
-            if (throws[record->BodyA] + throws[record->BodyB] > 0 && ((flags[record->BodyA] | flags[record->BodyB]) & BodyFlags.Asleep) == 0)
+            ContactRecord* record = records + i;
+            if (throws[record->BodyA] + throws[record->BodyB] > 0 && record->IsIdle
+                && ((flags[record->BodyA] | flags[record->BodyB]) & BodyFlags.Asleep) == 0)
             {
-                ContactRowWriter.Name(_bundle.Pointer, filled++, index, *record);
+                ContactRowWriter.Name(_bundle.Pointer, filled++, i, *record);
                 if (filled == ContactBundle.Lanes)
                 {
                     Look(input, filled);

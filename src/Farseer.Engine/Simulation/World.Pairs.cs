@@ -10,6 +10,9 @@ namespace Farseer.Engine.Simulation;
 /// <summary>Proxies, the making of pairs, and the end of what was removed.</summary>
 internal sealed partial class World
 {
+    /// <summary>New pairs from one that is made to that whose colliders and place in the map are asked for; to that whose pieces are, twice as many.</summary>
+    private const int NewPairsAhead = 6;
+
     private readonly PairBuffer _pairs = new PairBuffer();
     private readonly PairWork _pairWork = new PairWork();
     private readonly PairMap _verdicts = new PairMap();
@@ -123,6 +126,11 @@ internal sealed partial class World
         _contacts.Expect(_pairs.Count);
         for (int i = 0; i < _pairs.Count; i++)
         {
+            ulong ahead = _pairs[System.Math.Min(i + NewPairsAhead, _pairs.Count - 1)];
+            _contacts.Map.AskForValue(ahead);
+            AskForColliders(ahead);
+            AskForPieces(_pairs[System.Math.Min(i + (2 * NewPairsAhead), _pairs.Count - 1)]);
+
             // A user's search may name a pair twice.
             if (i == 0 || _pairs[i] != _pairs[i - 1])
             {
@@ -136,12 +144,19 @@ internal sealed partial class World
 
     internal PairMap KnownPairs => _contacts.Map;
 
-    /// <summary>The pair is not known, and nothing but a listener can refuse it. Workers ask.</summary>
-    internal bool IsNewPair(ulong key)
+    /// <summary>Nothing but a listener can refuse the pair. Workers ask.</summary>
+    internal bool MayTouch(ulong key) => MayTouch(Shapes.Pieces[PairBuffer.Lower(key)], Shapes.Pieces[PairBuffer.Higher(key)]);
+
+    internal unsafe void AskForPieces(ulong key)
     {
-        int a = PairBuffer.Lower(key);
-        int b = PairBuffer.Higher(key);
-        return !_contacts.Map.Contains(key) && MayTouch(Shapes.Pieces[a], Shapes.Pieces[b]);
+        Prefetch.Line(Shapes.Pieces.Pointer + PairBuffer.Lower(key));
+        Prefetch.Line(Shapes.Pieces.Pointer + PairBuffer.Higher(key));
+    }
+
+    internal unsafe void AskForColliders(ulong key)
+    {
+        Prefetch.Line(Shapes.Colliders.Pointer + Shapes.Pieces[PairBuffer.Lower(key)].Collider);
+        Prefetch.Line(Shapes.Colliders.Pointer + Shapes.Pieces[PairBuffer.Higher(key)].Collider);
     }
 
     private bool MayTouch(in Piece a, in Piece b) =>

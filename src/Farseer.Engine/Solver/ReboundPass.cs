@@ -3,6 +3,7 @@ using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Solver;
@@ -20,11 +21,21 @@ internal sealed unsafe class ReboundPass
     private const int Many = 2048;
     private const int ManyStrikes = 256;
 
+    /// <summary>Bundles from one that is read to the one asked for.</summary>
+    private const int Ahead = 5;
+
+    /// <summary>The same of those of which nearly all is read.</summary>
+    private const int StrikingAhead = 2;
+
     private readonly Column<Entry> _entries = new Column<Entry>();
+
+    /// <summary>Those of which in this substep some contacts approach fast enough to bounce.</summary>
+    private readonly Column<Entry> _striking = new Column<Entry>();
     private readonly Column<int> _rows = new Column<int>();
     private readonly Column<int> _strikes = new Column<int>();
     private readonly Column<byte> _inTurmoil = new Column<byte>();
     private int _count;
+    private int _strikingCount;
 
     /// <summary>Takes the weak bounces out of the rows of islands in turmoil.</summary>
     public void Begin(ReadOnlySpan<GraphColor> colors, int rowCount, int islands, BodyStore bodies, in ContactCoefficients c)
@@ -55,23 +66,28 @@ internal sealed unsafe class ReboundPass
     /// <summary>Before the velocities of a substep are integrated.</summary>
     public void Prepare(BodyStore bodies, in ContactCoefficients c)
     {
+        _strikingCount = 0;
+        _striking.EnsureCapacity(_count);
         for (int i = 0; i < _count; i++)
         {
             Entry* entry = _entries.Pointer + i;
-            ReboundKernel.AskAhead(entry->Row);
-            entry->Any = ReboundKernel.Note(entry->Row, bodies.State.Pointer, bodies.Drive.Pointer, c);
+            ContactBundle* ahead = _entries[Math.Min(i + Ahead, _count - 1)].Row;
+            Prefetch.Line(ahead->Rebound);
+            ReboundKernel.AskFor(ahead);
+            if (ReboundKernel.Note(entry->Row, bodies.State.Pointer, bodies.Drive.Pointer, c))
+            {
+                _striking[_strikingCount++].Row = entry->Row;
+            }
         }
     }
 
     /// <summary>After the relax pass.</summary>
     public void Run(BodyStore bodies, in ContactCoefficients c)
     {
-        for (int i = 0; i < _count; i++)
+        for (int i = 0; i < _strikingCount; i++)
         {
-            if (_entries[i].Any)
-            {
-                ReboundKernel.Part(_entries[i].Row, bodies.State.Pointer, c);
-            }
+            ContactBundle.AskFor(_striking[Math.Min(i + StrikingAhead, _strikingCount - 1)].Row);
+            ReboundKernel.Part(_striking[i].Row, bodies.State.Pointer, c);
         }
     }
 
@@ -106,8 +122,10 @@ internal sealed unsafe class ReboundPass
         for (int i = 0; i < weakCount; i++)
         {
             ContactBundle* row = _entries[i].Row;
-            ReboundKernel.AskAhead(row);
-            ContactBundle.AskAhead(row->Island);
+            ContactBundle* ahead = _entries[Math.Min(i + Ahead, weakCount - 1)].Row;
+            Prefetch.Line(ahead->Restitution);
+            Prefetch.Line(ahead->Island);
+            ReboundKernel.AskFor(ahead);
             int weak = ReboundKernel.WeakLanes(row);
             int strikes = weak & ReboundKernel.FastLanes(row, bodies.State.Pointer, bodies.Drive.Pointer, c);
             for (int lane = 0; weak >> lane != 0; lane++)
@@ -133,8 +151,5 @@ internal sealed unsafe class ReboundPass
     private struct Entry
     {
         public ContactBundle* Row;
-
-        /// <summary>In this substep some of them approach fast enough to bounce.</summary>
-        public bool Any;
     }
 }

@@ -57,6 +57,14 @@ internal sealed unsafe class PairMap
     /// <summary>Asks for what <see cref="Contains"/> is going to read.</summary>
     public void AskFor(ulong key) => Prefetch.Line(_keys.Pointer + Home(key + 1));
 
+    /// <summary>Asks for what <see cref="TryGet"/> and <see cref="Remove(ulong)"/> are going to read.</summary>
+    public void AskForValue(ulong key)
+    {
+        int home = Home(key + 1);
+        Prefetch.Line(_keys.Pointer + home);
+        Prefetch.Line(_values.Pointer + home);
+    }
+
     /// <summary>Adds the key, or changes the value of one that is there. Returns true if the key is new.</summary>
     public bool Set(ulong key, int value)
     {
