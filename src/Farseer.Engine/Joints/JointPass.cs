@@ -18,7 +18,7 @@ internal sealed unsafe partial class JointPass
     private const int Across = 1;
 
     /// <summary>An impulse on a limit that changes the speed by less than this share is a tie, decided by rounding.</summary>
-    private const double Touching = 1e-2;
+    public const double Touching = 1e-2;
 
     /// <summary>
     /// Frequency and damping of a spring are those of the masses it feels, but of no less than this share of its bodies' own. Where
@@ -140,32 +140,22 @@ internal sealed unsafe partial class JointPass
         }
 
         double own = Own(nodes, joint->Ends.NodeA, r->A + (k * 3)) + Own(nodes, joint->Ends.NodeB, r->B + (k * 3));
-        FindSpring(
-            joint->Response[k],
-            own,
-            r->SpringMass,
-            r->Stiffness[k],
-            r->Damping[k],
-            h,
-            out joint->SpringQ[k],
-            out joint->SpringKappa[k]);
+        double share = SpringShare(joint->Response[k], own, r->SpringMass);
+        FindSpring(share, r->Stiffness[k], r->Damping[k], h, out joint->SpringQ[k], out joint->SpringKappa[k]);
     }
 
-    /// <summary>What a spring does in a substep, of frequency and damping ratio, its response and that of the bodies alone.</summary>
-    public static void FindSpring(
-        double response,
-        double own,
-        double mass,
-        double stiffness,
-        double damping,
-        double h,
-        out double q,
-        out double kappa)
+    /// <summary>The share of its frequency and damping that a spring has, of its response and that of the bodies alone.</summary>
+    public static double SpringShare(double response, double own, double mass)
     {
         // A stiffness ω²/L and a damping 2ζω/L, felt with a response below L. A spring of a given mass m has mω² and 2mζω, whatever mass
         // the row feels: both are in proportion to the root of the ratio.
         double least = LeastFreedom * own;
-        double share = mass > 0 ? Math.Sqrt(mass * Math.Max(0, response)) : response < least ? Math.Sqrt(Math.Max(0, response) / least) : 1;
+        return mass > 0 ? Math.Sqrt(mass * Math.Max(0, response)) : response < least ? Math.Sqrt(Math.Max(0, response) / least) : 1;
+    }
+
+    /// <summary>What a spring does in a substep, of that share, frequency and damping ratio.</summary>
+    public static void FindSpring(double share, double stiffness, double damping, double h, out double q, out double kappa)
+    {
         double omega = stiffness * share;
         double zeta = damping * share;
         double wave = omega * h * Math.Sqrt(Math.Abs(1 - (zeta * zeta)));

@@ -266,6 +266,8 @@ internal sealed unsafe partial class JointSolver
         _chains.Renew(_forest, _active.Pointer, _rows.Pointer, _count);
         _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _forest.TreeCount);
         _lanes.Reserve();
+        _loose.Begin(_forest, _active.Pointer, _rows.Pointer, _step);
+        _loose.Reserve(_count);
     }
 
     /// <summary>The block of an eliminated joint has room for a limit.</summary>

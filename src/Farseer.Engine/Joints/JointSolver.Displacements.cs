@@ -125,6 +125,7 @@ internal sealed unsafe partial class JointSolver
     /// <summary>The present velocities move the bodies and are forgotten for those put aside.</summary>
     private void MoveAndForget()
     {
+        _loose.StoreMoves();
         double h = _step.Substep;
         for (int at = 0; at < _nodeCount; at++)
         {

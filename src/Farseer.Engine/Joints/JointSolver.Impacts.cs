@@ -18,6 +18,7 @@ internal sealed unsafe partial class JointSolver
     public void PrepareBounce()
     {
         _lanes.Refresh();
+        _loose.Refresh();
         LoadVelocities();
         _anyHeld = false;
         for (int i = 0; i < _contactCount; i++)

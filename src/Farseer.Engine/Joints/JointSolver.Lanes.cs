@@ -16,9 +16,13 @@ internal sealed unsafe partial class JointSolver
     /// <summary>Trees that none of the last step's passes gave back.</summary>
     public int TreesSideBySide => UsesLanes ? _lanes.GivenCount : 0;
 
+    /// <summary>Joints between single bodies that were iterated side by side in the last step.</summary>
+    public int JointsSideBySide => UsesLanes ? _loose.JointCount : 0;
+
     /// <summary>Moves the trees that can be solved side by side out of the lists of the passes.</summary>
     private void TakeToLanes()
     {
+        TakeLoose();
         _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _treeCount);
         ClearOnLanes();
         MarkTied();
@@ -33,7 +37,8 @@ internal sealed unsafe partial class JointSolver
         for (int at = 0; at < _treeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];
-            tree->OnLanes = UsesLanes && !_step.Drifts && !tree->Disturbed && !(alone && tree->Touched) && _lanes.Take(_trees[at]);
+            bool may = UsesLanes && !_step.Drifts && !tree->Disturbed && !(alone && tree->Touched);
+            tree->OnLanes = tree->Loose || (may && _lanes.Take(_trees[at]));
         }
 
         _lanes.LeaveSingles();
@@ -181,6 +186,10 @@ internal sealed unsafe partial class JointSolver
         }
 
         SweepOnLanes(pass, sweeps);
+        if (_loose.Any)
+        {
+            _loose.Solve(pass == Pass.Biased, sweeps);
+        }
     }
 
     /// <summary>Trees that leave the lanes within a substep get their rows and factor.</summary>
@@ -241,6 +250,10 @@ internal sealed unsafe partial class JointSolver
         }
 
         CorrectChains();
+        if (_loose.Any)
+        {
+            _loose.Move();
+        }
     }
 
     private void TakeAstray(TreesAside from)
@@ -274,6 +287,7 @@ internal sealed unsafe partial class JointSolver
     /// <summary>All trees are in the lists again, and their joints tell what they did.</summary>
     private void FinishLanes()
     {
+        FinishLoose();
         _lanes.Finish();
         _laneTreeCount = 0;
         _laneAgendaCount = 0;

@@ -85,6 +85,11 @@ internal sealed unsafe partial class JointSolver
         WriteRows(false);
         Factor();
         PrepareOnLanes(false);
+        if (_loose.Any)
+        {
+            _loose.EndPositions();
+        }
+
         Kick(0.5f);
         _nets.Moved();
     }

@@ -148,6 +148,11 @@ internal sealed unsafe partial class JointSolver : IStageWork
         BodyMotion* motions = _step.Bodies.Motion.Pointer;
         _lanes.Enter();
         WarmStartOnLanes();
+        if (_loose.Any)
+        {
+            _loose.Enter();
+        }
+
         _chains.Enter();
         MarkExact();
         for (int at = 0; at < _nodeCount; at++)

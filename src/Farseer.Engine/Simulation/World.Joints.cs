@@ -20,6 +20,9 @@ internal sealed partial class World
     /// <summary>Trees that were side by side in the last step from its start to its end.</summary>
     internal int TreesSideBySide => _jointSolver.TreesSideBySide;
 
+    /// <summary>Joints between single bodies that were iterated side by side in the last step.</summary>
+    internal int JointsSideBySide => _jointSolver.JointsSideBySide;
+
     /// <summary>Trees that are chains of hinges are solved as such: other roundings than those of the passes for all trees.</summary>
     internal bool TreesAsChains
     {

@@ -68,6 +68,13 @@ public class TreeLanesTests
     {
         using World lanes = Build(seed, onLanes: true, floor, ranges, out List<Handle> bodies, out List<Handle> joints);
         using World single = Build(seed, onLanes: false, floor, ranges, out _, out _);
+        return Compare(lanes, single, seed, bodies, joints);
+    }
+
+    /// <summary>Steps both worlds, with disturbances from outside now and then, and compares states and what the joints did.</summary>
+    /// <returns>Steps of trees that went side by side.</returns>
+    internal static int Compare(World lanes, World single, int seed, List<Handle> bodies, List<Handle> joints)
+    {
         int sideBySide = 0;
         var random = new Random(seed);
         for (int step = 0; step < 90; step++)
@@ -141,7 +148,7 @@ public class TreeLanesTests
     }
 
     /// <summary>A floor under all of them, and boxes that fall on it; that collide with each other or not, and bounce or not.</summary>
-    private static void AddShapes(World world, List<Handle> bodies, Random random)
+    internal static void AddShapes(World world, List<Handle> bodies, Random random)
     {
         Handle ground = world.CreateBody(new BodyDef { X = 0, Y = -1.5, Mass = 1, Inertia = 1, Flags = BodyFlags.Enabled | BodyFlags.Static });
         world.CreateCollider(ground, ShapeBuilder.Box(1000, 2), ColliderOf(2, 1, 0));

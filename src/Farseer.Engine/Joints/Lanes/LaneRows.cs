@@ -237,7 +237,7 @@ internal static unsafe class LaneRows
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void WriteRow(double* row, WideDouble x, WideDouble y, WideDouble w)
+    public static void WriteRow(double* row, WideDouble x, WideDouble y, WideDouble w)
     {
         x.Store(row);
         y.Store(row + 4);

@@ -97,6 +97,45 @@ internal static unsafe class LaneSweep
         return true;
     }
 
+    /// <summary>What to divide by, of the response of a row and that of its bodies alone: see <see cref="RowEnds"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideDouble ResponseOf(WideDouble plain, WideDouble own)
+    {
+        WideDouble least = WideDouble.Splat(RowEnds.Dead * RowEnds.Dead) * own;
+        WideDouble k = WideDouble.Select(plain < least, least, plain);
+        WideDouble ratio = WideDouble.Select(k > WideDouble.Zero, WideDouble.Splat(RowEnds.Dead) * own / k, WideDouble.Zero);
+        WideDouble square = ratio * ratio;
+        return k * (WideDouble.Splat(1) + (square * square));
+    }
+
+    /// <summary>The impulse that a spring is to have given in the substep.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideDouble SpringTo(LaneSoftRow* row, WideDouble v, WideDouble error, WideDouble old)
+    {
+        WideDouble q = WideDouble.Load(row->Q);
+        WideDouble response = WideDouble.Load(row->Response);
+        WideDouble pull = (q * v) + (WideDouble.Load(row->Kappa) * error) + (response * old);
+        return old - (pull / (response * (WideDouble.Splat(1) + q)));
+    }
+
+    /// <summary>The same of a motor.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideDouble MotorTo(LaneSoftRow* row, WideDouble v, WideDouble old)
+    {
+        WideDouble damping = WideDouble.Load(row->Damping);
+        WideDouble off = v - WideDouble.Load(row->Speed) + (damping * old);
+        return old - (WideDouble.Load(row->Share) * off / (WideDouble.Load(row->Response) + damping));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideDouble Bounded(LaneSoftRow* row, WideDouble impulse)
+    {
+        WideDouble low = WideDouble.Load(row->Low);
+        WideDouble high = WideDouble.Load(row->High);
+        impulse = WideDouble.Select(impulse > high, high, impulse);
+        return WideDouble.Select(impulse < low, low, impulse);
+    }
+
     private static LaneJoint* JointOf(in LaneWalks walks, LaneSoftPlace* place) =>
         place->Joint >= 0 ? &walks.Nodes[place->Joint].Joint : &walks.Anchors[~place->Joint].Joint;
 
@@ -154,12 +193,7 @@ internal static unsafe class LaneSweep
             plain += cross + cross;
         }
 
-        WideDouble dead = WideDouble.Splat(RowEnds.Dead);
-        WideDouble least = WideDouble.Splat(RowEnds.Dead * RowEnds.Dead) * own;
-        WideDouble k = WideDouble.Select(plain < least, least, plain);
-        WideDouble ratio = WideDouble.Select(k > WideDouble.Zero, dead * own / k, WideDouble.Zero);
-        WideDouble square = ratio * ratio;
-        WideDouble response = k * (WideDouble.Splat(1) + (square * square));
+        WideDouble response = ResponseOf(plain, own);
         response.Store(row->Response);
         if (kind.IsSpring)
         {
@@ -168,7 +202,7 @@ internal static unsafe class LaneSweep
         }
 
         own.Store(row->Own);
-        WideDoubleMask stalled = ~(response > WideDouble.Zero) | ~(plain > dead * own);
+        WideDoubleMask stalled = ~(response > WideDouble.Zero) | ~(plain > WideDouble.Splat(RowEnds.Dead) * own);
         WideDouble.StoreMask(stalled, row->Stalled);
         return ~(WideDouble.Zero <= WideDouble.Zero);
     }
@@ -178,15 +212,8 @@ internal static unsafe class LaneSweep
         for (int lane = 0; lane < WideDouble.Count; lane++)
         {
             double own = OwnOf(walks, place->NodeA, row->A, lane) + OwnOf(walks, place->NodeB, row->B, lane);
-            JointPass.FindSpring(
-                row->Response[lane],
-                own,
-                soft->SpringMass[lane],
-                row->Stiffness[lane],
-                row->Damping[lane],
-                h,
-                out row->Q[lane],
-                out row->Kappa[lane]);
+            double share = JointPass.SpringShare(row->Response[lane], own, soft->SpringMass[lane]);
+            JointPass.FindSpring(share, row->Stiffness[lane], row->Damping[lane], h, out row->Q[lane], out row->Kappa[lane]);
         }
     }
 
@@ -205,16 +232,18 @@ internal static unsafe class LaneSweep
         }
 
         WideDouble lambda = WideDouble.Load(row->Lambda);
-        Give(JointOf(walks, place), row, lambda);
+        Give(JointOf(walks, place)->Given, row->B, lambda);
         PushOwn(walks, place->NodeA, row->A, lambda);
         PushOwn(walks, place->NodeB, row->B, lambda);
     }
 
-    private static void Give(LaneJoint* joint, LaneSoftRow* row, WideDouble impulse)
+    /// <summary>Adds what an impulse along a row gives to body B.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Give(double* given, double* row, WideDouble impulse)
     {
         for (int at = 0; at < LaneMatrix.Row; at += LaneMatrix.Step)
         {
-            (WideDouble.Load(joint->Given + at) + (WideDouble.Load(row->B + at) * impulse)).Store(joint->Given + at);
+            (WideDouble.Load(given + at) + (WideDouble.Load(row + at) * impulse)).Store(given + at);
         }
     }
 
@@ -245,20 +274,15 @@ internal static unsafe class LaneSweep
         double* b = place->NodeB < 0 ? still : walks.Nodes[place->NodeB].Velocity;
         WideDouble v = LaneSolve.Dot(row->A, a) + LaneSolve.Dot(row->B, b);
         WideDouble old = WideDouble.Load(row->Lambda);
-        WideDouble response = WideDouble.Load(row->Response);
         LaneJoint* joint = JointOf(walks, place);
         WideDouble now;
         if (kind.IsSpring)
         {
-            WideDouble q = WideDouble.Load(row->Q);
-            WideDouble pull = (q * v) + (WideDouble.Load(row->Kappa) * WideDouble.Load(joint->Travel)) + (response * old);
-            now = old - (pull / (response * (WideDouble.Splat(1) + q)));
+            now = SpringTo(row, v, WideDouble.Load(joint->Travel), old);
         }
         else
         {
-            WideDouble damping = WideDouble.Load(row->Damping);
-            WideDouble off = v - WideDouble.Load(row->Speed) + (damping * old);
-            now = old - (WideDouble.Load(row->Share) * off / (response + damping));
+            now = MotorTo(row, v, old);
 
             // A stalled motor pushes with what it has: see JointPass.
             WideDouble own = WideDouble.Load(row->Own);
@@ -266,17 +290,13 @@ internal static unsafe class LaneSweep
             now = WideDouble.Select(WideDouble.LoadMask(row->Stalled), pressed, now);
         }
 
-        WideDouble low = WideDouble.Load(row->Low);
-        WideDouble high = WideDouble.Load(row->High);
-        now = WideDouble.Select(now > high, high, now);
-        now = WideDouble.Select(now < low, low, now);
-        now = WideDouble.Select(all, now, old);
+        now = WideDouble.Select(all, Bounded(row, now), old);
         now.Store(row->Lambda);
         WideDouble impulse = now - old;
         WideDoubleMask acts = all & ~((impulse >= WideDouble.Zero) & (impulse <= WideDouble.Zero));
         if (DoubleLanes.Bits(acts) != 0)
         {
-            Give(joint, row, impulse);
+            Give(joint->Given, row->B, impulse);
             Apply(ref walks, row, place, impulse, acts);
         }
 

@@ -256,16 +256,16 @@ internal sealed unsafe partial class TreeLanes
                 LaneSoft* soft = DoubleLanes.Shift(_softs.Pointer + i, lane);
                 int active = ActiveOf(trees, _softPlaces.Pointer + i, lane < trees->Count ? lane : 0);
                 soft->SpringMass[0] = _rows[active].SpringMass;
-                LoadRow(&soft->Row0, _softPlaces[i].Kind0.Index, active);
-                LoadRow(&soft->Row1, _softPlaces[i].Kind1.Index, active);
+                LoadRow(&soft->Row0, _active + active, _rows + active, _softPlaces[i].Kind0.Index);
+                LoadRow(&soft->Row1, _active + active, _rows + active, _softPlaces[i].Kind1.Index);
             }
         }
     }
 
-    private void LoadRow(LaneSoftRow* row, int k, int active)
+    /// <summary>What a row of a joint starts a step with.</summary>
+    public static void LoadRow(LaneSoftRow* row, ActiveJoint* joint, JointRows* rows, int k)
     {
-        JointRows* rows = _rows + active;
-        row->Lambda[0] = _active[active].Lambda[k];
+        row->Lambda[0] = joint->Lambda[k];
         row->Speed[0] = rows->Speed[k];
         row->Low[0] = rows->Low[k];
         row->High[0] = rows->High[k];

@@ -86,6 +86,9 @@ internal struct JointTree
     /// <summary>It is solved on lanes in this step, and in no list of the other passes.</summary>
     public bool OnLanes;
 
+    /// <summary>It is one body, and goes side by side with others that only joints without hard rows hold.</summary>
+    public bool Loose;
+
     /// <summary>A walk brought an impulse.</summary>
     public bool Carries;
 

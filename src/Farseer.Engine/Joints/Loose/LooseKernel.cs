@@ -1,0 +1,311 @@
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Joints.Lanes;
+using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
+
+namespace Farseer.Engine.Joints.Loose;
+
+/// <summary>What <see cref="JointPass"/> does with the rows of one joint, for four, to the last bit.</summary>
+internal static unsafe class LooseKernel
+{
+    private const int LanesOf = DoubleLanes.BundleLanes;
+
+    /// <summary>One number of the bodies of the lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideDouble Gather(LooseBody* bodies, int number, int* index)
+    {
+#if NET8_0_OR_GREATER
+        return Vector256.Create(
+            ((double*)(bodies + index[0]))[number],
+            ((double*)(bodies + index[1]))[number],
+            ((double*)(bodies + index[2]))[number],
+            ((double*)(bodies + index[3]))[number]);
+#else
+        double* all = stackalloc double[LanesOf];
+        for (int i = 0; i < WideDouble.Count; i++)
+        {
+            all[i] = ((double*)(bodies + index[i]))[number];
+        }
+
+        return WideDouble.Load(all);
+#endif
+    }
+
+    /// <summary>Responses and springs at the present poses.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Prepare(LooseBundle* bundles, LooseRow* rows, LoosePlace* place, double h)
+    {
+        for (int lane = 0; lane < LanesOf; lane += WideDouble.Count)
+        {
+            LooseBundle* bundle = DoubleLanes.Shift(bundles, lane);
+            WideDouble massA = WideDouble.Load(bundle->MassA);
+            WideDouble inertiaA = WideDouble.Load(bundle->InertiaA);
+            WideDouble massB = WideDouble.Load(bundle->MassB);
+            WideDouble inertiaB = WideDouble.Load(bundle->InertiaB);
+            for (int k = 0; k < place->Rows; k++)
+            {
+                LooseRow* row = DoubleLanes.Shift(rows + k, lane);
+                double* a = row->Soft.A;
+                double* b = row->Soft.B;
+                WideDouble plain = Form(a, massA, inertiaA) + Form(b, massB, inertiaB);
+                WideDouble own = Own(a, massA, inertiaA) + Own(b, massB, inertiaB);
+                LaneSweep.ResponseOf(plain, own).Store(row->Soft.Response);
+                if (place->Type[k] == (byte)RowType.Spring)
+                {
+                    (OwnOfSpring(a, massA, inertiaA) + OwnOfSpring(b, massB, inertiaB)).Store(row->Soft.Own);
+                    SetSprings(row, bundle->SpringMass, h);
+                }
+            }
+        }
+    }
+
+    /// <summary>The impulses of the substep before.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void WarmStart(LooseBundle* bundles, LooseRow* rows, LoosePlace* place, LooseBody* bodies)
+    {
+        for (int lane = 0; lane < LanesOf; lane += WideDouble.Count)
+        {
+            LooseBundle* bundle = DoubleLanes.Shift(bundles, lane);
+            Gather(bodies, place->BodyA + lane, out Velocity a);
+            Gather(bodies, place->BodyB + lane, out Velocity b);
+            for (int k = 0; k < place->Rows; k++)
+            {
+                LaneSoftRow* row = &DoubleLanes.Shift(rows + k, lane)->Soft;
+                if (place->Type[k] == (byte)RowType.Spring)
+                {
+                    WideDouble.Zero.Store(row->Lambda);
+                    continue;
+                }
+
+                WideDouble lambda = WideDouble.Load(row->Lambda);
+                LaneSweep.Give(bundle->Given, row->B, lambda);
+                PushOwn(ref a, row->A, lambda, WideDouble.Load(bundle->MassA), WideDouble.Load(bundle->InertiaA));
+                PushOwn(ref b, row->B, lambda, WideDouble.Load(bundle->MassB), WideDouble.Load(bundle->InertiaB));
+            }
+
+            Scatter(bodies, place->IntoA + lane, a);
+            Scatter(bodies, place->IntoB + lane, b);
+        }
+    }
+
+    /// <summary>A sweep over the rows.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Solve(LooseBundle* bundles, LooseRow* rows, LoosePlace* place, LooseBody* bodies, double h, bool biased)
+    {
+        for (int lane = 0; lane < LanesOf; lane += WideDouble.Count)
+        {
+            LooseBundle* bundle = DoubleLanes.Shift(bundles, lane);
+            Pair pair = default;
+            Gather(bodies, place->BodyA + lane, out pair.A);
+            Gather(bodies, place->BodyB + lane, out pair.B);
+            pair.MassA = WideDouble.Load(bundle->MassA);
+            pair.InertiaA = WideDouble.Load(bundle->InertiaA);
+            pair.MassB = WideDouble.Load(bundle->MassB);
+            pair.InertiaB = WideDouble.Load(bundle->InertiaB);
+            for (int k = 0; k < place->Rows; k++)
+            {
+                LooseRow* row = DoubleLanes.Shift(rows + k, lane);
+                WideDouble old = WideDouble.Load(row->Soft.Lambda);
+                WideDouble v = Dot(row->Soft.A, pair.A) + Dot(row->Soft.B, pair.B);
+                WideDoubleMask answers = WideDouble.Load(row->Soft.Response) > WideDouble.Zero;
+                WideDouble now;
+                switch ((RowType)place->Type[k])
+                {
+                    case RowType.Motor:
+                        now = LaneSweep.Bounded(&row->Soft, LaneSweep.MotorTo(&row->Soft, v, old));
+                        break;
+                    case RowType.Limit:
+                        now = LimitTo(row, v, old, h, biased);
+                        break;
+                    default:
+                        if (!biased)
+                        {
+                            continue;
+                        }
+
+                        now = LaneSweep.SpringTo(&row->Soft, v, WideDouble.Load(row->Error), old);
+                        if (place->Kind == JointKind.Target && k > 0)
+                        {
+                            PullAtMost(bundle, row - 1, ref pair, answers, now);
+                            continue;
+                        }
+
+                        now = LaneSweep.Bounded(&row->Soft, now);
+                        break;
+                }
+
+                Give(bundle, row, ref pair, WideDouble.Select(answers, now, old));
+            }
+
+            Scatter(bodies, place->IntoA + lane, pair.A);
+            Scatter(bodies, place->IntoB + lane, pair.B);
+        }
+    }
+
+    /// <summary>J·v.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble Dot(double* j, in Velocity v) => LaneMatrix.Dot(v.X, v.Y, v.W, j);
+
+    /// <summary>The two springs towards a target are one force.</summary>
+    private static void PullAtMost(LooseBundle* bundle, LooseRow* rows, ref Pair pair, WideDoubleMask answers, WideDouble across)
+    {
+        WideDouble along = WideDouble.Load(rows[0].Soft.Lambda);
+        WideDouble length = WideDouble.Sqrt((along * along) + (across * across));
+        WideDouble most = WideDouble.Load(rows[1].Soft.High);
+        WideDouble share = WideDouble.Select(length > most, most / length, WideDouble.Splat(1));
+        Give(bundle, rows, ref pair, WideDouble.Select(answers, share * along, along));
+        Give(bundle, rows + 1, ref pair, WideDouble.Select(answers, share * across, WideDouble.Load(rows[1].Soft.Lambda)));
+    }
+
+    private static WideDouble LimitTo(LooseRow* row, WideDouble v, WideDouble old, double substep, bool biased)
+    {
+        WideDouble h = WideDouble.Splat(substep);
+        WideDouble gap = WideDouble.Load(row->Error);
+        WideDouble response = WideDouble.Load(row->Soft.Response);
+        WideDouble reach = WideDouble.Negate(v + (WideDouble.Select(gap > WideDouble.Zero, gap, WideDouble.Zero) / h));
+        WideDouble need = biased ? reach : old * response;
+        WideDoubleMask tie = need <= WideDouble.Splat(JointPass.Touching) * WideDouble.Abs(v);
+        WideDouble change = reach / response;
+        if (biased)
+        {
+            tie &= (old <= WideDouble.Zero) & (gap > WideDouble.Zero);
+            WideDouble damping = WideDouble.Load(row->Soft.Damping);
+            WideDouble over = gap + WideDouble.Load(row->Soft.Share);
+            over = WideDouble.Select(over < WideDouble.Zero, over, WideDouble.Zero);
+            WideDouble back = v + (WideDouble.Splat(JointPass.LimitRecovery) * over / h) + (damping * old);
+            change = WideDouble.Select(gap > WideDouble.Zero, change, WideDouble.Negate(back) / (response + damping));
+        }
+
+        WideDouble now = old + change;
+        now = WideDouble.Select(now <= WideDouble.Zero, WideDouble.Zero, now);
+        return WideDouble.Select(tie, old, now);
+    }
+
+    /// <summary>The row's impulse becomes another; both bodies feel the difference.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Give(LooseBundle* bundle, LooseRow* row, ref Pair pair, WideDouble now)
+    {
+        WideDouble impulse = now - WideDouble.Load(row->Soft.Lambda);
+        now.Store(row->Soft.Lambda);
+        LaneSweep.Give(bundle->Given, row->Soft.B, impulse);
+        Push(ref pair.B, row->Soft.B, impulse, pair.MassB, pair.InertiaB);
+        Push(ref pair.A, row->Soft.A, impulse, pair.MassA, pair.InertiaA);
+    }
+
+    /// <summary>By the inverse mass of a tree of one body, whose zeros take part: they decide about the sign of a sum of zeros.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Push(ref Velocity v, double* j, WideDouble impulse, WideDouble mass, WideDouble inertia)
+    {
+        WideDouble x = WideDouble.Load(j) * impulse;
+        WideDouble y = WideDouble.Load(j + 4) * impulse;
+        WideDouble w = WideDouble.Load(j + 8) * impulse;
+        WideDouble x0 = WideDouble.Zero * x;
+        WideDouble y0 = WideDouble.Zero * y;
+        WideDouble w0 = WideDouble.Zero * w;
+        v.X += (mass * x) + y0 + w0;
+        v.Y += x0 + (mass * y) + w0;
+        v.W += x0 + y0 + (inertia * w);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void PushOwn(ref Velocity v, double* j, WideDouble impulse, WideDouble mass, WideDouble inertia)
+    {
+        v.X += mass * (WideDouble.Load(j) * impulse);
+        v.Y += mass * (WideDouble.Load(j + 4) * impulse);
+        v.W += inertia * (WideDouble.Load(j + 8) * impulse);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble Form(double* j, WideDouble mass, WideDouble inertia)
+    {
+        WideDouble x = WideDouble.Load(j);
+        WideDouble y = WideDouble.Load(j + 4);
+        WideDouble w = WideDouble.Load(j + 8);
+        return (x * (mass * x)) + (y * (mass * y)) + (w * (inertia * w));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble Own(double* j, WideDouble mass, WideDouble inertia)
+    {
+        WideDouble x = WideDouble.Load(j);
+        WideDouble y = WideDouble.Load(j + 4);
+        WideDouble w = WideDouble.Load(j + 8);
+        return (((x * x) + (y * y)) * mass) + (w * w * inertia);
+    }
+
+    /// <summary>The same, as springs take it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble OwnOfSpring(double* j, WideDouble mass, WideDouble inertia)
+    {
+        WideDouble x = WideDouble.Load(j);
+        WideDouble y = WideDouble.Load(j + 4);
+        WideDouble w = WideDouble.Load(j + 8);
+        return (mass * ((x * x) + (y * y))) + (inertia * w * w);
+    }
+
+    /// <summary>Most feel their frequency as it is, substep after substep: then what follows from it stays.</summary>
+    private static void SetSprings(LooseRow* row, double* mass, double h)
+    {
+        LaneSoftRow* soft = &row->Soft;
+        for (int lane = 0; lane < WideDouble.Count; lane++)
+        {
+            double share = JointPass.SpringShare(soft->Response[lane], soft->Own[lane], mass[lane]);
+            if (share != row->SpringShare[lane])
+            {
+                row->SpringShare[lane] = share;
+                JointPass.FindSpring(share, soft->Stiffness[lane], soft->Damping[lane], h, out soft->Q[lane], out soft->Kappa[lane]);
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Gather(LooseBody* bodies, int* index, out Velocity v)
+    {
+        v.X = Gather(bodies, 0, index);
+        v.Y = Gather(bodies, 1, index);
+        v.W = Gather(bodies, 2, index);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Scatter(LooseBody* bodies, int* index, in Velocity v)
+    {
+#if NET8_0_OR_GREATER
+        Put(bodies + index[0], v.X.GetElement(0), v.Y.GetElement(0), v.W.GetElement(0));
+        Put(bodies + index[1], v.X.GetElement(1), v.Y.GetElement(1), v.W.GetElement(1));
+        Put(bodies + index[2], v.X.GetElement(2), v.Y.GetElement(2), v.W.GetElement(2));
+        Put(bodies + index[3], v.X.GetElement(3), v.Y.GetElement(3), v.W.GetElement(3));
+#else
+        for (int i = 0; i < WideDouble.Count; i++)
+        {
+            Put(bodies + index[i], v.X[i], v.Y[i], v.W[i]);
+        }
+#endif
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Put(LooseBody* body, double x, double y, double w)
+    {
+        body->Velocity[0] = x;
+        body->Velocity[1] = y;
+        body->Velocity[2] = w;
+    }
+
+    private struct Velocity
+    {
+        public WideDouble X;
+        public WideDouble Y;
+        public WideDouble W;
+    }
+
+    private struct Pair
+    {
+        public Velocity A;
+        public Velocity B;
+        public WideDouble MassA;
+        public WideDouble InertiaA;
+        public WideDouble MassB;
+        public WideDouble InertiaB;
+    }
+}
