@@ -200,11 +200,11 @@ internal unsafe struct JointRows
 
     /// <summary>What the error of a row is small or large against: a radian, or the joint's length.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly double SizeOf(int row)
-    {
-        bool turns = A[row * 3] == 0 && A[(row * 3) + 1] == 0 && B[row * 3] == 0 && B[(row * 3) + 1] == 0;
-        return turns ? 1 : Size;
-    }
+    public readonly double SizeOf(int row) => Turns(row) ? 1 : Size;
+
+    /// <summary>A row of angles alone.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly bool Turns(int row) => A[row * 3] == 0 && A[(row * 3) + 1] == 0 && B[row * 3] == 0 && B[(row * 3) + 1] == 0;
 
     /// <summary>Two limits are one, or the two ends of one range.</summary>
     public readonly bool BoundSame(int one, int other)

@@ -24,6 +24,7 @@ public class TreeLanesTests
         JointKind.Wheel,
         JointKind.Angle,
         JointKind.Gear,
+        JointKind.Transmission,
     ];
 
     /// <summary>Joints that are limits alone.</summary>
@@ -311,6 +312,16 @@ public class TreeLanesTests
             // A rod that spans what the anchors of the others share, but now and then for a pin of no length.
             settings.AnchorBY = random.Next(4) == 0 && kind == JointKind.Pin ? 0 : 0.5;
             settings.Target = settings.AnchorBY;
+        }
+
+        if (kind == JointKind.Transmission)
+        {
+            // Most tie two turns; some a way to a turn, at either side.
+            int slides = random.Next(6);
+            settings.GroundAX = slides == 0 ? 0.8 : 0;
+            settings.GroundAY = slides == 0 ? -0.6 : 0;
+            settings.GroundBY = slides == 1 ? 1 : 0;
+            settings.Target = settings.GroundAX * ((a.Index == World.WorldFrame.Index ? 0 : world.Bodies.Pose[a.Index].X) + anchorA);
         }
 
         settings.MotorSpeed = random.Next(2) == 0 ? 0 : 4 * (random.NextDouble() - 0.5);

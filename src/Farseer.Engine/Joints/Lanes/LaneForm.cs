@@ -27,6 +27,10 @@ internal enum LaneForm : byte
     /// <summary>Two angles in a ratio: one row.</summary>
     Gear,
 
+    /// <summary>Two turns in a ratio, or with <see cref="Sliding"/> a turn or a way along a line of the world at either body: one row.</summary>
+    Turning,
+    Sliding,
+
     /// <summary>A range of the turn between two bodies: no row but that of a limit that holds.</summary>
     Range,
 
@@ -52,6 +56,7 @@ internal static class LaneForms
             JointKind.Distance => LaneForm.Rod,
             JointKind.Angle => LaneForm.Servo,
             JointKind.Gear => LaneForm.Gear,
+            JointKind.Transmission => rows.Turns(0) ? LaneForm.Turning : LaneForm.Sliding,
             JointKind.AngleLimit => LaneForm.Range,
             JointKind.Slider or JointKind.Rope => LaneForm.Span,
             _ => LaneForm.None,
@@ -83,7 +88,7 @@ internal static class LaneForms
     {
         LaneForm.Weld => 1 << 2,
         LaneForm.Slide => 1 << 1,
-        LaneForm.Gear or LaneForm.Servo => 1,
+        LaneForm.Gear or LaneForm.Servo or LaneForm.Turning => 1,
         _ => 0,
     };
 }

@@ -63,7 +63,7 @@ internal unsafe struct LaneJoint
     public fixed double Lower[4];
     public fixed double Upper[4];
 
-    /// <summary>The axis in the frame of A; of gears first the ratio; of a servo first its speed.</summary>
+    /// <summary>The axis in the frame of A; of gears and transmissions first the ratio; of a servo first its speed.</summary>
     public fixed double Axis[8];
 
     /// <summary>Arms at the present poses, how far the anchors are apart, and the unit vector of the row that has one.</summary>
@@ -87,7 +87,7 @@ internal unsafe struct LaneJoint
     /// <summary>Jacobian at the child of an edge, or at the body of an anchor: the rows that always hold, then that of a limit that holds.</summary>
     public fixed double S[36];
 
-    /// <summary>Of a joint with a line: the Jacobian along it, at bodies A and B.</summary>
+    /// <summary>Of a joint with a line: the Jacobian along it, at bodies A and B. Of a transmission first the lines of the world.</summary>
     public fixed double LineA[12];
     public fixed double LineB[12];
 

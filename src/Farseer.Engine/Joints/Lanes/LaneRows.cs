@@ -146,6 +146,12 @@ internal static unsafe class LaneRows
             case LaneForm.Gear:
                 (WideDouble.Load(b + 8) + (WideDouble.Load(joint->Axis) * WideDouble.Load(a + 8)) - WideDouble.Load(joint->Target)).Store(joint->Error);
                 break;
+            case LaneForm.Turning:
+            case LaneForm.Sliding:
+                WideDouble wayA = WayOf(joint->LineA, joint->ArmA, a);
+                WideDouble wayB = WayOf(joint->LineB, joint->ArmB, b);
+                (wayA + (WideDouble.Load(joint->Axis) * wayB) - WideDouble.Load(joint->Target)).Store(joint->Error);
+                break;
             case LaneForm.Slide:
             case LaneForm.Track:
                 PlaceOnLine(joint, place, a, b);
@@ -162,6 +168,31 @@ internal static unsafe class LaneRows
         WideDouble.Select(apart, dx / length, WideDouble.Splat(1)).Store(joint->Way);
         WideDouble.Select(apart, dy / length, WideDouble.Zero).Store(joint->Way + 4);
         return length;
+    }
+
+    /// <summary>All bits set for the lanes in which a transmission counts the turn, for want of a line.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDoubleMask CountsTurn(double* line)
+    {
+        WideDouble most = WideDouble.Abs(WideDouble.Load(line)) + WideDouble.Abs(WideDouble.Load(line + 4));
+        return most <= WideDouble.Zero;
+    }
+
+    /// <summary>The turn of a body, or where its anchor is along a line of the world.</summary>
+    private static WideDouble WayOf(double* line, double* arm, double* pose)
+    {
+        WideDouble x = WideDouble.Load(line) * (WideDouble.Load(pose) + WideDouble.Load(arm));
+        WideDouble y = WideDouble.Load(line + 4) * (WideDouble.Load(pose + 4) + WideDouble.Load(arm + 4));
+        return WideDouble.Select(CountsTurn(line), WideDouble.Load(pose + 8), x + y);
+    }
+
+    /// <summary>The Jacobian of <see cref="WayOf"/>, times a ratio.</summary>
+    private static void WriteWay(double* line, double* arm, WideDouble ratio, double* row)
+    {
+        WideDouble x = WideDouble.Load(line);
+        WideDouble y = WideDouble.Load(line + 4);
+        WideDouble turn = (WideDouble.Load(arm) * y) - (WideDouble.Load(arm + 4) * x);
+        WriteRow(row, ratio * x, ratio * y, ratio * WideDouble.Select(CountsTurn(line), WideDouble.Splat(1), turn));
     }
 
     private static void PlaceOnLine(LaneJoint* joint, LanePlace* place, double* a, double* b)
@@ -197,6 +228,11 @@ internal static unsafe class LaneRows
                 break;
             case LaneForm.Gear:
                 WriteAngle(a, b, WideDouble.Load(joint->Axis));
+                break;
+            case LaneForm.Turning:
+            case LaneForm.Sliding:
+                WriteWay(joint->LineA, joint->ArmA, one, a);
+                WriteWay(joint->LineB, joint->ArmB, WideDouble.Load(joint->Axis), b);
                 break;
             case LaneForm.Span:
                 WriteDirection(joint->LineA, joint->LineB, x, y, WideDouble.Load(joint->ArmA), WideDouble.Load(joint->ArmA + 4), joint->ArmB);

@@ -147,8 +147,17 @@ internal sealed unsafe partial class TreeLanes
         joint->AnchorB[0] = settings.AnchorBX;
         joint->AnchorB[Y] = settings.AnchorBY;
         joint->Target[0] = settings.Target;
-        joint->Axis[0] = place->Form == LaneForm.Servo ? _rows[active].Speed[0] : place->Form == LaneForm.Gear ? settings.Ratio : settings.AxisX;
+        joint->Axis[0] = place->Form switch
+        {
+            LaneForm.Servo => _rows[active].Speed[0],
+            LaneForm.Gear or LaneForm.Turning or LaneForm.Sliding => settings.Ratio,
+            _ => settings.AxisX,
+        };
         joint->Axis[Y] = settings.AxisY;
+        joint->LineA[0] = settings.GroundAX;
+        joint->LineA[Y] = settings.GroundAY;
+        joint->LineB[0] = settings.GroundBX;
+        joint->LineB[Y] = settings.GroundBY;
         joint->Error[0] = 0;
         for (int k = 0; k <= LaneMatrix.Row; k += Y)
         {
