@@ -35,6 +35,9 @@ internal struct TreeContactPoint
     public double RubA;
     public double RubB;
     public double RubResponse;
+
+    /// <summary>1; less, down to 0, where no turn within reach undoes the overlap of two bodies of one tree.</summary>
+    public double Reach;
 }
 
 /// <summary>

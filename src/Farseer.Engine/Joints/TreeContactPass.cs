@@ -18,6 +18,9 @@ internal sealed unsafe partial class TreeContactPass
     /// <summary>Static sags up to which a contact is as deep as its load makes it.</summary>
     private const double OrdinarySags = 3;
 
+    /// <summary>Share of its bodies' own response below which a contact within a tree counts as bound by the tree's joints.</summary>
+    private const double Bound = 0.25;
+
     private BodyStore _bodies = null!;
     private JointForestView _view;
     private ContactCoefficients _c;
@@ -55,7 +58,7 @@ internal sealed unsafe partial class TreeContactPass
         RowEnds* ends = &contact->Ends;
         double dead = ends->Coupled ? RowEnds.DeadWithin : RowEnds.Dead;
         NormalRow(contact, &contact->Point0, n0A, n0B);
-        contact->K11 = RowEnds.Response(nodes, ends, n0A, n0B, dead);
+        contact->K11 = WithinReach(contact, &contact->Point0, RowEnds.Response(nodes, ends, n0A, n0B, dead), n0A, n0B);
         contact->K22 = contact->K11;
         contact->K12 = 0;
         contact->InverseDeterminant = 0;
@@ -64,7 +67,7 @@ internal sealed unsafe partial class TreeContactPass
         {
             Place(contact, &contact->Point1, moved, aCos, aSin, bCos, bSin);
             NormalRow(contact, &contact->Point1, n1A, n1B);
-            contact->K22 = RowEnds.Response(nodes, ends, n1A, n1B, dead);
+            contact->K22 = WithinReach(contact, &contact->Point1, RowEnds.Response(nodes, ends, n1A, n1B, dead), n1A, n1B);
             contact->K12 = RowEnds.Response(nodes, ends, n0A, n0B, n1A, n1B);
             double product = contact->K11 * contact->K22;
             double determinant = product - (contact->K12 * contact->K12);
@@ -302,8 +305,8 @@ internal sealed unsafe partial class TreeContactPass
         tangent = Math.Max(-bound, Math.Min(bound, tangent));
         p->PreviousNormal = Math.Min(p->Normal, most);
         p->PreviousTangent = impact ? tangent : p->Tangent;
-        p->Normal = normal;
-        p->Tangent = tangent;
+        p->Normal = normal * p->Reach;
+        p->Tangent = tangent * p->Reach;
     }
 
     /// <summary>What the biased pass brings to 0: see <see cref="ContactKernel.SolveBiased"/>.</summary>
@@ -328,6 +331,28 @@ internal sealed unsafe partial class TreeContactPass
         double bias = ContactCoefficients.MassScale * _c.BiasRate * (p->Separation + (depth * (1 - _slowness)));
         return (ContactCoefficients.MassScale * v) + Math.Min(bias, sink)
             + (k * ContactCoefficients.ImpulseScale * (p->Normal - p->Feed));
+    }
+
+    /// <summary>
+    /// The response of surfaces that joints of one tree bind, out of reach if what they overlap by would go only with a large turn: about a hinge that lies
+    /// within both of its bodies no turn undoes their overlap, and the arm that is left of it is a few hundredths of the depth. Pushed against it the links of a
+    /// rope spun at hundreds of radians a second, and a wrecking ball was thrown as high as thirty metres. Impulses fade alike, or what is out of reach would push on.
+    /// </summary>
+    private double WithinReach(TreeContact* contact, TreeContactPoint* p, double k, double* a, double* b)
+    {
+        p->Reach = 1;
+        if (contact->Ends.Coupled && p->Separation < 0)
+        {
+            TreeNode* nodes = _view.Nodes;
+            double bound = 1 - (k / (Bound * RowEnds.Own(nodes, &contact->Ends, a, b)));
+            double inverseInertia = nodes[contact->Ends.NodeA].InverseInertia + nodes[contact->Ends.NodeB].InverseInertia;
+            double turn2 = p->Separation * p->Separation * inverseInertia / k;
+            double beyond = (turn2 / (JointSolver.LargestBend * JointSolver.LargestBend)) - 1;
+            double share = Math.Max(0, bound) * Math.Max(0, beyond);
+            p->Reach = 1 / (1 + (share * share));
+        }
+
+        return k / p->Reach;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
