@@ -57,13 +57,13 @@ public unsafe class KernelSuite
     }
 
     [Benchmark(OperationsPerInvoke = Contacts)]
-    public void WarmStart() => ContactKernel.WarmStart<ScatterAll>(Rows, _states.Pointer, _coefficients);
+    public void WarmStart() => ContactKernel.WarmStart<ScatterAll, TwoPoints>(Rows, _states.Pointer, _coefficients);
 
     [Benchmark(OperationsPerInvoke = Contacts)]
-    public void SolveBiased() => ContactKernel.SolveBiased<ScatterAll>(Rows, _states.Pointer, _coefficients, anyDeep: false);
+    public void SolveBiased() => ContactKernel.SolveBiased<ScatterAll, TwoPoints>(Rows, _states.Pointer, _coefficients, anyDeep: false);
 
     [Benchmark(OperationsPerInvoke = Contacts)]
-    public void Relax() => ContactKernel.Relax<ScatterAll>(Rows, _states.Pointer, _coefficients, rub: true, first: true);
+    public void Relax() => ContactKernel.Relax<ScatterAll, TwoPoints>(Rows, _states.Pointer, _coefficients, rub: true, first: true);
 
     [Benchmark(OperationsPerInvoke = PairLanes.Lanes)]
     public int BoxBox() => WideBoxBox.Collide(_pairs.Pointer);

@@ -56,12 +56,15 @@ internal unsafe struct ContactBundle
     public fixed float InverseK22[Lanes];
     public fixed float Friction[Lanes];
 
+    /// <summary>
+    /// 1 for a contact with one point, whose feed-forward follows its own impulse, and for an empty lane; else 0. What these have of a second point
+    /// is 0: see <see cref="OnePoint"/>.
+    /// </summary>
+    public fixed float Single[Lanes];
+
     /// <summary>Tangent masses 1/(mA + mB + iA·anA² + iB·anB²) per point.</summary>
     public fixed float TangentMass0[Lanes];
     public fixed float TangentMass1[Lanes];
-
-    /// <summary>1 for a contact with one point, whose feed-forward follows its own impulse; else 0.</summary>
-    public fixed float Single[Lanes];
 
     /// <summary>h/τ of the feed-forward: how fast it follows the impulse.</summary>
     public fixed float FeedRate[Lanes];

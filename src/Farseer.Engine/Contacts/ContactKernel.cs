@@ -21,9 +21,11 @@ internal static unsafe class ContactKernel
     /// block solver), friction kept within its cone.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void WarmStart<TScatter>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c)
+    public static void WarmStart<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c)
         where TScatter : struct, IVelocityScatter
+        where TPoints : struct, IContactPoints
     {
+        bool two = default(TPoints).AreTwo;
         Wide fall = Wide.Splat(c.Gravity * c.Substep);
         ContactBundle* end = rows.Bundles + rows.Count;
         for (ContactBundle* row = rows.Bundles; row < end; row++)
@@ -35,11 +37,17 @@ internal static unsafe class ContactKernel
                 BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
                 Wide friction = Wide.Load(row->Friction + lane);
                 Wide weight0 = fall * Wide.Load(row->InverseK11 + lane);
-                Wide weight1 = fall * Wide.Load(row->InverseK22 + lane);
                 Extrapolate(&row->Point0, lane, friction, weight0, out Wide normal0, out Wide tangent0);
-                Extrapolate(&row->Point1, lane, friction, weight1, out Wide normal1, out Wide tangent1);
-                ApplyNormal(row, lane, ref a, ref b, normal0, normal1);
-                ApplyTangent(row, lane, ref a, ref b, tangent0, tangent1);
+                Wide normal1 = Wide.Zero;
+                Wide tangent1 = Wide.Zero;
+                if (two)
+                {
+                    Wide weight1 = fall * Wide.Load(row->InverseK22 + lane);
+                    Extrapolate(&row->Point1, lane, friction, weight1, out normal1, out tangent1);
+                }
+
+                ApplyNormal(row, lane, ref a, ref b, normal0, normal1, two);
+                ApplyTangent(row, lane, ref a, ref b, tangent0, tangent1, two);
                 StoreVelocities<TScatter>(row, lane, bodies, a, b);
             }
         }
@@ -53,8 +61,9 @@ internal static unsafe class ContactKernel
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
     [SkipLocalsInit]
-    public static void SolveBiased<TScatter>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
+    public static void SolveBiased<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
         where TScatter : struct, IVelocityScatter
+        where TPoints : struct, IContactPoints
     {
         byte* memory = stackalloc byte[ContactWork.Bytes];
         ContactWork* work = ContactWork.In(memory);
@@ -62,16 +71,16 @@ internal static unsafe class ContactKernel
         {
             ContactBundle* some = rows.Bundles + done;
             int count = Math.Min(rows.Stride, rows.Count - done);
-            ContactStages.AimBiased(rows, some, count, work, bodies, c, anyDeep);
+            ContactStages.AimBiased<TPoints>(rows, some, count, work, bodies, c, anyDeep);
 
             // Who pushes for long has a feed-forward: only others may be struck, and are asked further.
-            ulong blows = ContactStages.Push(some, count, work, onlyUnfed: true, feed: false);
+            ulong blows = ContactStages.Push<TPoints>(some, count, work, onlyUnfed: true, feed: false);
             if (blows != 0)
             {
                 blows = BlowKernel.Strike(some, count, work, bodies, blows);
             }
 
-            ContactStages.Give<TScatter>(some, count, work, bodies, blows);
+            ContactStages.Give<TScatter, TPoints>(some, count, work, bodies, blows);
         }
     }
 
@@ -80,9 +89,11 @@ internal static unsafe class ContactKernel
     /// the impulses, so that a deep overlap never becomes speed.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void PushOut<TScatter>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, float recoveryRate)
+    public static void PushOut<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, float recoveryRate)
         where TScatter : struct, IVelocityScatter
+        where TPoints : struct, IContactPoints
     {
+        bool two = default(TPoints).AreTwo;
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rate = Wide.Splat(recoveryRate);
         ContactBundle* end = rows.Bundles + rows.Count;
@@ -97,18 +108,28 @@ internal static unsafe class ContactKernel
                     continue;
                 }
 
-                GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1);
+                GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1, two);
                 BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
                 BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
-                NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
+                NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1, two);
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
-                Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
                 Wide r0 = v0 + (s0 * Wide.Select(s0 > Wide.Zero, inverseSubstep, rate));
-                Wide r1 = v1 + (s1 * Wide.Select(s1 > Wide.Zero, inverseSubstep, rate));
-                SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
+                Wide push1 = Wide.Zero;
+                Wide x0;
+                if (two)
+                {
+                    Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
+                    Wide r1 = v1 + (s1 * Wide.Select(s1 > Wide.Zero, inverseSubstep, rate));
+                    SolveBlock(row, lane, lambda0, lambda1, r0, r1, out x0, out Wide x1);
+                    push1 = Wide.Select(deep, x1 - lambda1, Wide.Zero);
+                }
+                else
+                {
+                    x0 = SolvePoint(row, lane, lambda0, r0);
+                }
+
                 Wide push0 = Wide.Select(deep, x0 - lambda0, Wide.Zero);
-                Wide push1 = Wide.Select(deep, x1 - lambda1, Wide.Zero);
-                ApplyNormal(row, lane, ref a, ref b, push0, push1);
+                ApplyNormal(row, lane, ref a, ref b, push0, push1, two);
                 StoreVelocities<TScatter>(row, lane, bodies, a, b);
             }
         }
@@ -123,8 +144,9 @@ internal static unsafe class ContactKernel
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
     [SkipLocalsInit]
-    public static void Relax<TScatter>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, bool rub, bool first)
+    public static void Relax<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, bool rub, bool first)
         where TScatter : struct, IVelocityScatter
+        where TPoints : struct, IContactPoints
     {
         byte* memory = stackalloc byte[ContactWork.Bytes];
         ContactWork* work = ContactWork.In(memory);
@@ -132,8 +154,8 @@ internal static unsafe class ContactKernel
         {
             ContactBundle* some = rows.Bundles + done;
             int count = Math.Min(rows.Stride, rows.Count - done);
-            ContactStages.AimRelaxed(rows, some, count, work, bodies, c);
-            ulong blows = ContactStages.Push(some, count, work, onlyUnfed: first, feed: true);
+            ContactStages.AimRelaxed<TPoints>(rows, some, count, work, bodies, c);
+            ulong blows = ContactStages.Push<TPoints>(some, count, work, onlyUnfed: first, feed: true);
             if (blows != 0)
             {
                 blows = BlowKernel.Strike(some, count, work, bodies, blows);
@@ -141,17 +163,17 @@ internal static unsafe class ContactKernel
 
             if (rub)
             {
-                ContactStages.Rub(some, count, work, blows);
+                ContactStages.Rub<TPoints>(some, count, work, blows);
                 if (blows != 0)
                 {
                     BlowKernel.Rub(some, count, work, bodies, blows);
                 }
 
-                ContactStages.GiveRubbed<TScatter>(some, count, work, bodies, blows);
+                ContactStages.GiveRubbed<TScatter, TPoints>(some, count, work, bodies, blows);
             }
             else
             {
-                ContactStages.Give<TScatter>(some, count, work, bodies, blows);
+                ContactStages.Give<TScatter, TPoints>(some, count, work, bodies, blows);
             }
         }
     }
@@ -187,19 +209,19 @@ internal static unsafe class ContactKernel
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void GatherSeparations(ContactBundle* row, int lane, BodyState* bodies, out Wide s0, out Wide s1)
+    internal static void GatherSeparations(ContactBundle* row, int lane, BodyState* bodies, out Wide s0, out Wide s1, bool two = true)
     {
         BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta a);
         BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta b);
-        Separations(row, lane, a, b, out s0, out s1);
+        Separations(row, lane, a, b, out s0, out s1, two);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void Separations(ContactBundle* row, int lane, in WideDelta a, in WideDelta b, out Wide s0, out Wide s1)
+    internal static void Separations(ContactBundle* row, int lane, in WideDelta a, in WideDelta b, out Wide s0, out Wide s1, bool two = true)
     {
         Wide moved = MovedAlong(row, lane, a, b);
         s0 = PointSeparation(&row->Point0, lane, a, b, moved, out _, out _);
-        s1 = PointSeparation(&row->Point1, lane, a, b, moved, out _, out _);
+        s1 = two ? PointSeparation(&row->Point1, lane, a, b, moved, out _, out _) : Wide.Zero;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -223,11 +245,12 @@ internal static unsafe class ContactKernel
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void NormalVelocities(ContactBundle* row, int lane, in WideVelocity a, in WideVelocity b, out Wide v0, out Wide v1)
+    internal static void NormalVelocities(
+        ContactBundle* row, int lane, in WideVelocity a, in WideVelocity b, out Wide v0, out Wide v1, bool two = true)
     {
         Wide un = (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
         v0 = un + ((b.W * Wide.Load(row->Point0.TangentArmB + lane)) - (a.W * Wide.Load(row->Point0.TangentArmA + lane)));
-        v1 = un + ((b.W * Wide.Load(row->Point1.TangentArmB + lane)) - (a.W * Wide.Load(row->Point1.TangentArmA + lane)));
+        v1 = two ? un + ((b.W * Wide.Load(row->Point1.TangentArmB + lane)) - (a.W * Wide.Load(row->Point1.TangentArmA + lane))) : Wide.Zero;
     }
 
     /// <summary>
@@ -239,11 +262,19 @@ internal static unsafe class ContactKernel
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void TurnedNormalVelocities(
-        ContactBundle* row, int lane, in WideVelocity a, in WideVelocity b, in WideDelta movedA, in WideDelta movedB, out Wide v0, out Wide v1)
+        ContactBundle* row,
+        int lane,
+        in WideVelocity a,
+        in WideVelocity b,
+        in WideDelta movedA,
+        in WideDelta movedB,
+        out Wide v0,
+        out Wide v1,
+        bool two = true)
     {
         Wide un = (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
         v0 = un + TurnedSpin(&row->Point0, lane, a.W, b.W, movedA, movedB);
-        v1 = un + TurnedSpin(&row->Point1, lane, a.W, b.W, movedA, movedB);
+        v1 = two ? un + TurnedSpin(&row->Point1, lane, a.W, b.W, movedA, movedB) : Wide.Zero;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -255,7 +286,8 @@ internal static unsafe class ContactKernel
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void ApplyNormal(ContactBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide p0, Wide p1)
+    internal static void ApplyNormal(
+        ContactBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide p0, Wide p1, bool two = true)
     {
         Wide sum = p0 + p1;
         Wide px = Wide.Load(row->NormalX + lane) * sum;
@@ -266,15 +298,16 @@ internal static unsafe class ContactKernel
         a.Y = a.Y - (massA * py);
         b.X = b.X + (massB * px);
         b.Y = b.Y + (massB * py);
-        a.W = a.W - (Wide.Load(row->InertiaA + lane)
-            * ((Wide.Load(row->Point0.TangentArmA + lane) * p0) + (Wide.Load(row->Point1.TangentArmA + lane) * p1)));
-        b.W = b.W + (Wide.Load(row->InertiaB + lane)
-            * ((Wide.Load(row->Point0.TangentArmB + lane) * p0) + (Wide.Load(row->Point1.TangentArmB + lane) * p1)));
+        Wide secondA = two ? Wide.Load(row->Point1.TangentArmA + lane) * p1 : Wide.Zero;
+        Wide secondB = two ? Wide.Load(row->Point1.TangentArmB + lane) * p1 : Wide.Zero;
+        a.W = a.W - (Wide.Load(row->InertiaA + lane) * ((Wide.Load(row->Point0.TangentArmA + lane) * p0) + secondA));
+        b.W = b.W + (Wide.Load(row->InertiaB + lane) * ((Wide.Load(row->Point0.TangentArmB + lane) * p0) + secondB));
     }
 
     // t = (ny, -nx), and r×t = -an.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void ApplyTangent(ContactBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide p0, Wide p1)
+    internal static void ApplyTangent(
+        ContactBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide p0, Wide p1, bool two = true)
     {
         Wide sum = p0 + p1;
         Wide px = Wide.Load(row->NormalY + lane) * sum;
@@ -285,12 +318,12 @@ internal static unsafe class ContactKernel
         a.Y = a.Y - (massA * py);
         b.X = b.X + (massB * px);
         b.Y = b.Y + (massB * py);
+        Wide secondA = two ? Wide.Load(row->Point1.NormalArmA + lane) * p1 : Wide.Zero;
+        Wide secondB = two ? Wide.Load(row->Point1.NormalArmB + lane) * p1 : Wide.Zero;
         a.W = a.W + (Wide.Load(row->InertiaA + lane)
-            * ((Wide.Load(row->Point0.NormalArmA + lane) * p0) + (Wide.Load(row->Point1.NormalArmA + lane) * p1)
-                + (Wide.Load(row->RadiusA + lane) * sum)));
+            * ((Wide.Load(row->Point0.NormalArmA + lane) * p0) + secondA + (Wide.Load(row->RadiusA + lane) * sum)));
         b.W = b.W - (Wide.Load(row->InertiaB + lane)
-            * ((Wide.Load(row->Point0.NormalArmB + lane) * p0) + (Wide.Load(row->Point1.NormalArmB + lane) * p1)
-                - (Wide.Load(row->RadiusB + lane) * sum)));
+            * ((Wide.Load(row->Point0.NormalArmB + lane) * p0) + secondB - (Wide.Load(row->RadiusB + lane) * sum)));
     }
 
     /// <summary>
@@ -311,52 +344,58 @@ internal static unsafe class ContactKernel
     {
         Turn(&row->Point0, lane, movedA, movedB, out Wide armA0, out Wide armB0);
         Turn(&row->Point1, lane, movedA, movedB, out Wide armA1, out Wide armB1);
-        FindFriction(row, lane, a, b, armA0, armB0, armA1, armB1, normal0, normal1, active, out Wide change0, out Wide change1);
+        WithRadii(row, lane, ref armA0, ref armB0);
+        WithRadii(row, lane, ref armA1, ref armB1);
+        Wide slip = Slip(row, lane, a, b);
+        Wide change0 = FindFriction(row, &row->Point0, row->TangentMass0, lane, SlipOf(slip, a, b, armA0, armB0), normal0, active);
+        Wide slip1 = SlipOf(slip, a, b, armA1, armB1) + (Coupling(row, lane, armA0, armB0, armA1, armB1) * change0);
+        Wide change1 = FindFriction(row, &row->Point1, row->TangentMass1, lane, slip1, normal1, active);
         ApplyTangent(row, lane, ref a, ref b, change0, change1);
     }
 
-    /// <summary>The same with the turned arms given, and without giving the bodies what it finds.</summary>
+    /// <summary>Turned normal arms, from the cores to the surfaces.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void FindFriction(
-        ContactBundle* row,
-        int lane,
-        in WideVelocity a,
-        in WideVelocity b,
-        Wide armA0,
-        Wide armB0,
-        Wide armA1,
-        Wide armB1,
-        Wide normal0,
-        Wide normal1,
-        WideMask active,
-        out Wide change0,
-        out Wide change1)
+    internal static void WithRadii(ContactBundle* row, int lane, ref Wide armA, ref Wide armB)
     {
-        Wide friction = Wide.Load(row->Friction + lane);
-        Wide ut = (Wide.Load(row->NormalY + lane) * (b.X - a.X)) - (Wide.Load(row->NormalX + lane) * (b.Y - a.Y));
-        Wide radiusA = Wide.Load(row->RadiusA + lane);
-        Wide radiusB = Wide.Load(row->RadiusB + lane);
-        armA0 = armA0 + radiusA;
-        armB0 = armB0 - radiusB;
-        Wide v0 = ut + ((a.W * armA0) - (b.W * armB0));
-        Wide old0 = Wide.Load(row->Point0.Tangent + lane);
-        Wide bound0 = friction * normal0;
-        Wide new0 = Wide.Max(Wide.Min(old0 - (Wide.Load(row->TangentMass0 + lane) * v0), bound0), Wide.Zero - bound0);
-        new0 = Wide.Select(active, new0, old0);
-        new0.Store(row->Point0.Tangent + lane);
-        change0 = new0 - old0;
+        armA = armA + Wide.Load(row->RadiusA + lane);
+        armB = armB - Wide.Load(row->RadiusB + lane);
+    }
 
-        armA1 = armA1 + radiusA;
-        armB1 = armB1 - radiusB;
-        Wide coupling = Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane)
+    /// <summary>How fast the centres pass each other along the surface.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Wide Slip(ContactBundle* row, int lane, in WideVelocity a, in WideVelocity b) =>
+        (Wide.Load(row->NormalY + lane) * (b.X - a.X)) - (Wide.Load(row->NormalX + lane) * (b.Y - a.Y));
+
+    /// <summary>How fast the surfaces of a point do.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Wide SlipOf(Wide slip, in WideVelocity a, in WideVelocity b, Wide armA, Wide armB) => slip + ((a.W * armA) - (b.W * armB));
+
+    /// <summary>How fast the second point slips for an impulse at the first.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Wide Coupling(ContactBundle* row, int lane, Wide armA0, Wide armB0, Wide armA1, Wide armB1) =>
+        Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane)
             + (Wide.Load(row->InertiaA + lane) * armA0 * armA1) + (Wide.Load(row->InertiaB + lane) * armB0 * armB1);
-        Wide v1 = ut + ((a.W * armA1) - (b.W * armB1)) + (coupling * change0);
-        Wide old1 = Wide.Load(row->Point1.Tangent + lane);
-        Wide bound1 = friction * normal1;
-        Wide new1 = Wide.Max(Wide.Min(old1 - (Wide.Load(row->TangentMass1 + lane) * v1), bound1), Wide.Zero - bound1);
-        new1 = Wide.Select(active, new1, old1);
-        new1.Store(row->Point1.Tangent + lane);
-        change1 = new1 - old1;
+
+    /// <summary>The friction of a point within its cone.</summary>
+    /// <returns>The change of its impulse; the bodies do not know yet.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Wide FindFriction(
+        ContactBundle* row, ContactPointLanes* point, float* mass, int lane, Wide slip, Wide normal, WideMask active)
+    {
+        Wide old = Wide.Load(point->Tangent + lane);
+        Wide bound = Wide.Load(row->Friction + lane) * normal;
+        Wide found = Wide.Max(Wide.Min(old - (Wide.Load(mass + lane) * slip), bound), Wide.Zero - bound);
+        found = Wide.Select(active, found, old);
+        found.Store(point->Tangent + lane);
+        return found - old;
+    }
+
+    /// <summary>Finds x ≥ 0 with w = k11(x - λ) + r ≥ 0 and x·w = 0: the block of a contact with one point.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Wide SolvePoint(ContactBundle* row, int lane, Wide lambda, Wide r)
+    {
+        Wide b = r - (Wide.Load(row->K11 + lane) * lambda);
+        return Wide.Max((Wide.Zero - b) * Wide.Load(row->InverseK11 + lane), Wide.Zero);
     }
 
     /// <summary>

@@ -64,7 +64,8 @@ internal static unsafe class ContactRowWriter
                 Wide.Load((float*)pairs->A.Flags + lane) & Wide.Load((float*)pairs->B.Flags + lane), (int)SideFlags.Exists);
             WideMask two = one & (count > Wide.One);
             Wide.Zero.Store(row->Struck + lane);
-            Wide.Keep(one & ~two, Wide.One).Store(row->Single + lane);
+            WideMask empty = Wide.SameBits(Wide.Load((float*)row->Contact + lane), Wide.FromBits(-1));
+            Wide.Keep((one & ~two) | empty, Wide.One).Store(row->Single + lane);
             WritePoints(input, row, lane, one, two);
             WriteMasses(pairs, row, lane);
             WriteResponses(row, lane, one, two);
@@ -158,7 +159,7 @@ internal static unsafe class ContactRowWriter
         row->TangentMass1[lane] = 0;
         row->FeedRate[lane] = 0;
         row->FeedShare[lane] = 0;
-        row->Single[lane] = 0;
+        row->Single[lane] = 1;
         row->Deep[lane] = 0;
         row->Restitution[lane] = 0;
         row->Rebound[lane] = 0;

@@ -17,9 +17,11 @@ internal static unsafe class ContactStages
 {
     /// <summary>Velocities, and what the biased pass is to make 0.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void AimBiased(
+    public static void AimBiased<TPoints>(
         in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
+        where TPoints : struct, IContactPoints
     {
+        bool two = default(TPoints).AreTwo;
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide biasRate = Wide.Splat(c.BiasRate * ContactCoefficients.MassScale);
         Wide massScale = Wide.Splat(ContactCoefficients.MassScale);
@@ -34,18 +36,22 @@ internal static unsafe class ContactStages
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Gather(row, lane, work, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
-                ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
-                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
+                ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1, two);
+                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
-                Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
-
+                Wide lambda1 = two ? Wide.Load(row->Point1.Normal + lane) : Wide.Zero;
                 Wide gap0 = s0 - rest;
                 Wide gap1 = s1 - rest;
                 WideMask apart0 = gap0 > Wide.Zero;
                 WideMask apart1 = gap1 > Wide.Zero;
-                Wide load0 = lambda0 * Wide.Load(row->K11 + lane);
-                Wide load1 = lambda1 * Wide.Load(row->K22 + lane);
-                Wide sink = settleShare * Wide.Select(Wide.Load(row->Single + lane) > Wide.Zero, load0, Wide.Min(load0, load1));
+                Wide sink = lambda0 * Wide.Load(row->K11 + lane);
+                if (two)
+                {
+                    Wide load1 = lambda1 * Wide.Load(row->K22 + lane);
+                    sink = Wide.Select(Wide.Load(row->Single + lane) > Wide.Zero, sink, Wide.Min(sink, load1));
+                }
+
+                sink = settleShare * sink;
                 Wide slowly = Wide.Min(settle, sink);
                 Wide closing0 = (gap0 * inverseSubstep) + slowly;
                 Wide closing1 = (gap1 * inverseSubstep) + slowly;
@@ -60,19 +66,24 @@ internal static unsafe class ContactStages
 
                 Wide soft0 = (massScale * v0) + Wide.Min(biasRate * s0, sink)
                     + (Wide.Load(row->K11 + lane) * leak * (lambda0 - Wide.Load(row->Point0.Feed + lane)));
-                Wide soft1 = (massScale * v1) + Wide.Min(biasRate * s1, sink)
-                    + (Wide.Load(row->K22 + lane) * leak * (lambda1 - Wide.Load(row->Point1.Feed + lane)));
                 Wide.Select(apart0, v0 + closing0, soft0).Store(work->Value0 + lane);
-                Wide.Select(apart1, v1 + closing1, soft1).Store(work->Value1 + lane);
+                if (two)
+                {
+                    Wide soft1 = (massScale * v1) + Wide.Min(biasRate * s1, sink)
+                        + (Wide.Load(row->K22 + lane) * leak * (lambda1 - Wide.Load(row->Point1.Feed + lane)));
+                    Wide.Select(apart1, v1 + closing1, soft1).Store(work->Value1 + lane);
+                }
             }
         }
     }
 
     /// <summary>Velocities, turned arms, and what the relax pass is to make 0.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void AimRelaxed(
+    public static void AimRelaxed<TPoints>(
         in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c)
+        where TPoints : struct, IContactPoints
     {
+        bool two = default(TPoints).AreTwo;
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rest = Wide.Splat(c.Rest);
         Wide level = Wide.Splat(c.Level);
@@ -87,16 +98,20 @@ internal static unsafe class ContactStages
                 Wide gap0 = ContactKernel.PointSeparation(&row->Point0, lane, movedA, movedB, moved, out Wide armA, out Wide armB) - rest;
                 armA.Store(work->ArmA0 + lane);
                 armB.Store(work->ArmB0 + lane);
-                Wide gap1 = ContactKernel.PointSeparation(&row->Point1, lane, movedA, movedB, moved, out armA, out armB) - rest;
-                armA.Store(work->ArmA1 + lane);
-                armB.Store(work->ArmB1 + lane);
-                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
-                WideMask flat = Wide.Max(gap0 - gap1, gap1 - gap0) <= level;
-                Wide mean = Wide.Splat(0.5f) * (gap0 + gap1);
-                gap0 = Wide.Select(flat, mean, gap0);
-                gap1 = Wide.Select(flat, mean, gap1);
+                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
+                if (two)
+                {
+                    Wide gap1 = ContactKernel.PointSeparation(&row->Point1, lane, movedA, movedB, moved, out armA, out armB) - rest;
+                    armA.Store(work->ArmA1 + lane);
+                    armB.Store(work->ArmB1 + lane);
+                    WideMask flat = Wide.Max(gap0 - gap1, gap1 - gap0) <= level;
+                    Wide mean = Wide.Splat(0.5f) * (gap0 + gap1);
+                    gap0 = Wide.Select(flat, mean, gap0);
+                    gap1 = Wide.Select(flat, mean, gap1);
+                    (v1 + (Wide.Max(gap1, Wide.Zero) * inverseSubstep)).Store(work->Value1 + lane);
+                }
+
                 (v0 + (Wide.Max(gap0, Wide.Zero) * inverseSubstep)).Store(work->Value0 + lane);
-                (v1 + (Wide.Max(gap1, Wide.Zero) * inverseSubstep)).Store(work->Value1 + lane);
             }
         }
     }
@@ -109,26 +124,39 @@ internal static unsafe class ContactStages
     /// <param name="feed">The feed-forward follows.</param>
     /// <returns>The bits of the vectors with a lane that may be struck.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static ulong Push(ContactBundle* row, int count, ContactWork* work, bool onlyUnfed, bool feed)
+    public static ulong Push<TPoints>(ContactBundle* row, int count, ContactWork* work, bool onlyUnfed, bool feed)
+        where TPoints : struct, IContactPoints
     {
+        bool two = default(TPoints).AreTwo;
         ulong blows = 0;
         for (int i = 0; i < count; i++, work++, row++)
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
-                Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
                 Wide r0 = Wide.Load(work->Value0 + lane);
-                Wide r1 = Wide.Load(work->Value1 + lane);
-                ContactKernel.SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
+                Wide x0;
+                Wide x1 = Wide.Zero;
+                Wide push1 = Wide.Zero;
+                Wide feed1 = Wide.Zero;
+                if (two)
+                {
+                    Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
+                    ContactKernel.SolveBlock(row, lane, lambda0, lambda1, r0, Wide.Load(work->Value1 + lane), out x0, out x1);
+                    x1.Store(row->Point1.Normal + lane);
+                    push1 = x1 - lambda1;
+                    feed1 = Wide.Load(row->Point1.Feed + lane);
+                }
+                else
+                {
+                    x0 = ContactKernel.SolvePoint(row, lane, lambda0, r0);
+                }
+
                 x0.Store(row->Point0.Normal + lane);
-                x1.Store(row->Point1.Normal + lane);
                 Wide push0 = x0 - lambda0;
-                Wide push1 = x1 - lambda1;
                 push0.Store(work->Value0 + lane);
                 push1.Store(work->Value1 + lane);
                 Wide feed0 = Wide.Load(row->Point0.Feed + lane);
-                Wide feed1 = Wide.Load(row->Point1.Feed + lane);
                 WideMask blow = (Wide.Abs(push0) + Wide.Abs(push1)) > Wide.Zero;
                 if (onlyUnfed)
                 {
@@ -139,11 +167,14 @@ internal static unsafe class ContactStages
                 if (feed)
                 {
                     // Only the load common to both points is fed forward: with each point's own, random piles creep.
-                    Wide load = Wide.Select(Wide.Load(row->Single + lane) > Wide.Zero, x0, Wide.Min(x0, x1));
+                    Wide load = two ? Wide.Select(Wide.Load(row->Single + lane) > Wide.Zero, x0, Wide.Min(x0, x1)) : x0;
                     Wide target = Wide.Load(row->FeedShare + lane) * load;
                     Wide rate = Wide.Load(row->FeedRate + lane);
                     Wide.Min(x0, feed0 + (rate * (target - feed0))).Store(row->Point0.Feed + lane);
-                    Wide.Min(x1, feed1 + (rate * (target - feed1))).Store(row->Point1.Feed + lane);
+                    if (two)
+                    {
+                        Wide.Min(x1, feed1 + (rate * (target - feed1))).Store(row->Point1.Feed + lane);
+                    }
                 }
             }
         }
@@ -153,14 +184,16 @@ internal static unsafe class ContactStages
 
     /// <summary>Gives the bodies what they were pushed with.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Give<TScatter>(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
+    public static void Give<TScatter, TPoints>(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
         where TScatter : struct, IVelocityScatter
+        where TPoints : struct, IContactPoints
     {
+        bool two = default(TPoints).AreTwo;
         for (int i = 0; i < count; i++, work++, row++)
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
-                TakePushed(row, lane, work, (blows & ContactWork.Bit(i, lane)) != 0, out WideVelocity a, out WideVelocity b);
+                TakePushed(row, lane, work, (blows & ContactWork.Bit(i, lane)) != 0, out WideVelocity a, out WideVelocity b, two);
                 ContactKernel.StoreVelocities<TScatter>(row, lane, bodies, a, b);
             }
         }
@@ -168,45 +201,53 @@ internal static unsafe class ContactStages
 
     /// <summary>Friction of bodies that were pushed, which do not know yet.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Rub(ContactBundle* row, int count, ContactWork* work, ulong blows)
+    public static void Rub<TPoints>(ContactBundle* row, int count, ContactWork* work, ulong blows)
+        where TPoints : struct, IContactPoints
     {
+        bool two = default(TPoints).AreTwo;
         for (int i = 0; i < count; i++, work++, row++)
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
-                TakePushed(row, lane, work, (blows & ContactWork.Bit(i, lane)) != 0, out WideVelocity a, out WideVelocity b);
+                TakePushed(row, lane, work, (blows & ContactWork.Bit(i, lane)) != 0, out WideVelocity a, out WideVelocity b, two);
                 Keep(work, lane, a, b);
-                ContactKernel.FindFriction(
-                    row,
-                    lane,
-                    a,
-                    b,
-                    Wide.Load(work->ArmA0 + lane),
-                    Wide.Load(work->ArmB0 + lane),
-                    Wide.Load(work->ArmA1 + lane),
-                    Wide.Load(work->ArmB1 + lane),
-                    Wide.Load(row->Point0.Normal + lane),
-                    Wide.Load(row->Point1.Normal + lane),
-                    WideLanes.AllSet,
-                    out Wide rub0,
-                    out Wide rub1);
+                Wide slip = ContactKernel.Slip(row, lane, a, b);
+                Wide armA0 = Wide.Load(work->ArmA0 + lane);
+                Wide armB0 = Wide.Load(work->ArmB0 + lane);
+                ContactKernel.WithRadii(row, lane, ref armA0, ref armB0);
+                Wide slip0 = ContactKernel.SlipOf(slip, a, b, armA0, armB0);
+                Wide normal0 = Wide.Load(row->Point0.Normal + lane);
+                Wide rub0 = ContactKernel.FindFriction(row, &row->Point0, row->TangentMass0, lane, slip0, normal0, WideLanes.AllSet);
                 rub0.Store(work->Value0 + lane);
-                rub1.Store(work->Value1 + lane);
+                if (two)
+                {
+                    Wide armA1 = Wide.Load(work->ArmA1 + lane);
+                    Wide armB1 = Wide.Load(work->ArmB1 + lane);
+                    ContactKernel.WithRadii(row, lane, ref armA1, ref armB1);
+                    Wide slip1 = ContactKernel.SlipOf(slip, a, b, armA1, armB1)
+                        + (ContactKernel.Coupling(row, lane, armA0, armB0, armA1, armB1) * rub0);
+                    Wide normal1 = Wide.Load(row->Point1.Normal + lane);
+                    ContactKernel.FindFriction(row, &row->Point1, row->TangentMass1, lane, slip1, normal1, WideLanes.AllSet)
+                        .Store(work->Value1 + lane);
+                }
             }
         }
     }
 
     /// <summary>Gives the bodies what they were pushed and rubbed with.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void GiveRubbed<TScatter>(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
+    public static void GiveRubbed<TScatter, TPoints>(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
         where TScatter : struct, IVelocityScatter
+        where TPoints : struct, IContactPoints
     {
+        bool two = default(TPoints).AreTwo;
         for (int i = 0; i < count; i++, work++, row++)
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Take(work, lane, out WideVelocity a, out WideVelocity b);
-                ContactKernel.ApplyTangent(row, lane, ref a, ref b, Wide.Load(work->Value0 + lane), Wide.Load(work->Value1 + lane));
+                Wide rub1 = two ? Wide.Load(work->Value1 + lane) : Wide.Zero;
+                ContactKernel.ApplyTangent(row, lane, ref a, ref b, Wide.Load(work->Value0 + lane), rub1, two);
                 if ((blows & ContactWork.Bit(i, lane)) != 0)
                 {
                     AddBlow(work, lane, ref a, ref b);
@@ -256,10 +297,12 @@ internal static unsafe class ContactStages
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void TakePushed(ContactBundle* row, int lane, ContactWork* work, bool isBlow, out WideVelocity a, out WideVelocity b)
+    private static void TakePushed(
+        ContactBundle* row, int lane, ContactWork* work, bool isBlow, out WideVelocity a, out WideVelocity b, bool two)
     {
         Take(work, lane, out a, out b);
-        ContactKernel.ApplyNormal(row, lane, ref a, ref b, Wide.Load(work->Value0 + lane), Wide.Load(work->Value1 + lane));
+        Wide push1 = two ? Wide.Load(work->Value1 + lane) : Wide.Zero;
+        ContactKernel.ApplyNormal(row, lane, ref a, ref b, Wide.Load(work->Value0 + lane), push1, two);
         if (isBlow)
         {
             AddBlow(work, lane, ref a, ref b);

@@ -82,19 +82,33 @@ internal sealed unsafe class ContactPasses : IStageWork
     private void Run<TScatter>(in BundleRun rows)
         where TScatter : struct, IVelocityScatter
     {
+        if (OnePoint.Are(rows.Bundles, rows.Count))
+        {
+            Run<TScatter, OnePoint>(rows);
+        }
+        else
+        {
+            Run<TScatter, TwoPoints>(rows);
+        }
+    }
+
+    private void Run<TScatter, TPoints>(in BundleRun rows)
+        where TScatter : struct, IVelocityScatter
+        where TPoints : struct, IContactPoints
+    {
         switch (_pass)
         {
             case Pass.WarmStart:
-                ContactKernel.WarmStart<TScatter>(rows, _states, _coefficients);
+                ContactKernel.WarmStart<TScatter, TPoints>(rows, _states, _coefficients);
                 break;
             case Pass.Biased:
-                ContactKernel.SolveBiased<TScatter>(rows, _states, _coefficients, _flag);
+                ContactKernel.SolveBiased<TScatter, TPoints>(rows, _states, _coefficients, _flag);
                 break;
             case Pass.PushOut:
-                ContactKernel.PushOut<TScatter>(rows, _states, _coefficients, _rate);
+                ContactKernel.PushOut<TScatter, TPoints>(rows, _states, _coefficients, _rate);
                 break;
             case Pass.Relax:
-                ContactKernel.Relax<TScatter>(rows, _states, _coefficients, _flag, _first);
+                ContactKernel.Relax<TScatter, TPoints>(rows, _states, _coefficients, _flag, _first);
                 break;
         }
     }
