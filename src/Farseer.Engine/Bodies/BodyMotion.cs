@@ -19,10 +19,15 @@ internal struct BodyMotion
     public float ChangeX;
     public float ChangeY;
     public float ChangeW;
+
+    /// <summary>Goes along in the fourth lane and means nothing.</summary>
     public float Spare;
 }
 
-/// <summary>What acts on a body from outside in every substep of a step, 32 bytes.</summary>
+/// <summary>
+/// What acts on a body from outside in every substep of a step, 32 bytes: the first half is added to the velocity, when that has been multiplied by the
+/// second, lane by lane (<see cref="Integrator.IntegrateVelocities"/>).
+/// </summary>
 [StructLayout(LayoutKind.Sequential, Size = 32)]
 internal struct BodyDrive
 {
@@ -31,14 +36,23 @@ internal struct BodyDrive
     public float Y;
     public float W;
 
-    /// <summary>Factors by which drag leaves linear and angular velocity after a substep.</summary>
+    /// <summary>0, as the spare lane of the velocity.</summary>
+    public float Spare;
+
+    /// <summary>Factors by which drag leaves linear and angular velocity after a substep; that of the y axis is that of the x axis.</summary>
     public float LinearKeep;
+    public float LinearKeepY;
     public float AngularKeep;
 
     /// <summary>Angle that the body is foreseen to turn until the middle of the step, radians.</summary>
     public float Lead;
-    public float Spare1;
-    public float Spare2;
+
+    public void Keep(float linear, float angular)
+    {
+        LinearKeep = linear;
+        LinearKeepY = linear;
+        AngularKeep = angular;
+    }
 }
 
 /// <summary>

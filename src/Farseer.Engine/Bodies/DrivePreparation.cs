@@ -1,4 +1,5 @@
 using System.Numerics;
+using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Bodies;
 
@@ -19,32 +20,38 @@ internal static unsafe class DrivePreparation
     public static bool Prepare(BodyStore bodies, int* list, int count, Vector2 gravity, double substep, byte* marks)
     {
         bool found = false;
+        BodyFlags* allFlags = bodies.Flags.Pointer;
+        BodyState* states = bodies.State.Pointer;
+        BodyDrive* drives = bodies.Drive.Pointer;
+        BodyMass* masses = bodies.Mass.Pointer;
+        BodyForce* forces = bodies.Force.Pointer;
+        BodyDrag* drags = bodies.Drag.Pointer;
         double lawDamping = 0;
         var law = new DragLaw(lawDamping, substep);
+        Vector2 fall = Fall(gravity, law);
         for (int i = 0; i < count; i++)
         {
             int body = list[i];
             marks[i] = 0;
-            ref BodyDrive drive = ref bodies.Drive[body];
-            BodyFlags flags = bodies.Flags[body];
+            ref BodyDrive drive = ref drives[body];
+            BodyFlags flags = allFlags[body];
+            ref BodyState state = ref states[body];
             if ((flags & (BodyFlags.Static | BodyFlags.Kinematic)) != 0)
             {
                 Rest(ref drive);
-                if (!StateRange.Holds(bodies.State[body]))
+                if (!StateRange.Holds(state))
                 {
                     marks[i] = 1;
                     found = true;
-                    Stop(ref bodies.State[body]);
+                    Stop(ref state);
                 }
 
                 continue;
             }
 
-            ref BodyMass mass = ref bodies.Mass[body];
-            ref BodyForce force = ref bodies.Force[body];
-            ref BodyDrag drag = ref bodies.Drag[body];
-            ref BodyState state = ref bodies.State[body];
-            Vector2 pull = (flags & BodyFlags.IgnoreGravity) != 0 ? Vector2.Zero : gravity;
+            ref BodyMass mass = ref masses[body];
+            ref BodyForce force = ref forces[body];
+            ref BodyDrag drag = ref drags[body];
 
             // Quadratic and rotational drag are taken at the step's speed; substeps would differ in the third order only.
             double rate = drag.Linear;
@@ -60,22 +67,21 @@ internal static unsafe class DrivePreparation
             {
                 lawDamping = damping;
                 law = new DragLaw(damping, substep);
+                fall = Fall(gravity, law);
             }
 
-            drive.X = (float)((pull.X + ((double)force.Force.X * mass.InverseMass)) * law.First);
-            drive.Y = (float)((pull.Y + ((double)force.Force.Y * mass.InverseMass)) * law.First);
-            drive.W = (float)((double)force.Torque * mass.InverseInertia * substep);
-            drive.LinearKeep = (float)law.Keep;
-            if (drag.Angular > 0)
+            // And most are pulled by nothing but gravity.
+            if ((flags & BodyFlags.IgnoreGravity) == 0 && drag.Angular == 0 && drag.Rotational == 0 && IsNone(force))
             {
-                var spinLaw = new DragLaw((double)drag.Angular * mass.InverseInertia, substep);
-                drive.W = (float)((double)force.Torque * mass.InverseInertia * spinLaw.First);
-                drive.AngularKeep = (float)spinLaw.Keep;
+                drive.X = fall.X;
+                drive.Y = fall.Y;
+                drive.W = 0;
+                drive.Keep((float)law.Keep, 1);
             }
             else
             {
-                double spin = (double)drag.Rotational * mass.InverseInertia * System.Math.Abs((double)state.AngularVelocity);
-                drive.AngularKeep = spin == 0 ? 1f : (float)(1 / (1 + (spin * substep)));
+                Vector2 pull = (flags & BodyFlags.IgnoreGravity) != 0 ? Vector2.Zero : gravity;
+                Drive(ref drive, pull, law, force, mass, drag, state.AngularVelocity, substep);
             }
 
             if (!StateRange.Holds(state) | !StateRange.Holds(drive.X, drive.Y, drive.W))
@@ -90,7 +96,38 @@ internal static unsafe class DrivePreparation
         return found;
     }
 
-    private static void Rest(ref BodyDrive drive) => drive = new BodyDrive { LinearKeep = 1, AngularKeep = 1, Lead = drive.Lead };
+    private static void Drive(
+        ref BodyDrive drive, Vector2 pull, in DragLaw law, in BodyForce force, in BodyMass mass, in BodyDrag drag, float spin, double substep)
+    {
+        drive.X = (float)((pull.X + ((double)force.Force.X * mass.InverseMass)) * law.First);
+        drive.Y = (float)((pull.Y + ((double)force.Force.Y * mass.InverseMass)) * law.First);
+        drive.W = (float)((double)force.Torque * mass.InverseInertia * substep);
+        if (drag.Angular > 0)
+        {
+            var spinLaw = new DragLaw((double)drag.Angular * mass.InverseInertia, substep);
+            drive.W = (float)((double)force.Torque * mass.InverseInertia * spinLaw.First);
+            drive.Keep((float)law.Keep, (float)spinLaw.Keep);
+        }
+        else
+        {
+            double rubbing = (double)drag.Rotational * mass.InverseInertia * System.Math.Abs((double)spin);
+            drive.Keep((float)law.Keep, rubbing == 0 ? 1f : (float)(1 / (1 + (rubbing * substep))));
+        }
+    }
+
+    /// <summary>What gravity alone drives a body by. The 0 that is added is a force of 0, for the sign of zeros.</summary>
+    private static Vector2 Fall(Vector2 gravity, in DragLaw law) =>
+        new Vector2((float)((gravity.X + 0.0) * law.First), (float)((gravity.Y + 0.0) * law.First));
+
+    /// <summary>No force, by bits: one of -0 is some.</summary>
+    private static bool IsNone(in BodyForce force) =>
+        (FloatBits.ToInt(force.Force.X) | FloatBits.ToInt(force.Force.Y) | FloatBits.ToInt(force.Torque)) == 0;
+
+    private static void Rest(ref BodyDrive drive)
+    {
+        drive = new BodyDrive { Lead = drive.Lead };
+        drive.Keep(1, 1);
+    }
 
     private static void Stop(ref BodyState state)
     {

@@ -27,9 +27,8 @@ internal static unsafe partial class StableMath
         {
             // One by one: a load of all four would wait until each has been stored.
             Vector256<double> angle = Vector256.Create(angles[0], angles[1], angles[2], angles[3]);
-            if (Vector256.LessThanOrEqualAll(Vector256.Abs(angle), Vector256.Create(DirectLimit)))
+            if (SinCosDirect(angle, out Vector256<double> s, out Vector256<double> c))
             {
-                SinCos(angle, out Vector256<double> s, out Vector256<double> c);
                 Avx.ConvertToVector128Single(s).Store(sin);
                 Avx.ConvertToVector128Single(c).Store(cos);
                 return;
@@ -51,17 +50,8 @@ internal static unsafe partial class StableMath
         if (Avx.IsSupported)
         {
             Vector256<double> angle = Vector256.Load(angles);
-            if (Vector256.LessThanOrEqualAll(Vector256.Abs(angle), Vector256.Create(NoQuadrant)))
+            if (SinCosDirect(angle, out Vector256<double> s, out Vector256<double> c))
             {
-                SinCosNearZero(angle, out Vector256<double> s, out Vector256<double> c);
-                s.Store(sin);
-                c.Store(cos);
-                return;
-            }
-
-            if (Vector256.LessThanOrEqualAll(Vector256.Abs(angle), Vector256.Create(DirectLimit)))
-            {
-                SinCos(angle, out Vector256<double> s, out Vector256<double> c);
                 s.Store(sin);
                 c.Store(cos);
                 return;
@@ -75,6 +65,21 @@ internal static unsafe partial class StableMath
     }
 
 #if NET8_0_OR_GREATER
+    /// <returns>False if one of the angles is too large.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool SinCosDirect(Vector256<double> angle, out Vector256<double> sin, out Vector256<double> cos)
+    {
+        Vector256<double> size = Vector256.Abs(angle);
+        if (Vector256.LessThanOrEqualAll(size, Vector256.Create(NoQuadrant)))
+        {
+            SinCosNearZero(angle, out sin, out cos);
+            return true;
+        }
+
+        SinCos(angle, out sin, out cos);
+        return Vector256.LessThanOrEqualAll(size, Vector256.Create(DirectLimit));
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void SinCos(Vector256<double> angle, out Vector256<double> sin, out Vector256<double> cos)
     {

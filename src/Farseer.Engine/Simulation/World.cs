@@ -50,7 +50,7 @@ internal sealed partial class World
         EnsureBodies(1);
         Bodies.State[0] = new BodyState { DeltaCos = 1 };
         Bodies.Pose[0] = new BodyPose { Cos = 1 };
-        Bodies.Drive[0] = new BodyDrive { LinearKeep = 1, AngularKeep = 1 };
+        Bodies.Drive[0].Keep(1, 1);
         Bodies.Flags[0] = BodyFlags.Static;
     }
 

@@ -134,9 +134,34 @@ internal sealed unsafe class NetBodies
             bool still = (step.Bodies.Flags[body] & (BodyFlags.Enabled | BodyFlags.Kinematic)) != (BodyFlags.Enabled | BodyFlags.Kinematic);
             double angle = moves || !still ? pose.Angle + step.Bodies.Drive[body].Lead : pose.Angle;
             place->Angle = angle;
-            StableMath.SinCos(angle, out place->Sin, out place->Cos);
             place->InverseMass = moves ? step.Bodies.Mass[body].InverseMass : 0;
             place->InverseInertia = moves ? step.Bodies.Mass[body].InverseInertia : 0;
+        }
+
+        TurnPlaces(from, Math.Min(to, _count));
+    }
+
+    /// <summary>Sines and cosines of the places, four at a time.</summary>
+    private void TurnPlaces(int from, int to)
+    {
+        double* angles = stackalloc double[3 * StableMath.Lanes];
+        double* sin = angles + StableMath.Lanes;
+        double* cos = sin + StableMath.Lanes;
+        NetPose* poses = _poses.Pointer;
+        for (int i = from; i < to; i += StableMath.Lanes)
+        {
+            int count = Math.Min(StableMath.Lanes, to - i);
+            for (int k = 0; k < StableMath.Lanes; k++)
+            {
+                angles[k] = k < count ? poses[_list[i + k]].Angle : 0;
+            }
+
+            StableMath.SinCos(angles, sin, cos);
+            for (int k = 0; k < count; k++)
+            {
+                poses[_list[i + k]].Sin = sin[k];
+                poses[_list[i + k]].Cos = cos[k];
+            }
         }
     }
 
