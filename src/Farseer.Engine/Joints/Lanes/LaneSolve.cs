@@ -164,25 +164,30 @@ internal static unsafe class LaneSolve
             return;
         }
 
-        if (n > 1)
+        // -0 and 0 are 0: a lane without the row keeps its sign.
+        WideDoubleMask where = WideDouble.LoadMask(held);
+        if (n == 3)
         {
-            Spread(m, r0, r1, r2, n - 1, v);
+            Spread(m, r0, r1, r2, n, v, where);
+            return;
         }
 
-        WideDouble last = n > 2 ? r2 : n > 1 ? r1 : r0;
-        WideDoubleMask where = WideDouble.LoadMask(held);
-        m += (n - 1) * Half;
+        // An edge has a row of its own beside that of its limit.
+        double* last = m + Half;
         for (int at = 0; at < Half; at += Step)
         {
-            // -0 and 0 are 0: a lane without the row keeps its sign.
-            WideDouble plain = WideDouble.Load(v + at);
-            WideDouble.Select(where, plain + (WideDouble.Load(m + at) * last), plain).Store(v + at);
+            WideDouble plain = WideDouble.Load(v + at) + (WideDouble.Load(m + at) * r0);
+            WideDouble.Select(where, plain + (WideDouble.Load(last + at) * r1), plain).Store(v + at);
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Spread(double* m, WideDouble r0, WideDouble r1, WideDouble r2, int n, double* v) =>
+        Spread(m, r0, r1, r2, n, v, WideDouble.Zero <= WideDouble.Zero);
+
     /// <summary>v += mᵀ·r.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Spread(double* m, WideDouble r0, WideDouble r1, WideDouble r2, int n, double* v)
+    private static void Spread(double* m, WideDouble r0, WideDouble r1, WideDouble r2, int n, double* v, WideDoubleMask third)
     {
         if (n == 0)
         {
@@ -201,9 +206,9 @@ internal static unsafe class LaneSolve
 
         if (n > 2)
         {
-            x += WideDouble.Load(m + 24) * r2;
-            y += WideDouble.Load(m + 28) * r2;
-            w += WideDouble.Load(m + 32) * r2;
+            x = WideDouble.Select(third, x + (WideDouble.Load(m + 24) * r2), x);
+            y = WideDouble.Select(third, y + (WideDouble.Load(m + 28) * r2), y);
+            w = WideDouble.Select(third, w + (WideDouble.Load(m + 32) * r2), w);
         }
 
         x.Store(v);
