@@ -174,7 +174,7 @@ internal sealed unsafe partial class JointSolver
     private void TakeToChains()
     {
         _chains.ClearTouches(_step);
-        if (!UsesChains || !_chains.AnyChains || _agendaCount == 0 || _step.Drifts || _step.Watched || _anyWheels || !FindPressed())
+        if (!UsesChains || !_chains.AnyChains || _agendaCount == 0 || _step.Drifts || _anyWheels || !FindPressed())
         {
             return;
         }

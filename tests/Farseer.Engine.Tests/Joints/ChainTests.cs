@@ -10,7 +10,7 @@ using Xunit;
 namespace Farseer.Engine.Tests.Joints;
 
 /// <summary>Chains of hinges that are solved as such move as the passes for all trees move them, but for roundings.</summary>
-public class ChainTests
+public partial class ChainTests
 {
     private const float Dt = 1f / 60;
 

@@ -42,12 +42,14 @@ internal sealed unsafe partial class ChainSolver
         chain->High = Math.Max(chain->High, at);
     }
 
-    /// <summary>Takes a chain that contacts press on, if its joints are plain hinges, it is not taut, and they touch a small part of it.</summary>
+    /// <summary>
+    /// Takes a chain that contacts press on, if its joints are plain hinges at nothing that moves by itself, it is not taut, and they touch a small part of it.
+    /// </summary>
     /// <returns>True if it is solved here.</returns>
     public bool Press(int tree)
     {
         Chain* chain = _chains.Pointer + _forest.Trees[tree].Chain;
-        if (chain->High < 0 || !HasPlainJoints(chain) || chain->Breaks)
+        if (chain->High < 0 || !HasPlainJoints(chain) || chain->Breaks || HangsAtMoving(chain))
         {
             return false;
         }
@@ -91,7 +93,15 @@ internal sealed unsafe partial class ChainSolver
     {
         for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
         {
-            ChainPoses.Drive(ViewOf(chain), 0);
+            if (_step.Watched)
+            {
+                EnterWatched(chain, false);
+            }
+            else
+            {
+                ChainPoses.Drive(ViewOf(chain), 0);
+            }
+
             ShareVelocities(chain);
         }
     }
@@ -107,6 +117,8 @@ internal sealed unsafe partial class ChainSolver
                 double* v = _forest.Nodes[Node(chain, i)].Velocity;
                 Put(view[ChainColumn.Velocity] + i, view.Stride, v[0], v[1], v[2]);
             }
+
+            ShowVelocities(chain);
         }
     }
 
@@ -119,6 +131,7 @@ internal sealed unsafe partial class ChainSolver
         HasMoved = true;
         for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
         {
+            LookAtVelocities(chain);
             ChainView view = ViewOf(chain);
             if (again)
             {
@@ -127,7 +140,6 @@ internal sealed unsafe partial class ChainSolver
             else if (relaxed)
             {
                 ChainSolve.LackRelaxed(view);
-                MeetStills(chain, view);
             }
             else if (ChainSolve.LackBiased(view, 1 / _step.Substep))
             {
@@ -138,7 +150,6 @@ internal sealed unsafe partial class ChainSolver
             else
             {
                 ChainSolve.LackBends(view, _step.Substep);
-                MeetStills(chain, view);
             }
 
             BeginPass(chain, view, view[ChainColumn.Velocity]);
@@ -186,6 +197,7 @@ internal sealed unsafe partial class ChainSolver
             else
             {
                 ChainSolve.Give(view);
+                ShowVelocities(chain);
             }
         }
     }
@@ -195,7 +207,7 @@ internal sealed unsafe partial class ChainSolver
     {
         for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
         {
-            LoadStills(chain);
+            LookAtVelocities(chain);
             ChainView view = ViewOf(chain);
             ChainPoses.Move(view, _step.Substep);
             ChainPoses.Turn(view);
@@ -292,13 +304,17 @@ internal sealed unsafe partial class ChainSolver
             chain->Swapped = !chain->Swapped;
             ChainView view = ViewOf(chain);
             ChainFactor.Run(view);
-            if (ChainFactor.IsRegular(view))
-            {
-                WriteWindow(chain);
-            }
-            else
+            if (!ChainFactor.IsRegular(view))
             {
                 Leave(chain, true);
+                continue;
+            }
+
+            WriteWindow(chain);
+            if (_step.Watched)
+            {
+                StoreMoves(chain);
+                StoreVelocities(chain);
             }
         }
     }
@@ -371,6 +387,24 @@ internal sealed unsafe partial class ChainSolver
         }
     }
 
+    /// <summary>Others may have changed velocities between the passes.</summary>
+    private void LookAtVelocities(Chain* chain)
+    {
+        if (_step.Watched)
+        {
+            Refresh(chain);
+        }
+    }
+
+    /// <summary>Others may look at velocities between the passes.</summary>
+    private void ShowVelocities(Chain* chain)
+    {
+        if (_step.Watched)
+        {
+            StoreVelocities(chain);
+        }
+    }
+
     private void ShareVelocities(Chain* chain)
     {
         ChainView view = ViewOf(chain);
@@ -419,32 +453,23 @@ internal sealed unsafe partial class ChainSolver
             view[ChainColumn.TurnCos][chain->Bodies] = 1;
         }
 
-        LoadStills(chain);
-        ChainPoses.Place(view);
-        chain->Swapped = !chain->Swapped;
-    }
-
-    private void LoadStills(Chain* chain)
-    {
         LoadStill(chain);
         if (chain->Front > 0 && LoadStill(chain, 0, ref chain->FrontAngle, out double angle))
         {
             TurnStill(chain, 0, angle);
         }
+
+        ChainPoses.Place(view);
+        chain->Swapped = !chain->Swapped;
     }
 
-    /// <summary>What cannot be moved may yet be moving, at both ends.</summary>
-    private void MeetStills(Chain* chain, in ChainView view)
+    /// <summary>A kinematic body at an end: it has moved by all of the step, and the rows of the first substep are of the time before.</summary>
+    private bool HangsAtMoving(Chain* chain)
     {
-        MeetStill(chain, view);
-        if (chain->Front > 0)
-        {
-            BodyState* still = _step.Bodies.State.Pointer + _places[chain->PlaceFirst].Body;
-            double* arm = view[view.Arms];
-            double* residual = view[ChainColumn.Residual];
-            residual[0] += still->LinearVelocity.X - (still->AngularVelocity * arm[view.Stride]);
-            residual[view.Stride] += still->LinearVelocity.Y + (still->AngularVelocity * arm[0]);
-        }
+        const BodyFlags Moving = BodyFlags.Enabled | BodyFlags.Kinematic;
+        ChainPlace* places = _places.Pointer + chain->PlaceFirst;
+        bool found = chain->Front > 0 && (_step.Bodies.Flags[places[0].Body] & Moving) == Moving;
+        return found || (chain->Joints == chain->Bodies && (_step.Bodies.Flags[places[chain->Bodies].Body] & Moving) == Moving);
     }
 
     /// <summary>Masses, ways and poses of the bodies that contacts touch.</summary>
