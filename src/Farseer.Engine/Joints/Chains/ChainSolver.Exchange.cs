@@ -342,7 +342,7 @@ internal sealed unsafe partial class ChainSolver
     {
         ChainView view = ViewOf(chain);
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-        for (int i = 0; i < chain->Bodies && chain->HasVelocities; i++)
+        for (int i = chain->Front; i < chain->Bodies && chain->HasVelocities; i++)
         {
             PutBack(view[ChainColumn.Velocity] + i, view.Stride, _forest.Nodes[places[i].Node].Velocity);
         }
