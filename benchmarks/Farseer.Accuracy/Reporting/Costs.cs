@@ -20,6 +20,7 @@ internal static class Costs
     /// <summary>The table as lines of Markdown.</summary>
     public static List<string> Lines()
     {
+        SweepCommand.WarmUp(_scenes);
         var lines = new List<string> { $"| scene | ns a body-step | {SweepData.DefaultPeer} | ratio |", "|---|---|---|---|" };
         foreach (string scene in _scenes)
         {
@@ -35,7 +36,6 @@ internal static class Costs
 
     public static void Print(TextWriter output)
     {
-        SweepCommand.WarmUp();
         foreach (string line in Lines())
         {
             output.WriteLine(line);

@@ -31,7 +31,6 @@ internal static class ReportCommand
         var points = new List<SweepPoint>(SweepData.Stored());
         points.AddRange(SweepData.Peers());
         text = Replaced(text, "aims", AimLines());
-        SweepCommand.WarmUp();
         text = Replaced(text, "costs", Costs.Lines());
         text = Replaced(text, "sweep", SweepLines(points));
         text = Replaced(text, "plots", Plots(folder, points));

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Threading;
 
 namespace Farseer.Accuracy.Sweeping;
@@ -75,13 +76,16 @@ internal static class SweepCommand
     /// Scenes of one body end before the code that they run is compiled to its last stage, and the first of them paid four times what
     /// it costs: all scenes run once before any is timed, and again when the compiler has had time.
     /// </summary>
-    public static void WarmUp()
+    public static void WarmUp() => WarmUp(SweepScene.All.Select(scene => scene.Scene));
+
+    /// <inheritdoc cref="WarmUp()"/>
+    public static void WarmUp(IEnumerable<string> scenes)
     {
         for (int i = 0; i < 3; i++)
         {
-            foreach (SweepScene scene in SweepScene.All)
+            foreach (string scene in scenes)
             {
-                Measure(scene, SweepKind.Dial, Options.DefaultIterations, Options.DefaultDt, 1);
+                Runner.Run(Options.ParseScene(scene), new Dial(Options.DefaultIterations, Options.DefaultDt, 0), 1);
             }
 
             Thread.Sleep(500);

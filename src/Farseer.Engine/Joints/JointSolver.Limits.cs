@@ -164,7 +164,12 @@ internal sealed unsafe partial class JointSolver
         for (int at = 0; at < _jointCount; at++)
         {
             int i = _joints[at];
-            if (_active[i].BlockLimits)
+            if (_active[i].BlockLimits && _active[i].Pivot == PivotKind.Limited)
+            {
+                _active[i].Lambda[LowerRow] = 0;
+                _active[i].Lambda[UpperRow] = 0;
+            }
+            else if (_active[i].BlockLimits)
             {
                 for (int k = _rows[i].Hard; k < _rows[i].Count; k++)
                 {

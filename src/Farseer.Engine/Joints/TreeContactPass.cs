@@ -355,30 +355,27 @@ internal sealed unsafe partial class TreeContactPass
         return k / p->Reach;
     }
 
+    /// <summary>The velocity of a body of the trees where it is, that of another in the room given.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Velocity(int node, int body, double* v)
+    private double* VelocityOf(int node, int body, double* room)
     {
         if (node >= 0)
         {
-            double* from = _view.Nodes[node].Velocity;
-            v[0] = from[0];
-            v[1] = from[1];
-            v[2] = from[2];
-            return;
+            return _view.Nodes[node].Velocity;
         }
 
-        ref BodyState state = ref _bodies.State[body];
-        v[0] = state.LinearVelocity.X;
-        v[1] = state.LinearVelocity.Y;
-        v[2] = state.AngularVelocity;
+        BodyState* state = _bodies.State.Pointer + body;
+        room[0] = state->LinearVelocity.X;
+        room[1] = state->LinearVelocity.Y;
+        room[2] = state->AngularVelocity;
+        return room;
     }
 
     private void Speeds(TreeContact* contact, out double v0, out double v1)
     {
-        double* a = stackalloc double[3];
-        double* b = stackalloc double[3];
-        Velocity(contact->Ends.NodeA, contact->Ends.BodyA, a);
-        Velocity(contact->Ends.NodeB, contact->Ends.BodyB, b);
+        double* room = stackalloc double[6];
+        double* a = VelocityOf(contact->Ends.NodeA, contact->Ends.BodyA, room);
+        double* b = VelocityOf(contact->Ends.NodeB, contact->Ends.BodyB, room + 3);
         double un = (contact->NormalX * (b[0] - a[0])) + (contact->NormalY * (b[1] - a[1]));
         v0 = un + ((b[2] * contact->Point0.NormalB) - (a[2] * contact->Point0.NormalA));
         v1 = un + ((b[2] * contact->Point1.NormalB) - (a[2] * contact->Point1.NormalA));
@@ -386,10 +383,9 @@ internal sealed unsafe partial class TreeContactPass
 
     private void Rub(TreeContact* contact, double normal0, double normal1)
     {
-        double* a = stackalloc double[3];
-        double* b = stackalloc double[3];
-        Velocity(contact->Ends.NodeA, contact->Ends.BodyA, a);
-        Velocity(contact->Ends.NodeB, contact->Ends.BodyB, b);
+        double* room = stackalloc double[6];
+        double* a = VelocityOf(contact->Ends.NodeA, contact->Ends.BodyA, room);
+        double* b = VelocityOf(contact->Ends.NodeB, contact->Ends.BodyB, room + 3);
         double ut = (contact->NormalY * (b[0] - a[0])) - (contact->NormalX * (b[1] - a[1]));
         TreeContactPoint* p0 = &contact->Point0;
         TreeContactPoint* p1 = &contact->Point1;
@@ -404,8 +400,10 @@ internal sealed unsafe partial class TreeContactPass
 
         if (change0 != 0 || change1 != 0)
         {
-            Tangents(contact, change0, change1, a, b);
-            RowEnds.Apply(_view, &contact->Ends, a, b);
+            double* impulseA = stackalloc double[3];
+            double* impulseB = stackalloc double[3];
+            Tangents(contact, change0, change1, impulseA, impulseB);
+            RowEnds.Apply(_view, &contact->Ends, impulseA, impulseB);
         }
     }
 

@@ -109,7 +109,19 @@ internal static unsafe class TreeReactions
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void GiveEdge(TreeNode* node, ActiveJoint* active, JointRows* rows)
     {
-        for (int r = 0; r < node->Rows; r++)
+        int first = 0;
+        if (node->HardRows == 2 && node->RowJoint[0] == node->RowJoint[1])
+        {
+            // Both rows of a hinge, which are the first of its joint.
+            double* given = active[node->RowJoint[0]].Given;
+            double* j = rows[node->RowJoint[0]].B;
+            given[0] = given[0] + (j[0] * node->Edge[0]) + (j[3] * node->Edge[1]);
+            given[1] = given[1] + (j[1] * node->Edge[0]) + (j[4] * node->Edge[1]);
+            given[2] = given[2] + (j[2] * node->Edge[0]) + (j[5] * node->Edge[1]);
+            first = 2;
+        }
+
+        for (int r = first; r < node->Rows; r++)
         {
             int joint = node->RowJoint[r];
             Give(active + joint, rows + joint, node->RowIndex[r], node->Edge[r]);
