@@ -42,6 +42,27 @@ public class SceneTests
             .Select(o => string.Create(CultureInfo.InvariantCulture, $"{o.Name}: {o.Value} {o.Relation} {o.Limit}"))));
     }
 
+    /// <summary>
+    /// Groups of piles are solved by whoever is free, all substeps of one before the next. Two worlds by turns, as a memory that is read too far is somebody's then.
+    /// </summary>
+    [Fact]
+    public void Scene_OfManyPyramidsWithTwoWorkers_MovesAsWithOne()
+    {
+        PerformanceScene scene = PerformanceScenes.Find("many_pyramids")!;
+        using var alone = new PhysicsSimulator();
+        using var shared = new PhysicsSimulator { WorkerCount = 2 };
+        scene.Build(alone, scene.DefaultSize);
+        scene.Build(shared, scene.DefaultSize);
+        for (int step = 0; step < 60; step++)
+        {
+            scene.Drive(step);
+            alone.Update(scene.Dt);
+            shared.Update(scene.Dt);
+        }
+
+        Assert.Equal(alone.StateHash(), shared.StateHash());
+    }
+
     [Theory]
     [MemberData(nameof(Names))]
     public void Scene_WarmWithHandlers_AllocatesNothing(string name)

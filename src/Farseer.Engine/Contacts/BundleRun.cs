@@ -9,9 +9,6 @@ internal readonly unsafe struct BundleRun
     /// <summary>Bundles ahead for which memory is asked.</summary>
     private const int Ahead = 3;
 
-    /// <summary>The same for rows that are near.</summary>
-    private const int Near = 2;
-
     public readonly ContactBundle* Bundles;
     public readonly int Count;
 
@@ -51,41 +48,5 @@ internal readonly unsafe struct BundleRun
                 Prefetch.Line(line);
             }
         }
-    }
-
-    /// <summary>
-    /// What the warm start reads of a bundle. It reads the most for the least work, so it waits for what the second-level cache does not hold also where
-    /// rows are near; no line that it does not read, and no loop.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AskForStart(ContactBundle* row, bool two)
-    {
-        AskAhead(row);
-        if (Prefetch.IsUseful && !IsFar)
-        {
-            row += Near;
-            FourLines(row->BodyA);
-            Prefetch.Line(row->RadiusA);
-            FourLines(row->Point0.NormalArmA);
-            Prefetch.Line(row->Point0.PreviousNormal);
-            if (two)
-            {
-                FourLines(row->Point1.NormalArmA);
-                Prefetch.Line(row->Point1.PreviousNormal);
-            }
-
-            Prefetch.Line(row->InverseK11);
-            Prefetch.Line(row->Friction);
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void FourLines(void* first)
-    {
-        var line = (byte*)first;
-        Prefetch.Line(line);
-        Prefetch.Line(line + Prefetch.LineBytes);
-        Prefetch.Line(line + (2 * Prefetch.LineBytes));
-        Prefetch.Line(line + (3 * Prefetch.LineBytes));
     }
 }
