@@ -36,7 +36,8 @@ public enum Farseer201Quirks
 
     /// <summary>
     /// The friction of a pair is worked out once, when the pair is made; later changes of
-    /// <see cref="Collisions.Geom.FrictionCoefficient"/> do not reach a pair in contact.
+    /// <see cref="Collisions.Geom.FrictionCoefficient"/> do not reach a pair in contact. Switched on while pairs are in contact it keeps the frictions
+    /// that they have at that time.
     /// </summary>
     PairFrictionFrozen = 16,
 

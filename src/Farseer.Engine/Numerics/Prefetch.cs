@@ -7,7 +7,8 @@ namespace Farseer.Engine.Numerics;
 
 /// <summary>
 /// Asks for memory that is read soon and at places that the processor cannot foresee: records reached by an index. Changes nothing but
-/// time, and any address will do.
+/// time, and any address will do; but to take the address of a field is to look whether its record is there: what may lie behind the last record is asked
+/// for by counting bytes.
 /// </summary>
 internal static unsafe class Prefetch
 {
