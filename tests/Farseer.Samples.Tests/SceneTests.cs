@@ -43,24 +43,30 @@ public class SceneTests
     }
 
     /// <summary>
-    /// Groups of piles are solved by whoever is free, all substeps of one before the next. Two worlds by turns, as a memory that is read too far is somebody's then.
+    /// Groups of piles are solved by whoever is free, all substeps of one before the next. Worlds come and go meanwhile, so that what lies behind the memory of one is
+    /// given back: a pass that read there once ended the process.
     /// </summary>
     [Fact]
     public void Scene_OfManyPyramidsWithTwoWorkers_MovesAsWithOne()
     {
+        for (int round = 0; round < 8; round++)
+        {
+            Assert.Equal(RunPyramids(1), RunPyramids(2));
+        }
+    }
+
+    private static ulong RunPyramids(int workers)
+    {
         PerformanceScene scene = PerformanceScenes.Find("many_pyramids")!;
-        using var alone = new PhysicsSimulator();
-        using var shared = new PhysicsSimulator { WorkerCount = 2 };
-        scene.Build(alone, scene.DefaultSize);
-        scene.Build(shared, scene.DefaultSize);
-        for (int step = 0; step < 60; step++)
+        using var simulator = new PhysicsSimulator { WorkerCount = workers };
+        scene.Build(simulator, scene.DefaultSize);
+        for (int step = 0; step < 8; step++)
         {
             scene.Drive(step);
-            alone.Update(scene.Dt);
-            shared.Update(scene.Dt);
+            simulator.Update(scene.Dt);
         }
 
-        Assert.Equal(alone.StateHash(), shared.StateHash());
+        return simulator.StateHash();
     }
 
     [Theory]

@@ -177,13 +177,15 @@ internal static unsafe class ContactRowWriter
         row->Struck[lane] = normal;
     }
 
+    /// <summary>Fields of a lane.</summary>
+    private static int Columns => sizeof(ContactBundle) / (sizeof(int) * ContactBundle.Lanes);
+
     /// <summary>Moves a contact from one lane to another; every field is a column of four bytes a lane.</summary>
     public static void MoveLane(ContactBundle* source, int sourceLane, ContactBundle* target, int targetLane)
     {
         int* from = (int*)source + sourceLane;
         int* to = (int*)target + targetLane;
-        int columns = sizeof(ContactBundle) / (sizeof(int) * ContactBundle.Lanes);
-        for (int i = 0; i < columns; i++)
+        for (int i = 0; i < Columns; i++)
         {
             to[i * ContactBundle.Lanes] = from[i * ContactBundle.Lanes];
         }
@@ -194,8 +196,7 @@ internal static unsafe class ContactRowWriter
     {
         int* first = (int*)one + laneOfOne;
         int* second = (int*)other + laneOfOther;
-        int columns = sizeof(ContactBundle) / (sizeof(int) * ContactBundle.Lanes);
-        for (int i = 0; i < columns; i++)
+        for (int i = 0; i < Columns; i++)
         {
             (first[i * ContactBundle.Lanes], second[i * ContactBundle.Lanes]) = (second[i * ContactBundle.Lanes], first[i * ContactBundle.Lanes]);
         }
