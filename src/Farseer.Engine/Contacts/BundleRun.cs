@@ -9,6 +9,9 @@ internal readonly unsafe struct BundleRun
     /// <summary>Bundles ahead for which memory is asked.</summary>
     private const int Ahead = 3;
 
+    /// <summary>Bytes from what is read of a row that is near to what is asked for: the bundle after next.</summary>
+    private const int Near = 2 * ContactBundle.Bytes;
+
     public readonly ContactBundle* Bundles;
     public readonly int Count;
 
@@ -42,11 +45,44 @@ internal readonly unsafe struct BundleRun
             ContactBundle* ahead = row + Ahead;
             long past = ahead - (Bundles + Count);
             ahead = past < 0 ? ahead : Following + past;
-            byte* end = (byte*)ahead->Contact;
-            for (byte* line = (byte*)ahead; line < end; line += Prefetch.LineBytes)
+            for (int line = 0; line < ContactBundle.SolvedBytes; line += Prefetch.LineBytes)
             {
-                Prefetch.Line(line);
+                Prefetch.Line((byte*)ahead + line);
             }
         }
+    }
+
+    /// <summary>
+    /// What the warm start reads of a bundle. It reads the most for the least work, so it waits for what the second-level cache does not hold also where
+    /// rows are near; no line that it does not read, and no loop. Behind the last bundle there may be nothing, so bytes are counted from the columns of this one.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void AskForStart(ContactBundle* row, bool two)
+    {
+        AskAhead(row);
+        if (Prefetch.IsUseful && !IsFar)
+        {
+            FourLines((byte*)row->BodyA + Near);
+            Prefetch.Line((byte*)row->RadiusA + Near);
+            FourLines((byte*)row->Point0.NormalArmA + Near);
+            Prefetch.Line((byte*)row->Point0.PreviousNormal + Near);
+            if (two)
+            {
+                FourLines((byte*)row->Point1.NormalArmA + Near);
+                Prefetch.Line((byte*)row->Point1.PreviousNormal + Near);
+            }
+
+            Prefetch.Line((byte*)row->InverseK11 + Near);
+            Prefetch.Line((byte*)row->Friction + Near);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void FourLines(byte* first)
+    {
+        Prefetch.Line(first);
+        Prefetch.Line(first + Prefetch.LineBytes);
+        Prefetch.Line(first + (2 * Prefetch.LineBytes));
+        Prefetch.Line(first + (3 * Prefetch.LineBytes));
     }
 }
