@@ -35,11 +35,18 @@ internal sealed class ProxyStore
     {
         Fat = _set.Add<Box>();
         Info = _set.Add<ProxyInfo>();
+        Sought = _set.Add<Box>();
     }
 
     public Column<Box> Fat { get; }
 
     public Column<ProxyInfo> Info { get; }
+
+    /// <summary>
+    /// The fat box around which a piece last found its pairs. Two whose boxes of then overlap are a pair already, so a search may leave them out; a box
+    /// that overlaps nothing is that of a piece of which this is not known. Outside of searches and what follows from them it is the fat box itself.
+    /// </summary>
+    public Column<Box> Sought { get; }
 
     /// <summary>Memory for the time of a search.</summary>
     public Scratch Scratch { get; } = new Scratch();
@@ -59,8 +66,8 @@ internal interface IBroadPhase
 
     /// <summary>
     /// Appends every unordered pair of live proxies whose fat boxes overlap (touching counts), of which at least one is
-    /// <see cref="ProxyFlags.Moved"/>, not both <see cref="ProxyFlags.Static"/>, of different bodies; each pair once, in any order. Pairs of one group may be left out. Who
-    /// gets another group is removed and added.
+    /// <see cref="ProxyFlags.Moved"/>, not both <see cref="ProxyFlags.Static"/>, of different bodies; each pair once, in any order. Pairs of one group may be left out, and those
+    /// that <see cref="ProxyStore.Sought"/> tells to be known. Who gets another group is removed and added.
     /// </summary>
     void Collect(ProxyStore proxies, PairBuffer pairs);
 }

@@ -59,6 +59,9 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
         Know(proxies, proxy + 1);
         Leave(proxy);
         _mainGroup.Change(proxies.Info[proxy]);
+
+        // Who searched before may have been a user, who may have left out what he liked.
+        proxies.Sought[proxy] = Box.Empty;
     }
 
     public void Removed(ProxyStore proxies, int proxy)
@@ -172,7 +175,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
         {
             if (fine.Seekers > 0 || PairRule.Seeks(coarse.Entries[i].Key))
             {
-                fine.CollectAgainst(coarse.Entries + i, pairs);
+                fine.CollectAgainst(coarse.Entries + i, coarse.Sought(i), pairs);
             }
         }
     }
@@ -298,6 +301,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
     {
         Box* boxes = _proxies.Fat.Pointer;
         ProxyInfo* info = _proxies.Info.Pointer;
+        Box* sought = _proxies.Sought.Pointer;
         for (int i = from; i < to; i++)
         {
             int proxy = _active.Pointer[i];
@@ -311,7 +315,8 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
             for (int k = 0; k < hits.Count; k++)
             {
                 int other = hits.Pointer[k];
-                if ((info[other].Flags & ProxyFlags.Alive) != 0 && PairRule.Wants(info[proxy], info[other]))
+                if ((info[other].Flags & ProxyFlags.Alive) != 0 && PairRule.Wants(info[proxy], info[other])
+                    && !Box.Overlap(sought[proxy], sought[other]))
                 {
                     pairs.Add(proxy, other);
                 }

@@ -27,6 +27,10 @@ internal struct Box
         MaxY = maxY;
     }
 
+    /// <summary>Overlaps nothing, not even itself.</summary>
+    public static Box Empty =>
+        new Box(float.PositiveInfinity, float.PositiveInfinity, float.NegativeInfinity, float.NegativeInfinity);
+
     public readonly float Width => MaxX - MinX;
 
     public readonly float Height => MaxY - MinY;

@@ -65,8 +65,7 @@ internal unsafe struct WideBoxes
     public readonly Box Get(int index) => new Box(MinX[index], MinY[index], MaxX[index], MaxY[index]);
 
     /// <summary>A box that overlaps nothing, not even itself.</summary>
-    public readonly void SetEmpty(int index) =>
-        Set(index, new Box(float.PositiveInfinity, float.PositiveInfinity, float.NegativeInfinity, float.NegativeInfinity));
+    public readonly void SetEmpty(int index) => Set(index, Box.Empty);
 
     /// <summary>A mask of the first <paramref name="count"/> lanes, of all if there are more; at least 0.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

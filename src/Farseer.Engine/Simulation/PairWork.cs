@@ -84,6 +84,7 @@ internal sealed unsafe class PairWork : IStageWork
             if (_marks[i] != 0 && !_world.MayTouch(pairs[i]))
             {
                 _marks[i] = 0;
+                _world.NoteRefused(pairs[i]);
             }
         }
     }

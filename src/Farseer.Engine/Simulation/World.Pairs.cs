@@ -20,6 +20,7 @@ internal sealed partial class World
     private readonly IndexList _movedProxies = new IndexList();
     private bool _anyStale;
     private bool _alwaysCollect;
+    private bool _allFound;
 
     /// <summary>Gives a piece a new fat box and makes it look for pairs.</summary>
     internal void SetProxy(int piece, in Box fat, bool alive, bool isStatic)
@@ -40,6 +41,7 @@ internal sealed partial class World
 
         bool known = (info.Flags & ProxyFlags.Alive) != 0;
         Proxies.Fat[piece] = fat;
+        Proxies.Sought[piece] = Box.Empty;
         _movedProxies.Add(piece);
         info.Body = Shapes.Pieces[piece].Body;
         info.Flags = ProxyFlags.Alive | ProxyFlags.Moved | (isStatic ? ProxyFlags.Static : ProxyFlags.None);
@@ -86,17 +88,37 @@ internal sealed partial class World
     private unsafe void ForgetMoves()
     {
         ProxyInfo* info = Proxies.Info.Pointer;
+        Box* fat = Proxies.Fat.Pointer;
+        Box* sought = Proxies.Sought.Pointer;
         for (int i = 0; i < _movedProxies.Count; i++)
         {
-            info[_movedProxies[i]].Flags &= ~ProxyFlags.Moved;
+            int piece = _movedProxies[i];
+            info[piece].Flags &= ~ProxyFlags.Moved;
+            if (!float.IsNaN(sought[piece].MinX))
+            {
+                // A listener that threw ended the search before its end.
+                sought[piece] = _allFound ? fat[piece] : Box.Empty;
+            }
         }
 
         _movedProxies.Clear();
     }
 
+    /// <summary>
+    /// A pair was refused, which it may not be the next time: what filters, joints and listeners say changes without new boxes. It must be found again, and
+    /// one of its pieces without a box of which pairs are known sees to that. Workers tell.
+    /// </summary>
+    internal void NoteRefused(ulong key)
+    {
+        Box unknown = Box.Empty;
+        unknown.MinX = float.NaN;
+        Proxies.Sought[PairBuffer.Lower(key)] = unknown;
+    }
+
     private unsafe void FindPairs()
     {
         _pairs.Clear();
+        _allFound = false;
         if (_contacts.KeepFriction(Settings.FreezePairFriction))
         {
             for (int i = 0; i < _contacts.End; i++)
@@ -116,6 +138,7 @@ internal sealed partial class World
         // Without a new box there is no new pair; only the search of a user hears of every step.
         if (_movedProxies.Count == 0 && !_alwaysCollect)
         {
+            _allFound = true;
             return;
         }
 
@@ -137,6 +160,8 @@ internal sealed partial class World
                 TryCreatePair(_pairs[i]);
             }
         }
+
+        _allFound = true;
     }
 
     /// <summary>All pairs.</summary>
@@ -178,6 +203,7 @@ internal sealed partial class World
         bool ofSeveral = HasSeveralPieces(colliderA) || HasSeveralPieces(colliderB);
         if (!MayTouch(Shapes.Pieces[a], Shapes.Pieces[b]) || !Accept(colliderA, colliderB, ofSeveral))
         {
+            NoteRefused(key);
             return;
         }
 

@@ -83,10 +83,16 @@ internal sealed class BoxScene
         }
     }
 
-    public void ClearMoved()
+    /// <param name="sought">The present boxes are known to be those around which pairs were found.</param>
+    public void ClearMoved(bool sought = false)
     {
         for (int i = 0; i < Proxies.End; i++)
         {
+            if (sought && (Proxies.Info[i].Flags & ProxyFlags.Moved) != 0)
+            {
+                Proxies.Sought[i] = Proxies.Fat[i];
+            }
+
             Proxies.Info[i].Flags &= ~ProxyFlags.Moved;
         }
     }

@@ -172,6 +172,42 @@ public class PairFinderTests
         }
     }
 
+    [Theory]
+    [MemberData(nameof(NamesAndKinds))]
+    public void Collect_WithTheBoxesOfTheLastSearch_LeavesOutOnlyPairsThatOverlappedThen(string name, BoxKind kind)
+    {
+        IBroadPhase finder = Finders[name]();
+        var reference = new BruteForce();
+        var scene = new BoxScene((int)kind, kind, 300, finder);
+        ProxyStore proxies = scene.Proxies;
+        var pairs = new PairBuffer();
+        var all = new PairBuffer();
+        int left = 0;
+        for (int frame = 0; frame < 100; frame++)
+        {
+            scene.Change(moveChance: frame % 30 == 0 ? 0.05 : 0.9, population: frame % 2 == 0);
+            pairs.Clear();
+            all.Clear();
+            finder.Collect(proxies, pairs);
+            reference.Collect(proxies, all);
+            var found = new HashSet<ulong>(BoxScene.Sorted(pairs));
+            Assert.Equal(found.Count, pairs.Count);
+            Assert.Subset(new HashSet<ulong>(BoxScene.Sorted(all)), found);
+            for (int i = 0; i < all.Count; i++)
+            {
+                if (!found.Contains(all[i]))
+                {
+                    Assert.True(Box.Overlap(proxies.Sought[PairBuffer.Lower(all[i])], proxies.Sought[PairBuffer.Higher(all[i])]));
+                    left++;
+                }
+            }
+
+            scene.ClearMoved(sought: true);
+        }
+
+        Assert.Equal(name == "LevelGrid", left > 0);
+    }
+
     private static bool Compare(string name, BoxKind kind, int seed, int count, int frames)
     {
         IBroadPhase finder = Finders[name]();

@@ -164,6 +164,28 @@ public class BroadPhaseTests
         Assert.Equal(0, events);
     }
 
+    /// <summary>In a crowd, whose boxes are all new in each step: a pair whose boxes have overlapped for long is found only because it was refused.</summary>
+    [Theory]
+    [MemberData(nameof(Colliders))]
+    public void Handler_ThatRefusedPairs_IsAskedAgainWhileTheirBoxesOverlap(Type type)
+    {
+        var simulator = new PhysicsSimulator();
+        IBroadPhaseCollider collider = Use(simulator, type);
+        for (int i = 0; i < 80; i++)
+        {
+            Sandbox.Box(simulator, new Vector2(100 * i, 0)).Body.LinearVelocity = new Vector2(0, 300);
+            Sandbox.Box(simulator, new Vector2((100 * i) + 19, 0)).Body.LinearVelocity = new Vector2(0, 300);
+        }
+
+        bool refuse = true;
+        collider.OnBroadPhaseCollision += (_, _) => !refuse;
+        Sandbox.Run(simulator, 10);
+        Assert.Empty(simulator.ArbiterList);
+        refuse = false;
+        Sandbox.Run(simulator, 10);
+        Assert.Equal(80, simulator.ArbiterList.Count);
+    }
+
     private static IBroadPhaseCollider Use(PhysicsSimulator simulator, Type type)
     {
         var collider = (IBroadPhaseCollider)Activator.CreateInstance(type, simulator)!;
