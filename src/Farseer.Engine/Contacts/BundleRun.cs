@@ -12,6 +12,9 @@ internal readonly unsafe struct BundleRun
     /// <summary>Bytes from what is read of a row that is near to what is asked for: the bundle after next.</summary>
     private const int Near = 2 * ContactBundle.Bytes;
 
+    /// <summary>Up to so many bundles a colour is of a world whose rows all stay near: ten boxes at rest would notice the asking.</summary>
+    private const int Few = 8;
+
     public readonly ContactBundle* Bundles;
     public readonly int Count;
 
@@ -60,7 +63,7 @@ internal readonly unsafe struct BundleRun
     public void AskForStart(ContactBundle* row, bool two)
     {
         AskAhead(row);
-        if (Prefetch.IsUseful && !IsFar)
+        if (Prefetch.IsUseful && !IsFar && Count > Few)
         {
             FourLines((byte*)row->BodyA + Near);
             Prefetch.Line((byte*)row->RadiusA + Near);

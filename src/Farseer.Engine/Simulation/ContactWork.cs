@@ -32,7 +32,7 @@ internal sealed unsafe class ContactWork : IStageWork
     private const int LeastPieces = 256;
     private const int LeastBundles = 8;
 
-    /// <summary>Sides and poses of more pieces than that are no longer all near: half a megabyte.</summary>
+    /// <summary>Sides of more pieces than that are no longer all near: a third of a megabyte.</summary>
     private const int MostNear = 5000;
 
     private readonly Column<PairLanes> _pairs = new Column<PairLanes>();
@@ -155,9 +155,15 @@ internal sealed unsafe class ContactWork : IStageWork
                 ContactBundle* last = runs.Bundles + runs.Count - 1;
                 for (ContactBundle* bundle = runs.Bundles; bundle <= last; bundle++, outcome++)
                 {
+                    ContactBundle* behind = bundle + 1 < last ? bundle + 2 : runs.Following;
+                    if (Prefetch.IsUseful && behind != runs.Bundles)
+                    {
+                        ContactBundle.AskFor(behind);
+                    }
+
                     if (far)
                     {
-                        AskAhead(input, bundle < last ? bundle + 1 : runs.Following, bundle + 1 < last ? bundle + 2 : null);
+                        AskForSides(input, bundle < last ? bundle + 1 : runs.Following);
                     }
 
                     outcome->Fates = ContactUpdate.UpdateRows(input, bundle);
@@ -168,18 +174,16 @@ internal sealed unsafe class ContactWork : IStageWork
         }
     }
 
-    /// <summary>What the next bundle of rows reads is asked for, and the rows of the one behind.</summary>
-    private static void AskAhead(in ContactUpdateInput input, ContactBundle* next, ContactBundle* behind)
+    /// <summary>
+    /// The sides of a bundle's pieces are asked for. Poses and boxes are read a little later, by instructions that can wait for them: to ask for these too
+    /// took longer than it saved.
+    /// </summary>
+    private static void AskForSides(in ContactUpdateInput input, ContactBundle* bundle)
     {
         for (int lane = 0; lane < ContactBundle.Lanes; lane++)
         {
-            AskFor(input, next->PieceA[lane], next->BodyA[lane]);
-            AskFor(input, next->PieceB[lane], next->BodyB[lane]);
-        }
-
-        if (behind != null)
-        {
-            ContactBundle.AskFor(behind);
+            Prefetch.Line(input.Sides + bundle->PieceA[lane]);
+            Prefetch.Line(input.Sides + bundle->PieceB[lane]);
         }
     }
 
