@@ -1,4 +1,6 @@
+using System;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Graph;
@@ -12,7 +14,7 @@ namespace Farseer.Engine.Graph;
 /// Passes come to the same bits in any order, since rows of a colour share no body; those that may, of the overflow, stay as they are. Bounces and fast pairs
 /// are taken in the order of the rows, so where there are such a run is another one than without, but the same for any number of workers.
 /// </remarks>
-internal sealed unsafe class RowOrder
+internal sealed unsafe class RowOrder : IStageWork
 {
     /// <summary>Part of all rows that have come since the last time, when they are put in order again.</summary>
     private const int NewPart = 2;
@@ -20,9 +22,14 @@ internal sealed unsafe class RowOrder
     /// <summary>A colour is left as it is if its rows lie among more than so many times as many bodies.</summary>
     private const int MostSpread = 32;
 
-    // In scratch memory: the contact of each body, and the rows in their order.
+    // In scratch memory: for each worker the contact of each body, and for each colour its rows in their order.
     private int* _contactOf;
     private int* _rows;
+    private int* _firstRow;
+    private int _bodyEnd;
+    private ConstraintGraph _graph = null!;
+    private Column<ContactRecord> _records = null!;
+    private byte* _moves;
 
     /// <summary>Fewer rows are near enough as they come: their bodies fit a first-level cache. Default 1,024.</summary>
     public int LeastRows { get; set; } = 1024;
@@ -30,37 +37,59 @@ internal sealed unsafe class RowOrder
     /// <summary>How often the rows were put in order.</summary>
     public int Sorts { get; private set; }
 
-    /// <summary>Sorts the rows if enough of them are new.</summary>
-    public void Sort(ConstraintGraph graph, Column<ContactRecord> records, int bodyEnd, byte* moves, Scratch scratch)
+    /// <summary>Sorts the rows if enough of them are new. Colours share no row, so each is for any worker.</summary>
+    public void Sort(StageRunner runner, ConstraintGraph graph, Column<ContactRecord> records, int bodyEnd, byte* moves, Scratch scratch)
     {
         if (graph.RowCount < LeastRows || graph.NewRows * NewPart < graph.RowCount)
         {
             return;
         }
 
+        ReadOnlySpan<GraphColor> colors = graph.Used;
+        int workers = runner.IsShared(colors.Length, 1) ? runner.Workers : 1;
         int mark = scratch.Mark;
-        _contactOf = scratch.Take<int>(bodyEnd);
+        _contactOf = scratch.Take<int>(bodyEnd * workers);
         _rows = scratch.Take<int>(graph.RowCount);
-        for (int i = 0; i < bodyEnd; i++)
+        _firstRow = scratch.Take<int>(colors.Length);
+        _bodyEnd = bodyEnd;
+        _graph = graph;
+        _records = records;
+        _moves = moves;
+        for (int i = 0; i < bodyEnd * workers; i++)
         {
             _contactOf[i] = -1;
         }
 
-        foreach (GraphColor color in graph.Used)
+        int rows = 0;
+        for (int i = 0; i < colors.Length; i++)
         {
-            if (!color.IsSequential)
-            {
-                Sort(color, graph, records, moves);
-            }
+            _firstRow[i] = rows;
+            rows += colors[i].RowCount;
         }
 
+        runner.Run(this, colors.Length, 1);
         scratch.Release(mark);
         graph.ForgetNewRows();
         Sorts++;
     }
 
-    private void Sort(GraphColor color, ConstraintGraph graph, Column<ContactRecord> records, byte* moves)
+    void IStageWork.Run(int worker, int from, int to)
     {
+        ReadOnlySpan<GraphColor> colors = _graph.Used;
+        for (int i = from; i < to; i++)
+        {
+            if (!colors[i].IsSequential)
+            {
+                Sort(colors[i], _contactOf + (worker * _bodyEnd), _rows + _firstRow[i]);
+            }
+        }
+    }
+
+    private void Sort(GraphColor color, int* contactOf, int* rows)
+    {
+        ConstraintGraph graph = _graph;
+        Column<ContactRecord> records = _records;
+        byte* moves = _moves;
         int first = int.MaxValue;
         int last = -1;
         int count = 0;
@@ -69,7 +98,7 @@ internal sealed unsafe class RowOrder
             for (int lane = 0; lane < ContactBundle.Lanes && bundle->Contact[lane] >= 0; lane++)
             {
                 int body = Place(bundle->BodyA[lane], bundle->BodyB[lane], moves);
-                _rows[count++] = records[bundle->Contact[lane]].Row;
+                rows[count++] = records[bundle->Contact[lane]].Row;
                 first = body < first ? body : first;
                 last = body > last ? body : last;
             }
@@ -82,19 +111,19 @@ internal sealed unsafe class RowOrder
 
         for (int i = 0; i < count; i++)
         {
-            ContactBundle* bundle = graph.BundleOf(_rows[i]);
-            int lane = RowArena.LaneOf(_rows[i]);
-            _contactOf[Place(bundle->BodyA[lane], bundle->BodyB[lane], moves)] = bundle->Contact[lane];
+            ContactBundle* bundle = graph.BundleOf(rows[i]);
+            int lane = RowArena.LaneOf(rows[i]);
+            contactOf[Place(bundle->BodyA[lane], bundle->BodyB[lane], moves)] = bundle->Contact[lane];
         }
 
         int next = 0;
         for (int body = first; body <= last; body++)
         {
-            int contact = _contactOf[body];
+            int contact = contactOf[body];
             if (contact >= 0)
             {
-                _contactOf[body] = -1;
-                graph.Exchange(records[contact].Row, _rows[next++], records);
+                contactOf[body] = -1;
+                graph.Exchange(records[contact].Row, rows[next++], records);
             }
         }
     }

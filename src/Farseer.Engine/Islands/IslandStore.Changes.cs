@@ -86,9 +86,9 @@ internal sealed unsafe partial class IslandStore
         Strike(a, b);
         Strike(b, a);
         int* neighbours = _neighbours.Pointer;
-        for (int i = _start[a - 1]; i < _start[a]; i++)
+        for (int i = _begin[a]; i < _end[a]; i++)
         {
-            for (int k = _start[b - 1]; k < _start[b]; k++)
+            for (int k = _begin[b]; k < _end[b]; k++)
             {
                 if (neighbours[i] == neighbours[k] && neighbours[i] >= 0)
                 {
@@ -103,7 +103,7 @@ internal sealed unsafe partial class IslandStore
     private void Strike(int body, int other)
     {
         int* neighbours = _neighbours.Pointer;
-        for (int k = _start[body - 1]; k < _start[body]; k++)
+        for (int k = _begin[body]; k < _end[body]; k++)
         {
             if (neighbours[k] == other)
             {

@@ -2,6 +2,7 @@ using System;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Islands;
@@ -10,18 +11,42 @@ namespace Farseer.Engine.Islands;
 /// Groups of bodies that touch, and in each the support levels: how many contacts away the ground is. They are found anew
 /// only when rows came or went. Each level of an island has a slot.
 /// </summary>
-internal sealed unsafe partial class IslandStore
+/// <remarks>
+/// Neighbours are listed colour by colour, since rows of one colour share no body that moves: workers that have parts of it write to lists of their
+/// own. In which order a list names them follows from who was first where islands are kept, and nothing follows from that: levels are the
+/// lengths of shortest ways, islands are numbered by their lowest bodies.
+/// </remarks>
+internal sealed unsafe partial class IslandStore : IStageWork
 {
+    /// <summary>Bundles of a colour whose neighbours are worth another worker's while, and bundles of any that are written, some 1 µs.</summary>
+    private const int LeastBundles = 24;
+
+    /// <summary>Rows from which on levels and islands are searched at the same time, each by one worker.</summary>
+    private const int LeastRows = 128;
+
+    private const int Searches = 2;
+
     private readonly Column<int> _level = new Column<int>();
-    private readonly Column<int> _start = new Column<int>();
+    private readonly Column<int> _begin = new Column<int>();
+    private readonly Column<int> _end = new Column<int>();
     private readonly Column<int> _neighbours = new Column<int>();
     private readonly Column<int> _islandOf = new Column<int>();
     private readonly Column<int> _firstSlot = new Column<int>();
+    private readonly ColorRanges _ranges = new ColorRanges();
 
-    // In scratch memory, while the islands are built.
+    // In scratch memory, while the islands are built: the bodies that each of the searches has reached.
     private int* _queue;
-    private Edge* _edges;
-    private int _edgeCount;
+    private int* _flooded;
+    private GraphColor _color = null!;
+    private byte* _moves;
+    private Part _part;
+
+    private enum Part
+    {
+        List,
+        Search,
+        Write,
+    }
 
     public int Count { get; private set; }
 
@@ -41,22 +66,35 @@ internal sealed unsafe partial class IslandStore
     public int* FirstSlot => _firstSlot.Pointer;
 
     /// <summary>Finds islands and levels of all rows and writes both into the rows.</summary>
+    /// <param name="runner">Who shares the work out.</param>
     /// <param name="graph">The rows.</param>
     /// <param name="bodyEnd">One past the highest body.</param>
     /// <param name="moves">1 for a body that can move.</param>
     /// <param name="scratch">Where room is found meanwhile.</param>
-    public void Build(ConstraintGraph graph, int bodyEnd, byte* moves, Scratch scratch)
+    public void Build(StageRunner runner, ConstraintGraph graph, int bodyEnd, byte* moves, Scratch scratch)
     {
         Reserve(bodyEnd, graph.RowCount);
         int mark = scratch.Mark;
         _queue = scratch.Take<int>(bodyEnd + 1);
-        _edges = scratch.Take<Edge>(graph.RowCount + 1);
+        _flooded = scratch.Take<int>(bodyEnd + 1);
         _bodyEnd = bodyEnd;
-        int queued = CollectEdges(graph, bodyEnd, moves);
-        FindLevels(bodyEnd, queued);
-        NumberIslands(bodyEnd, moves);
+        _moves = moves;
+        Begin(graph.Degrees);
+        _part = Part.List;
+        foreach (GraphColor color in graph.Used)
+        {
+            // Rows at the ground may share it, and those of the overflow any body.
+            _color = color;
+            runner.Run(this, color.BundleCount, color.IsGrounded || color.IsSequential ? int.MaxValue : LeastBundles);
+        }
+
+        _part = Part.Search;
+        runner.Run(this, Searches, graph.RowCount < LeastRows ? Searches : 1);
         scratch.Release(mark);
-        WriteRows(graph, moves);
+        NumberSlots();
+        _ranges.Find(graph.Used);
+        _part = Part.Write;
+        runner.Run(this, _ranges.Count, LeastBundles);
     }
 
     /// <summary>Makes room for so many bodies and rows.</summary>
@@ -64,88 +102,105 @@ internal sealed unsafe partial class IslandStore
     {
         _level.EnsureCapacity(bodyEnd);
         _islandOf.EnsureCapacity(bodyEnd);
-        _start.EnsureCapacity(bodyEnd + 1);
+        _begin.EnsureCapacity(bodyEnd);
+        _end.EnsureCapacity(bodyEnd);
         _firstSlot.EnsureCapacity(bodyEnd + 1);
         _neighbours.EnsureCapacity(2 * Math.Max(rows, 2 * bodyEnd));
     }
 
-    /// <summary>One walk over the rows: lists the pairs of moving bodies and queues the bodies on the ground.</summary>
-    /// <returns>How many bodies are queued.</returns>
-    private int CollectEdges(ConstraintGraph graph, int bodyEnd, byte* moves)
+    void IStageWork.Run(int worker, int from, int to)
     {
-        int* start = _start.Pointer;
-        int* level = _level.Pointer;
-        int* queue = _queue;
-        Edge* edges = _edges;
-        for (int i = 0; i < bodyEnd; i++)
+        switch (_part)
         {
-            start[i] = 0;
-            level[i] = -1;
-        }
-
-        start[bodyEnd] = 0;
-        int queued = 0;
-        int edgeCount = 0;
-        foreach (GraphColor color in graph.Used)
-        {
-            foreach (ContactBundle* row in color.Bundles)
-            {
-                ContactBundle.AskAhead(row->BodyA);
-                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            case Part.List:
+                ListNeighbours(from, to);
+                break;
+            case Part.Search:
+                for (int search = from; search < to; search++)
                 {
-                    // In an empty lane both are the dummy, which does not move and carries nothing.
-                    int a = row->BodyA[lane];
-                    int b = row->BodyB[lane];
-                    if ((moves[a] & moves[b]) != 0)
+                    if (search == 0)
                     {
-                        edges[edgeCount].A = a;
-                        edges[edgeCount++].B = b;
-                        start[a + 1]++;
-                        start[b + 1]++;
+                        FindLevels();
                     }
-                    else if (a != b)
+                    else
                     {
-                        int body = moves[a] != 0 ? a : b;
-                        if (level[body] < 0)
-                        {
-                            level[body] = 0;
-                            queue[queued++] = body;
-                        }
+                        NumberIslands();
                     }
+                }
+
+                break;
+            case Part.Write:
+                WriteRows(from, to);
+                break;
+        }
+    }
+
+    /// <summary>Empty lists with room for a neighbour a row; those of rows at the ground stay without.</summary>
+    private void Begin(int* degrees)
+    {
+        int* begin = _begin.Pointer;
+        int* end = _end.Pointer;
+        int* level = _level.Pointer;
+        int* islandOf = _islandOf.Pointer;
+        int next = 0;
+        for (int i = 0; i < _bodyEnd; i++)
+        {
+            begin[i] = next;
+            end[i] = next;
+            level[i] = -1;
+            islandOf[i] = -1;
+            next += degrees[i];
+        }
+    }
+
+    /// <summary>Lists the neighbours that bundles of a colour make, and gives the bodies on the ground their level.</summary>
+    private void ListNeighbours(int from, int to)
+    {
+        int* end = _end.Pointer;
+        int* level = _level.Pointer;
+        int* neighbours = _neighbours.Pointer;
+        byte* moves = _moves;
+        foreach (ContactBundle* row in new BundleWalk(_color.Part(from, to)))
+        {
+            ContactBundle.AskAhead(row->BodyA);
+            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            {
+                // In an empty lane both are the dummy, which does not move and carries nothing.
+                int a = row->BodyA[lane];
+                int b = row->BodyB[lane];
+                if ((moves[a] & moves[b]) != 0)
+                {
+                    neighbours[end[a]++] = b;
+                    neighbours[end[b]++] = a;
+                }
+                else if (a != b)
+                {
+                    level[moves[a] != 0 ? a : b] = 0;
                 }
             }
         }
-
-        _edgeCount = edgeCount;
-        return queued;
     }
 
     /// <summary>Breadth first from the bodies on the ground; bodies that nothing carries keep the level -1.</summary>
-    private void FindLevels(int bodyEnd, int queued)
+    private void FindLevels()
     {
-        int* start = _start.Pointer;
+        int* begin = _begin.Pointer;
+        int* end = _end.Pointer;
         int* level = _level.Pointer;
         int* queue = _queue;
         int* neighbours = _neighbours.Pointer;
-        for (int i = 0; i < bodyEnd; i++)
+        int queued = 0;
+        for (int i = 0; i < _bodyEnd; i++)
         {
-            start[i + 1] += start[i];
-        }
-
-        // After filling, start[i] is the end of body i's range (and start[i - 1] its beginning).
-        Edge* edges = _edges;
-        for (int i = 0; i < _edgeCount; i++)
-        {
-            neighbours[start[edges[i].A]++] = edges[i].B;
-            neighbours[start[edges[i].B]++] = edges[i].A;
+            queue[queued] = i;
+            queued += level[i] == 0 ? 1 : 0;
         }
 
         for (int head = 0; head < queued; head++)
         {
             int body = queue[head];
             int next = level[body] + 1;
-            int end = body == 0 ? 0 : start[body];
-            for (int k = body == 0 ? 0 : start[body - 1]; k < end; k++)
+            for (int k = begin[body]; k < end[body]; k++)
             {
                 int other = neighbours[k];
                 queue[queued] = other;
@@ -169,29 +224,66 @@ internal sealed unsafe partial class IslandStore
     }
 
     /// <summary>Floods each island from its lowest body, so that the islands are numbered by these.</summary>
-    private void NumberIslands(int bodyEnd, byte* moves)
+    private void NumberIslands()
     {
         int* islandOf = _islandOf.Pointer;
-        for (int i = 0; i < bodyEnd; i++)
-        {
-            islandOf[i] = -1;
-        }
-
         Count = 0;
-        for (int i = 0; i < bodyEnd; i++)
+        for (int i = 0; i < _bodyEnd; i++)
         {
-            if (moves[i] != 0 && islandOf[i] < 0)
+            if (_moves[i] != 0 && islandOf[i] < 0)
             {
-                _firstSlot[Count] = Flood(i, Count);
+                Flood(i, Count);
                 Count++;
             }
         }
+    }
 
+    private void Flood(int first, int island)
+    {
+        int* begin = _begin.Pointer;
+        int* end = _end.Pointer;
+        int* queue = _flooded;
+        int* neighbours = _neighbours.Pointer;
+        int* islandOf = _islandOf.Pointer;
+        int queued = 1;
+        queue[0] = first;
+        islandOf[first] = island;
+        for (int head = 0; head < queued; head++)
+        {
+            int body = queue[head];
+            for (int k = begin[body]; k < end[body]; k++)
+            {
+                int other = neighbours[k];
+                queue[queued] = other;
+                queued += Reach(ref islandOf[other], island);
+            }
+        }
+    }
+
+    /// <summary>A slot for each level of each island, for one at least.</summary>
+    private void NumberSlots()
+    {
+        int* islandOf = _islandOf.Pointer;
+        int* level = _level.Pointer;
         int* firstSlot = _firstSlot.Pointer;
+        for (int i = 0; i < Count; i++)
+        {
+            firstSlot[i] = 1;
+        }
+
+        for (int i = 0; i < _bodyEnd; i++)
+        {
+            int island = islandOf[i];
+            if (island >= 0 && level[i] >= firstSlot[island])
+            {
+                firstSlot[island] = level[i] + 1;
+            }
+        }
+
         int total = 0;
         for (int i = 0; i < Count; i++)
         {
-            int levels = Math.Max(firstSlot[i], 1);
+            int levels = firstSlot[i];
             firstSlot[i] = total;
             total += levels;
         }
@@ -200,38 +292,11 @@ internal sealed unsafe partial class IslandStore
         SlotCount = total;
     }
 
-    /// <returns>How many levels the island has.</returns>
-    private int Flood(int first, int island)
+    private void WriteRows(int from, int to)
     {
-        int* start = _start.Pointer;
-        int* level = _level.Pointer;
-        int* queue = _queue;
-        int* neighbours = _neighbours.Pointer;
-        int* islandOf = _islandOf.Pointer;
-        int levels = 0;
-        int queued = 1;
-        queue[0] = first;
-        islandOf[first] = island;
-        for (int head = 0; head < queued; head++)
+        while (from < to)
         {
-            int body = queue[head];
-            levels = Math.Max(levels, level[body] + 1);
-            for (int k = start[body - 1]; k < start[body]; k++)
-            {
-                int other = neighbours[k];
-                queue[queued] = other;
-                queued += Reach(ref islandOf[other], island);
-            }
-        }
-
-        return levels;
-    }
-
-    private void WriteRows(ConstraintGraph graph, byte* moves)
-    {
-        foreach (GraphColor color in graph.Used)
-        {
-            foreach (ContactBundle* row in color.Bundles)
+            foreach (ContactBundle* row in new BundleWalk(_ranges.From(from, to, out from)))
             {
                 ContactBundle.AskAhead(row->BodyA);
                 ContactBundle.AskAhead(row->Island);
@@ -239,7 +304,7 @@ internal sealed unsafe partial class IslandStore
                 {
                     if (row->BodyA[lane] != row->BodyB[lane])
                     {
-                        WriteLane(row, lane, moves);
+                        WriteLane(row, lane, _moves);
                     }
                 }
             }
@@ -268,11 +333,5 @@ internal sealed unsafe partial class IslandStore
         int island = _islandOf[body];
         row->Island[lane] = island;
         row->Level[lane] = _firstSlot[island] + height;
-    }
-
-    private struct Edge
-    {
-        public int A;
-        public int B;
     }
 }

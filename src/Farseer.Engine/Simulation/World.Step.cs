@@ -137,7 +137,7 @@ internal sealed partial class World
         return input;
     }
 
-    private unsafe void SortRows() => RowOrder.Sort(_graph, _contacts.Records, Bodies.Ids.End, _lists.Moves, Scratch);
+    private unsafe void SortRows() => RowOrder.Sort(_runner, _graph, _contacts.Records, Bodies.Ids.End, _lists.Moves, Scratch);
 
     private unsafe bool UpdateIslands(float dt, in ContactCoefficients coefficients)
     {
@@ -151,7 +151,7 @@ internal sealed partial class World
         {
             if (!_islands.Keep(_graph, _contacts.Records, _lists.Moves))
             {
-                _islands.Build(_graph, Bodies.Ids.End, _lists.Moves, Scratch);
+                _islands.Build(_runner, _graph, Bodies.Ids.End, _lists.Moves, Scratch);
                 rebuilt = true;
             }
 

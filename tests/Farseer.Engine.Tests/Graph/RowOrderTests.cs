@@ -2,6 +2,7 @@ using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 using Farseer.Engine.Tests.Simulation;
 using Xunit;
@@ -23,8 +24,9 @@ public sealed unsafe class RowOrderTests
             colors[i] = records[i].Color;
         }
 
+        using var alone = new StageRunner(1, null);
         var order = new RowOrder { LeastRows = 2 };
-        order.Sort(graph, records, Bodies, moves.Pointer, new Scratch());
+        order.Sort(alone, graph, records, Bodies, moves.Pointer, new Scratch());
 
         Assert.Equal(1, order.Sorts);
         Assert.Equal(0, graph.NewRows);
@@ -53,8 +55,9 @@ public sealed unsafe class RowOrderTests
     public void RowsPutInOrder_AgainBeforeHalfOfThemAreNew_StayAsTheyAre()
     {
         Fill(out ConstraintGraph graph, out Column<ContactRecord> records, out Column<byte> moves);
+        using var alone = new StageRunner(1, null);
         var order = new RowOrder { LeastRows = 2 };
-        order.Sort(graph, records, Bodies, moves.Pointer, new Scratch());
+        order.Sort(alone, graph, records, Bodies, moves.Pointer, new Scratch());
         for (int i = 0; i < Contacts / 3; i++)
         {
             ContactRecord record = records[i];
@@ -62,7 +65,7 @@ public sealed unsafe class RowOrderTests
             graph.Add(i, ref records[i], moves[record.BodyA] != 0, moves[record.BodyB] != 0);
         }
 
-        order.Sort(graph, records, Bodies, moves.Pointer, new Scratch());
+        order.Sort(alone, graph, records, Bodies, moves.Pointer, new Scratch());
 
         Assert.Equal(1, order.Sorts);
     }

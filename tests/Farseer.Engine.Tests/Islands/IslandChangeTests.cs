@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 using Xunit;
 
@@ -18,6 +19,7 @@ public sealed unsafe class IslandChangeTests
     public void Keep_OnRandomChanges_LeavesWhatBuildFinds()
     {
         int kept = 0;
+        using var alone = new StageRunner(1, null);
         for (int seed = 0; seed < 200; seed++)
         {
             var random = new Random(seed);
@@ -53,12 +55,12 @@ public sealed unsafe class IslandChangeTests
                 }
                 else
                 {
-                    islands.Build(graph, Bodies, moves.Pointer, scratch);
+                    islands.Build(alone, graph, Bodies, moves.Pointer, scratch);
                 }
 
                 graph.ForgetChanges();
                 List<(int Island, int Level)> mine = Read(graph, records, present);
-                fresh.Build(graph, Bodies, moves.Pointer, scratch);
+                fresh.Build(alone, graph, Bodies, moves.Pointer, scratch);
                 Assert.Equal(Read(graph, records, present), mine);
                 Assert.Equal(fresh.Count, islands.Count);
                 Assert.Equal(fresh.SlotCount, islands.SlotCount);
