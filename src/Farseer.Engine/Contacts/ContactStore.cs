@@ -230,11 +230,10 @@ internal sealed class ContactStore
 
     public static ulong ColliderKey(int a, int b) => ((ulong)(uint)a << 32) | (uint)b;
 
-    /// <summary>Forgets a pair that is in the idle list.</summary>
-    public void Destroy(int index, ulong key)
+    /// <summary>Forgets a pair that is in the idle list but for its place in <see cref="Map"/>, which is for the caller to clear.</summary>
+    public void Forget(int index)
     {
         RemoveIdle(index);
-        Map.Remove(key);
         if (Records[index].OfSeveral)
         {
             Leave(ColliderKey(Records[index].ColliderA, Records[index].ColliderB));

@@ -46,6 +46,22 @@ internal sealed class FastBodySweep
         _candidates[_count++] = new SweepCandidate { Contact = contact, Moves = moves ? (byte)1 : (byte)0 };
     }
 
+    /// <summary>Makes room for so many candidates.</summary>
+    public void Reserve(int candidates) => _candidates.EnsureCapacity(candidates);
+
+    /// <summary>Whether <see cref="Run"/> would leave the body as it is. Nothing changes by the question.</summary>
+    public bool MeetsNothing(in SweepInput input, in FastMotion motion)
+    {
+        if (motion.Free != 0)
+        {
+            FreeLeg leg = FreeLeg.Of(input.Bodies, motion, input.Dt);
+            return FindFirst(input, leg.Body, leg.Path, input.Dt, out _) < 0;
+        }
+
+        BodyPath path = WayOf(input, motion);
+        return input.Listener.StaysWithin(motion.Body, path) && FindGuarded(input, motion.Body, path, out _) < 0;
+    }
+
     /// <summary>Sweeps one body against the candidates added.</summary>
     public void Run(in SweepInput input, in FastMotion motion)
     {
@@ -208,21 +224,9 @@ internal sealed class FastBodySweep
     private void Guard(in SweepInput input, in FastMotion motion)
     {
         int body = motion.Body;
-        BodyPath path = default;
-        BodyPose end = input.Bodies.Pose[body];
-        path.X = motion.X;
-        path.Y = motion.Y;
-        path.Angle = motion.Angle;
-        path.VelocityX = end.X - motion.X;
-        path.VelocityY = end.Y - motion.Y;
-        path.Spin = end.Angle - motion.Angle;
+        BodyPath path = WayOf(input, motion);
         input.Listener.OnWay(this, body, path);
-        for (int i = 0; i < _count; i++)
-        {
-            NoteTouching(input, body, path, ref _candidates[i]);
-        }
-
-        if (FindFirst(input, body, path, input.Dt, out double time) >= 0)
+        if (FindGuarded(input, body, path, out double time) >= 0)
         {
             ref BodyPose pose = ref input.Bodies.Pose[body];
             pose.X = path.XAt(time);
@@ -230,6 +234,31 @@ internal sealed class FastBodySweep
             pose.Angle = path.AngleAt(time);
             FinishBodies.UpdateRotor(ref pose);
         }
+    }
+
+    /// <summary>The way of a body that the solver moved, as if straight.</summary>
+    private static BodyPath WayOf(in SweepInput input, in FastMotion motion)
+    {
+        BodyPath path = default;
+        BodyPose end = input.Bodies.Pose[motion.Body];
+        path.X = motion.X;
+        path.Y = motion.Y;
+        path.Angle = motion.Angle;
+        path.VelocityX = end.X - motion.X;
+        path.VelocityY = end.Y - motion.Y;
+        path.Spin = end.Angle - motion.Angle;
+        return path;
+    }
+
+    /// <summary>The candidate whose core such a body meets first, and when; -1: none.</summary>
+    private int FindGuarded(in SweepInput input, int body, in BodyPath path, out double time)
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            NoteTouching(input, body, path, ref _candidates[i]);
+        }
+
+        return FindFirst(input, body, path, input.Dt, out time);
     }
 
     /// <summary>

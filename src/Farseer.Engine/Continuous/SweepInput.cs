@@ -21,6 +21,9 @@ internal interface IImpactListener
     /// A body is to be followed along a way that may lead beyond its boxes: what it may meet there is added to its sweep.
     /// </summary>
     void OnWay(FastBodySweep sweep, int body, in BodyPath way);
+
+    /// <summary>A way of a body stays within its boxes, so <see cref="OnWay"/> has nothing to add. Workers ask.</summary>
+    bool StaysWithin(int body, in BodyPath way);
 }
 
 /// <summary>What the sweep of a step works on.</summary>

@@ -28,6 +28,9 @@ internal sealed unsafe class ContactEvents
     private int _count;
     private int _wokenCount;
 
+    /// <summary>Impacts of the sweep that have had listeners so far.</summary>
+    public int ImpactsHeard { get; private set; }
+
     public void Raise(World world, ContactStore contacts, ConstraintGraph graph, bool anyHeard)
     {
         IStepHooks? hooks = world.Hooks;
@@ -187,6 +190,7 @@ internal sealed unsafe class ContactEvents
         }
 
         record.Flags |= ContactFlags.Due;
+        ImpactsHeard++;
         ulong key = Key(world, record);
         int place = 0;
         while (place < _oldCount && _oldKeys[place] < key)

@@ -4,6 +4,7 @@ using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
@@ -14,10 +15,27 @@ namespace Farseer.Engine.Simulation;
 /// a heap of U-shapes by a sixth of their thickness, whatever the substeps. So bodies that will be struck are noted with the way by which
 /// the blow may throw them off theirs, and their pairs without rows are looked at again as far as that.
 /// </summary>
-internal sealed unsafe class StruckPairs
+/// <remarks>
+/// Workers look at blocks of pairs and of bundles. A block packs what it looks at into bundles of its own, so that these do not follow from who had which.
+/// </remarks>
+internal sealed unsafe class StruckPairs : IStageWork
 {
+    /// <summary>Records of a block, of which most are passed over, and bundles of rows: some 2 µs each.</summary>
+    private const int BlockRecords = 1024;
+    private const int BlockBundles = 64;
+    private const int BlockWords = BlockRecords / BitSet.WordBits;
+
     private readonly Column<float> _throws = new Column<float>();
-    private readonly Column<ContactBundle> _bundle = new Column<ContactBundle>();
+
+    /// <summary>A bundle for each worker.</summary>
+    private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
+    private readonly ColorRanges _ranges = new ColorRanges();
+
+    /// <summary>In scratch memory: pairs that are to get rows, a bit each.</summary>
+    private ulong* _marks;
+    private ContactUpdateInput _input;
+    private ConstraintGraph _graph = null!;
+    private bool _widens;
     private ScratchList<int> _struck;
     private ScratchList<int> _found;
     private JointStore _joints = null!;
@@ -63,27 +81,81 @@ internal sealed unsafe class StruckPairs
     }
 
     /// <summary>Looks at the pairs without rows of the bodies noted.</summary>
-    public void Find(ContactUpdateInput input)
+    public void Find(StageRunner runner, in ContactUpdateInput input)
     {
-        ContactStore contacts = input.Contacts;
-        float* throws = Throws;
-        input.Throws = throws;
-        _bundle.EnsureCapacity(1);
-        ContactRecord* records = contacts.Records.Pointer;
-        BodyFlags* flags = input.Bodies.Flags.Pointer;
-        int filled = 0;
+        int blocks = (input.Contacts.End + BlockRecords - 1) / BlockRecords;
+        int words = blocks * BlockWords;
+        _marks = input.Scratch.Take<ulong>(words);
+        _widens = false;
+        Run(runner, input, blocks);
+        for (int word = 0; word < words; word++)
+        {
+            for (ulong marks = _marks[word]; marks != 0; marks &= marks - 1)
+            {
+                _found.Add((word * BitSet.WordBits) + BitSet.LowestBit(marks));
+            }
+        }
+    }
 
-        // In the order of memory, not of the idle list: what is found is put into an order of its own.
-        for (int i = 0; i < contacts.End; i++)
+    /// <summary>Looks for the second points of rows of the bodies noted, which may be as far away as a blow turns them.</summary>
+    public void Widen(StageRunner runner, ContactUpdateInput input, ConstraintGraph graph)
+    {
+        // The impulses of these rows are those of this step's substeps already.
+        input.ImpulseScale = 1;
+        _graph = graph;
+        _ranges.Find(graph.Used);
+        _widens = true;
+        Run(runner, input, (_ranges.Count + BlockBundles - 1) / BlockBundles);
+    }
+
+    void IStageWork.Run(int worker, int from, int to)
+    {
+        ContactUpdateInput input = _input;
+        input.Pairs = _input.Pairs + worker;
+        ContactBundle* bundle = _bundles.Pointer + worker;
+        for (int block = from; block < to; block++)
+        {
+            if (_widens)
+            {
+                Widen(input, bundle, block * BlockBundles, Math.Min((block + 1) * BlockBundles, _ranges.Count));
+            }
+            else
+            {
+                Find(input, bundle, block * BlockRecords, Math.Min((block + 1) * BlockRecords, input.Contacts.End));
+            }
+        }
+    }
+
+    private void Run(StageRunner runner, in ContactUpdateInput input, int blocks)
+    {
+        _bundles.EnsureCapacity(runner.Workers);
+        _input = input;
+        _input.Throws = Throws;
+        runner.Run(this, blocks, 1);
+    }
+
+    // In the order of memory, not of the idle list: what is found is put into an order of its own.
+    private void Find(in ContactUpdateInput input, ContactBundle* bundle, int from, int to)
+    {
+        float* throws = Throws;
+        ContactRecord* records = input.Contacts.Records.Pointer;
+        BodyFlags* flags = input.Bodies.Flags.Pointer;
+        for (int word = 0; word < BlockWords; word++)
+        {
+            _marks[(from / BitSet.WordBits) + word] = 0;
+        }
+
+        int filled = 0;
+        for (int i = from; i < to; i++)
         {
             ContactRecord* record = records + i;
             if (throws[record->BodyA] + throws[record->BodyB] > 0 && record->IsIdle
                 && ((flags[record->BodyA] | flags[record->BodyB]) & BodyFlags.Asleep) == 0)
             {
-                ContactRowWriter.Name(_bundle.Pointer, filled++, i, *record);
+                ContactRowWriter.Name(bundle, filled++, i, *record);
                 if (filled == ContactBundle.Lanes)
                 {
-                    Look(input, filled);
+                    Look(input, bundle, filled);
                     filled = 0;
                 }
             }
@@ -91,22 +163,17 @@ internal sealed unsafe class StruckPairs
 
         if (filled > 0)
         {
-            Look(input, filled);
+            Look(input, bundle, filled);
         }
     }
 
-    /// <summary>Looks for the second points of rows of the bodies noted, which may be as far away as a blow turns them.</summary>
-    public void Widen(ContactUpdateInput input, ConstraintGraph graph)
+    private void Widen(in ContactUpdateInput input, ContactBundle* rewritten, int from, int to)
     {
         float* throws = Throws;
-        input.Throws = throws;
-
-        // The impulses of these rows are those of this step's substeps already.
-        input.ImpulseScale = 1;
         int filled = 0;
-        foreach (GraphColor color in graph.Used)
+        while (from < to)
         {
-            foreach (ContactBundle* bundle in color.Bundles)
+            foreach (ContactBundle* bundle in new BundleWalk(_ranges.From(from, to, out from)))
             {
                 ContactBundle.AskAhead(bundle->BodyA);
                 ContactBundle.AskAhead(bundle->Single);
@@ -120,13 +187,13 @@ internal sealed unsafe class StruckPairs
 
                     if (filled == 0)
                     {
-                        ContactRowWriter.ClearForWrite(_bundle.Pointer);
+                        ContactRowWriter.ClearForWrite(rewritten);
                     }
 
-                    ContactRowWriter.MoveLane(bundle, lane, _bundle.Pointer, filled++);
+                    ContactRowWriter.MoveLane(bundle, lane, rewritten, filled++);
                     if (filled == ContactBundle.Lanes)
                     {
-                        Rewrite(input, graph, filled);
+                        Rewrite(input, rewritten, filled);
                         filled = 0;
                     }
                 }
@@ -135,7 +202,7 @@ internal sealed unsafe class StruckPairs
 
         if (filled > 0)
         {
-            Rewrite(input, graph, filled);
+            Rewrite(input, rewritten, filled);
         }
     }
 
@@ -151,23 +218,21 @@ internal sealed unsafe class StruckPairs
         return bits;
     }
 
-    private void Rewrite(in ContactUpdateInput input, ConstraintGraph graph, int filled)
+    private void Rewrite(in ContactUpdateInput input, ContactBundle* bundle, int filled)
     {
-        ContactBundle* bundle = _bundle.Pointer;
         ContactUpdate.FillRows(input, bundle);
         for (int lane = 0; lane < filled; lane++)
         {
             if (input.Pairs->Count[lane] > 1)
             {
                 ref ContactRecord record = ref input.Contacts.Records[bundle->Contact[lane]];
-                ContactRowWriter.MoveLane(bundle, lane, graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
+                ContactRowWriter.MoveLane(bundle, lane, _graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
             }
         }
     }
 
-    private void Look(in ContactUpdateInput input, int filled)
+    private void Look(in ContactUpdateInput input, ContactBundle* bundle, int filled)
     {
-        ContactBundle* bundle = _bundle.Pointer;
         for (int lane = filled; lane < ContactBundle.Lanes; lane++)
         {
             ContactRowWriter.Unname(bundle, lane);
@@ -178,7 +243,8 @@ internal sealed unsafe class StruckPairs
         {
             if ((found & 1) != 0)
             {
-                _found.Add(bundle->Contact[lane]);
+                int contact = bundle->Contact[lane];
+                _marks[contact / BitSet.WordBits] |= 1UL << (contact % BitSet.WordBits);
             }
         }
     }

@@ -24,22 +24,13 @@ internal sealed partial class World
     /// <summary>The sweep that is to look at what is found.</summary>
     private Continuous.FastBodySweep _seeker = null!;
 
+    bool Continuous.IImpactListener.StaysWithin(int body, in BodyPath way) => _boxes.Hold(Bodies.Pose[body], body, ReachOf(body, way));
+
     void Continuous.IImpactListener.OnWay(Continuous.FastBodySweep sweep, int body, in BodyPath way)
     {
         _seeker = sweep;
         BodyPose pose = Bodies.Pose[body];
-        double endX = way.XAt(1) - pose.X;
-        double endY = way.YAt(1) - pose.Y;
-
-        // An arc leaves its chord by an eighth of the acceleration.
-        double bendX = Math.Abs(way.AccelerationX) / 8;
-        double bendY = Math.Abs(way.AccelerationY) / 8;
-        BodyReach reach;
-        reach.MinX = Math.Min(way.X - pose.X, endX) - bendX;
-        reach.MinY = Math.Min(way.Y - pose.Y, endY) - bendY;
-        reach.MaxX = Math.Max(way.X - pose.X, endX) + bendX;
-        reach.MaxY = Math.Max(way.Y - pose.Y, endY) + bendY;
-        reach.Turn = Math.Abs(way.Angle - pose.Angle) + Math.Abs(way.Spin) + (0.5 * Math.Abs(way.SpinGain));
+        BodyReach reach = ReachOf(body, way);
         if (_boxes.Hold(pose, body, reach))
         {
             return;
@@ -58,6 +49,25 @@ internal sealed partial class World
                     box.MaxY + reach.MaxY + swing));
             }
         }
+    }
+
+    /// <summary>How far a way leads from where a body is.</summary>
+    private BodyReach ReachOf(int body, in BodyPath way)
+    {
+        BodyPose pose = Bodies.Pose[body];
+        double endX = way.XAt(1) - pose.X;
+        double endY = way.YAt(1) - pose.Y;
+
+        // An arc leaves its chord by an eighth of the acceleration.
+        double bendX = Math.Abs(way.AccelerationX) / 8;
+        double bendY = Math.Abs(way.AccelerationY) / 8;
+        BodyReach reach;
+        reach.MinX = Math.Min(way.X - pose.X, endX) - bendX;
+        reach.MinY = Math.Min(way.Y - pose.Y, endY) - bendY;
+        reach.MaxX = Math.Max(way.X - pose.X, endX) + bendX;
+        reach.MaxY = Math.Max(way.Y - pose.Y, endY) + bendY;
+        reach.Turn = Math.Abs(way.Angle - pose.Angle) + Math.Abs(way.Spin) + (0.5 * Math.Abs(way.SpinGain));
+        return reach;
     }
 
     private void ForgetBeyond()

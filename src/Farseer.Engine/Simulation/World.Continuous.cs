@@ -13,12 +13,16 @@ internal sealed partial class World : IImpactListener
 {
     private readonly FastBodySweep _sweep = new FastBodySweep();
     private readonly FastBodySweep _secondSweep = new FastBodySweep();
+    private readonly SweepWork _sweepWork = new SweepWork();
     private readonly PairFlight _pairFlight;
 
     // By body, and the pairs by place, in scratch memory until the step ends.
     private unsafe int* _sweepPlace;
     private unsafe SweepRoles* _sweepRoles;
     private ScratchList<ulong> _sweepKeys;
+
+    // Where the pairs of each place begin.
+    private unsafe int* _sweepFirst;
     private int _sweepNext;
     private bool _sweepGathered;
 
@@ -59,8 +63,17 @@ internal sealed partial class World : IImpactListener
         SweepInput input = BeginSweep(dt, substep);
         FastList fast = _lists.Fast;
         int first = 2 * _contactStage.Lone.Count;
+        int most = FindSweepPlaces(first + fast.Count);
+        byte* clear = _sweepWork.FindClear(_runner, this, fast.Count, most, dt, substep, Scratch);
+        int heard = _events.ImpactsHeard;
         for (int i = 0; i < fast.Count; i++)
         {
+            // What a handler did may have changed the answers.
+            if (clear != null && clear[i] != 0 && _events.ImpactsHeard == heard)
+            {
+                continue;
+            }
+
             FillSweep(_sweep, first + i, -1);
             FastMotion motion = fast[i];
             if (IsThere(motion.Body) && (_sweepRoles[motion.Body] & SweepRoles.Paired) == 0)
@@ -68,6 +81,51 @@ internal sealed partial class World : IImpactListener
                 _sweep.Run(input, motion);
             }
         }
+    }
+
+    /// <summary>
+    /// Whether the sweep would leave a fast body as it is. What cannot move is where it is whatever happens to others, so the answer stands; of a body that
+    /// is looked after against others that move it is no.
+    /// </summary>
+    internal unsafe bool MeetsNothing(FastBodySweep sweep, int position, float dt, float substep)
+    {
+        int place = (2 * _contactStage.Lone.Count) + position;
+        sweep.Begin();
+        for (int i = _sweepFirst[place]; i < _sweepFirst[place + 1]; i++)
+        {
+            int contact = (int)(uint)_sweepKeys[i];
+            ref ContactRecord record = ref _contacts.Records[contact];
+            if (IsMovable(_sweepPlace[record.BodyA] == place ? record.BodyB : record.BodyA))
+            {
+                return false;
+            }
+
+            sweep.Add(contact, false);
+        }
+
+        return sweep.MeetsNothing(SweepOf(dt, substep), _lists.Fast[position]);
+    }
+
+    /// <summary>Finds where the pairs of each place begin.</summary>
+    /// <returns>How many a place has at most.</returns>
+    private unsafe int FindSweepPlaces(int places)
+    {
+        _sweepFirst = Scratch.Take<int>(places + 1);
+        int next = 0;
+        int most = 0;
+        for (int place = 0; place < places; place++)
+        {
+            _sweepFirst[place] = next;
+            while (next < _sweepKeys.Count && (int)(_sweepKeys[next] >> 32) == place)
+            {
+                next++;
+            }
+
+            most = Math.Max(most, next - _sweepFirst[place]);
+        }
+
+        _sweepFirst[places] = next;
+        return most;
     }
 
     private bool IsThere(int body)
@@ -78,6 +136,19 @@ internal sealed partial class World : IImpactListener
 
     private SweepInput BeginSweep(float dt, float substep)
     {
+        if (!_sweepGathered)
+        {
+            _sweepGathered = true;
+            ForgetBeyond();
+            GatherSweepPairs();
+            _sweepNext = 0;
+        }
+
+        return SweepOf(dt, substep);
+    }
+
+    private SweepInput SweepOf(float dt, float substep)
+    {
         SweepInput input;
         input.Bodies = Bodies;
         input.Shapes = Shapes;
@@ -87,14 +158,6 @@ internal sealed partial class World : IImpactListener
         input.Listener = this;
         input.Dt = dt;
         input.Substep = substep;
-        if (!_sweepGathered)
-        {
-            _sweepGathered = true;
-            ForgetBeyond();
-            GatherSweepPairs();
-            _sweepNext = 0;
-        }
-
         return input;
     }
 
@@ -102,6 +165,11 @@ internal sealed partial class World : IImpactListener
     private unsafe void FillSweep(FastBodySweep sweep, int place, int without)
     {
         sweep.Begin();
+        while (_sweepNext < _sweepKeys.Count && (int)(_sweepKeys[_sweepNext] >> 32) < place)
+        {
+            _sweepNext++;
+        }
+
         for (; _sweepNext < _sweepKeys.Count && (int)(_sweepKeys[_sweepNext] >> 32) == place; _sweepNext++)
         {
             int contact = (int)(uint)_sweepKeys[_sweepNext];
@@ -143,41 +211,64 @@ internal sealed partial class World : IImpactListener
             SetPlace(pairs[i].B.Body, (2 * i) + 1, SweepRoles.Fast | SweepRoles.Paired);
         }
 
-        const SweepRoles FastAtWall = SweepRoles.Fast | SweepRoles.Wall;
         ContactRecord* records = _contacts.Records.Pointer;
-        for (int i = 0; i < _contacts.End; i++)
+        ulong* marks = _sweepWork.MarkPairs(_runner, this, _contacts.End, Scratch);
+        for (int word = 0; word * BitSet.WordBits < _contacts.End; word++)
         {
-            ContactRecord* record = records + i;
-            SweepRoles a = roles[record->BodyA];
-            SweepRoles b = roles[record->BodyB];
-
-            // Few of all pairs are of this kind, so one question that nearly all answer alike comes first.
-            SweepRoles both = a | b;
-            if (((both & SweepRoles.Bullet) == 0 && (both & FastAtWall) != FastAtWall) || record->PieceA < 0)
+            for (ulong left = marks[word]; left != 0; left &= left - 1)
             {
-                continue;
-            }
+                int contact = (word * BitSet.WordBits) + BitSet.LowestBit(left);
+                ContactRecord* record = records + contact;
+                if (IsLookedAfter(roles[record->BodyA], roles[record->BodyB]))
+                {
+                    _sweepKeys.Add(((ulong)(uint)_sweepPlace[record->BodyA] << 32) | (uint)contact);
+                }
 
-            bool forA = (a & SweepRoles.Bullet) != 0 || ((a & SweepRoles.Fast) != 0 && (b & SweepRoles.Wall) != 0);
-            bool forB = (b & SweepRoles.Bullet) != 0 || ((b & SweepRoles.Fast) != 0 && (a & SweepRoles.Wall) != 0);
-            if (!(forA || forB) || !Responds(*record))
-            {
-                continue;
-            }
-
-            if (forA)
-            {
-                _sweepKeys.Add(((ulong)(uint)_sweepPlace[record->BodyA] << 32) | (uint)i);
-            }
-
-            if (forB)
-            {
-                _sweepKeys.Add(((ulong)(uint)_sweepPlace[record->BodyB] << 32) | (uint)i);
+                if (IsLookedAfter(roles[record->BodyB], roles[record->BodyA]))
+                {
+                    _sweepKeys.Add(((ulong)(uint)_sweepPlace[record->BodyB] << 32) | (uint)contact);
+                }
             }
         }
 
         RadixSort.Sort(Scratch, _sweepKeys.Pointer, null, _sweepKeys.Count);
     }
+
+    /// <summary>Marks those of some pairs in which one body is looked after against the other; the first is the first of a word of marks.</summary>
+    internal unsafe void MarkSwept(ulong* marks, int from, int to)
+    {
+        const SweepRoles FastAtWall = SweepRoles.Fast | SweepRoles.Wall;
+        ContactRecord* records = _contacts.Records.Pointer;
+        SweepRoles* roles = _sweepRoles;
+        for (int first = from; first < to; first += BitSet.WordBits)
+        {
+            ulong marked = 0;
+            int end = Math.Min(first + BitSet.WordBits, to);
+            for (int i = first; i < end; i++)
+            {
+                ContactRecord* record = records + i;
+                SweepRoles a = roles[record->BodyA];
+                SweepRoles b = roles[record->BodyB];
+
+                // Few of all pairs are of this kind, so one question that nearly all answer alike comes first.
+                SweepRoles both = a | b;
+                if (((both & SweepRoles.Bullet) == 0 && (both & FastAtWall) != FastAtWall) || record->PieceA < 0)
+                {
+                    continue;
+                }
+
+                if ((IsLookedAfter(a, b) || IsLookedAfter(b, a)) && Responds(*record))
+                {
+                    marked |= 1UL << (i % BitSet.WordBits);
+                }
+            }
+
+            marks[first / BitSet.WordBits] = marked;
+        }
+    }
+
+    private static bool IsLookedAfter(SweepRoles body, SweepRoles other) =>
+        (body & SweepRoles.Bullet) != 0 || ((body & SweepRoles.Fast) != 0 && (other & SweepRoles.Wall) != 0);
 
     private unsafe void SetPlace(int body, int place, SweepRoles role)
     {
