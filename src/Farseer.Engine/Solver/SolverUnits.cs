@@ -82,7 +82,7 @@ internal sealed unsafe class SolverUnits : IStageWork
         _recovery = input.Recovery;
         _anyDeep = input.AnyDeep;
         _coldStart = input.ColdStart;
-        input.Runner.Run(this, _count, 1);
+        input.Runner.RunEach(this, _count);
     }
 
     void IStageWork.Run(int worker, int from, int to)

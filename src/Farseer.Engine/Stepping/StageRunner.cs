@@ -22,8 +22,13 @@ internal sealed partial class StageRunner : IDisposable
     /// <summary>Most workers: a bit for each in <see cref="CrewPlace"/>, and one for "open".</summary>
     public const int MostWorkers = 62;
 
-    /// <summary>Blocks that a worker's own share of a phase is cut into: what is left of the last one is what a phase waits for.</summary>
+    /// <summary>
+    /// Blocks that a worker's own share of a phase is cut into: what is left of the last one is what a phase waits for. So those of a long phase
+    /// are no larger than so many times what is worth another thread's while.
+    /// </summary>
     private const int BlocksAShare = 4;
+    private const int LargestBlock = 16;
+    private const int MostBlocks = short.MaxValue;
 
     /// <summary>
     /// A helper that has found nothing to do for so many looks, some 0.8 ms, goes to sleep. What one thread does alone within a step of 10 ms takes 0.2 to
@@ -169,8 +174,16 @@ internal sealed partial class StageRunner : IDisposable
     /// <param name="least">Items that are worth being done by another thread.</param>
     public void Run(IStageWork work, int count, int least)
     {
-        int blocks = _isOpen ? Math.Min(count / least, BlocksAShare * Workers) : 1;
-        if (blocks < 2 || HelpersHere() == 0)
+        int wanted = Math.Max(BlocksAShare * Workers, count / least / LargestBlock);
+        RunBlocks(work, count, Math.Min(count / least, Math.Min(wanted, MostBlocks)));
+    }
+
+    /// <summary>The same for items of which each takes some 100 µs: one a block.</summary>
+    public void RunEach(IStageWork work, int count) => RunBlocks(work, count, Math.Min(count, MostBlocks));
+
+    private void RunBlocks(IStageWork work, int count, int blocks)
+    {
+        if (!_isOpen || blocks < 2 || HelpersHere() == 0)
         {
             if (count > 0)
             {

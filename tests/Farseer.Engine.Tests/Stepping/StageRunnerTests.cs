@@ -46,6 +46,30 @@ public class StageRunnerTests
         Assert.False(work.Shared, "Two calls at a time had the same worker.");
     }
 
+    [Theory]
+    [InlineData(2)]
+    [InlineData(5)]
+    public void RunEach_AndRunOfManyItems_DoEveryItemOnce(int workers)
+    {
+        const int Many = 100_000;
+        using StageRunner runner = new(workers, null);
+        Counting work = new(Many);
+        runner.Begin(Large);
+        for (int i = 0; i < 10; i++)
+        {
+            runner.Run(work, Many, 1);
+            runner.RunEach(work, Many);
+            runner.RunEach(work, 3);
+        }
+
+        runner.End();
+
+        for (int i = 0; i < Many; i++)
+        {
+            Assert.Equal(i < 3 ? 30 : 20, work.Counts[i]);
+        }
+    }
+
     [Fact]
     public void Run_WithHelpers_LetsThemWork()
     {
