@@ -174,16 +174,25 @@ internal sealed partial class StageRunner : IDisposable
     /// <param name="least">Items that are worth being done by another thread.</param>
     public void Run(IStageWork work, int count, int least)
     {
-        int wanted = Math.Max(BlocksAShare * Workers, count / least / LargestBlock);
-        RunBlocks(work, count, Math.Min(count / least, Math.Min(wanted, MostBlocks)));
+        int usual = BlocksAShare * Workers;
+        int wanted = Math.Max(usual, count / least / LargestBlock);
+        RunBlocks(work, count, Math.Min(count / least, Math.Min(wanted, MostBlocks)), wanted > usual);
     }
 
     /// <summary>The same for items of which each takes some 100 µs: one a block.</summary>
-    public void RunEach(IStageWork work, int count) => RunBlocks(work, count, Math.Min(count, MostBlocks));
-
-    private void RunBlocks(IStageWork work, int count, int blocks)
+    public void RunEach(IStageWork work, int count)
     {
-        if (!_isOpen || blocks < 2 || HelpersHere() == 0)
+        Call();
+        RunBlocks(work, count, Math.Min(count, MostBlocks), isLong: true);
+    }
+
+    /// <param name="work">The phase.</param>
+    /// <param name="count">Its items.</param>
+    /// <param name="blocks">Into how many blocks it may be cut.</param>
+    /// <param name="isLong">Helpers that are on their way may come before it is done.</param>
+    private void RunBlocks(IStageWork work, int count, int blocks, bool isLong)
+    {
+        if (!_isOpen || blocks < 2 || (!isLong && HelpersHere() == 0))
         {
             if (count > 0)
             {

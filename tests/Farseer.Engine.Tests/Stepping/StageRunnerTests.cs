@@ -86,6 +86,20 @@ public class StageRunnerTests
         Assert.Equal(2, work.Threads.Count);
     }
 
+    /// <summary>What a helper that comes late did not find was done by one thread alone, whatever was left of it.</summary>
+    [Fact]
+    public void RunEach_WithAHelperThatComesLate_LetsItWork()
+    {
+        Action? late = null;
+        using StageRunner runner = new(2, (_, help) => late = help);
+        Beckoning work = new(() => new Thread(() => late!()).Start());
+        runner.Begin(Large);
+        runner.RunEach(work, 1000);
+        runner.End();
+        Assert.True(work.ByHelper > 0, "The helper found nothing to do.");
+        Assert.Equal(1000, work.Done);
+    }
+
     [Fact]
     public void SmallStep_WakesNobody()
     {
@@ -200,6 +214,34 @@ public class StageRunnerTests
             }
 
             Thread.Sleep(from < 8 ? 1 : 0);
+        }
+    }
+
+    /// <summary>The first item calls for help, and the calling thread goes on slowly until it has come.</summary>
+    private sealed class Beckoning(Action call) : IStageWork
+    {
+        private int _byHelper;
+        private int _done;
+
+        public int ByHelper => _byHelper;
+
+        public int Done => _done;
+
+        public void Run(int worker, int from, int to)
+        {
+            if (Interlocked.Add(ref _done, to - from) == to - from)
+            {
+                call();
+            }
+
+            if (worker > 0)
+            {
+                Interlocked.Increment(ref _byHelper);
+            }
+            else if (Volatile.Read(ref _byHelper) == 0)
+            {
+                Thread.Sleep(1);
+            }
         }
     }
 
