@@ -12,7 +12,14 @@ internal readonly struct DragLaw
     public DragLaw(double k, double h)
     {
         double x = k * h;
-        if (x < SeriesLimit)
+        if (x == 0)
+        {
+            // What the series come to, to the bit: most bodies are not damped, and a small world has few others to share the divisions with.
+            Keep = 1;
+            First = h;
+            Second = h * h * 0.5;
+        }
+        else if (x < SeriesLimit)
         {
             // (1 - e^-x)/x and (x - 1 + e^-x)/x² as nested series: the closed forms lose their digits here. Error below 1e-13.
             double first = 1 - (x / 2 * (1 - (x / 3 * (1 - (x / 4 * (1 - (x / 5 * (1 - (x / 6 * (1 - (x / 7)))))))))));

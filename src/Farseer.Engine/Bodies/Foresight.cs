@@ -28,16 +28,19 @@ internal static unsafe class Foresight
     /// <summary>Puts the bodies of the list half a step before their middle.</summary>
     public static void Begin(BodyStore bodies, int* list, int count, float dt)
     {
+        BodyState* states = bodies.State.Pointer;
+        BodyDrive* drives = bodies.Drive.Pointer;
+        BodyMotion* motions = bodies.Motion.Pointer;
         for (int i = 0; i < count; i++)
         {
             int body = list[i];
-            ref BodyState state = ref bodies.State[body];
-            float lead = Math.Max(-LargestLead, Math.Min(LargestLead, 0.5f * dt * state.AngularVelocity));
-            bodies.Drive[body].Lead = lead;
-            bodies.Motion[body].Turned = -lead;
+            BodyState* state = states + body;
+            float lead = Math.Max(-LargestLead, Math.Min(LargestLead, 0.5f * dt * state->AngularVelocity));
+            drives[body].Lead = lead;
+            motions[body].Turned = -lead;
             float square = lead * lead;
-            state.DeltaSin = -lead * (1 - (square * (SineThird - (square * (SineFifth - (square * SineSeventh))))));
-            state.DeltaCos = 1 - (square * (0.5f - (square * (CosineFourth - (square * (CosineSixth - (square * CosineEighth)))))));
+            state->DeltaSin = -lead * (1 - (square * (SineThird - (square * (SineFifth - (square * SineSeventh))))));
+            state->DeltaCos = 1 - (square * (0.5f - (square * (CosineFourth - (square * (CosineSixth - (square * CosineEighth)))))));
         }
     }
 

@@ -24,6 +24,12 @@ internal static unsafe class Integrator
     [MethodImpl(KernelMethod.Optimized)]
     public static void IntegrateVelocities(int* list, int count, BodyState* states, BodyMotion* motions, BodyDrive* drives)
     {
+        // The padding is one body again and again, each time waiting for the time before.
+        while (count > 0 && list[count - 1] == 0)
+        {
+            count--;
+        }
+
         for (int i = 0; i < count; i++)
         {
             var state = (Vector4*)(states + list[i]);

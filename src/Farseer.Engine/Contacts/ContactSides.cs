@@ -167,6 +167,7 @@ internal sealed unsafe class ContactSides
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static SideFlags Describe(Piece* piece, ColliderFlags collider, BodyFlags body, bool moving)
     {
         SideFlags flags = moving ? SideFlags.Exists | SideFlags.Moves : SideFlags.Exists;

@@ -42,7 +42,8 @@ internal sealed unsafe class GraphColor
     /// <summary>Its contacts may share bodies and are solved one after the other.</summary>
     public bool IsSequential => _lanesUsed == 1;
 
-    public int BundleCount => (RowCount + _lanesUsed - 1) / _lanesUsed;
+    /// <summary>Bundles that have rows: asked for in every pass, so it is counted along.</summary>
+    public int BundleCount { get; private set; }
 
     /// <summary>All its bundles, those that lie behind each other at a time.</summary>
     public BundleRuns Runs => new BundleRuns(_arena, _first, 0, BundleCount);
@@ -57,6 +58,7 @@ internal sealed unsafe class GraphColor
     public void Clear()
     {
         RowCount = 0;
+        BundleCount = 0;
         while (_last >= 0)
         {
             Shorten();
@@ -90,6 +92,7 @@ internal sealed unsafe class GraphColor
         {
             GoOn();
             _inLast++;
+            BundleCount++;
             ContactBundle* bundle = _arena.Extents[_last].Bundles + (_inLast - 1);
             for (int i = 0; i < WideLanes.BundleLanes; i++)
             {
@@ -117,9 +120,13 @@ internal sealed unsafe class GraphColor
 
         ContactRowWriter.ClearLane(end, RowArena.LaneOf(last));
         RowCount--;
-        if (RowCount % _lanesUsed == 0 && --_inLast == 0)
+        if (RowCount % _lanesUsed == 0)
         {
-            Shorten();
+            BundleCount--;
+            if (--_inLast == 0)
+            {
+                Shorten();
+            }
         }
 
         return moved;

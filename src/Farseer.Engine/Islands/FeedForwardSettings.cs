@@ -25,6 +25,9 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     private const float TimeFactor = 16f;
     private const float LongestTime = 20f;
 
+    /// <summary>Safely below the square of a time that is as short as it may be, (0.05 s / 16)².</summary>
+    private const float ShortSquare = 9.7e-6f;
+
     /// <summary>
     /// The same in substeps, for each time that a contact holds the weight of its lighter body. Under a load of R times its own weight
     /// a box damps the mode by 1/√R only, for the passes give the load R times less than it gives the box; a feed-forward quicker than
@@ -58,6 +61,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         _rate = scratch.Take<float>(Math.Max(1, islands.Count));
         _ranges.Find(graph.Used);
         CollectSag(runner, islands, c, scratch);
+        float weight = c.Sag(c.Gravity * c.Substep);
         for (int i = 0; i < islands.Count; i++)
         {
             float sag = 0;
@@ -71,9 +75,8 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
             float time = LongestTime;
             if (c.Gravity > 0)
             {
-                time = TimeFactor * (float)Math.Sqrt(sag / c.Gravity);
-                time = time < ShortestTime ? ShortestTime : time > LongestTime ? LongestTime : time;
-                float weights = largest / c.Sag(c.Gravity * c.Substep);
+                time = SlowestTime(sag / c.Gravity);
+                float weights = largest / weight;
                 time = Math.Max(time, LoadFactor * weights * c.Substep);
             }
 
@@ -103,6 +106,20 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
                 }
             }
         }
+    }
+
+    /// <summary>By the slowest mode of an island.</summary>
+    /// <param name="square">The square of its time, 1/ω², s².</param>
+    private static float SlowestTime(float square)
+    {
+        // A single body on something: no root is needed to know.
+        if (square < ShortSquare)
+        {
+            return ShortestTime;
+        }
+
+        float time = TimeFactor * (float)Math.Sqrt(square);
+        return time < ShortestTime ? ShortestTime : time > LongestTime ? LongestTime : time;
     }
 
     /// <summary>Each worker finds the largest sags of its rows; the largest of these are those of all rows, in any order.</summary>

@@ -14,6 +14,9 @@ internal static class WideTrigonometry
     private const float HalfPiMiddle = 4.83751296997e-4f;
     private const float HalfPiLow = 7.54978995489e-8f;
 
+    /// <summary>Below π/4 by more than rounding: nearest to no quarter turn.</summary>
+    private const float NoQuarter = 0.78f;
+
     /// <summary>
     /// Sine and cosine of <paramref name="angle"/> (radians). The angle is brought into [-π/4, π/4], where the odd and even
     /// polynomials are within 6e-8 of the truth; the pair is then of unit length to rounding.
@@ -21,15 +24,21 @@ internal static class WideTrigonometry
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void SinCos(Wide angle, out Wide sin, out Wide cos)
     {
+#if NET8_0_OR_GREATER
+        // Turns of one step are small as a rule: the same bits without the way there and back, which is most of the chain.
+        if (WideLanes.Bits(Wide.Abs(angle) <= Wide.Splat(NoQuarter)) == (1 << Wide.Count) - 1)
+        {
+            Series(angle, out sin, out cos);
+            return;
+        }
+#endif
+
         Wide shift = Wide.Splat(RoundingShift);
         Wide quarter = ((angle * Wide.Splat(TwoOverPi)) + shift) - shift;
         Wide x = angle - (quarter * Wide.Splat(HalfPiHigh));
         x = x - (quarter * Wide.Splat(HalfPiMiddle));
         x = x - (quarter * Wide.Splat(HalfPiLow));
-        Wide z = x * x;
-        Wide s = x + (x * z * (Wide.Splat(-0.16666654611f) + (z * (Wide.Splat(8.3321608736e-3f) + (z * Wide.Splat(-1.9515295891e-4f))))));
-        Wide c = (Wide.One - (Wide.Splat(0.5f) * z))
-            + (z * z * (Wide.Splat(4.166664568298827e-2f) + (z * (Wide.Splat(-1.388731625493765e-3f) + (z * Wide.Splat(2.443315711809948e-5f))))));
+        Series(x, out Wide s, out Wide c);
 
         // quarter modulo 4 by the same rounding trick, in {-2, -1, 0, 1, 2}: odd quarters swap, halves change signs.
         Wide turns = ((quarter * Wide.Splat(0.25f)) + shift) - shift;
@@ -42,5 +51,14 @@ internal static class WideTrigonometry
         WideMask negativeQuarter = q < Wide.Zero;
         sin = Wide.Select(half | (odd & negativeQuarter), Wide.Zero - sinPart, sinPart);
         cos = Wide.Select(half | (odd & (q > Wide.Zero)), Wide.Zero - cosPart, cosPart);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Series(Wide x, out Wide sin, out Wide cos)
+    {
+        Wide z = x * x;
+        sin = x + (x * z * (Wide.Splat(-0.16666654611f) + (z * (Wide.Splat(8.3321608736e-3f) + (z * Wide.Splat(-1.9515295891e-4f))))));
+        cos = (Wide.One - (Wide.Splat(0.5f) * z))
+            + (z * z * (Wide.Splat(4.166664568298827e-2f) + (z * (Wide.Splat(-1.388731625493765e-3f) + (z * Wide.Splat(2.443315711809948e-5f))))));
     }
 }

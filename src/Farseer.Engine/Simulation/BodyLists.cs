@@ -167,23 +167,26 @@ internal sealed unsafe class BodyLists
         Fast.Begin(scratch, ActiveCount);
         _solver.EnsureCapacity(bodies.State.Capacity + WideLanes.BundleLanes);
         _free.EnsureCapacity(bodies.State.Capacity + 1);
-        SolverCount = 0;
-        FreeCount = 0;
         _work.FindHeld(runner, bodies, _active.Pointer, ActiveCount, new Holders { Graph = graph, Springs = springs, Joints = joints, All = all });
+        byte* marks = _work.Marks;
+        int* active = _active.Pointer;
+        int* solver = _solver.Pointer;
+        int* free = _free.Pointer;
+        int solved = 0;
         for (int i = 0; i < ActiveCount; i++)
         {
             // Which it is cannot be foreseen: both are written, and one of the two counts on.
-            int held = _work.Marks[i];
-            _solver[SolverCount] = _active[i];
-            _free[FreeCount] = _active[i];
-            SolverCount += held;
-            FreeCount += 1 - held;
+            solver[solved] = active[i];
+            free[i - solved] = active[i];
+            solved += marks[i];
         }
 
-        PaddedSolverCount = SolverCount;
-        while (PaddedSolverCount % WideLanes.BundleLanes != 0)
+        SolverCount = solved;
+        FreeCount = ActiveCount - solved;
+        PaddedSolverCount = (solved + WideLanes.BundleLanes - 1) & -WideLanes.BundleLanes;
+        for (int i = solved; i < PaddedSolverCount; i++)
         {
-            _solver[PaddedSolverCount++] = 0;
+            solver[i] = 0;
         }
     }
 

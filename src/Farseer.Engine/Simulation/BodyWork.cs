@@ -228,10 +228,11 @@ internal sealed unsafe class BodyWork : IStageWork
     private void FindHeld(int* list, int count, byte* marks)
     {
         Holders by = _holders;
+        int* degrees = by.Graph.Degrees;
         for (int i = 0; i < count; i++)
         {
             int body = list[i];
-            bool held = by.Graph.Degree(body) > 0 || by.Springs.Touches(body) || by.All || (by.Joints != null && by.Joints.Holds(body));
+            bool held = degrees[body] > 0 || by.Springs.Touches(body) || by.All || (by.Joints != null && by.Joints.Holds(body));
             marks[i] = held ? (byte)1 : (byte)0;
         }
     }

@@ -76,6 +76,11 @@ internal sealed unsafe class BoxStage : IStageWork
     {
         BodyStore bodies = _world.Bodies;
         ulong* visited = bodies.Visited.Words;
+        BodyFlags* allFlags = bodies.Flags.Pointer;
+        BodyPose* poses = bodies.Pose.Pointer;
+        BodyState* states = bodies.State.Pointer;
+        BodySize* sizes = bodies.Size.Pointer;
+        FitRecord* fits = _fits.Pointer;
         for (int word = from; word < to; word++)
         {
             ulong left = 0;
@@ -83,20 +88,20 @@ internal sealed unsafe class BoxStage : IStageWork
             int end = visited[word] == 0 ? first : Math.Min((word + 1) * BitSet.WordBits, bodies.Ids.End);
             for (int body = first; body < end; body++)
             {
-                BodyFlags flags = bodies.Flags[body];
+                BodyFlags flags = allFlags[body];
                 if ((flags & BodyFlags.Moved) != 0)
                 {
                     left |= 1UL << body;
                 }
                 else if (Moves(flags))
                 {
-                    if (HasLeft(bodies, body) || IsLoose(bodies, body))
+                    if (HasLeft(fits[body], poses[body], states[body]) || IsLoose(fits[body], states[body], sizes[body]))
                     {
                         Refit(body);
                         left |= 1UL << body;
                     }
 
-                    NoteSpeed(bodies, body, Motion(bodies.State[body], _fits[body].Reach));
+                    NoteSpeed(allFlags + body, sizes[body], Motion(states[body], fits[body].Reach));
                 }
             }
 
@@ -132,17 +137,16 @@ internal sealed unsafe class BoxStage : IStageWork
         Fit(world, body);
         if (Moves(flags))
         {
-            NoteSpeed(bodies, body, Motion(bodies.State[body], bodies.Size[body].Reach));
+            NoteSpeed(bodies.Flags.Pointer + body, bodies.Size[body], Motion(bodies.State[body], bodies.Size[body].Reach));
         }
     }
 
-    private static void NoteSpeed(BodyStore bodies, int body, float motion)
+    private static void NoteSpeed(BodyFlags* flags, in BodySize size, float motion)
     {
-        BodyFlags flags = bodies.Flags[body];
-        BodyFlags now = motion > bodies.Size[body].Extent ? flags | BodyFlags.Fast : flags & ~BodyFlags.Fast;
-        if (now != flags)
+        BodyFlags now = motion > size.Extent ? *flags | BodyFlags.Fast : *flags & ~BodyFlags.Fast;
+        if (now != *flags)
         {
-            bodies.Flags[body] = now;
+            *flags = now;
         }
     }
 
@@ -157,11 +161,8 @@ internal sealed unsafe class BoxStage : IStageWork
             && around - (y + reach.MinY) <= fit.Down && around + y + reach.MaxY <= fit.Up;
     }
 
-    private bool HasLeft(BodyStore bodies, int body)
+    private bool HasLeft(in FitRecord fit, in BodyPose pose, in BodyState state)
     {
-        ref FitRecord fit = ref _fits[body];
-        ref BodyPose pose = ref bodies.Pose[body];
-        ref BodyState state = ref bodies.State[body];
         float fromX = (float)(pose.X - fit.X);
         float fromY = (float)(pose.Y - fit.Y);
         float toX = fromX + (state.LinearVelocity.X * _dt);
@@ -175,11 +176,9 @@ internal sealed unsafe class BoxStage : IStageWork
     /// A body that was fast when it got its boxes and rests now would never leave them, and be paired with all around it for as long:
     /// pentagons that had fallen ten metres lay with twenty pairs each, of which two had points.
     /// </summary>
-    private bool IsLoose(BodyStore bodies, int body)
+    private bool IsLoose(in FitRecord fit, in BodyState state, in BodySize size)
     {
-        ref FitRecord fit = ref _fits[body];
-        ref BodyState state = ref bodies.State[body];
-        float around = ((MarginShare - SkinShare) * bodies.Size[body].Extent) + (StepsAhead * Swing(state, fit.Reach));
+        float around = ((MarginShare - SkinShare) * size.Extent) + (StepsAhead * Swing(state, fit.Reach));
         float ahead = StepsAhead * _dt * (Math.Abs(state.LinearVelocity.X) + Math.Abs(state.LinearVelocity.Y));
         return fit.Left + fit.Right + fit.Down + fit.Up > Looseness * ((4 * around) + ahead);
     }

@@ -356,6 +356,11 @@ internal sealed unsafe class ContactStage : IStageWork
     /// </summary>
     private void Give(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
     {
+        if (_gained.Count == 0)
+        {
+            return;
+        }
+
         ContactStore contacts = input.Contacts;
         _gainKeys.SetCount(_gained.Count);
         for (int i = 0; i < _gained.Count; i++)

@@ -67,6 +67,11 @@ internal sealed unsafe class FastPairStage : IStageWork
     public void Decide(
         StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld, StruckPairs struck, LonePairs lone)
     {
+        if (_contacts.Count == 0)
+        {
+            return;
+        }
+
         _struck = struck;
         RadixSort.Sort(input.Scratch, _keys.Pointer, _contacts.Pointer, _contacts.Count);
         _found = input.Scratch.Take<Outlook>(_contacts.Count);

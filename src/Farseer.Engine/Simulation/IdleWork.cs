@@ -90,8 +90,13 @@ internal sealed unsafe class IdleWork : IStageWork
     public void Update(StageRunner runner, in ContactUpdateInput input)
     {
         ContactStore contacts = input.Contacts;
-        _input = input;
         LookedCount = contacts.IdleCount;
+        if (LookedCount == 0)
+        {
+            return;
+        }
+
+        _input = input;
         if (contacts.KeepsGaps)
         {
             int bundles = Bundles(contacts.IdleCount);

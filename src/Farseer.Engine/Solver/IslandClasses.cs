@@ -283,15 +283,14 @@ internal sealed unsafe class IslandClasses
 
     private static bool IsAnyChosen(BodyStore bodies, int* list, int count)
     {
+        BodyFlags* flags = bodies.Flags.Pointer;
+        BodyFlags all = BodyFlags.None;
         for (int i = 0; i < count; i++)
         {
-            if ((bodies.Flags[list[i]] & BodyFlags.Substeps) != 0)
-            {
-                return true;
-            }
+            all |= flags[list[i]];
         }
 
-        return false;
+        return (all & BodyFlags.Substeps) != 0;
     }
 
     /// <summary>Where the user chose, the islands' own needs do not count; of several choices the finest does.</summary>
