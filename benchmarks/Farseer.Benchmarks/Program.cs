@@ -18,6 +18,8 @@ switch (args.Length > 0 ? args[0] : "")
         return SleepTiming.Run();
     case "scenes":
         return SceneCommand.Run(args.AsSpan(1), Console.Out, Console.Error);
+    case "resting":
+        return RestingTiming.Run(Console.Out);
     case "compare":
         return ResultComparison.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "bdn":
@@ -37,6 +39,7 @@ switch (args.Length > 0 ? args[0] : "")
         Console.WriteLine("  sleeping time of steps of worlds asleep and awake, and of allowing sleep where nothing rests");
         Console.WriteLine($"  {SceneCommand.Usage}");
         Console.WriteLine("          whole steps of the performance scenes");
+        Console.WriteLine("  resting time of a step of 1, 5, 10 and 20 boxes at rest");
         Console.WriteLine($"  {ResultComparison.Usage}");
         Console.WriteLine("          two result files of scenes --csv side by side; one: beside a run made now");
         Console.WriteLine($"  {SuiteCommand.Usage}");

@@ -82,17 +82,14 @@ internal static unsafe class BodyLanes
     }
 
     /// <summary>As <see cref="ScatterVelocity"/>, but leaves out the lanes whose inverse mass and inertia are both 0.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void ScatterMoving(BodyState* bodies, int* index, in WideVelocity v, float* mass, float* inertia)
     {
+        // The side of the ground, often of all lanes, costs no call.
         int moving = WideLanes.Bits((Wide.Load(mass) > Wide.Zero) | (Wide.Load(inertia) > Wide.Zero));
-        if (moving == (1 << Wide.Count) - 1)
+        if (moving != 0)
         {
-            ScatterVelocity(bodies, index, v);
-        }
-        else if (moving != 0)
-        {
-            ScatterSome(bodies, index, v, moving);
+            ScatterLanes(bodies, index, v, moving);
         }
     }
 
@@ -252,6 +249,19 @@ internal static unsafe class BodyLanes
 
         x = Wide.Load(t);
         y = Wide.Load(t + 8);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void ScatterLanes(BodyState* bodies, int* index, in WideVelocity v, int lanes)
+    {
+        if (lanes == (1 << Wide.Count) - 1)
+        {
+            ScatterVelocity(bodies, index, v);
+        }
+        else
+        {
+            ScatterSome(bodies, index, v, lanes);
+        }
     }
 
     // In stores of 16 bytes, as all others: what reads a record at once waits long for three stores that it spans.

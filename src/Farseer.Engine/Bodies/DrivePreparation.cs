@@ -29,6 +29,7 @@ internal static unsafe class DrivePreparation
         double lawDamping = 0;
         var law = new DragLaw(lawDamping, substep);
         Vector2 fall = Fall(gravity, law);
+        bool fallHolds = StateRange.Holds(fall.X, fall.Y, 0);
         for (int i = 0; i < count; i++)
         {
             int body = list[i];
@@ -68,9 +69,11 @@ internal static unsafe class DrivePreparation
                 lawDamping = damping;
                 law = new DragLaw(damping, substep);
                 fall = Fall(gravity, law);
+                fallHolds = StateRange.Holds(fall.X, fall.Y, 0);
             }
 
             // And most are pulled by nothing but gravity.
+            bool holds = fallHolds;
             if ((flags & BodyFlags.IgnoreGravity) == 0 && drag.Angular == 0 && drag.Rotational == 0 && IsNone(force))
             {
                 drive.X = fall.X;
@@ -82,9 +85,10 @@ internal static unsafe class DrivePreparation
             {
                 Vector2 pull = (flags & BodyFlags.IgnoreGravity) != 0 ? Vector2.Zero : gravity;
                 Drive(ref drive, pull, law, force, mass, drag, state.AngularVelocity, substep);
+                holds = StateRange.Holds(drive.X, drive.Y, drive.W);
             }
 
-            if (!StateRange.Holds(state) | !StateRange.Holds(drive.X, drive.Y, drive.W))
+            if (!StateRange.Holds(state) | !holds)
             {
                 marks[i] = 1;
                 found = true;

@@ -62,14 +62,17 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         _ranges.Find(graph.Used);
         CollectSag(runner, islands, c, scratch);
         float weight = c.Sag(c.Gravity * c.Substep);
+        float* sags = _sags;
+        float* rates = _rate;
+        int slot = islands.FirstSlot[0];
         for (int i = 0; i < islands.Count; i++)
         {
             float sag = 0;
             float largest = 0;
-            for (int slot = islands.FirstSlot[i]; slot < islands.FirstSlot[i + 1]; slot++)
+            for (int end = islands.FirstSlot[i + 1]; slot < end; slot++)
             {
-                sag += _sags[slot];
-                largest = Math.Max(largest, _sags[slot]);
+                sag += sags[slot];
+                largest = Math.Max(largest, sags[slot]);
             }
 
             float time = LongestTime;
@@ -80,7 +83,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
                 time = Math.Max(time, LoadFactor * weights * c.Substep);
             }
 
-            _rate[i] = Math.Min(1f, c.Substep / time);
+            rates[i] = Math.Min(1f, c.Substep / time);
         }
 
         _writes = true;

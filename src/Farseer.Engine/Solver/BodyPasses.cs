@@ -61,7 +61,9 @@ internal sealed unsafe class BodyPasses : IStageWork
 
     public void RestoreVelocities() => Run(Pass.Restore);
 
-    void IStageWork.Run(int worker, int from, int to)
+    void IStageWork.Run(int worker, int from, int to) => Run(from, to);
+
+    private void Run(int from, int to)
     {
         int first = from * WideLanes.BundleLanes;
         int end = to * WideLanes.BundleLanes;
@@ -108,6 +110,13 @@ internal sealed unsafe class BodyPasses : IStageWork
     private void Run(Pass pass)
     {
         _pass = pass;
+        if (_bundles < 2 * LeastBundles)
+        {
+            // Too few to share: not even asked.
+            Run(0, _bundles);
+            return;
+        }
+
         _runner.Run(this, _bundles, LeastBundles);
     }
 }

@@ -18,6 +18,13 @@ internal sealed unsafe class ContactPasses : IStageWork
     /// <summary>Bundles of a colour of a world whose rows are no longer near, some 8 MB in all colours.</summary>
     private const int MostNear = 384;
 
+    /// <summary>
+    /// Colours of up to so many bundles, all behind each other, are looked up once for all passes: in a small world the way to the rows took as
+    /// long as some of the passes over them. Far below what is shared.
+    /// </summary>
+    private const int MostShort = 8;
+
+    private ShortColor[] _short = new ShortColor[ConstraintGraph.ColorCount];
     private StageRunner _runner = null!;
     private BodyState* _states;
     private ContactCoefficients _coefficients;
@@ -35,11 +42,24 @@ internal sealed unsafe class ContactPasses : IStageWork
         Relax,
     }
 
-    public void Begin(StageRunner runner, BodyStore bodies, in ContactCoefficients coefficients)
+    /// <param name="runner">Who shares the passes.</param>
+    /// <param name="bodies">The store.</param>
+    /// <param name="coefficients">Constants of the substeps.</param>
+    /// <param name="colors">The rows of all passes that follow, whose points are known by now.</param>
+    public void Begin(StageRunner runner, BodyStore bodies, in ContactCoefficients coefficients, ReadOnlySpan<GraphColor> colors)
     {
         _runner = runner;
         _states = bodies.State.Pointer;
         _coefficients = coefficients;
+        if (_short.Length < colors.Length)
+        {
+            _short = new ShortColor[2 * colors.Length];
+        }
+
+        for (int i = 0; i < colors.Length; i++)
+        {
+            _short[i] = new ShortColor(colors[i]);
+        }
     }
 
     public void WarmStart(ReadOnlySpan<GraphColor> colors) => Run(colors, Pass.WarmStart, false);
@@ -68,21 +88,26 @@ internal sealed unsafe class ContactPasses : IStageWork
         while (runs.Next())
         {
             var rows = new BundleRun(runs.Bundles, runs.Count, runs.Following, far, _color.IsSequential);
-            if (_color.IsGrounded)
-            {
-                Run<ScatterMoving>(rows);
-            }
-            else
-            {
-                Run<ScatterAll>(rows);
-            }
+            Run(rows, _color.IsGrounded, OnePoint.Are(rows.Bundles, rows.Count));
         }
     }
 
-    private void Run<TScatter>(in BundleRun rows)
+    private void Run(in BundleRun rows, bool grounded, bool onePoint)
+    {
+        if (grounded)
+        {
+            Run<ScatterMoving>(rows, onePoint);
+        }
+        else
+        {
+            Run<ScatterAll>(rows, onePoint);
+        }
+    }
+
+    private void Run<TScatter>(in BundleRun rows, bool onePoint)
         where TScatter : struct, IVelocityScatter
     {
-        if (OnePoint.Are(rows.Bundles, rows.Count))
+        if (onePoint)
         {
             Run<TScatter, OnePoint>(rows);
         }
@@ -119,8 +144,41 @@ internal sealed unsafe class ContactPasses : IStageWork
         _flag = flag;
         for (int i = 0; i < colors.Length; i++)
         {
+            ref readonly ShortColor found = ref _short[i];
+            if (found.Rows.Count > 0)
+            {
+                Run(found.Rows, found.IsGrounded, found.HasOnePoint);
+                continue;
+            }
+
             _color = colors[i];
             _runner.Run(this, _color.BundleCount, _color.IsSequential ? int.MaxValue : LeastBundles);
+        }
+    }
+
+    /// <summary>Where the rows of a colour of few bundles are; no rows: it is not one, or they lie apart.</summary>
+    private readonly struct ShortColor
+    {
+        public readonly BundleRun Rows;
+        public readonly bool IsGrounded;
+        public readonly bool HasOnePoint;
+
+        public ShortColor(GraphColor color)
+        {
+            Rows = default;
+            IsGrounded = color.IsGrounded;
+            HasOnePoint = false;
+            if (color.BundleCount > MostShort)
+            {
+                return;
+            }
+
+            BundleRuns runs = color.Runs;
+            if (runs.Next() && runs.Count == color.BundleCount)
+            {
+                Rows = new BundleRun(runs.Bundles, runs.Count, runs.Following, isFar: false, color.IsSequential);
+                HasOnePoint = OnePoint.Are(runs.Bundles, runs.Count);
+            }
         }
     }
 }

@@ -80,7 +80,6 @@ internal sealed unsafe class SubstepSolver
     {
         ContactCoefficients coefficients = input.Coefficients;
         _bodies.Begin(input);
-        _passes.Begin(input.Runner, input.Bodies, coefficients);
         double recovery = input.AnyDeep ? RecoveryRate(input.Recovery, input.Substeps) : 0;
         if (input.AnyBounce)
         {
@@ -99,6 +98,8 @@ internal sealed unsafe class SubstepSolver
         {
             _impacts.Begin(input.Colors, input.Bodies);
         }
+
+        _passes.Begin(input.Runner, input.Bodies, coefficients, input.Colors);
 
         int sweeps = !input.ColdStart ? 1 : input.RowCount <= FewRows ? FewRowsSweeps : ColdStartSweeps;
 
