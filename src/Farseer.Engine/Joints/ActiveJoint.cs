@@ -73,7 +73,11 @@ internal unsafe struct ActiveJoint
     /// <summary>Response k of a row.</summary>
     public fixed double Response[JointRows.Most];
 
-    /// <summary>Spring: Δλ = -(q·v + κ·φ + k·λ)/(k·(1 + q)), the sum of the substep's λ starting from 0.</summary>
+    /// <summary>Spring: Δλ = -(q·v + κ·(φ + c·u) + k·λ)/(k·(1 + q)), the sum of the substep's λ starting from 0; u is the speed before all loads.</summary>
     public fixed double SpringQ[JointRows.Most];
     public fixed double SpringKappa[JointRows.Most];
+    public fixed double SpringLead[JointRows.Most];
+
+    /// <summary>c·u.</summary>
+    public fixed double SpringAhead[JointRows.Most];
 }

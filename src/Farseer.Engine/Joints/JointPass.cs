@@ -20,13 +20,6 @@ internal sealed unsafe partial class JointPass
     /// <summary>An impulse on a limit that changes the speed by less than this share is a tie, decided by rounding.</summary>
     public const double Touching = 1e-2;
 
-    /// <summary>
-    /// Frequency and damping of a spring are those of the masses it feels, but of no less than this share of its bodies' own. Where
-    /// joints leave its row next to no freedom (a body on a hinge, pulled along its arm) it would else be so stiff that what little
-    /// of it turns the body throws it about. A rod that is welded at its end feels 1/4.
-    /// </summary>
-    private const double LeastFreedom = 0.125;
-
     // Blocks of a net are soft, tied to the substep rate as contacts are: ωh = π/2, ζ = 2.
     private const double AngularStep = 1.5707963267948966;
     private const double NetDamping = 4 + AngularStep;
@@ -128,51 +121,6 @@ internal sealed unsafe partial class JointPass
     private double Coupling(ActiveJoint* joint, JointRows* r, int p, int q) =>
         RowEnds.Response(_view.Nodes, &joint->Ends, r->A + (p * 3), r->B + (p * 3), r->A + (q * 3), r->B + (q * 3));
 
-    /// <summary>
-    /// The exact discrete spring v' = (v - κφ)/D with D = exp(2ζωh) and κ = (1 + D - 2√D·cos(ω√(1-ζ²)·h))/h has the frequency and
-    /// damping of the continuous one at every h; from half a turn a substep on, the implicit form, which is stable always.
-    /// </summary>
-    private static void SetSpring(TreeNode* nodes, ActiveJoint* joint, JointRows* r, int k, double h)
-    {
-        if (r->Type[k] != (byte)RowType.Spring)
-        {
-            return;
-        }
-
-        double own = Own(nodes, joint->Ends.NodeA, r->A + (k * 3)) + Own(nodes, joint->Ends.NodeB, r->B + (k * 3));
-        double share = SpringShare(joint->Response[k], own, r->SpringMass);
-        FindSpring(share, r->Stiffness[k], r->Damping[k], h, out joint->SpringQ[k], out joint->SpringKappa[k]);
-    }
-
-    /// <summary>The share of its frequency and damping that a spring has, of its response and that of the bodies alone.</summary>
-    public static double SpringShare(double response, double own, double mass)
-    {
-        // A stiffness ω²/L and a damping 2ζω/L, felt with a response below L. A spring of a given mass m has mω² and 2mζω, whatever mass
-        // the row feels: both are in proportion to the root of the ratio.
-        double least = LeastFreedom * own;
-        return mass > 0 ? Math.Sqrt(mass * Math.Max(0, response)) : response < least ? Math.Sqrt(Math.Max(0, response) / least) : 1;
-    }
-
-    /// <summary>What a spring does in a substep, of that share, frequency and damping ratio.</summary>
-    public static void FindSpring(double share, double stiffness, double damping, double h, out double q, out double kappa)
-    {
-        double omega = stiffness * share;
-        double zeta = damping * share;
-        double wave = omega * h * Math.Sqrt(Math.Abs(1 - (zeta * zeta)));
-        if ((zeta < 1 && wave >= Math.PI) || (2 * zeta * omega * h) > 50)
-        {
-            q = h * ((2 * zeta * omega) + (h * omega * omega));
-            kappa = h * omega * omega;
-            return;
-        }
-
-        double root = StableMath.Exp(zeta * omega * h);
-        double cosine = zeta < 1 ? StableMath.Cos(wave) : 0.5 * (StableMath.Exp(wave) + StableMath.Exp(-wave));
-        double d = root * root;
-        q = d - 1;
-        kappa = (1 + d - (2 * root * cosine)) / h;
-    }
-
     /// <summary>J M⁻¹ Jᵀ with the mass of the body alone.</summary>
     private static double Own(TreeNode* nodes, int node, double* j) => node < 0
         ? 0
@@ -270,7 +218,7 @@ internal sealed unsafe partial class JointPass
                     return;
                 }
 
-                now = old - (((joint->SpringQ[k] * v) + (joint->SpringKappa[k] * r->Error[k]) + (response * old))
+                now = old - (((joint->SpringQ[k] * v) + (joint->SpringKappa[k] * (r->Error[k] + joint->SpringAhead[k])) + (response * old))
                     / (response * (1 + joint->SpringQ[k])));
                 if (joint->Kind == JointKind.Target && k == Across)
                 {

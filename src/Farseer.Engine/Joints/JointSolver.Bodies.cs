@@ -375,6 +375,19 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
+    /// <summary>Springs note how fast their bodies go before they are driven.</summary>
+    private void Foresee()
+    {
+        for (int i = 0; i < _agendaCount; i++)
+        {
+            int item = _agenda[i];
+            if (item >= 0)
+            {
+                _pass.Foresee(_active.Pointer + item, _rows.Pointer + item, _step.Bodies);
+            }
+        }
+    }
+
     private void DriveDoubles()
     {
         BodyState* states = _step.Bodies.State.Pointer;

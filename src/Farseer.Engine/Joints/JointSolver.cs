@@ -173,6 +173,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
             }
         }
 
+        Foresee();
         DriveDoubles();
         Kick(-0.5f);
         LoadVelocities();

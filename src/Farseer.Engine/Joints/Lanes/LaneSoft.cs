@@ -51,6 +51,8 @@ internal unsafe struct LaneSoftRow
     public fixed double Damping[4];
     public fixed double Q[4];
     public fixed double Kappa[4];
+    public fixed double Lead[4];
+    public fixed double Ahead[4];
 }
 
 /// <summary>The rows of one joint, and how its two bodies answer each other.</summary>

@@ -114,7 +114,7 @@ internal static unsafe class LaneSweep
     {
         WideDouble q = WideDouble.Load(row->Q);
         WideDouble response = WideDouble.Load(row->Response);
-        WideDouble pull = (q * v) + (WideDouble.Load(row->Kappa) * error) + (response * old);
+        WideDouble pull = (q * v) + (WideDouble.Load(row->Kappa) * (error + WideDouble.Load(row->Ahead))) + (response * old);
         return old - (pull / (response * (WideDouble.Splat(1) + q)));
     }
 
@@ -213,7 +213,7 @@ internal static unsafe class LaneSweep
         {
             double own = OwnOf(walks, place->NodeA, row->A, lane) + OwnOf(walks, place->NodeB, row->B, lane);
             double share = JointPass.SpringShare(row->Response[lane], own, soft->SpringMass[lane]);
-            JointPass.FindSpring(share, row->Stiffness[lane], row->Damping[lane], h, out row->Q[lane], out row->Kappa[lane]);
+            JointPass.FindSpring(share, row->Stiffness[lane], row->Damping[lane], h, true, out row->Q[lane], out row->Kappa[lane], out row->Lead[lane]);
         }
     }
 

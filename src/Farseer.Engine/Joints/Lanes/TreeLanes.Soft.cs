@@ -272,6 +272,42 @@ internal sealed unsafe partial class TreeLanes
         row->Share[0] = rows->Share[k];
         row->Stiffness[0] = rows->Stiffness[k];
         row->Damping[0] = rows->Damping[k];
+        row->Ahead[0] = 0;
+    }
+
+    /// <summary>See <see cref="JointPass.Foresee"/>. Of a tree with contacts the joints themselves are told: they are swept there.</summary>
+    private void Foresee(LaneTrees* trees, int lane)
+    {
+        for (int i = trees->SoftFirst; i < trees->SoftFirst + trees->Softs; i++)
+        {
+            LaneSoft* soft = DoubleLanes.Shift(_softs.Pointer + i, lane);
+            LaneSoftPlace* place = _softPlaces.Pointer + i;
+            int active = ActiveOf(trees, place, lane);
+            for (int k = 0; k < place->Rows; k++)
+            {
+                LaneSoftKind kind = k == 0 ? place->Kind0 : place->Kind1;
+                LaneSoftRow* row = k == 0 ? &soft->Row0 : &soft->Row1;
+                if (kind.IsSpring && trees->Touched)
+                {
+                    JointRows* rows = _rows + active;
+                    double speed = StartSpeed(trees, lane, place->NodeA, _active[active].Ends.BodyA, rows->A + (kind.Index * 3), 1)
+                        + StartSpeed(trees, lane, place->NodeB, _active[active].Ends.BodyB, rows->B + (kind.Index * 3), 1);
+                    _active[active].SpringAhead[kind.Index] = _active[active].SpringLead[kind.Index] * speed;
+                }
+                else if (kind.IsSpring)
+                {
+                    double speed = StartSpeed(trees, lane, place->NodeA, _active[active].Ends.BodyA, row->A, Y)
+                        + StartSpeed(trees, lane, place->NodeB, _active[active].Ends.BodyB, row->B, Y);
+                    row->Ahead[0] = row->Lead[0] * speed;
+                }
+            }
+        }
+    }
+
+    private double StartSpeed(LaneTrees* trees, int lane, int node, int body, double* j, int stride)
+    {
+        double* held = DoubleLanes.Shift(_nodes.Pointer + trees->First + Math.Max(0, node), lane)->Velocity;
+        return HeldVelocity.StartSpeed(_step.Bodies, body, node >= 0, held, Y, j, stride);
     }
 
     /// <summary>The impulses of a tree's motors and springs to its joints.</summary>
@@ -297,18 +333,20 @@ internal sealed unsafe partial class TreeLanes
                 continue;
             }
 
-            PutRowBack(joint, place->Kind0.Index, before ? soft->Row0.Before[0] : soft->Row0.Lambda[0]);
+            PutRowBack(joint, place->Kind0.Index, &soft->Row0, before);
             if (place->Rows > 1)
             {
-                PutRowBack(joint, place->Kind1.Index, before ? soft->Row1.Before[0] : soft->Row1.Lambda[0]);
+                PutRowBack(joint, place->Kind1.Index, &soft->Row1, before);
             }
         }
     }
 
-    private static void PutRowBack(ActiveJoint* joint, int row, double lambda)
+    private static void PutRowBack(ActiveJoint* joint, int index, LaneSoftRow* row, bool before)
     {
-        joint->Lambda[row] = lambda;
-        joint->PlainLambda[row] = lambda;
+        double lambda = before ? row->Before[0] : row->Lambda[0];
+        joint->Lambda[index] = lambda;
+        joint->PlainLambda[index] = lambda;
+        joint->SpringAhead[index] = row->Ahead[0];
     }
 
     /// <summary>Notes what the joints have given before a pass: a tree that is given back starts the pass anew elsewhere.</summary>

@@ -86,6 +86,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
                     continue;
                 }
 
+                Foresee(trees, lane);
                 bool free = _forest.Trees[trees->Tree[lane]].Free;
                 for (int i = 0; i < trees->Nodes; i++)
                 {

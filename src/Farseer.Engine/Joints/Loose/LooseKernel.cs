@@ -55,7 +55,7 @@ internal static unsafe class LooseKernel
                 if (place->Type[k] == (byte)RowType.Spring)
                 {
                     (OwnOfSpring(a, massA, inertiaA) + OwnOfSpring(b, massB, inertiaB)).Store(row->Soft.Own);
-                    SetSprings(row, bundle->SpringMass, h);
+                    SetSprings(row, bundle->SpringMass, h, place->Kind != JointKind.Target);
                 }
             }
         }
@@ -246,7 +246,7 @@ internal static unsafe class LooseKernel
     }
 
     /// <summary>Most feel their frequency as it is, substep after substep: then what follows from it stays.</summary>
-    private static void SetSprings(LooseRow* row, double* mass, double h)
+    private static void SetSprings(LooseRow* row, double* mass, double h, bool alone)
     {
         LaneSoftRow* soft = &row->Soft;
         for (int lane = 0; lane < WideDouble.Count; lane++)
@@ -255,7 +255,7 @@ internal static unsafe class LooseKernel
             if (share != row->SpringShare[lane])
             {
                 row->SpringShare[lane] = share;
-                JointPass.FindSpring(share, soft->Stiffness[lane], soft->Damping[lane], h, out soft->Q[lane], out soft->Kappa[lane]);
+                JointPass.FindSpring(share, soft->Stiffness[lane], soft->Damping[lane], h, alone, out soft->Q[lane], out soft->Kappa[lane], out soft->Lead[lane]);
             }
         }
     }

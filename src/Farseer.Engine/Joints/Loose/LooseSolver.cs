@@ -1,4 +1,5 @@
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Lanes;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
@@ -61,6 +62,7 @@ internal sealed unsafe partial class LooseSolver
     public void Enter()
     {
         MarkExact();
+        Foresee();
         BodyState* states = _step.Bodies.State.Pointer;
         for (int i = Nobody + 1; i < _bodyCount; i++)
         {
@@ -94,6 +96,27 @@ internal sealed unsafe partial class LooseSolver
 
         StoreVelocities();
     }
+
+    /// <summary>See <see cref="JointPass.Foresee"/>.</summary>
+    private void Foresee()
+    {
+        for (int i = 0; i < _bundleCount; i++)
+        {
+            LoosePlace* place = _places.Pointer + i;
+            for (int k = 0; k < place->Rows; k++)
+            {
+                for (int lane = 0; lane < place->Count && place->Type[k] == (byte)RowType.Spring; lane++)
+                {
+                    LaneSoftRow* row = &DoubleLanes.Shift(_looseRows.Pointer + place->FirstRow + k, lane)->Soft;
+                    double speed = StartSpeed(_bodies.Pointer + place->BodyA[lane], row->A) + StartSpeed(_bodies.Pointer + place->BodyB[lane], row->B);
+                    row->Ahead[0] = row->Lead[0] * speed;
+                }
+            }
+        }
+    }
+
+    private double StartSpeed(LooseBody* body, double* j) =>
+        HeldVelocity.StartSpeed(_step.Bodies, body->Body, body->Node >= 0, body->Velocity, 1, j, Y);
 
     /// <summary>Bodies that something other than limits holds, or a limit that pushes.</summary>
     private void MarkExact()
