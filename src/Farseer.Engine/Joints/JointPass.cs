@@ -1,7 +1,6 @@
 using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Trees;
-using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Joints;
 

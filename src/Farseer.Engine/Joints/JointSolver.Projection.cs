@@ -17,6 +17,7 @@ internal sealed unsafe partial class JointSolver
         {
             JointTree* tree = _forest.Trees + _trees[at];
             tree->Undone = tree->Astray;
+            tree->Strayed = tree->Astray;
             any |= tree->Astray;
         }
 
@@ -39,14 +40,12 @@ internal sealed unsafe partial class JointSolver
             }
 
             tree->Gains = GainsByProjection(tree);
-            if (!tree->Gains)
+            for (int i = tree->First; i < tree->End && !(tree->Gains && tree->Strayed); i++)
             {
-                for (int i = tree->First; i < tree->End; i++)
+                TreeNode* node = _forest.Nodes + i;
+                for (int k = 0; k < 3; k++)
                 {
-                    TreeNode* node = _forest.Nodes + i;
-                    node->Velocity[0] = ProjectedSpeed(node, 0);
-                    node->Velocity[1] = ProjectedSpeed(node, 1);
-                    node->Velocity[2] = ProjectedSpeed(node, 2);
+                    node->Velocity[k] = tree->Gains ? node->PlainVelocity[k] : ProjectedSpeed(node, k);
                 }
             }
         }
@@ -77,8 +76,9 @@ internal sealed unsafe partial class JointSolver
 
     /// <summary>
     /// The way to the projected place, taken as a speed, has more energy than the body had. A chain that is as long as its gap can close an
-    /// error along itself only by a far larger bend: as a speed that bend would throw off what lies on it. The bodies keep the speeds
-    /// that they had, which the relax pass brings into line with the joints.
+    /// error along itself only by a far larger bend: as a speed that bend would throw off what lies on it. Such a tree is left with the speeds of
+    /// its last correction, which are small; those that only touch it keep the speeds that they had, or a car that drives onto a taut bridge would
+    /// stand at once. The relax pass brings both into line with the joints.
     /// </summary>
     private bool GainsByProjection(JointTree* tree)
     {

@@ -71,6 +71,9 @@ internal struct JointTree
     /// <summary>Its correction is taken back, since a tree that it touches went astray.</summary>
     public bool Undone;
 
+    /// <summary>Its own correction went astray.</summary>
+    public bool Strayed;
+
     /// <summary>Its projection would have made energy: it moved the bodies, and their speeds stayed as they were.</summary>
     public bool Gains;
 
