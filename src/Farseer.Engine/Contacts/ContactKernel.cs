@@ -30,7 +30,7 @@ internal static unsafe class ContactKernel
         ContactBundle* end = rows.Bundles + rows.Count;
         for (ContactBundle* row = rows.Bundles; row < end; row++)
         {
-            rows.AskForStart(row, two);
+            rows.AskForStart(row, bodies, two);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);

@@ -32,7 +32,7 @@ internal static unsafe class ContactStages
         ContactWork* end = work + count;
         for (; work < end; work++, row++)
         {
-            rows.AskAhead(row);
+            rows.AskForBiased(row, bodies, two, anyDeep);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Gather(row, lane, work, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
@@ -90,7 +90,7 @@ internal static unsafe class ContactStages
         ContactWork* end = work + count;
         for (; work < end; work++, row++)
         {
-            rows.AskAhead(row);
+            rows.AskForRelaxed(row, bodies, two);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Gather(row, lane, work, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);

@@ -31,4 +31,19 @@ internal static unsafe class Prefetch
         }
 #endif
     }
+
+    /// <summary>
+    /// The same, no nearer than the second-level cache: for the many lines of what is read some steps on. The nearest cache waits for few lines at a
+    /// time, and has no room for so many.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void LineInBulk(void* address)
+    {
+#if NET8_0_OR_GREATER
+        if (Sse.IsSupported)
+        {
+            Sse.Prefetch1(address);
+        }
+#endif
+    }
 }
