@@ -29,11 +29,8 @@ internal struct WideDelta
 /// Moves 16-byte halves of <see cref="BodyState"/> between memory and lanes. Eight loads and eight in-lane shuffles; hardware
 /// gathers were measured 1.7 times slower. Scatter writes the velocity half only.
 /// </summary>
-internal static unsafe class BodyLanes
+internal static unsafe partial class BodyLanes
 {
-    /// <summary>Records that a 4 by 4 matrix holds.</summary>
-    private const int BlockLanes = 4;
-
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void GatherVelocity(BodyState* bodies, int* index, out WideVelocity v)
     {
@@ -44,6 +41,56 @@ internal static unsafe class BodyLanes
     public static void GatherDelta(BodyState* bodies, int* index, out WideDelta d)
     {
         Gather((float*)bodies + 4, index, out d.X, out d.Y, out d.Sin, out d.Cos);
+    }
+
+    /// <summary>The velocities of two bundles' bodies: turned by way of memory, which is waited for once.</summary>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void GatherVelocities(BodyState* bodies, int* indexA, int* indexB, out WideVelocity a, out WideVelocity b)
+    {
+        if (MatrixTurn.IsUsed)
+        {
+            FourColumns ofA;
+            FourColumns ofB;
+            TurnRecords((float*)bodies, indexA, 8, (float*)&ofA, Wide.Count);
+            TurnRecords((float*)bodies, indexB, 8, (float*)&ofB, Wide.Count);
+            a.X = ofA.A;
+            a.Y = ofA.B;
+            a.W = ofA.C;
+            b.X = ofB.A;
+            b.Y = ofB.B;
+            b.W = ofB.C;
+            return;
+        }
+
+        GatherVelocity(bodies, indexA, out a);
+        GatherVelocity(bodies, indexB, out b);
+    }
+
+    /// <summary>What two bundles' bodies have moved, likewise.</summary>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void GatherDeltas(BodyState* bodies, int* indexA, int* indexB, out WideDelta a, out WideDelta b)
+    {
+        if (MatrixTurn.IsUsed)
+        {
+            FourColumns ofA;
+            FourColumns ofB;
+            TurnRecords((float*)bodies + 4, indexA, 8, (float*)&ofA, Wide.Count);
+            TurnRecords((float*)bodies + 4, indexB, 8, (float*)&ofB, Wide.Count);
+            a.X = ofA.A;
+            a.Y = ofA.B;
+            a.Sin = ofA.C;
+            a.Cos = ofA.D;
+            b.X = ofB.A;
+            b.Y = ofB.B;
+            b.Sin = ofB.C;
+            b.Cos = ofB.D;
+            return;
+        }
+
+        GatherDelta(bodies, indexA, out a);
+        GatherDelta(bodies, indexB, out b);
     }
 
     /// <summary>
@@ -121,6 +168,74 @@ internal static unsafe class BodyLanes
         GatherByElement(records, index, 8, out a, out b, out c, out d);
     }
 
+    /// <summary>Four floats of the records of two columns, and of as many bodies, turned by way of memory, which is waited for once.</summary>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Gather(float* first, float* second, int* index, out FourColumns a, out FourColumns b)
+    {
+        if (MatrixTurn.IsUsed)
+        {
+            FourColumns turnedA;
+            FourColumns turnedB;
+            TurnRecords(first, index, 8, (float*)&turnedA, Wide.Count);
+            TurnRecords(second, index, 8, (float*)&turnedB, Wide.Count);
+            a = turnedA;
+            b = turnedB;
+            return;
+        }
+
+        Gather(first, index, out a.A, out a.B, out a.C, out a.D);
+        Gather(second, index, out b.A, out b.B, out b.C, out b.D);
+    }
+
+    /// <summary>Four floats of the records of two bundles' bodies, likewise.</summary>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void GatherBoth(float* records, int* indexA, int* indexB, out FourColumns a, out FourColumns b)
+    {
+        if (MatrixTurn.IsUsed)
+        {
+            FourColumns turnedA;
+            FourColumns turnedB;
+            TurnRecords(records, indexA, 8, (float*)&turnedA, Wide.Count);
+            TurnRecords(records, indexB, 8, (float*)&turnedB, Wide.Count);
+            a = turnedA;
+            b = turnedB;
+            return;
+        }
+
+        Gather(records, indexA, out a.A, out a.B, out a.C, out a.D);
+        Gather(records, indexB, out b.A, out b.B, out b.C, out b.D);
+    }
+
+    /// <summary>The same of four columns.</summary>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Gather(
+        float* first,
+        float* second,
+        float* third,
+        float* fourth,
+        int* index,
+        out FourColumns a,
+        out FourColumns b,
+        out FourColumns c,
+        out FourColumns d)
+    {
+        FourColumns turnedA;
+        FourColumns turnedB;
+        FourColumns turnedC;
+        FourColumns turnedD;
+        TurnRecords(first, index, 8, (float*)&turnedA, Wide.Count);
+        TurnRecords(second, index, 8, (float*)&turnedB, Wide.Count);
+        TurnRecords(third, index, 8, (float*)&turnedC, Wide.Count);
+        TurnRecords(fourth, index, 8, (float*)&turnedD, Wide.Count);
+        a = turnedA;
+        b = turnedB;
+        c = turnedC;
+        d = turnedD;
+    }
+
     /// <summary>
     /// Reads whole records of 16 floats, and writes lane vectors <see cref="WideLanes.BundleLanes"/> floats apart. The places of the
     /// records are worked out once for all four quarters.
@@ -158,12 +273,7 @@ internal static unsafe class BodyLanes
 #endif
         for (int i = 0; i < 16; i += 4)
         {
-            GatherByElement(records + i, index, 16, out Wide a, out Wide b, out Wide c, out Wide d);
-            a.Store(target);
-            b.Store(target + WideLanes.BundleLanes);
-            c.Store(target + (2 * WideLanes.BundleLanes));
-            d.Store(target + (3 * WideLanes.BundleLanes));
-            target += 4 * WideLanes.BundleLanes;
+            TurnRecords(records + i, index, 16, target + (i * WideLanes.BundleLanes), WideLanes.BundleLanes);
         }
     }
 
@@ -211,44 +321,37 @@ internal static unsafe class BodyLanes
         ScatterByElement(records, index, a, b, c, d);
     }
 
-    // Four records at a time through the framework's transposition of a matrix, which moves numbers and computes nothing: one by one they took half
-    // of a step. Kept out of line: a method with a stack buffer is not inlined.
     [SkipLocalsInit]
     private static void GatherByElement(float* records, int* index, int stride, out Wide a, out Wide b, out Wide c, out Wide d)
     {
-        float* t = stackalloc float[4 * WideLanes.BundleLanes];
-        Matrix4x4 block = default;
-        Vector4* rows = (Vector4*)&block;
-        for (int i = 0; i < Wide.Count; i += BlockLanes)
-        {
-            rows[0] = *(Vector4*)(records + (index[i] * stride));
-            rows[1] = *(Vector4*)(records + (index[i + 1] * stride));
-            rows[2] = *(Vector4*)(records + (index[i + 2] * stride));
-            rows[3] = *(Vector4*)(records + (index[i + 3] * stride));
-            block = Matrix4x4.Transpose(block);
-            *(Vector4*)(t + i) = rows[0];
-            *(Vector4*)(t + i + 8) = rows[1];
-            *(Vector4*)(t + i + 16) = rows[2];
-            *(Vector4*)(t + i + 24) = rows[3];
-        }
-
-        a = Wide.Load(t);
-        b = Wide.Load(t + 8);
-        c = Wide.Load(t + 16);
-        d = Wide.Load(t + 24);
+        FourColumns turned;
+        TurnRecords(records, index, stride, (float*)&turned, Wide.Count);
+        a = turned.A;
+        b = turned.B;
+        c = turned.C;
+        d = turned.D;
     }
 
+    [SkipLocalsInit]
     private static void GatherOffsetByElement(BodyPose* poses, int* a, int* b, out Wide x, out Wide y)
     {
-        float* t = stackalloc float[2 * WideLanes.BundleLanes];
+        FourColumns turned;
+        StoreOffsets(poses, a, b, (float*)&turned.A, (float*)&turned.B);
+        x = turned.A;
+        y = turned.B;
+    }
+
+    /// <summary>As <see cref="GatherOffset"/>, one by one, to be read later.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void StoreOffsets(BodyPose* poses, int* a, int* b, float* x, float* y)
+    {
         for (int i = 0; i < Wide.Count; i++)
         {
-            t[i] = (float)(poses[b[i]].X - poses[a[i]].X);
-            t[i + 8] = (float)(poses[b[i]].Y - poses[a[i]].Y);
+            BodyPose* from = poses + a[i];
+            BodyPose* to = poses + b[i];
+            x[i] = (float)(to->X - from->X);
+            y[i] = (float)(to->Y - from->Y);
         }
-
-        x = Wide.Load(t);
-        y = Wide.Load(t + 8);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -298,26 +401,26 @@ internal static unsafe class BodyLanes
     }
 
     [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void ScatterByElement(float* records, int* index, Wide a, Wide b, Wide c, Wide d)
     {
-        float* t = stackalloc float[4 * WideLanes.BundleLanes];
-        a.Store(t);
-        b.Store(t + 8);
-        c.Store(t + 16);
-        d.Store(t + 24);
-        Matrix4x4 block = default;
-        Vector4* rows = (Vector4*)&block;
-        for (int i = 0; i < Wide.Count; i += BlockLanes)
+        FourColumns turned;
+        turned.A = a;
+        turned.B = b;
+        turned.C = c;
+        turned.D = d;
+        var t = (float*)&turned;
+        for (int i = 0; i < Wide.Count; i += MatrixTurn.Records)
         {
-            rows[0] = *(Vector4*)(t + i);
-            rows[1] = *(Vector4*)(t + i + 8);
-            rows[2] = *(Vector4*)(t + i + 16);
-            rows[3] = *(Vector4*)(t + i + 24);
-            block = Matrix4x4.Transpose(block);
-            *(Vector4*)(records + (index[i] * 8)) = rows[0];
-            *(Vector4*)(records + (index[i + 1] * 8)) = rows[1];
-            *(Vector4*)(records + (index[i + 2] * 8)) = rows[2];
-            *(Vector4*)(records + (index[i + 3] * 8)) = rows[3];
+            MatrixTurn.ToRecords(
+                *(Vector4*)(t + i),
+                *(Vector4*)(t + i + Wide.Count),
+                *(Vector4*)(t + i + (2 * Wide.Count)),
+                *(Vector4*)(t + i + (3 * Wide.Count)),
+                (float*)((BodyState*)records + index[i]),
+                (float*)((BodyState*)records + index[i + 1]),
+                (float*)((BodyState*)records + index[i + 2]),
+                (float*)((BodyState*)records + index[i + 3]));
         }
     }
 

@@ -57,11 +57,15 @@ internal static unsafe class Integrator
         for (int i = 0; i < count; i += Wide.Count)
         {
             int* index = list + i;
-            BodyLanes.GatherVelocity(states, index, out WideVelocity v);
-            BodyLanes.GatherDelta(states, index, out WideDelta d);
             float* motion = (float*)motions;
-            BodyLanes.Gather(motion, index, out Wide startX, out Wide startY, out Wide startW, out Wide turned);
-            BodyLanes.Gather(motion + 4, index, out Wide changeX, out Wide changeY, out Wide changeW, out _);
+            GatherMotion(states, motion, index, out WideVelocity v, out WideDelta d, out FourColumns start, out FourColumns change);
+            Wide startX = start.A;
+            Wide startY = start.B;
+            Wide startW = start.C;
+            Wide turned = start.D;
+            Wide changeX = change.A;
+            Wide changeY = change.B;
+            Wide changeW = change.C;
             d.X = d.X + (step * (v.X - (half * SmallerChange(v.X - startX, changeX))));
             d.Y = d.Y + (step * (v.Y - (half * SmallerChange(v.Y - startY, changeY))));
             turned = turned + (step * (v.W - (half * SmallerChange(v.W - startW, changeW))));
@@ -69,6 +73,30 @@ internal static unsafe class Integrator
             BodyLanes.ScatterDelta(states, index, d);
             BodyLanes.Scatter(motion, index, startX, startY, startW, turned);
         }
+    }
+
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void GatherMotion(
+        BodyState* states, float* motion, int* index, out WideVelocity v, out WideDelta d, out FourColumns start, out FourColumns change)
+    {
+        if (MatrixTurn.IsUsed)
+        {
+            BodyLanes.Gather((float*)states, (float*)states + 4, motion, motion + 4, index, out FourColumns speed, out FourColumns moved, out start, out change);
+            v.X = speed.A;
+            v.Y = speed.B;
+            v.W = speed.C;
+            d.X = moved.A;
+            d.Y = moved.B;
+            d.Sin = moved.C;
+            d.Cos = moved.D;
+            return;
+        }
+
+        BodyLanes.GatherVelocity(states, index, out v);
+        BodyLanes.GatherDelta(states, index, out d);
+        BodyLanes.Gather(motion, index, out start.A, out start.B, out start.C, out start.D);
+        BodyLanes.Gather(motion + 4, index, out change.A, out change.B, out change.C, out change.D);
     }
 
     /// <summary>The turn as contacts see it.</summary>

@@ -35,15 +35,16 @@ internal static unsafe class BlowKernel
     public static ulong Strike(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
     {
         ulong fresh = 0;
+        ContactMoved* moved = ContactWork.Moved(work);
         for (int i = 0; i < count; i++, row++, work++)
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 ulong bit = ContactWork.Bit(i, lane);
-                if ((blows & bit) != 0 && WideLanes.Bits(Fresh(row, lane)) != 0)
+                if ((blows & bit) != 0 && WideLanes.Any(Fresh(row, lane)))
                 {
                     fresh |= bit;
-                    StrikeLanes(row, lane, work, bodies);
+                    StrikeLanes(row, lane, work, moved + i, bodies);
                 }
             }
         }
@@ -55,23 +56,23 @@ internal static unsafe class BlowKernel
     [MethodImpl(KernelMethod.Optimized)]
     public static void Rub(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
     {
+        ContactMoved* moved = ContactWork.Moved(work);
         for (int i = 0; i < count; i++, row++, work++)
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 if ((blows & ContactWork.Bit(i, lane)) != 0)
                 {
-                    RubLanes(row, lane, work, bodies);
+                    RubLanes(row, lane, work, moved + i, bodies);
                 }
             }
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void StrikeLanes(ContactBundle* row, int lane, ContactWork* work, BodyState* bodies)
+    private static void StrikeLanes(ContactBundle* row, int lane, ContactWork* work, ContactMoved* moved, BodyState* bodies)
     {
-        BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
-        BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
+        ContactStages.GatherMoved(row, lane, moved, bodies, out WideDelta movedA, out WideDelta movedB);
         Wide a0 = Turn(row->Point0.TangentArmA + lane, row->Point0.NormalArmA + lane, movedA.Cos, Wide.Zero - movedA.Sin);
         Wide b0 = Turn(row->Point0.TangentArmB + lane, row->Point0.NormalArmB + lane, movedB.Cos, Wide.Zero - movedB.Sin);
         Wide a1 = Turn(row->Point1.TangentArmA + lane, row->Point1.NormalArmA + lane, movedA.Cos, Wide.Zero - movedA.Sin);
@@ -90,10 +91,9 @@ internal static unsafe class BlowKernel
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void RubLanes(ContactBundle* row, int lane, ContactWork* work, BodyState* bodies)
+    private static void RubLanes(ContactBundle* row, int lane, ContactWork* work, ContactMoved* moved, BodyState* bodies)
     {
-        BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
-        BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
+        ContactStages.GatherMoved(row, lane, moved, bodies, out WideDelta movedA, out WideDelta movedB);
         Wide radiusA = Wide.Load(row->RadiusA + lane);
         Wide radiusB = Wide.Load(row->RadiusB + lane);
         Wide a0 = Turn(row->Point0.NormalArmA + lane, row->Point0.TangentArmA + lane, movedA.Cos, movedA.Sin);

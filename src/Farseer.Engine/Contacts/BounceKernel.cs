@@ -46,11 +46,10 @@ internal static unsafe class BounceKernel
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Wide Slowest(ContactBundle* row, int lane, BodyDrive* drives, in ContactCoefficients c)
     {
-        BodyLanes.Gather((float*)drives, row->BodyA + lane, out Wide driveAX, out Wide driveAY, out _, out _);
-        BodyLanes.Gather((float*)drives, row->BodyB + lane, out Wide driveBX, out Wide driveBY, out _, out _);
+        BodyLanes.GatherBoth((float*)drives, row->BodyA + lane, row->BodyB + lane, out FourColumns driveA, out FourColumns driveB);
         Wide nx = Wide.Load(row->NormalX + lane);
         Wide ny = Wide.Load(row->NormalY + lane);
-        Wide fall = Wide.Max(Wide.Abs((nx * driveAX) + (ny * driveAY)), Wide.Abs((nx * driveBX) + (ny * driveBY)));
+        Wide fall = Wide.Max(Wide.Abs((nx * driveA.A) + (ny * driveA.B)), Wide.Abs((nx * driveB.A) + (ny * driveB.B)));
         return Wide.Max(Wide.Splat(RestSubsteps) * fall, Wide.Splat(c.BounceThreshold));
     }
 
@@ -70,8 +69,7 @@ internal static unsafe class BounceKernel
         {
             Wide restitution = Wide.Load(row->Restitution + lane);
             ContactKernel.GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1);
-            BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-            BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+            BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
             ContactKernel.NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
             Wide slow = Slowest(row, lane, drives, c);
             slow.Store(bounce->Slow + lane);
@@ -106,17 +104,15 @@ internal static unsafe class BounceKernel
         Choose(lanes, wanted);
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
-            BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
+            BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out WideDelta movedA, out WideDelta movedB);
             ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
-            BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-            BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+            BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
             ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
             Wide restitution = Wide.Keep(Wide.Load(wanted + lane) > Wide.Zero, Wide.Load(row->Restitution + lane));
             Wide slow = Wide.Load(bounce->Slow + lane);
             WideMask met = (Met(&bounce->Point0, lane, s0 - rest, v0, slow) | Met(&bounce->Point1, lane, s1 - rest, v1, slow))
                 & (restitution > Wide.Zero);
-            if (WideLanes.Bits(met) == 0)
+            if (!WideLanes.Any(met))
             {
                 continue;
             }
@@ -154,10 +150,8 @@ internal static unsafe class BounceKernel
             Wide target1 = Wide.Load(bounce->Point1.Target + lane);
             Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
             Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
-            BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-            BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
-            BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
-            BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
+            BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
+            BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out WideDelta movedA, out WideDelta movedB);
             ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
             ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
 
@@ -189,10 +183,8 @@ internal static unsafe class BounceKernel
         int again = 0;
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
-            BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
-            BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-            BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+            BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out WideDelta movedA, out WideDelta movedB);
+            BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
             ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
             Wide slow = Wide.Zero - Wide.Load(bounce->Slow + lane);
             again |= WideLanes.Bits(

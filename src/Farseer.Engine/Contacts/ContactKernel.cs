@@ -25,6 +25,12 @@ internal static unsafe class ContactKernel
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
     {
+        if (MatrixTurn.IsUsed)
+        {
+            WarmStartTurned<TScatter, TPoints>(rows, bodies, c);
+            return;
+        }
+
         bool two = default(TPoints).AreTwo;
         Wide fall = Wide.Splat(c.Gravity * c.Substep);
         ContactBundle* end = rows.Bundles + rows.Count;
@@ -33,24 +39,63 @@ internal static unsafe class ContactKernel
             rows.AskForStart(row, bodies, two);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
-                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
-                Wide friction = Wide.Load(row->Friction + lane);
-                Wide weight0 = fall * Wide.Load(row->InverseK11 + lane);
-                Extrapolate(&row->Point0, lane, friction, weight0, out Wide normal0, out Wide tangent0);
-                Wide normal1 = Wide.Zero;
-                Wide tangent1 = Wide.Zero;
-                if (two)
-                {
-                    Wide weight1 = fall * Wide.Load(row->InverseK22 + lane);
-                    Extrapolate(&row->Point1, lane, friction, weight1, out normal1, out tangent1);
-                }
-
-                ApplyNormal(row, lane, ref a, ref b, normal0, normal1, two);
-                ApplyTangent(row, lane, ref a, ref b, tangent0, tangent1, two);
-                StoreVelocities<TScatter>(row, lane, bodies, a, b);
+                BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
+                ApplyStart<TScatter, TPoints>(row, lane, bodies, fall, ref a, ref b);
             }
         }
+    }
+
+    [MethodImpl(KernelMethod.Optimized)]
+    [SkipLocalsInit]
+    private static void WarmStartTurned<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c)
+        where TScatter : struct, IVelocityScatter
+        where TPoints : struct, IContactPoints
+    {
+        Wide fall = Wide.Splat(c.Gravity * c.Substep);
+        byte* memory = stackalloc byte[ContactWork.Bytes];
+        ContactWork* work = ContactWork.In(memory);
+        for (int done = 0; done < rows.Count; done += rows.Stride)
+        {
+            ContactBundle* row = rows.Bundles + done;
+            int count = Math.Min(rows.Stride, rows.Count - done);
+            for (int i = 0; i < count; i++)
+            {
+                BodyLanes.TurnVelocities(bodies, row[i].BodyA, work[i].VelocityAX);
+                BodyLanes.TurnVelocities(bodies, row[i].BodyB, work[i].VelocityBX);
+            }
+
+            for (int i = 0; i < count; i++, row++)
+            {
+                for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+                {
+                    ContactStages.Take(work + i, lane, out WideVelocity a, out WideVelocity b);
+                    ApplyStart<TScatter, TPoints>(row, lane, bodies, fall, ref a, ref b);
+                }
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void ApplyStart<TScatter, TPoints>(
+        ContactBundle* row, int lane, BodyState* bodies, Wide fall, ref WideVelocity a, ref WideVelocity b)
+        where TScatter : struct, IVelocityScatter
+        where TPoints : struct, IContactPoints
+    {
+        bool two = default(TPoints).AreTwo;
+        Wide friction = Wide.Load(row->Friction + lane);
+        Wide weight0 = fall * Wide.Load(row->InverseK11 + lane);
+        Extrapolate(&row->Point0, lane, friction, weight0, out Wide normal0, out Wide tangent0);
+        Wide normal1 = Wide.Zero;
+        Wide tangent1 = Wide.Zero;
+        if (two)
+        {
+            Wide weight1 = fall * Wide.Load(row->InverseK22 + lane);
+            Extrapolate(&row->Point1, lane, friction, weight1, out normal1, out tangent1);
+        }
+
+        ApplyNormal(row, lane, ref a, ref b, normal0, normal1, two);
+        ApplyTangent(row, lane, ref a, ref b, tangent0, tangent1, two);
+        StoreVelocities<TScatter>(row, lane, bodies, a, b);
     }
 
     /// <summary>
@@ -103,14 +148,13 @@ internal static unsafe class ContactKernel
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
-                if (WideLanes.Bits(deep) == 0)
+                if (!WideLanes.Any(deep))
                 {
                     continue;
                 }
 
                 GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1, two);
-                BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+                BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
                 NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1, two);
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
                 Wide r0 = v0 + (s0 * Wide.Select(s0 > Wide.Zero, inverseSubstep, rate));
@@ -211,8 +255,7 @@ internal static unsafe class ContactKernel
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void GatherSeparations(ContactBundle* row, int lane, BodyState* bodies, out Wide s0, out Wide s1, bool two = true)
     {
-        BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta a);
-        BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta b);
+        BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out WideDelta a, out WideDelta b);
         Separations(row, lane, a, b, out s0, out s1, two);
     }
 

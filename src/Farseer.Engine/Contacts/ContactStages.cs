@@ -30,12 +30,13 @@ internal static unsafe class ContactStages
         Wide settle = Wide.Splat(c.BiasRate * c.Rest);
         Wide settleShare = Wide.Splat(ContactCoefficients.SettleShare);
         ContactWork* end = work + count;
-        for (; work < end; work++, row++)
+        ContactMoved* moved = Turn(row, count, work, bodies);
+        for (; work < end; work++, row++, moved++)
         {
             rows.AskForBiased(row, bodies, two, anyDeep);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
-                Gather(row, lane, work, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
+                Gather(row, lane, work, moved, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
                 ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1, two);
                 ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
@@ -88,20 +89,21 @@ internal static unsafe class ContactStages
         Wide rest = Wide.Splat(c.Rest);
         Wide level = Wide.Splat(c.Level);
         ContactWork* end = work + count;
-        for (; work < end; work++, row++)
+        ContactMoved* moved = Turn(row, count, work, bodies);
+        for (; work < end; work++, row++, moved++)
         {
             rows.AskForRelaxed(row, bodies, two);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
-                Gather(row, lane, work, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
-                Wide moved = ContactKernel.MovedAlong(row, lane, movedA, movedB);
-                Wide gap0 = ContactKernel.PointSeparation(&row->Point0, lane, movedA, movedB, moved, out Wide armA, out Wide armB) - rest;
+                Gather(row, lane, work, moved, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
+                Wide along = ContactKernel.MovedAlong(row, lane, movedA, movedB);
+                Wide gap0 = ContactKernel.PointSeparation(&row->Point0, lane, movedA, movedB, along, out Wide armA, out Wide armB) - rest;
                 armA.Store(work->ArmA0 + lane);
                 armB.Store(work->ArmB0 + lane);
                 ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
                 if (two)
                 {
-                    Wide gap1 = ContactKernel.PointSeparation(&row->Point1, lane, movedA, movedB, moved, out armA, out armB) - rest;
+                    Wide gap1 = ContactKernel.PointSeparation(&row->Point1, lane, movedA, movedB, along, out armA, out armB) - rest;
                     armA.Store(work->ArmA1 + lane);
                     armB.Store(work->ArmB1 + lane);
                     WideMask flat = Wide.Max(gap0 - gap1, gap1 - gap0) <= level;
@@ -163,7 +165,7 @@ internal static unsafe class ContactStages
                     blow = blow & ((feed0 + feed1) <= Wide.Zero);
                 }
 
-                blows |= WideLanes.Bits(blow) != 0 ? ContactWork.Bit(i, lane) : 0;
+                blows |= WideLanes.Any(blow) ? ContactWork.Bit(i, lane) : 0;
                 if (feed)
                 {
                     // Only the load common to both points is fed forward: with each point's own, random piles creep.
@@ -258,17 +260,69 @@ internal static unsafe class ContactStages
         }
     }
 
+    /// <summary>Where that pays, turns the states of all bundles before any is computed with.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static ContactMoved* Turn(ContactBundle* row, int count, ContactWork* work, BodyState* bodies)
+    {
+        ContactMoved* moved = ContactWork.Moved(work);
+        if (MatrixTurn.IsUsed)
+        {
+            for (int i = 0; i < count; i++)
+            {
+                BodyLanes.TurnStates(bodies, row[i].BodyA, work[i].VelocityAX, moved[i].AX);
+                BodyLanes.TurnStates(bodies, row[i].BodyB, work[i].VelocityBX, moved[i].BX);
+            }
+        }
+
+        return moved;
+    }
+
+    /// <summary>What the bodies have moved, after the first stage.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void GatherMoved(
+        ContactBundle* row, int lane, ContactMoved* moved, BodyState* bodies, out WideDelta movedA, out WideDelta movedB)
+    {
+        if (MatrixTurn.IsUsed)
+        {
+            movedA = Delta(moved->AX + lane);
+            movedB = Delta(moved->BX + lane);
+            return;
+        }
+
+        BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out movedA, out movedB);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDelta Delta(float* columns)
+    {
+        WideDelta moved;
+        moved.X = Wide.Load(columns);
+        moved.Y = Wide.Load(columns + ContactBundle.Lanes);
+        moved.Sin = Wide.Load(columns + (2 * ContactBundle.Lanes));
+        moved.Cos = Wide.Load(columns + (3 * ContactBundle.Lanes));
+        return moved;
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Gather(
         ContactBundle* row,
         int lane,
         ContactWork* work,
+        ContactMoved* moved,
         BodyState* bodies,
         out WideVelocity a,
         out WideVelocity b,
         out WideDelta movedA,
         out WideDelta movedB)
     {
+        if (MatrixTurn.IsUsed)
+        {
+            Take(work, lane, out a, out b);
+            movedA = Delta(moved->AX + lane);
+            movedB = Delta(moved->BX + lane);
+            return;
+        }
+
         BodyLanes.GatherState(bodies, row->BodyA + lane, out a, out movedA);
         BodyLanes.GatherState(bodies, row->BodyB + lane, out b, out movedB);
         Keep(work, lane, a, b);
@@ -286,7 +340,7 @@ internal static unsafe class ContactStages
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Take(ContactWork* work, int lane, out WideVelocity a, out WideVelocity b)
+    internal static void Take(ContactWork* work, int lane, out WideVelocity a, out WideVelocity b)
     {
         a.X = Wide.Load(work->VelocityAX + lane);
         a.Y = Wide.Load(work->VelocityAY + lane);

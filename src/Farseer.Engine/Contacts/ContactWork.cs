@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 
 namespace Farseer.Engine.Contacts;
@@ -12,8 +13,8 @@ internal unsafe struct ContactWork
     private const int Lanes = ContactBundle.Lanes;
     private const int LineBytes = 64;
 
-    /// <summary>Room for all of them, and to begin at a line.</summary>
-    public const int Bytes = (MostBundles * Columns * Lanes * sizeof(float)) + LineBytes;
+    /// <summary>Room for all of them, for what their bodies have moved, and to begin at a line.</summary>
+    public const int Bytes = (MostBundles * (Columns + ContactMoved.Columns) * Lanes * sizeof(float)) + LineBytes;
 
     private const int Columns = 14;
 
@@ -39,9 +40,31 @@ internal unsafe struct ContactWork
     public fixed float BlowA[Lanes];
     public fixed float BlowB[Lanes];
 
+    /// <summary>What the bodies of the bundles have moved, behind the work of them all.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static ContactMoved* Moved(ContactWork* first) => (ContactMoved*)(first + MostBundles);
+
     /// <summary>The first line in memory of <see cref="Bytes"/>.</summary>
     public static ContactWork* In(byte* memory) => (ContactWork*)(((ulong)memory + (LineBytes - 1)) & ~(ulong)(LineBytes - 1));
 
     /// <summary>The bit of a bundle's lane and of those beside it in a vector.</summary>
     public static ulong Bit(int bundle, int lane) => 1UL << ((bundle * Lanes) + lane);
+}
+
+/// <summary>What the bodies of a bundle have moved: used only where <see cref="Numerics.MatrixTurn.IsUsed"/>.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct ContactMoved
+{
+    public const int Columns = 8;
+
+    private const int Lanes = ContactBundle.Lanes;
+
+    public fixed float AX[Lanes];
+    public fixed float AY[Lanes];
+    public fixed float ASin[Lanes];
+    public fixed float ACos[Lanes];
+    public fixed float BX[Lanes];
+    public fixed float BY[Lanes];
+    public fixed float BSin[Lanes];
+    public fixed float BCos[Lanes];
 }

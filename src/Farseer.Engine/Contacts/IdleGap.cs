@@ -93,22 +93,20 @@ internal static unsafe class IdleGap
         newBoxes = 0;
         for (int lane = 0; lane < IdleBundle.Lanes; lane += Wide.Count)
         {
-            BodyLanes.Gather((float*)steps, idle->BodyA + lane, out Wide aX, out Wide aY, out Wide aTurn, out Wide aFlags);
-            BodyLanes.Gather((float*)steps, idle->BodyB + lane, out Wide bX, out Wide bY, out Wide bTurn, out Wide bFlags);
+            BodyLanes.GatherBoth((float*)steps, idle->BodyA + lane, idle->BodyB + lane, out FourColumns a, out FourColumns b);
             Wide armA = Wide.Load(idle->ArmA + lane);
             Wide armB = Wide.Load(idle->ArmB + lane);
             Wide gap = Wide.Load(idle->Gap + lane);
             gap = gap - (Wide.Abs(gap) * Wide.Splat(Loss))
-                - (Wide.Abs(bX - aX) + Wide.Abs(bY - aY) + (aTurn * armA) + (bTurn * armB));
+                - (Wide.Abs(b.A - a.A) + Wide.Abs(b.B - a.B) + (a.C * armA) + (b.C * armB));
             gap.Store(idle->Gap + lane);
-            Wide flags = aFlags | bFlags;
+            Wide flags = a.D | b.D;
             newBoxes |= WideLanes.Bits(WideLanes.Has(flags, (int)BodyStepFlags.NewBox)) << lane;
-            BodyLanes.Gather((float*)steps + 4, idle->BodyA + lane, out aX, out aY, out aTurn, out _);
-            BodyLanes.Gather((float*)steps + 4, idle->BodyB + lane, out bX, out bY, out bTurn, out _);
-            Wide margin = Wide.Abs(bX - aX) + Wide.Abs(bY - aY) + (aTurn * armA) + (bTurn * armB) + Wide.Splat(pull);
+            BodyLanes.GatherBoth((float*)steps + 4, idle->BodyA + lane, idle->BodyB + lane, out a, out b);
+            Wide margin = Wide.Abs(b.A - a.A) + Wide.Abs(b.B - a.B) + (a.C * armA) + (b.C * armB) + Wide.Splat(pull);
 
             // Those beside a fast body have points from farther off; what comes near to a fast body wakes, wherever it goes.
-            Wide ahead = Wide.Max(Wide.Abs(aX) + Wide.Abs(aY), Wide.Abs(bX) + Wide.Abs(bY));
+            Wide ahead = Wide.Max(Wide.Abs(a.A) + Wide.Abs(a.B), Wide.Abs(b.A) + Wide.Abs(b.B));
             margin = margin + Wide.Keep(WideLanes.Has(flags, (int)BodyStepFlags.Fast), ahead);
             WideMask apart = gap > margin * Wide.Splat(MarginRounding);
             WideMask unforeseen = WideLanes.Has(flags, (int)BodyStepFlags.Altered)

@@ -82,15 +82,32 @@ internal static unsafe class PairStage
         Wide dt = Wide.Splat(input.Dt);
         for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
         {
+            BodyPose* poses = input.Bodies.Pose.Pointer;
+            if (MatrixTurn.IsUsed)
+            {
+                BodyLanes.StoreOffsets(poses, row->BodyA + lane, row->BodyB + lane, pairs->OffsetX + lane, pairs->OffsetY + lane);
+            }
+
             BodyLanes.GatherRecords(sides, row->PieceA + lane, (float*)&pairs->A + lane);
             BodyLanes.GatherRecords(sides, row->PieceB + lane, (float*)&pairs->B + lane);
-            BodyLanes.GatherOffset(input.Bodies.Pose.Pointer, row->BodyA + lane, row->BodyB + lane, out Wide x, out Wide y);
+            Wide x;
+            Wide y;
+            if (MatrixTurn.IsUsed)
+            {
+                x = Wide.Load(pairs->OffsetX + lane);
+                y = Wide.Load(pairs->OffsetY + lane);
+            }
+            else
+            {
+                BodyLanes.GatherOffset(poses, row->BodyA + lane, row->BodyB + lane, out x, out y);
+                x.Store(pairs->OffsetX + lane);
+                y.Store(pairs->OffsetY + lane);
+            }
+
             Wide.Zero.Store(pairs->NormalOwner + lane);
             Wide.Splat(PairLanes.UnknownGap).Store(pairs->Gap + lane);
             Wide.Zero.Store(pairs->Point0.Owner + lane);
             Wide.Zero.Store(pairs->Point1.Owner + lane);
-            x.Store(pairs->OffsetX + lane);
-            y.Store(pairs->OffsetY + lane);
 
             Wide speedX = Wide.Load(pairs->B.VelocityX + lane) - Wide.Load(pairs->A.VelocityX + lane);
             Wide speedY = Wide.Load(pairs->B.VelocityY + lane) - Wide.Load(pairs->A.VelocityY + lane);
@@ -114,18 +131,36 @@ internal static unsafe class PairStage
 
             bits.Exists |= exists << lane;
             WideMask solid = WideLanes.Has(both, (int)SideFlags.Responds) & WideLanes.Has(any, (int)SideFlags.Moves);
-            bits.Solid |= WideLanes.Bits(solid) << lane;
-            bits.Heard |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.Heard)) << lane;
-            bits.Boxes |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Box)) << lane;
-            bits.Circles |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Circle)) << lane;
+            WideLanes.Bits(
+                solid,
+                WideLanes.Has(any, (int)SideFlags.Heard),
+                WideLanes.Has(both, (int)SideFlags.Box),
+                WideLanes.Has(both, (int)SideFlags.Circle),
+                out int solids,
+                out int heard,
+                out int boxes,
+                out int circles);
+            bits.Solid |= solids << lane;
+            bits.Heard |= heard << lane;
+            bits.Boxes |= boxes << lane;
+            bits.Circles |= circles << lane;
             bits.Hulls |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Hull)) << lane;
             WideMask circleFirst = WideLanes.Has(flagsA, (int)SideFlags.Circle) & WideLanes.Has(flagsB, (int)SideFlags.Hull);
             WideMask circleSecond = WideLanes.Has(flagsB, (int)SideFlags.Circle) & WideLanes.Has(flagsA, (int)SideFlags.Hull);
             bits.CircleFirst |= WideLanes.Bits(circleFirst) << lane;
-            bits.CircleHulls |= WideLanes.Bits(circleFirst | circleSecond) << lane;
-            bits.Tilted |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.Tilted)) << lane;
-            bits.NewBox |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.NewBox)) << lane;
-            bits.Fast |= WideLanes.Bits(WideLanes.Has(any, (int)SideFlags.Fast)) << lane;
+            WideLanes.Bits(
+                circleFirst | circleSecond,
+                WideLanes.Has(any, (int)SideFlags.Tilted),
+                WideLanes.Has(any, (int)SideFlags.NewBox),
+                WideLanes.Has(any, (int)SideFlags.Fast),
+                out int circleHulls,
+                out int tilted,
+                out int newBox,
+                out int fast);
+            bits.CircleHulls |= circleHulls << lane;
+            bits.Tilted |= tilted << lane;
+            bits.NewBox |= newBox << lane;
+            bits.Fast |= fast << lane;
         }
 
         return bits;

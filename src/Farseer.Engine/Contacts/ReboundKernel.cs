@@ -87,12 +87,12 @@ internal static unsafe class ReboundKernel
             WideMask can = (restitution > Wide.Zero) & (load <= Wide.Zero);
             Wide speed0 = Wide.Zero;
             Wide speed1 = Wide.Zero;
-            if (WideLanes.Bits(can) != 0)
+            if (WideLanes.Any(can))
             {
                 Speeds(row, lane, bodies, drives, c, out Wide v0, out Wide v1, out Wide slow);
                 speed0 = Wide.Keep(can & (v0 < slow), Wide.Zero - (restitution * v0));
                 speed1 = Wide.Keep(can & (v1 < slow), Wide.Zero - (restitution * v1));
-                any |= WideLanes.Bits(Wide.Max(speed0, speed1) > Wide.Zero) != 0;
+                any |= WideLanes.Any(Wide.Max(speed0, speed1) > Wide.Zero);
             }
 
             speed0.Store(row->Point0.Bounce + lane);
@@ -115,15 +115,13 @@ internal static unsafe class ReboundKernel
             Wide speed0 = Wide.Keep(lambda0 > Wide.Zero, Wide.Load(row->Point0.Bounce + lane));
             Wide speed1 = Wide.Keep(lambda1 > Wide.Zero, Wide.Load(row->Point1.Bounce + lane));
             WideMask parts = Wide.Max(speed0, speed1) > Wide.Zero;
-            if (WideLanes.Bits(parts) == 0)
+            if (!WideLanes.Any(parts))
             {
                 continue;
             }
 
-            BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-            BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
-            BodyLanes.GatherDelta(bodies, row->BodyA + lane, out WideDelta movedA);
-            BodyLanes.GatherDelta(bodies, row->BodyB + lane, out WideDelta movedB);
+            BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
+            BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out WideDelta movedA, out WideDelta movedB);
             ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
             ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
             Wide r0 = v0 + Wide.Select(speed0 > Wide.Zero, Wide.Zero - speed0, Wide.Max(s0 - rest, Wide.Zero) * inverseSubstep);
@@ -146,8 +144,7 @@ internal static unsafe class ReboundKernel
     private static void Speeds(
         ContactBundle* row, int lane, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c, out Wide v0, out Wide v1, out Wide slow)
     {
-        BodyLanes.GatherVelocity(bodies, row->BodyA + lane, out WideVelocity a);
-        BodyLanes.GatherVelocity(bodies, row->BodyB + lane, out WideVelocity b);
+        BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
         ContactKernel.NormalVelocities(row, lane, a, b, out v0, out v1);
         slow = Wide.Zero - BounceKernel.Slowest(row, lane, drives, c);
     }

@@ -2,10 +2,10 @@ using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
-using Farseer.Engine.Shapes;
 #endif
 
 namespace Farseer.Engine.NarrowPhase;
@@ -86,6 +86,19 @@ internal unsafe struct HullLanes
             WidePoints.GatherFour(normals, hulls->Start, last, hulls->NormalX, hulls->NormalY);
             corner = ShapeStore.ReadAtOnce;
         }
+#else
+        WidePoints.TurnFour(vertices, hulls->Start, hulls->VertexX, hulls->VertexY);
+        WidePoints.TurnFour(normals, hulls->Start, hulls->NormalX, hulls->NormalY);
+        for (int lane = 0; lane < Lanes; lane += Wide.Count)
+        {
+            Vector<int> last = Unsafe.ReadUnaligned<Vector<int>>(hulls->Last + lane);
+            WidePoints.RepeatLast(last, hulls->VertexX + lane);
+            WidePoints.RepeatLast(last, hulls->VertexY + lane);
+            WidePoints.RepeatLast(last, hulls->NormalX + lane);
+            WidePoints.RepeatLast(last, hulls->NormalY + lane);
+        }
+
+        corner = ShapeStore.ReadAtOnce;
 #endif
         int* index = stackalloc int[Lanes];
         for (; corner <= most; corner++)

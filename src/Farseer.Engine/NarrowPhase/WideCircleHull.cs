@@ -46,7 +46,7 @@ internal static unsafe class WideCircleHull
         WideLanes.Replace(active, Wide.Keep(near, Wide.One), pairs->Count + lane);
         WideLanes.Replace(active, best - sum, pairs->Gap + lane);
         WideLanes.Replace(active, Wide.Select(flipped, Wide.One, Wide.Zero - Wide.One), pairs->GapOwner + lane);
-        if (WideLanes.Bits(near) == 0)
+        if (!WideLanes.Any(near))
         {
             return;
         }
@@ -134,15 +134,15 @@ internal static unsafe class WideCircleHull
         (start + Vector256.AndNot(edge + Vector256<int>.One, isLast)).Store(hulls->End.Place + first);
     }
 #else
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void FindEnds(HullPairLanes* hulls, int first)
     {
-        for (int lane = first; lane < first + Wide.Count; lane++)
-        {
-            int edge = hulls->Active[lane] != 0 ? (int)hulls->FromA.Edge[lane] : 0;
-            int start = hulls->A.Start[lane];
-            hulls->Edge.Place[lane] = start + edge;
-            hulls->End.Place[lane] = edge == hulls->A.Last[lane] ? start : start + edge + 1;
-        }
+        Vector<int> active = Unsafe.ReadUnaligned<Vector<int>>(hulls->Active + first);
+        Vector<int> edge = Vector.ConvertToInt32(Wide.Load(hulls->FromA.Edge + first)) & active;
+        Vector<int> start = Unsafe.ReadUnaligned<Vector<int>>(hulls->A.Start + first);
+        Vector<int> isLast = Vector.Equals(edge, Unsafe.ReadUnaligned<Vector<int>>(hulls->A.Last + first));
+        Unsafe.WriteUnaligned(hulls->Edge.Place + first, start + edge);
+        Unsafe.WriteUnaligned(hulls->End.Place + first, start + Vector.AndNot(edge + Vector<int>.One, isLast));
     }
 #endif
 }

@@ -88,7 +88,7 @@ internal static unsafe class WideConvex
         WideAxisQuery.Find(&hulls->A, cornersA, &hulls->B, cornersB, placement, lane, &hulls->FromA);
         Wide fromA = Wide.Load(hulls->FromA.Separation + lane);
         WideMask near = named & ~(fromA > limit);
-        if (WideLanes.Bits(near) == 0)
+        if (!WideLanes.Any(near))
         {
             NoteGap(pairs, lane, named, fromA - radiusA - radiusB, Wide.Zero - Wide.One);
             Wide.Zero.Store((float*)hulls->Active + lane);
@@ -157,37 +157,47 @@ internal static unsafe class WideConvex
     /// <summary>Looks up where the features lie that the contact can be made of.</summary>
     private static void FindFeatures(HullPairLanes* hulls)
     {
-        for (int lane = 0; lane < HullPairLanes.Lanes; lane++)
+        for (int lane = 0; lane < HullPairLanes.Lanes; lane += Wide.Count)
         {
-            bool turned = hulls->Flipped[lane] != 0;
-            bool counts = hulls->Active[lane] != 0;
-            HullLanes* reference = turned ? &hulls->B : &hulls->A;
-            HullLanes* other = turned ? &hulls->A : &hulls->B;
-            AxisLanes* axis = turned ? &hulls->FromB : &hulls->FromA;
-            int edge = counts ? (int)axis->Edge[lane] : 0;
-            int support = counts ? (int)axis->Support[lane] : 0;
-            int last = other->Last[lane];
-            int start = reference->Start[lane];
-            int shift = turned ? 1 : 16;
-            Set(&hulls->Edge, lane, start, edge, shift);
-            Set(&hulls->End, lane, start, edge == reference->Last[lane] ? 0 : edge + 1, shift);
-            start = other->Start[lane];
-            shift = 17 - shift;
-            Set(&hulls->Before, lane, start, support == 0 ? last : support - 1, shift);
-            Set(&hulls->Support, lane, start, support, shift);
-            Set(&hulls->After, lane, start, support == last ? 0 : support + 1, shift);
+            Vector<int> turned = Load(hulls->Flipped + lane);
+            Vector<int> counts = Load(hulls->Active + lane);
+            Vector<int> startA = Load(hulls->A.Start + lane);
+            Vector<int> startB = Load(hulls->B.Start + lane);
+            Vector<int> lastA = Load(hulls->A.Last + lane);
+            Vector<int> lastB = Load(hulls->B.Last + lane);
+            Vector<int> edge = Pick(turned, hulls->FromB.Edge + lane, hulls->FromA.Edge + lane) & counts;
+            Vector<int> support = Pick(turned, hulls->FromB.Support + lane, hulls->FromA.Support + lane) & counts;
+            Vector<int> start = Vector.ConditionalSelect(turned, startB, startA);
+            Vector<int> last = Vector.ConditionalSelect(turned, lastB, lastA);
+            Set(&hulls->Edge, lane, start, edge, turned);
+            Set(&hulls->End, lane, start, Vector.AndNot(edge + Vector<int>.One, Vector.Equals(edge, last)), turned);
+            start = Vector.ConditionalSelect(turned, startA, startB);
+            last = Vector.ConditionalSelect(turned, lastA, lastB);
+            Vector<int> first = Vector.Equals(support, Vector<int>.Zero);
+            Set(&hulls->Before, lane, start, Vector.ConditionalSelect(first, last, support - Vector<int>.One), ~turned);
+            Set(&hulls->Support, lane, start, support, ~turned);
+            Set(&hulls->After, lane, start, Vector.AndNot(support + Vector<int>.One, Vector.Equals(support, last)), ~turned);
         }
     }
 
-    // A name is EdgeContact.Id, of which each feature gives its half.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Set(FeatureLanes* feature, int lane, int start, int number, int shift)
+    private static Vector<int> Load(int* source) => Unsafe.ReadUnaligned<Vector<int>>(source);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector<int> Pick(Vector<int> turned, float* fromB, float* fromA) =>
+        Vector.ConvertToInt32(Wide.Select(turned, Wide.Load(fromB), Wide.Load(fromA)));
+
+    // A name is EdgeContact.Id, of which each feature gives its half: that of B's the lower. There are no shifts.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Set(FeatureLanes* feature, int lane, Vector<int> start, Vector<int> number, Vector<int> ofB)
     {
-        feature->Place[lane] = start + number;
-        feature->Name[lane] = (number << shift) | 1;
+        Vector<int> name = (number * Vector.ConditionalSelect(ofB, new Vector<int>(1 << 1), new Vector<int>(1 << 16))) | Vector<int>.One;
+        Unsafe.WriteUnaligned(feature->Place + lane, start + number);
+        Unsafe.WriteUnaligned(feature->Name + lane, name);
     }
 #endif
 
+    [SkipLocalsInit]
     [MethodImpl(KernelMethod.Optimized)]
     private static void Build(PairLanes* pairs, int lane, Vector2* vertices, Vector2* normals)
     {
@@ -199,23 +209,25 @@ internal static unsafe class WideConvex
         placement.X = Wide.Select(flipped, placeA.X, placement.X);
         placement.Y = Wide.Select(flipped, placeA.Y, placement.Y);
 
+        FeaturePoints points;
+        FeaturePoints.Turn(&points, hulls, lane, vertices, normals);
         WideEdgeContact contact = default;
-        WidePoints.Gather(vertices, hulls->Edge.Place + lane, out contact.X, out contact.Y);
-        WidePoints.Gather(normals, hulls->Edge.Place + lane, out contact.NormalX, out contact.NormalY);
-        WidePoints.Gather(vertices, hulls->End.Place + lane, out contact.EndX, out contact.EndY);
+        FeaturePoints.Read(&points.Edge, vertices, hulls->Edge.Place + lane, out contact.X, out contact.Y);
+        FeaturePoints.Read(&points.EdgeNormal, normals, hulls->Edge.Place + lane, out contact.NormalX, out contact.NormalY);
+        FeaturePoints.Read(&points.End, vertices, hulls->End.Place + lane, out contact.EndX, out contact.EndY);
         contact.Length = contact.Along(contact.EndX - contact.X, contact.EndY - contact.Y);
 
         // Of the two edges at the support vertex the one that faces the reference edge more.
         placement.TurnBack(contact.NormalX, contact.NormalY, out Wide mx, out Wide my);
-        WidePoints.Gather(normals, hulls->Before.Place + lane, out Wide x, out Wide y);
+        FeaturePoints.Read(&points.BeforeNormal, normals, hulls->Before.Place + lane, out Wide x, out Wide y);
         Wide facing = (x * mx) + (y * my);
-        WidePoints.Gather(normals, hulls->Support.Place + lane, out x, out y);
+        FeaturePoints.Read(&points.SupportNormal, normals, hulls->Support.Place + lane, out x, out y);
         WideMask before = facing < (x * mx) + (y * my);
         contact.SupportIsHigh = ~before;
-        WidePoints.Gather(vertices, hulls->Support.Place + lane, out x, out y);
+        FeaturePoints.Read(&points.Support, vertices, hulls->Support.Place + lane, out x, out y);
         contact.See(placement, x, y, out contact.NearX, out contact.NearY);
-        WidePoints.Gather(vertices, hulls->Before.Place + lane, out mx, out my);
-        WidePoints.Gather(vertices, hulls->After.Place + lane, out x, out y);
+        FeaturePoints.Read(&points.Before, vertices, hulls->Before.Place + lane, out mx, out my);
+        FeaturePoints.Read(&points.After, vertices, hulls->After.Place + lane, out x, out y);
         contact.See(placement, Wide.Select(before, mx, x), Wide.Select(before, my, y), out contact.FarX, out contact.FarY);
         contact.NearName = Wide.Load((float*)hulls->Support.Name + lane);
         contact.FarName = Wide.Select(before, Wide.Load((float*)hulls->Before.Name + lane), Wide.Load((float*)hulls->After.Name + lane));

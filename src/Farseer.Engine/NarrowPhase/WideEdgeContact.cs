@@ -88,7 +88,7 @@ internal struct WideEdgeContact
 
         // Vertex against vertex: the support vertex is beyond the edge, and the edge's end is nearest to it, not to its side.
         WideMask beyond = active & (NearY > Wide.Zero) & ((NearX < Wide.Zero) | (NearX > Length));
-        if (WideLanes.Bits(beyond) != 0)
+        if (WideLanes.Any(beyond))
         {
             MeetCorner(beyond, ref manifold);
         }

@@ -1,7 +1,9 @@
-#if NET8_0_OR_GREATER
 using System.Runtime.CompilerServices;
+#if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
+#else
+using System.Numerics;
 #endif
 
 namespace Farseer.Engine.Numerics;
@@ -11,10 +13,8 @@ internal static unsafe partial class StableMath
     /// <summary>Angles that <see cref="SinCos(double*, float*, float*)"/> takes at once.</summary>
     public const int Lanes = 4;
 
-#if NET8_0_OR_GREATER
     /// <summary>Angles up to this are less than half a quadrant.</summary>
     private const double NoQuadrant = 0.785;
-#endif
 
     /// <summary>
     /// Sines and cosines of four angles, rounded to float: to the last bit those of <see cref="SinCos(double, out double, out double)"/>,
@@ -34,13 +34,22 @@ internal static unsafe partial class StableMath
                 return;
             }
         }
-#endif
+
         for (int i = 0; i < Lanes; i++)
         {
             SinCos(angles[i], out double s, out double c);
             sin[i] = (float)s;
             cos[i] = (float)c;
         }
+#else
+        double* exact = stackalloc double[2 * Lanes];
+        SinCos(angles, exact, exact + Lanes);
+        for (int i = 0; i < Lanes; i++)
+        {
+            sin[i] = (float)exact[i];
+            cos[i] = (float)exact[i + Lanes];
+        }
+#endif
     }
 
     /// <summary>The same, not rounded; the angles may be any.</summary>
@@ -57,6 +66,19 @@ internal static unsafe partial class StableMath
                 return;
             }
         }
+#else
+        bool isDirect = true;
+        for (int i = 0; i < Lanes; i += WideDouble.Count)
+        {
+            isDirect &= SinCosDirect(WideDouble.Load(angles + i), out WideDouble s, out WideDouble c);
+            s.Store(sin + i);
+            c.Store(cos + i);
+        }
+
+        if (isDirect)
+        {
+            return;
+        }
 #endif
         for (int i = 0; i < Lanes; i++)
         {
@@ -64,70 +86,93 @@ internal static unsafe partial class StableMath
         }
     }
 
-#if NET8_0_OR_GREATER
     /// <returns>False if one of the angles is too large.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool SinCosDirect(Vector256<double> angle, out Vector256<double> sin, out Vector256<double> cos)
+    private static bool SinCosDirect(WideDouble angle, out WideDouble sin, out WideDouble cos)
     {
-        Vector256<double> size = Vector256.Abs(angle);
-        if (Vector256.LessThanOrEqualAll(size, Vector256.Create(NoQuadrant)))
+        WideDouble size = WideDouble.Abs(angle);
+        if (AreWithin(size, NoQuadrant))
         {
             SinCosNearZero(angle, out sin, out cos);
             return true;
         }
 
         SinCos(angle, out sin, out cos);
-        return Vector256.LessThanOrEqualAll(size, Vector256.Create(DirectLimit));
+        return AreWithin(size, DirectLimit);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void SinCos(Vector256<double> angle, out Vector256<double> sin, out Vector256<double> cos)
+    private static void SinCos(WideDouble angle, out WideDouble sin, out WideDouble cos)
     {
-        Vector256<double> rounding = Vector256.Create(RoundToWhole);
-        Vector256<double> shifted = (angle * Vector256.Create(InverseHalfPi)) + rounding;
-        Vector256<double> quadrants = shifted - rounding;
-        Vector256<double> r = (angle - (quadrants * Vector256.Create(HalfPi1))) - (quadrants * Vector256.Create(HalfPi2));
-        Vector256<double> small = quadrants * Vector256.Create(HalfPi3);
-        Vector256<double> r3 = r - small;
-        Vector256<double> lost = (r - r3) - small;
-        Vector256<double> last = (quadrants * Vector256.Create(HalfPi4)) - lost;
-        Vector256<double> x = r3 - last;
-        Vector256<double> t = (r3 - x) - last;
-        Vector256<double> one = Vector256<double>.One;
-        Vector256<double> z = x * x;
-        Vector256<double> half = Vector256.Create(0.5) * z;
+        WideDouble rounding = WideDouble.Splat(RoundToWhole);
+        WideDouble shifted = (angle * WideDouble.Splat(InverseHalfPi)) + rounding;
+        WideDouble quadrants = shifted - rounding;
+        WideDouble r = (angle - (quadrants * WideDouble.Splat(HalfPi1))) - (quadrants * WideDouble.Splat(HalfPi2));
+        WideDouble small = quadrants * WideDouble.Splat(HalfPi3);
+        WideDouble r3 = r - small;
+        WideDouble lost = (r - r3) - small;
+        WideDouble last = (quadrants * WideDouble.Splat(HalfPi4)) - lost;
+        WideDouble x = r3 - last;
+        WideDouble t = (r3 - x) - last;
+        WideDouble one = WideDouble.One;
+        WideDouble z = x * x;
+        WideDouble half = WideDouble.Splat(0.5) * z;
 
-        Vector256<double> p = Next(Next(Next(Next(Next(Next(Vector256.Create(S17), z, S15), z, S13), z, S11), z, S9), z, S7), z, S5);
-        Vector256<double> s = x + ((z * x * (Vector256.Create(S3) + (z * p))) + (t * (one - half)));
+        WideDouble p = Next(Next(Next(Next(Next(Next(WideDouble.Splat(S17), z, S15), z, S13), z, S11), z, S9), z, S7), z, S5);
+        WideDouble s = x + ((z * x * (WideDouble.Splat(S3) + (z * p))) + (t * (one - half)));
 
-        p = Next(Next(Next(Next(Next(Next(Vector256.Create(C16), z, C14), z, C12), z, C10), z, C8), z, C6), z, C4);
-        Vector256<double> w = one - half;
-        Vector256<double> c = w + (((one - w) - half) + ((z * z * p) - (t * x)));
+        p = Next(Next(Next(Next(Next(Next(WideDouble.Splat(C16), z, C14), z, C12), z, C10), z, C8), z, C6), z, C4);
+        WideDouble w = one - half;
+        WideDouble c = w + (((one - w) - half) + ((z * z * p) - (t * x)));
 
         // Odd quadrants swap the two; the sign bits are those of the quadrant and of the next one.
-        Vector256<long> quadrant = shifted.AsInt64();
-        Vector256<double> odd = (Vector256<long>.Zero - (quadrant & Vector256<long>.One)).AsDouble();
-        Vector256<double> sinSign = ((quadrant & Vector256.Create(2L)) << 62).AsDouble();
-        Vector256<double> cosSign = (((quadrant + Vector256<long>.One) & Vector256.Create(2L)) << 62).AsDouble();
-        sin = Vector256.ConditionalSelect(odd, c, s) ^ sinSign;
-        cos = Vector256.ConditionalSelect(odd, s, c) ^ cosSign;
+        Quadrants(shifted, out WideDoubleMask odd, out WideDouble sinSign, out WideDouble cosSign);
+        sin = WideDouble.Select(odd, c, s) ^ sinSign;
+        cos = WideDouble.Select(odd, s, c) ^ cosSign;
     }
+
+#if NET8_0_OR_GREATER
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool AreWithin(WideDouble size, double limit) => Vector256.LessThanOrEqualAll(size, Vector256.Create(limit));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Quadrants(WideDouble shifted, out WideDoubleMask odd, out WideDouble sinSign, out WideDouble cosSign)
+    {
+        Vector256<long> quadrant = shifted.AsInt64();
+        odd = (Vector256<long>.Zero - (quadrant & Vector256<long>.One)).AsDouble();
+        sinSign = ((quadrant & Vector256.Create(2L)) << 62).AsDouble();
+        cosSign = (((quadrant + Vector256<long>.One) & Vector256.Create(2L)) << 62).AsDouble();
+    }
+#else
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool AreWithin(WideDouble size, double limit) => Vector.LessThanOrEqualAll(size, new WideDouble(limit));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Quadrants(WideDouble shifted, out WideDoubleMask odd, out WideDouble sinSign, out WideDouble cosSign)
+    {
+        Vector<long> quadrant = Vector.AsVectorInt64(shifted);
+        var two = new Vector<long>(2);
+        var sign = new Vector<long>(long.MinValue);
+        odd = Vector.Equals(quadrant & Vector<long>.One, Vector<long>.One);
+        sinSign = Vector.AsVectorDouble(Vector.Equals(quadrant & two, two) & sign);
+        cosSign = Vector.AsVectorDouble(Vector.Equals((quadrant + Vector<long>.One) & two, two) & sign);
+    }
+#endif
 
     /// <summary>The same bits for angles of the first quadrant, of which nothing is to be taken away and nothing left over.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void SinCosNearZero(Vector256<double> x, out Vector256<double> sin, out Vector256<double> cos)
+    private static void SinCosNearZero(WideDouble x, out WideDouble sin, out WideDouble cos)
     {
-        Vector256<double> one = Vector256<double>.One;
-        Vector256<double> z = x * x;
-        Vector256<double> half = Vector256.Create(0.5) * z;
-        Vector256<double> p = Next(Next(Next(Next(Next(Next(Vector256.Create(S17), z, S15), z, S13), z, S11), z, S9), z, S7), z, S5);
-        sin = x + (z * x * (Vector256.Create(S3) + (z * p)));
-        p = Next(Next(Next(Next(Next(Next(Vector256.Create(C16), z, C14), z, C12), z, C10), z, C8), z, C6), z, C4);
-        Vector256<double> w = one - half;
+        WideDouble one = WideDouble.One;
+        WideDouble z = x * x;
+        WideDouble half = WideDouble.Splat(0.5) * z;
+        WideDouble p = Next(Next(Next(Next(Next(Next(WideDouble.Splat(S17), z, S15), z, S13), z, S11), z, S9), z, S7), z, S5);
+        sin = x + (z * x * (WideDouble.Splat(S3) + (z * p)));
+        p = Next(Next(Next(Next(Next(Next(WideDouble.Splat(C16), z, C14), z, C12), z, C10), z, C8), z, C6), z, C4);
+        WideDouble w = one - half;
         cos = w + (((one - w) - half) + (z * z * p));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<double> Next(Vector256<double> p, Vector256<double> z, double coefficient) => Vector256.Create(coefficient) + (z * p);
-#endif
+    private static WideDouble Next(WideDouble p, WideDouble z, double coefficient) => WideDouble.Splat(coefficient) + (z * p);
 }

@@ -6,7 +6,9 @@ using System.Runtime.Intrinsics.X86;
 #else
 global using Wide = System.Numerics.Vector<float>;
 global using WideMask = System.Numerics.Vector<int>;
+using System;
 using System.Numerics;
+using System.Runtime.InteropServices;
 #endif
 using System.Runtime.CompilerServices;
 
@@ -136,12 +138,20 @@ internal static unsafe class WideLanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WideMask Has(Wide value, int bits) => Wide.SameBits(value & Wide.FromBits(bits), Wide.FromBits(bits));
 
+    /// <summary>True if a lane of the mask is set.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+#if NET8_0_OR_GREATER
+    public static bool Any(WideMask mask) => Bits(mask) != 0;
+#else
+    public static bool Any(WideMask mask) => !Vector.EqualsAll(mask, WideMask.Zero);
+#endif
+
     /// <summary>Stores the lanes where the mask is set and leaves the others in memory as they are.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Replace(WideMask mask, Wide value, float* target) => Wide.Select(mask, value, Wide.Load(target)).Store(target);
 
 #if NET8_0_OR_GREATER
-    /// <summary>The mask whose lane i is set where bit i is: the reverse of <see cref="Bits"/>.</summary>
+    /// <summary>The mask whose lane i is set where bit i is: the reverse of <see cref="Bits(WideMask)"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WideMask Mask(int bits)
     {
@@ -166,30 +176,56 @@ internal static unsafe class WideLanes
     /// <summary>Bit i is set where lane i of the mask is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Bits(WideMask mask) => (int)Vector256.ExtractMostSignificantBits(mask);
-#else
-    /// <summary>The mask whose lane i is set where bit i is: the reverse of <see cref="Bits"/>.</summary>
-    public static WideMask Mask(int bits)
-    {
-        int* lanes = stackalloc int[BundleLanes];
-        for (int i = 0; i < BundleLanes; i++)
-        {
-            lanes[i] = -((bits >> i) & 1);
-        }
 
-        return Unsafe.ReadUnaligned<WideMask>(lanes);
+    /// <summary>The bits of four masks.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Bits(WideMask a, WideMask b, WideMask c, WideMask d, out int bitsA, out int bitsB, out int bitsC, out int bitsD)
+    {
+        bitsA = Bits(a);
+        bitsB = Bits(b);
+        bitsC = Bits(c);
+        bitsD = Bits(d);
     }
+#else
+    /// <summary>1, 2, 4 … 128: lane i holds bit i.</summary>
+    private static Vector<int> Each
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Unsafe.ReadUnaligned<Vector<int>>(ref MemoryMarshal.GetReference(EachBytes));
+    }
+
+    // Bytes, which need no array: they are read where they lie in the assembly.
+    private static ReadOnlySpan<byte> EachBytes =>
+        [1, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 8, 0, 0, 0, 16, 0, 0, 0, 32, 0, 0, 0, 64, 0, 0, 0, 128, 0, 0, 0];
+
+    /// <summary>The mask whose lane i is set where bit i is: the reverse of <see cref="Bits(WideMask)"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideMask Mask(int bits) => Vector.Equals(new Vector<int>(bits) & Each, Each);
 
     /// <summary>Bit i is set where lane i of the mask is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Bits(WideMask mask)
     {
-        int bits = 0;
-        for (int i = 0; i < WideMask.Count; i++)
-        {
-            bits |= (mask[i] & 1) << i;
-        }
-
-        return bits;
+        Vector<short> words = Vector.Narrow(mask, mask);
+        return BitsOf(Vector.Narrow(words, words), 0);
     }
+
+    /// <summary>The bits of four masks.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Bits(WideMask a, WideMask b, WideMask c, WideMask d, out int bitsA, out int bitsB, out int bitsC, out int bitsD)
+    {
+        Vector<sbyte> bytes = Vector.Narrow(Vector.Narrow(a, b), Vector.Narrow(c, d));
+        bitsA = BitsOf(bytes, 0);
+        bitsB = BitsOf(bytes, 1);
+        bitsC = BitsOf(bytes, 2);
+        bitsD = BitsOf(bytes, 3);
+    }
+
+    /// <summary>The bits of a quarter of a vector: of each byte its own bit, and all added up in the highest one.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int BitsOf(Vector<sbyte> bytes, int quarter) => WideMask.Count == BundleLanes
+        ? (int)(((Vector.AsVectorUInt64(bytes)[quarter] & 0x8040201008040201UL) * 0x0101010101010101UL) >> 56)
+        : (int)(((Vector.AsVectorUInt32(bytes)[quarter] & 0x08040201u) * 0x01010101u) >> 24);
 #endif
 
 #if !NET8_0_OR_GREATER

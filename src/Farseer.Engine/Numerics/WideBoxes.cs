@@ -2,6 +2,9 @@ using System.Numerics;
 using System.Runtime.CompilerServices;
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
+#else
+using System;
+using System.Runtime.InteropServices;
 #endif
 
 namespace Farseer.Engine.Numerics;
@@ -41,10 +44,7 @@ internal unsafe struct WideBoxes
                 & Vector.GreaterThanOrEqual(Read(MaxY + i), box.MinY);
             if (!inside.Equals(Vector<int>.Zero))
             {
-                for (int k = 0; k < Vector<float>.Count; k++)
-                {
-                    mask |= (uint)(inside[k] & 1) << (lane + k);
-                }
+                mask |= (uint)WideLanes.Bits(inside) << lane;
             }
         }
 
@@ -78,18 +78,15 @@ internal unsafe struct WideBoxes
 #if NET8_0_OR_GREATER
         return BitOperations.TrailingZeroCount(mask);
 #else
-        int lane = 0;
-        while ((mask & 1) == 0)
-        {
-            mask >>= 1;
-            lane++;
-        }
-
-        return lane;
+        // Times the bit that is alone a sequence in which each run of five bits stands once has that of the bit's number at its top.
+        return Unsafe.Add(ref MemoryMarshal.GetReference(LaneOfRun), (int)(((mask & (0 - mask)) * 0x077CB531u) >> 27));
 #endif
     }
 
 #if !NET8_0_OR_GREATER
+    private static ReadOnlySpan<byte> LaneOfRun =>
+        [0, 1, 28, 2, 29, 14, 24, 3, 30, 22, 20, 15, 25, 17, 4, 8, 31, 27, 13, 23, 21, 19, 16, 7, 26, 12, 18, 6, 11, 5, 10, 9];
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector<float> Read(float* from) => Unsafe.ReadUnaligned<Vector<float>>(from);
 #endif

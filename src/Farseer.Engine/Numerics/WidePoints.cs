@@ -77,18 +77,58 @@ internal static unsafe class WidePoints
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<float> Pair(Vector2* pool, int first, int second) =>
         Sse2.LoadHigh(Sse2.LoadScalarVector128((double*)(pool + first)), (double*)(pool + second)).AsSingle();
+#else
+    /// <summary>
+    /// Brings four points in a row of each lane of a bundle into columns, whatever lies behind the last one of a lane: see <see cref="RepeatLast"/>.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void TurnFour(Vector2* pool, int* start, float* x, float* y)
+    {
+        for (int i = 0; i < WideLanes.BundleLanes; i += MatrixTurn.Records)
+        {
+            var p0 = (float*)(pool + start[i]);
+            var p1 = (float*)(pool + start[i + 1]);
+            var p2 = (float*)(pool + start[i + 2]);
+            var p3 = (float*)(pool + start[i + 3]);
+            MatrixTurn.ToPairs(p0, p1, p2, p3, x + i, y + i, WideLanes.BundleLanes);
+            MatrixTurn.ToPairs(
+                p0 + 4, p1 + 4, p2 + 4, p3 + 4, x + i + (2 * WideLanes.BundleLanes), y + i + (2 * WideLanes.BundleLanes), WideLanes.BundleLanes);
+        }
+    }
+
+    /// <summary>Where a lane's last point is before one of the four, that repeats the one before it.</summary>
+    /// <param name="last">How many more points than one each lane has.</param>
+    /// <param name="column">One coordinate of the first points.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void RepeatLast(Vector<int> last, float* column)
+    {
+        Wide before = Wide.Load(column);
+        for (int i = 1; i < 4; i++)
+        {
+            column += WideLanes.BundleLanes;
+            before = Wide.Select(Vector.GreaterThanOrEqual(last, new Vector<int>(i)), Wide.Load(column), before);
+            before.Store(column);
+        }
+    }
 #endif
 
+    /// <summary>Turns the points into two columns, to be read when all that is needed has been turned; what lies behind a point is read as well.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Turn(Vector2* pool, int* index, float* x, float* y)
+    {
+        for (int i = 0; i < Wide.Count; i += MatrixTurn.Records)
+        {
+            MatrixTurn.ToTwoColumns(
+                (float*)(pool + index[i]), (float*)(pool + index[i + 1]), (float*)(pool + index[i + 2]), (float*)(pool + index[i + 3]), x + i, y + i);
+        }
+    }
+
+    [SkipLocalsInit]
     private static void GatherByElement(Vector2* pool, int* index, out Wide x, out Wide y)
     {
-        float* t = stackalloc float[2 * WideLanes.BundleLanes];
-        for (int i = 0; i < Wide.Count; i++)
-        {
-            t[i] = pool[index[i]].X;
-            t[i + WideLanes.BundleLanes] = pool[index[i]].Y;
-        }
-
-        x = Wide.Load(t);
-        y = Wide.Load(t + WideLanes.BundleLanes);
+        FourColumns turned;
+        Turn(pool, index, (float*)&turned.A, (float*)&turned.B);
+        x = turned.A;
+        y = turned.B;
     }
 }

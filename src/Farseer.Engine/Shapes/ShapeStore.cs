@@ -266,7 +266,7 @@ internal sealed class ShapeStore
 
         int start = _vertexEnd;
         _vertexEnd += 1 << size;
-        _vertexSet.EnsureCapacity(start + Math.Max(1 << size, ReadAtOnce));
+        _vertexSet.EnsureCapacity(start + Math.Max((1 << size) + 1, ReadAtOnce));
         return start;
     }
 

@@ -209,11 +209,8 @@ internal sealed unsafe class NetBodies
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Kick(BodyState* states, BodyDrive* drives, int* index, Wide share)
     {
-        BodyLanes.GatherVelocity(states, index, out WideVelocity v);
-        BodyLanes.Gather((float*)drives, index, out Wide x, out Wide y, out Wide w, out _);
-        v.X = v.X + (share * x);
-        v.Y = v.Y + (share * y);
-        v.W = v.W + (share * w);
-        BodyLanes.ScatterVelocity(states, index, v);
+        BodyLanes.Gather((float*)states, (float*)drives, index, out FourColumns v, out FourColumns drive);
+        BodyLanes.Scatter(
+            (float*)states, index, v.A + (share * drive.A), v.B + (share * drive.B), v.C + (share * drive.C), Wide.Zero);
     }
 }

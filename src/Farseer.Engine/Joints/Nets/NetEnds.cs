@@ -51,11 +51,25 @@ internal unsafe struct NetEnds
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void TurnArms(NetEnds* e, int lane, BodyState* bodies, out Wide x, out Wide y)
     {
-        BodyLanes.GatherDelta(bodies, e->BodyA + lane, out WideDelta a);
+        WideDelta a;
+        WideDelta b = default;
+        if (MatrixTurn.IsUsed)
+        {
+            BodyLanes.GatherDeltas(bodies, e->BodyA + lane, e->BodyB + lane, out a, out b);
+        }
+        else
+        {
+            BodyLanes.GatherDelta(bodies, e->BodyA + lane, out a);
+        }
+
         Turn(a, Wide.Load(e->MiddleAX + lane), Wide.Load(e->MiddleAY + lane), out Wide ax, out Wide ay);
         (Wide.Load(e->MiddleAX + lane) + ax).Store(e->ArmAX + lane);
         (Wide.Load(e->MiddleAY + lane) + ay).Store(e->ArmAY + lane);
-        BodyLanes.GatherDelta(bodies, e->BodyB + lane, out WideDelta b);
+        if (!MatrixTurn.IsUsed)
+        {
+            BodyLanes.GatherDelta(bodies, e->BodyB + lane, out b);
+        }
+
         Turn(b, Wide.Load(e->MiddleBX + lane), Wide.Load(e->MiddleBY + lane), out Wide bx, out Wide by);
         (Wide.Load(e->MiddleBX + lane) + bx).Store(e->ArmBX + lane);
         (Wide.Load(e->MiddleBY + lane) + by).Store(e->ArmBY + lane);

@@ -58,8 +58,7 @@ internal static unsafe class NetPivotKernel
             NetPivotBundle* row = bundles + i;
             for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
             {
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyB + lane, out WideVelocity b);
+                BodyLanes.GatherVelocities(bodies, row->Ends.BodyA + lane, row->Ends.BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Wide x = Wide.Load(row->ImpulseX + lane);
                 Wide y = Wide.Load(row->ImpulseY + lane);
                 (Wide.Load(row->SumX + lane) + x).Store(row->SumX + lane);
@@ -84,8 +83,7 @@ internal static unsafe class NetPivotKernel
             NetPivotBundle* row = bundles + i;
             for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
             {
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyB + lane, out WideVelocity b);
+                BodyLanes.GatherVelocities(bodies, row->Ends.BodyA + lane, row->Ends.BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Wide most = fastest * NetEnds.SizeOf(&row->Ends, lane);
                 Wide biasX = NetSoftness.Bias(biasRate, Wide.Load(row->ErrorX + lane), most);
                 Wide biasY = NetSoftness.Bias(biasRate, Wide.Load(row->ErrorY + lane), most);
@@ -106,8 +104,7 @@ internal static unsafe class NetPivotKernel
             for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
             {
                 Turn(row, lane, bodies, out _, out _);
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyB + lane, out WideVelocity b);
+                BodyLanes.GatherVelocities(bodies, row->Ends.BodyA + lane, row->Ends.BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Step(row, lane, ref a, ref b, Wide.Zero, Wide.Zero, Wide.One, Wide.Zero);
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyB + lane, b);
@@ -162,8 +159,7 @@ internal static unsafe class NetPivotKernel
             {
                 Wide x = Wide.Load(row->ImpulseX + lane);
                 Wide y = Wide.Load(row->ImpulseY + lane);
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyB + lane, out WideVelocity b);
+                BodyLanes.GatherVelocities(bodies, row->Ends.BodyA + lane, row->Ends.BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Wide most = fastest * NetEnds.SizeOf(&row->Ends, lane);
                 Wide biasX = NetSoftness.Bias(rate, Wide.Load(row->OutsideX + lane), most);
                 Wide biasY = NetSoftness.Bias(rate, Wide.Load(row->OutsideY + lane), most);

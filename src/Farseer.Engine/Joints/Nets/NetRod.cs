@@ -60,8 +60,7 @@ internal static unsafe class NetRodKernel
             NetRodBundle* row = bundles + i;
             for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
             {
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyB + lane, out WideVelocity b);
+                BodyLanes.GatherVelocities(bodies, row->Ends.BodyA + lane, row->Ends.BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Push(row, lane, ref a, ref b, Wide.Load(row->Impulse + lane));
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyB + lane, b);
@@ -82,8 +81,7 @@ internal static unsafe class NetRodKernel
             NetRodBundle* row = bundles + i;
             for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
             {
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyB + lane, out WideVelocity b);
+                BodyLanes.GatherVelocities(bodies, row->Ends.BodyA + lane, row->Ends.BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Wide most = fastest * SizeOf(row, lane);
                 Step(row, lane, ref a, ref b, NetSoftness.Bias(biasRate, Wide.Load(row->Error + lane), most), massScale, leak);
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyA + lane, a);
@@ -102,8 +100,7 @@ internal static unsafe class NetRodKernel
             for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
             {
                 Turn(row, lane, bodies);
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyB + lane, out WideVelocity b);
+                BodyLanes.GatherVelocities(bodies, row->Ends.BodyA + lane, row->Ends.BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Step(row, lane, ref a, ref b, Wide.Zero, Wide.One, Wide.Zero);
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyB + lane, b);
@@ -150,8 +147,7 @@ internal static unsafe class NetRodKernel
                 Wide kept = Wide.Load(row->Impulse + lane);
                 Wide keptX = Wide.Load(row->SumX + lane);
                 Wide keptY = Wide.Load(row->SumY + lane);
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, row->Ends.BodyB + lane, out WideVelocity b);
+                BodyLanes.GatherVelocities(bodies, row->Ends.BodyA + lane, row->Ends.BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Wide bias = NetSoftness.Bias(rate, Wide.Load(row->Outside + lane), fastest * SizeOf(row, lane));
                 Step(row, lane, ref a, ref b, bias, Wide.One, Wide.Zero);
                 BodyLanes.ScatterVelocity(bodies, row->Ends.BodyA + lane, a);

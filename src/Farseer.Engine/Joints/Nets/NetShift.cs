@@ -38,5 +38,5 @@ internal static class NetShift
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool IsDisturbed(Wide outside) => WideLanes.Bits(Wide.Abs(outside) > Wide.Zero) != 0;
+    public static bool IsDisturbed(Wide outside) => WideLanes.Any(Wide.Abs(outside) > Wide.Zero);
 }

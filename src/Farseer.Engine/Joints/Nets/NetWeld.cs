@@ -51,8 +51,7 @@ internal static unsafe class NetWeldKernel
             NetEnds* ends = &row->Pivot.Ends;
             for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
             {
-                BodyLanes.GatherVelocity(bodies, ends->BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, ends->BodyB + lane, out WideVelocity b);
+                BodyLanes.GatherVelocities(bodies, ends->BodyA + lane, ends->BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Wide x = Wide.Load(row->Pivot.ImpulseX + lane);
                 Wide y = Wide.Load(row->Pivot.ImpulseY + lane);
                 Wide w = Wide.Load(row->Impulse + lane);
@@ -80,8 +79,7 @@ internal static unsafe class NetWeldKernel
             NetEnds* ends = &row->Pivot.Ends;
             for (int lane = 0; lane < NetEnds.Lanes; lane += Wide.Count)
             {
-                BodyLanes.GatherVelocity(bodies, ends->BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, ends->BodyB + lane, out WideVelocity b);
+                BodyLanes.GatherVelocities(bodies, ends->BodyA + lane, ends->BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Wide most = fastest * NetEnds.SizeOf(ends, lane);
                 Wide biasX = NetSoftness.Bias(biasRate, Wide.Load(row->Pivot.ErrorX + lane), most);
                 Wide biasY = NetSoftness.Bias(biasRate, Wide.Load(row->Pivot.ErrorY + lane), most);
@@ -105,8 +103,7 @@ internal static unsafe class NetWeldKernel
             {
                 NetPivotKernel.Turn(&row->Pivot, lane, bodies, out _, out _);
                 TurnAngle(row, lane, motions);
-                BodyLanes.GatherVelocity(bodies, ends->BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, ends->BodyB + lane, out WideVelocity b);
+                BodyLanes.GatherVelocities(bodies, ends->BodyA + lane, ends->BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Step(row, lane, ref a, ref b, Wide.Zero, Wide.Zero, Wide.Zero, Wide.One, Wide.Zero);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyB + lane, b);
@@ -153,8 +150,7 @@ internal static unsafe class NetWeldKernel
                 Wide x = Wide.Load(row->Pivot.ImpulseX + lane);
                 Wide y = Wide.Load(row->Pivot.ImpulseY + lane);
                 Wide w = Wide.Load(row->Impulse + lane);
-                BodyLanes.GatherVelocity(bodies, ends->BodyA + lane, out WideVelocity a);
-                BodyLanes.GatherVelocity(bodies, ends->BodyB + lane, out WideVelocity b);
+                BodyLanes.GatherVelocities(bodies, ends->BodyA + lane, ends->BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Wide most = fastest * NetEnds.SizeOf(ends, lane);
                 Wide biasX = NetSoftness.Bias(rate, Wide.Load(row->Pivot.OutsideX + lane), most);
                 Wide biasY = NetSoftness.Bias(rate, Wide.Load(row->Pivot.OutsideY + lane), most);

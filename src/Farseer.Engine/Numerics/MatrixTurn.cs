@@ -1,0 +1,128 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics.X86;
+#endif
+
+namespace Farseer.Engine.Numerics;
+
+/// <summary>
+/// Turns records into lanes and back where nobody offers shuffles: the framework's transposition of a matrix moves numbers and computes nothing, and a
+/// runtime that knows vectors keeps it in registers. What it writes are halves of a lane vector. To read the whole vector at once waits until both halves
+/// have left the processor, and everything before them: passes turn several bundles before they compute with the first.
+/// </summary>
+internal static unsafe class MatrixTurn
+{
+#if NET8_0_OR_GREATER
+    /// <summary>Nothing better is at hand.</summary>
+    public static bool IsUsed => !Avx.IsSupported;
+#else
+    /// <summary>Nothing better is at hand.</summary>
+    public static bool IsUsed => true;
+#endif
+
+    /// <summary>Records that a matrix holds.</summary>
+    public const int Records = 4;
+
+    /// <summary>Turns four floats of each of four records into four columns.</summary>
+    /// <param name="r0">A record.</param>
+    /// <param name="r1">A record.</param>
+    /// <param name="r2">A record.</param>
+    /// <param name="r3">A record.</param>
+    /// <param name="target">The first column.</param>
+    /// <param name="stride">Floats from one column to the next.</param>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void ToColumns(float* r0, float* r1, float* r2, float* r3, float* target, int stride)
+    {
+        Matrix4x4 block;
+        var rows = (Vector4*)&block;
+        rows[0] = *(Vector4*)r0;
+        rows[1] = *(Vector4*)r1;
+        rows[2] = *(Vector4*)r2;
+        rows[3] = *(Vector4*)r3;
+        block = Matrix4x4.Transpose(block);
+        *(Vector4*)target = rows[0];
+        *(Vector4*)(target + stride) = rows[1];
+        *(Vector4*)(target + (2 * stride)) = rows[2];
+        *(Vector4*)(target + (3 * stride)) = rows[3];
+    }
+
+    /// <summary>The same without the fourth column.</summary>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void ToThreeColumns(float* r0, float* r1, float* r2, float* r3, float* target, int stride)
+    {
+        Matrix4x4 block;
+        var rows = (Vector4*)&block;
+        rows[0] = *(Vector4*)r0;
+        rows[1] = *(Vector4*)r1;
+        rows[2] = *(Vector4*)r2;
+        rows[3] = *(Vector4*)r3;
+        block = Matrix4x4.Transpose(block);
+        *(Vector4*)target = rows[0];
+        *(Vector4*)(target + stride) = rows[1];
+        *(Vector4*)(target + (2 * stride)) = rows[2];
+    }
+
+    /// <summary>The same with nothing but the first two, wherever these are to be.</summary>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void ToTwoColumns(float* r0, float* r1, float* r2, float* r3, float* first, float* second)
+    {
+        Matrix4x4 block;
+        var rows = (Vector4*)&block;
+        rows[0] = *(Vector4*)r0;
+        rows[1] = *(Vector4*)r1;
+        rows[2] = *(Vector4*)r2;
+        rows[3] = *(Vector4*)r3;
+        block = Matrix4x4.Transpose(block);
+        *(Vector4*)first = rows[0];
+        *(Vector4*)second = rows[1];
+    }
+
+    /// <summary>The same with the first and third column in one place, the second and fourth in another.</summary>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void ToPairs(float* r0, float* r1, float* r2, float* r3, float* odd, float* even, int stride)
+    {
+        Matrix4x4 block;
+        var rows = (Vector4*)&block;
+        rows[0] = *(Vector4*)r0;
+        rows[1] = *(Vector4*)r1;
+        rows[2] = *(Vector4*)r2;
+        rows[3] = *(Vector4*)r3;
+        block = Matrix4x4.Transpose(block);
+        *(Vector4*)odd = rows[0];
+        *(Vector4*)even = rows[1];
+        *(Vector4*)(odd + stride) = rows[2];
+        *(Vector4*)(even + stride) = rows[3];
+    }
+
+    /// <summary>Turns columns into four floats of each of four records.</summary>
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void ToRecords(Vector4 c0, Vector4 c1, Vector4 c2, Vector4 c3, float* r0, float* r1, float* r2, float* r3)
+    {
+        Matrix4x4 block;
+        var rows = (Vector4*)&block;
+        rows[0] = c0;
+        rows[1] = c1;
+        rows[2] = c2;
+        rows[3] = c3;
+        block = Matrix4x4.Transpose(block);
+        *(Vector4*)r0 = rows[0];
+        *(Vector4*)r1 = rows[1];
+        *(Vector4*)r2 = rows[2];
+        *(Vector4*)r3 = rows[3];
+    }
+}
+
+/// <summary>Four lane vectors side by side in memory.</summary>
+internal struct FourColumns
+{
+    public Wide A;
+    public Wide B;
+    public Wide C;
+    public Wide D;
+}
