@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Numerics;
@@ -15,6 +16,8 @@ internal static unsafe class Integrator
     /// of that middle; beyond, the two have so little to do with each other that a pile hit by a bullet gains energy without end.
     /// </summary>
     public const float LargestTurn = 1f;
+    private const double SineOfLargest = 0.8414709848078965;
+    private const double CosineOfLargest = 0.5403023058681398;
 
     /// <summary>
     /// v ← v·keep + drive. Before that the change of the last substep is noted: where a body accelerates steadily (falls,
@@ -97,6 +100,19 @@ internal static unsafe class Integrator
         BodyLanes.GatherDelta(states, index, out d);
         BodyLanes.Gather(motion, index, out start.A, out start.B, out start.C, out start.D);
         BodyLanes.Gather(motion + 4, index, out change.A, out change.B, out change.C, out change.D);
+    }
+
+    /// <summary>The turn as contacts see it, of a body whose displacement is kept elsewhere.</summary>
+    /// <param name="state">The body.</param>
+    /// <param name="turned">Its turn since the foreseen middle of the step.</param>
+    /// <param name="sin">The turn's sine.</param>
+    /// <param name="cos">The turn's cosine.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Show(BodyState* state, double turned, double sin, double cos)
+    {
+        bool far = Math.Abs(turned) > LargestTurn;
+        state->DeltaSin = (float)(far ? (turned > 0 ? SineOfLargest : -SineOfLargest) : sin);
+        state->DeltaCos = (float)(far ? CosineOfLargest : cos);
     }
 
     /// <summary>The turn as contacts see it.</summary>

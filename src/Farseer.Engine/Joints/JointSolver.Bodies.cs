@@ -258,8 +258,7 @@ internal sealed unsafe partial class JointSolver
         state->DeltaPosition.X = (float)node->Move[0];
         state->DeltaPosition.Y = (float)node->Move[1];
         motion->Turned = (float)node->Move[2];
-        state->DeltaSin = (float)node->TurnSin;
-        state->DeltaCos = (float)node->TurnCos;
+        Integrator.Show(state, node->Move[2], node->TurnSin, node->TurnCos);
     }
 
     /// <summary>What the floats of the displacements leave out of the step goes into the poses directly.</summary>

@@ -251,8 +251,7 @@ internal sealed unsafe partial class ChainSolver
             state->DeltaPosition.X = (float)move[0];
             state->DeltaPosition.Y = (float)move[s];
             _step.Bodies.Motion[places[i].Body].Turned = (float)move[2 * s];
-            state->DeltaSin = (float)view[ChainColumn.TurnSin][i];
-            state->DeltaCos = (float)view[ChainColumn.TurnCos][i];
+            Integrator.Show(state, move[2 * s], view[ChainColumn.TurnSin][i], view[ChainColumn.TurnCos][i]);
         }
     }
 

@@ -137,7 +137,9 @@ internal static unsafe class LaneMatrix
         WideDouble a = (At(m, 4) * At(m, 8)) - (At(m, 5) * At(m, 7));
         WideDouble b = (At(m, 5) * At(m, 6)) - (At(m, 3) * At(m, 8));
         WideDouble c = (At(m, 3) * At(m, 7)) - (At(m, 4) * At(m, 6));
-        WideDouble f = Inverse((At(m, 0) * a) + (At(m, 1) * b) + (At(m, 2) * c));
+        WideDouble det = (At(m, 0) * a) + (At(m, 1) * b) + (At(m, 2) * c);
+        WideDoubleMask lost = ~(det > WideDouble.Splat(SmallMatrix.Lost) * (At(m, 0) * At(m, 4) * At(m, 8)));
+        WideDouble f = Inverse(det);
         WideDouble r4 = f * ((At(m, 0) * At(m, 8)) - (At(m, 2) * At(m, 6)));
         WideDouble r5 = f * ((At(m, 2) * At(m, 3)) - (At(m, 0) * At(m, 5)));
         WideDouble r8 = f * ((At(m, 0) * At(m, 4)) - (At(m, 1) * At(m, 3)));
@@ -150,6 +152,40 @@ internal static unsafe class LaneMatrix
         (f * c).Store(r + 24);
         r5.Store(r + 28);
         r8.Store(r + 32);
+        if (DoubleLanes.Bits(lost) != 0)
+        {
+            InvertByPivots(m, r, lost);
+        }
+    }
+
+    private static void InvertByPivots(double* m, double* r, WideDoubleMask lost)
+    {
+        WideDouble i0 = Inverse(At(m, 0));
+        WideDouble l10 = At(m, 3) * i0;
+        WideDouble l20 = At(m, 6) * i0;
+        WideDouble i1 = Inverse(At(m, 4) - (l10 * At(m, 3)));
+        WideDouble rest = At(m, 7) - (l20 * At(m, 3));
+        WideDouble l21 = rest * i1;
+        WideDouble i2 = Inverse(At(m, 8) - (l20 * At(m, 6)) - (l21 * rest));
+        WideDouble p = (l10 * l21) - l20;
+        Put(r, 0, lost, i0 + (l10 * l10 * i1) + (p * p * i2));
+        WideDouble off = WideDouble.Negate((l10 * i1) + (p * l21 * i2));
+        Put(r, 1, lost, off);
+        Put(r, 3, lost, off);
+        Put(r, 2, lost, p * i2);
+        Put(r, 6, lost, p * i2);
+        Put(r, 4, lost, i1 + (l21 * l21 * i2));
+        off = WideDouble.Negate(l21 * i2);
+        Put(r, 5, lost, off);
+        Put(r, 7, lost, off);
+        Put(r, 8, lost, i2);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Put(double* r, int element, WideDoubleMask where, WideDouble value)
+    {
+        double* at = r + (element * Step);
+        WideDouble.Select(where, value, WideDouble.Load(at)).Store(at);
     }
 
     /// <summary>One over a determinant; 0 where it is not positive.</summary>

@@ -307,8 +307,7 @@ internal sealed unsafe partial class TreeLanes
                 state->DeltaPosition.X = (float)node->Move[0];
                 state->DeltaPosition.Y = (float)node->Move[Y];
                 motions[body].Turned = (float)node->Move[W];
-                state->DeltaSin = (float)node->TurnSin[0];
-                state->DeltaCos = (float)node->TurnCos[0];
+                Integrator.Show(state, node->Move[W], node->TurnSin[0], node->TurnCos[0]);
                 if (free)
                 {
                     BodyDrive* drive = drives + body;

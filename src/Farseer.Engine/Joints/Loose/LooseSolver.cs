@@ -228,8 +228,7 @@ internal sealed unsafe partial class LooseSolver
         state->DeltaPosition.X = (float)body->Move[0];
         state->DeltaPosition.Y = (float)body->Move[1];
         _step.Bodies.Motion[body->Body].Turned = (float)body->Move[2];
-        state->DeltaSin = (float)body->TurnSin;
-        state->DeltaCos = (float)body->TurnCos;
+        Integrator.Show(state, body->Move[2], body->TurnSin, body->TurnCos);
     }
 
     /// <summary>The rows where the bodies stand, and the other half of what free ones take.</summary>
