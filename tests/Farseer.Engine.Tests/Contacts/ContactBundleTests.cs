@@ -6,12 +6,12 @@ namespace Farseer.Engine.Tests.Contacts;
 public sealed unsafe class ContactBundleTests
 {
     [Fact]
-    public void Bytes_OfABundle_AreItsSize() => Assert.Equal(sizeof(ContactBundle), ContactBundle.Bytes);
+    public void Bytes_OfABundle_AreItsSize() => Assert.Equal(ContactBundle.Bytes, sizeof(ContactBundle));
 
     [Fact]
     public void SolvedBytes_OfABundle_EndWhereItsContactsBegin()
     {
         ContactBundle bundle = default;
-        Assert.Equal((byte*)bundle.Contact - (byte*)&bundle, ContactBundle.SolvedBytes);
+        Assert.Equal(ContactBundle.SolvedBytes, (byte*)bundle.Contact - (byte*)&bundle);
     }
 }
