@@ -182,6 +182,19 @@ public partial class PhysicsSimulator
 
     private void TakeOut(Geom geom)
     {
+        Release(geom);
+        GeomList.TakeOut(geom);
+    }
+
+    private void TakeOut(Body body)
+    {
+        Release(body);
+        BodyList.TakeOut(body);
+    }
+
+    /// <summary>Takes it out of the world, not of the list.</summary>
+    private void Release(Geom geom)
+    {
         Body? carrier = geom.Link.AttachedBody;
         DetachCollider(geom);
         Forget(geom);
@@ -189,11 +202,9 @@ public partial class PhysicsSimulator
         {
             ReleaseIfUnused(carrier);
         }
-
-        GeomList.TakeOut(geom);
     }
 
-    private void TakeOut(Body body)
+    private void Release(Body body)
     {
         body.Membership = Membership.None;
         if (!body.Link.IsUsed)
@@ -206,7 +217,6 @@ public partial class PhysicsSimulator
         }
 
         ReleaseIfUnused(body);
-        BodyList.TakeOut(body);
     }
 
     private void SweepDisposed(Body body)

@@ -167,7 +167,7 @@ public partial class PhysicsSimulator
             {
                 if (_table.Geom(i) is { } geom)
                 {
-                    TakeOut(geom);
+                    Release(geom);
                 }
             }
 
@@ -175,12 +175,12 @@ public partial class PhysicsSimulator
             {
                 if (_table.Body(i) is { } body)
                 {
-                    TakeOut(body);
+                    Release(body);
                 }
             }
 
-            GeomList.Clear();
-            BodyList.Clear();
+            GeomList.Empty();
+            BodyList.Empty();
             ClearControls();
         }
         finally

@@ -84,4 +84,15 @@ public class GeomList : List<Geom>
             Removed?.Invoke(geom);
         }
     }
+
+    /// <summary>Takes all out at once: one after the other, each would move all those behind it.</summary>
+    internal void Empty()
+    {
+        Geom[] removed = Removed is null ? [] : ToArray();
+        Clear();
+        foreach (Geom geom in removed)
+        {
+            Removed?.Invoke(geom);
+        }
+    }
 }

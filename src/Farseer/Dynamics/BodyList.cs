@@ -79,4 +79,15 @@ public class BodyList : List<Body>
             Removed?.Invoke(body);
         }
     }
+
+    /// <summary>Takes all out at once: one after the other, each would move all those behind it.</summary>
+    internal void Empty()
+    {
+        Body[] removed = Removed is null ? [] : ToArray();
+        Clear();
+        foreach (Body body in removed)
+        {
+            Removed?.Invoke(body);
+        }
+    }
 }

@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Diagnostics;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
@@ -74,6 +76,55 @@ public class MembershipTests
         other.Add(geom);
         other.Update(0.1f);
         Assert.Single(other.GeomList);
+    }
+
+    [Fact]
+    public void Clear_TellsTheListsOfEachItem_OnceAllAreOut()
+    {
+        var simulator = new PhysicsSimulator();
+        var bodies = new List<Body>();
+        var geoms = new List<Geom>();
+        for (int i = 0; i < 5; i++)
+        {
+            Body body = BodyFactory.Instance.CreateCircleBody(simulator, 5, 1);
+            bodies.Add(body);
+            geoms.Add(GeomFactory.Instance.CreateCircleGeom(simulator, body, 5, 16));
+        }
+
+        simulator.Update(0.1f);
+        var bodiesTold = new List<Body>();
+        var geomsTold = new List<Geom>();
+        int left = 0;
+        simulator.BodyList.Removed += body =>
+        {
+            bodiesTold.Add(body);
+            left += simulator.BodyList.Count;
+        };
+        simulator.GeomList.Removed += geomsTold.Add;
+        simulator.Clear();
+        Assert.Equal(bodies, bodiesTold);
+        Assert.Equal(geoms, geomsTold);
+        Assert.Equal(0, left);
+    }
+
+    [Fact]
+    public void Clear_OfAQuarterOfAMillionBodies_TakesNoLongerThanTheyAreMany()
+    {
+        const int Count = 250_000;
+        var simulator = new PhysicsSimulator();
+        for (int i = 0; i < Count; i++)
+        {
+            simulator.Add(new Body { Mass = 1, MomentOfInertia = 1 });
+        }
+
+        simulator.Update(0.01f);
+        Assert.Equal(Count, simulator.BodyList.Count);
+        var clock = Stopwatch.StartNew();
+        simulator.Clear();
+
+        // Some 0.05 s. One after the other, each moving all behind it, they took 20 s.
+        Assert.InRange(clock.Elapsed.TotalSeconds, 0, 5);
+        Assert.Empty(simulator.BodyList);
     }
 
     [Fact]
