@@ -20,6 +20,8 @@ switch (args.Length > 0 ? args[0] : "")
         return SceneCommand.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "resting":
         return RestingTiming.Run(Console.Out);
+    case "series":
+        return SizeSeries.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "compare":
         return ResultComparison.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "bdn":
@@ -40,6 +42,8 @@ switch (args.Length > 0 ? args[0] : "")
         Console.WriteLine($"  {SceneCommand.Usage}");
         Console.WriteLine("          whole steps of the performance scenes");
         Console.WriteLine("  resting time of a step of 1, 5, 10 and 20 boxes at rest");
+        Console.WriteLine($"  {SizeSeries.Usage}");
+        Console.WriteLine("          ns a body-step from 15 bodies to 1,000,000, or to LARGEST, beside those of 1,000");
         Console.WriteLine($"  {ResultComparison.Usage}");
         Console.WriteLine("          two result files of scenes --csv side by side; one: beside a run made now");
         Console.WriteLine($"  {SuiteCommand.Usage}");
