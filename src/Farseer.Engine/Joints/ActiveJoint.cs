@@ -47,6 +47,9 @@ internal unsafe struct ActiveJoint
 
     /// <summary>The block that it belongs to takes its limits when they hold; else they are iterated.</summary>
     public bool BlockLimits;
+
+    /// <summary>A limit alone that makes an edge of a tree, where nothing else ties its bodies together.</summary>
+    public bool Ties;
     public int Class;
 
     /// <summary>Where a limit that holds in the block is to be by the substep's end.</summary>

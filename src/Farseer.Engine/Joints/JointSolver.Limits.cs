@@ -418,7 +418,11 @@ internal sealed unsafe partial class JointSolver
         double speed = SmallMatrix.Dot(ja, a) + SmallMatrix.Dot(jb, b);
         double terms = Math.Abs(ja[0] * a[0]) + Math.Abs(ja[1] * a[1]) + Math.Abs(ja[2] * a[2])
             + Math.Abs(jb[0] * b[0]) + Math.Abs(jb[1] * b[1]) + Math.Abs(jb[2] * b[2]);
-        return speed < LimitTarget(joint, rows, row, kind) - (SpeedRounding * terms);
+        double rounding = SpeedRounding * terms;
+
+        // A limit that is its bodies' only tie holds in a tie as well: a pair that whirls at the end of its rope would be past it by the bend of its way.
+        double target = LimitTarget(joint, rows, row, kind);
+        return TreeOfLimits(joint) != null ? speed <= target + rounding : speed < target - rounding;
     }
 
     private void Velocity(int node, int body, double* v)
@@ -443,6 +447,11 @@ internal sealed unsafe partial class JointSolver
     {
         double gap = rows->Error[row];
         double h = _step.Substep;
+        if (kind == TargetKind.Pull && TreeOfLimits(joint) != null)
+        {
+            return -Math.Min(0, PullSpeed(rows, row, _step));
+        }
+
         if (IsDisplacement(kind))
         {
             return (joint->Goal[row] - gap) / h;
@@ -460,6 +469,12 @@ internal sealed unsafe partial class JointSolver
         }
 
         double over = Math.Min(0, gap + rows->Share[row]);
+        if (HoldsOverrun(joint, -over / rows->SizeOf(row)))
+        {
+            joint->Goal[row] = gap;
+            return 0;
+        }
+
         double back = -JointPass.LimitRecovery * over / h;
         bool turns = rows->A[row * 3] == 0 && rows->A[(row * 3) + 1] == 0;
         back = turns ? Math.Min(back, FastestReturn) : back;

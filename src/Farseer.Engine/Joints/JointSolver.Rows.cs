@@ -273,7 +273,14 @@ internal sealed unsafe partial class JointSolver
     {
         if (r >= rows->Hard)
         {
-            return LimitTarget(joint, rows, r, kind);
+            double way = LimitTarget(joint, rows, r, kind);
+            if (tree->LimitEdges && !tree->Disturbed && IsDisplacement(kind))
+            {
+                double span = rows->SizeOf(r);
+                tree->Worst = Math.Max(tree->Worst, span > 0 ? Math.Abs(way) * _step.Substep / span : 0);
+            }
+
+            return way;
         }
 
         bool positions = IsDisplacement(kind);

@@ -9,6 +9,7 @@ internal sealed class RopeForm : JointForm
     {
         double length = Direction(f, out double nx, out double ny);
         rows.AddDistance(RowType.Limit, f, nx, ny, -1, s.Upper - length);
+        rows.Size += s.Upper;
         rows.JointError = Math.Max(0, length - s.Upper);
     }
 }

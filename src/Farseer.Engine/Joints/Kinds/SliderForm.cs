@@ -22,6 +22,7 @@ internal sealed class SliderForm : JointForm
         }
 
         double beyond = length > s.Upper ? length - s.Upper : length < s.Lower ? length - s.Lower : 0;
+        rows.Size += s.Upper;
         rows.JointError = Math.Abs(beyond) < s.Slop ? 0 : beyond;
     }
 }

@@ -105,6 +105,11 @@ internal sealed unsafe partial class TreeLanes
     /// <summary>Each edge and anchor is one joint of a form that is known here; an edge may have a second one.</summary>
     private bool IsKnown(JointTree* tree)
     {
+        if (tree->LimitEdges)
+        {
+            return false;
+        }
+
         for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = _forest.Nodes + i;

@@ -9,7 +9,7 @@ namespace Farseer.Engine.Joints.Trees;
 /// The trees that joints with hard rows make of the bodies. A joint with something that cannot move is an anchor of its body
 /// and not an edge, so a bridge with two abutments is a tree and no loop. The bodies of nets (<see cref="NetSearch"/>) are single.
 /// </summary>
-internal sealed unsafe class JointForest
+internal sealed unsafe partial class JointForest
 {
     /// <summary>Guests for whom there is room from the first on: a world of so many bodies, or with so few for each jointed one, never grows.</summary>
     private const int FewGuests = 64;
@@ -65,6 +65,7 @@ internal sealed unsafe class JointForest
     {
         Reset(count, bodyEnd);
         CollectEntries(active, count, moves, bodyEnd);
+        FindTies(active, count, moves, nets, bodyEnd);
         for (int body = 0; body < bodyEnd; body++)
         {
             if (_start[body + 1] > _start[body] && _nodeOf[body] == -1)
@@ -208,7 +209,7 @@ internal sealed unsafe class JointForest
             {
                 ref ActiveJoint joint = ref active[_entries[k]];
                 int other = Other(joint, body);
-                if (moves[other] == 0 || joint.BuiltHard <= 0)
+                if (moves[other] == 0 || !(joint.BuiltHard > 0 || joint.Ties))
                 {
                     continue;
                 }
@@ -296,24 +297,28 @@ internal sealed unsafe class JointForest
         return index;
     }
 
-    /// <summary>Breadth first from the root; the first joint to reach a body, and those parallel to it, make the edge.</summary>
+    /// <summary>
+    /// Breadth first from the root; the first joint to reach a body, and those parallel to it, make the edge. A joint that is a limit alone makes one
+    /// only where no other joint leads: it would else make a loop of a joint that always holds.
+    /// </summary>
     private void Grow(int root, ActiveJoint* active, byte* moves)
     {
         BeginTree();
         int head = AddNode(root, -1);
-        for (; head < Count; head++)
+        int limits = head;
+        do
         {
-            int body = Nodes[head].Body;
-            for (int k = _start[body]; k < _start[body + 1]; k++)
+            for (; head < Count; head++)
             {
-                ref ActiveJoint joint = ref active[_entries[k]];
-                int other = Other(joint, body);
-                if (moves[other] != 0 && joint.BuiltHard > 0 && joint.BuiltHard <= TreeFactor.MostRows && _nodeOf[other] < 0)
-                {
-                    AddEdge(AddNode(other, head), body, active);
-                }
+                Reach(head, false, active, moves);
+            }
+
+            while (limits < Count && !Reach(limits, true, active, moves))
+            {
+                limits++;
             }
         }
+        while (head < Count);
 
         Order(Trees[TreeCount].First);
         for (int i = Trees[TreeCount].First; i < Count; i++)
@@ -322,6 +327,29 @@ internal sealed unsafe class JointForest
         }
 
         EndTree();
+    }
+
+    /// <summary>Adds the bodies that joints of a node lead to: all by those that have hard rows, or the first one by a limit alone.</summary>
+    /// <returns>True if a limit led to a body.</returns>
+    private bool Reach(int from, bool byLimit, ActiveJoint* active, byte* moves)
+    {
+        int body = Nodes[from].Body;
+        for (int k = _start[body]; k < _start[body + 1]; k++)
+        {
+            ref ActiveJoint joint = ref active[_entries[k]];
+            int other = Other(joint, body);
+            bool leads = byLimit ? joint.Ties : joint.BuiltHard > 0 && joint.BuiltHard <= TreeFactor.MostRows;
+            if (moves[other] != 0 && leads && _nodeOf[other] < 0)
+            {
+                AddEdge(AddNode(other, from), body, active);
+                if (byLimit)
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
     }
 
     /// <summary>
@@ -397,6 +425,7 @@ internal sealed unsafe class JointForest
         node->Rows = node->HardRows;
         node->HasLimits &= node->HardRows < TreeFactor.MostRows;
         Trees[TreeCount].HasLimits |= node->HasLimits;
+        Trees[TreeCount].LimitEdges |= node->HardRows == 0;
     }
 
     /// <summary>It has rows for a block: rows that always hold, or limits.</summary>

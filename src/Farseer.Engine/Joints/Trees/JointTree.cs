@@ -28,6 +28,9 @@ internal struct JointTree
     /// <summary>Limits belong to its blocks.</summary>
     public bool HasLimits;
 
+    /// <summary>It has edges that nothing but limits makes.</summary>
+    public bool LimitEdges;
+
     /// <summary>It is a chain of hinges, anchored at its ends or not at all; and which of the chains.</summary>
     public bool IsChain;
     public int Chain;
