@@ -43,54 +43,32 @@ internal static unsafe partial class BodyLanes
         Gather((float*)bodies + 4, index, out d.X, out d.Y, out d.Sin, out d.Cos);
     }
 
-    /// <summary>The velocities of two bundles' bodies: turned by way of memory, which is waited for once.</summary>
-    [SkipLocalsInit]
+    /// <summary>The velocities of two bundles' bodies.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void GatherVelocities(BodyState* bodies, int* indexA, int* indexB, out WideVelocity a, out WideVelocity b)
     {
-        if (MatrixTurn.IsUsed)
-        {
-            FourColumns ofA;
-            FourColumns ofB;
-            TurnRecords((float*)bodies, indexA, 8, (float*)&ofA, Wide.Count);
-            TurnRecords((float*)bodies, indexB, 8, (float*)&ofB, Wide.Count);
-            a.X = ofA.A;
-            a.Y = ofA.B;
-            a.W = ofA.C;
-            b.X = ofB.A;
-            b.Y = ofB.B;
-            b.W = ofB.C;
-            return;
-        }
-
-        GatherVelocity(bodies, indexA, out a);
-        GatherVelocity(bodies, indexB, out b);
+        Gather((float*)bodies, indexA, (float*)bodies, indexB, out FourColumns ofA, out FourColumns ofB);
+        a.X = ofA.A;
+        a.Y = ofA.B;
+        a.W = ofA.C;
+        b.X = ofB.A;
+        b.Y = ofB.B;
+        b.W = ofB.C;
     }
 
-    /// <summary>What two bundles' bodies have moved, likewise.</summary>
-    [SkipLocalsInit]
+    /// <summary>What two bundles' bodies have moved.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void GatherDeltas(BodyState* bodies, int* indexA, int* indexB, out WideDelta a, out WideDelta b)
     {
-        if (MatrixTurn.IsUsed)
-        {
-            FourColumns ofA;
-            FourColumns ofB;
-            TurnRecords((float*)bodies + 4, indexA, 8, (float*)&ofA, Wide.Count);
-            TurnRecords((float*)bodies + 4, indexB, 8, (float*)&ofB, Wide.Count);
-            a.X = ofA.A;
-            a.Y = ofA.B;
-            a.Sin = ofA.C;
-            a.Cos = ofA.D;
-            b.X = ofB.A;
-            b.Y = ofB.B;
-            b.Sin = ofB.C;
-            b.Cos = ofB.D;
-            return;
-        }
-
-        GatherDelta(bodies, indexA, out a);
-        GatherDelta(bodies, indexB, out b);
+        Gather((float*)bodies + 4, indexA, (float*)bodies + 4, indexB, out FourColumns ofA, out FourColumns ofB);
+        a.X = ofA.A;
+        a.Y = ofA.B;
+        a.Sin = ofA.C;
+        a.Cos = ofA.D;
+        b.X = ofB.A;
+        b.Y = ofB.B;
+        b.Sin = ofB.C;
+        b.Cos = ofB.D;
     }
 
     /// <summary>
@@ -168,44 +146,24 @@ internal static unsafe partial class BodyLanes
         GatherByElement(records, index, 8, out a, out b, out c, out d);
     }
 
-    /// <summary>Four floats of the records of two columns, and of as many bodies, turned by way of memory, which is waited for once.</summary>
+    /// <summary>Four floats of each of two lists of records: turned by way of memory, which is waited for once.</summary>
     [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Gather(float* first, float* second, int* index, out FourColumns a, out FourColumns b)
+    public static void Gather(float* first, int* indexFirst, float* second, int* indexSecond, out FourColumns a, out FourColumns b)
     {
         if (MatrixTurn.IsUsed)
         {
             FourColumns turnedA;
             FourColumns turnedB;
-            TurnRecords(first, index, 8, (float*)&turnedA, Wide.Count);
-            TurnRecords(second, index, 8, (float*)&turnedB, Wide.Count);
+            TurnRecords(first, indexFirst, 8, (float*)&turnedA, Wide.Count);
+            TurnRecords(second, indexSecond, 8, (float*)&turnedB, Wide.Count);
             a = turnedA;
             b = turnedB;
             return;
         }
 
-        Gather(first, index, out a.A, out a.B, out a.C, out a.D);
-        Gather(second, index, out b.A, out b.B, out b.C, out b.D);
-    }
-
-    /// <summary>Four floats of the records of two bundles' bodies, likewise.</summary>
-    [SkipLocalsInit]
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void GatherBoth(float* records, int* indexA, int* indexB, out FourColumns a, out FourColumns b)
-    {
-        if (MatrixTurn.IsUsed)
-        {
-            FourColumns turnedA;
-            FourColumns turnedB;
-            TurnRecords(records, indexA, 8, (float*)&turnedA, Wide.Count);
-            TurnRecords(records, indexB, 8, (float*)&turnedB, Wide.Count);
-            a = turnedA;
-            b = turnedB;
-            return;
-        }
-
-        Gather(records, indexA, out a.A, out a.B, out a.C, out a.D);
-        Gather(records, indexB, out b.A, out b.B, out b.C, out b.D);
+        Gather(first, indexFirst, out a.A, out a.B, out a.C, out a.D);
+        Gather(second, indexSecond, out b.A, out b.B, out b.C, out b.D);
     }
 
     /// <summary>The same of four columns.</summary>

@@ -46,7 +46,7 @@ internal static unsafe class BounceKernel
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Wide Slowest(ContactBundle* row, int lane, BodyDrive* drives, in ContactCoefficients c)
     {
-        BodyLanes.GatherBoth((float*)drives, row->BodyA + lane, row->BodyB + lane, out FourColumns driveA, out FourColumns driveB);
+        BodyLanes.Gather((float*)drives, row->BodyA + lane, (float*)drives, row->BodyB + lane, out FourColumns driveA, out FourColumns driveB);
         Wide nx = Wide.Load(row->NormalX + lane);
         Wide ny = Wide.Load(row->NormalY + lane);
         Wide fall = Wide.Max(Wide.Abs((nx * driveA.A) + (ny * driveA.B)), Wide.Abs((nx * driveB.A) + (ny * driveB.B)));

@@ -93,7 +93,7 @@ internal static unsafe class IdleGap
         newBoxes = 0;
         for (int lane = 0; lane < IdleBundle.Lanes; lane += Wide.Count)
         {
-            BodyLanes.GatherBoth((float*)steps, idle->BodyA + lane, idle->BodyB + lane, out FourColumns a, out FourColumns b);
+            BodyLanes.Gather((float*)steps, idle->BodyA + lane, (float*)steps, idle->BodyB + lane, out FourColumns a, out FourColumns b);
             Wide armA = Wide.Load(idle->ArmA + lane);
             Wide armB = Wide.Load(idle->ArmB + lane);
             Wide gap = Wide.Load(idle->Gap + lane);
@@ -102,7 +102,7 @@ internal static unsafe class IdleGap
             gap.Store(idle->Gap + lane);
             Wide flags = a.D | b.D;
             newBoxes |= WideLanes.Bits(WideLanes.Has(flags, (int)BodyStepFlags.NewBox)) << lane;
-            BodyLanes.GatherBoth((float*)steps + 4, idle->BodyA + lane, idle->BodyB + lane, out a, out b);
+            BodyLanes.Gather((float*)steps + 4, idle->BodyA + lane, (float*)steps + 4, idle->BodyB + lane, out a, out b);
             Wide margin = Wide.Abs(b.A - a.A) + Wide.Abs(b.B - a.B) + (a.C * armA) + (b.C * armB) + Wide.Splat(pull);
 
             // Those beside a fast body have points from farther off; what comes near to a fast body wakes, wherever it goes.

@@ -35,13 +35,8 @@ internal static unsafe class MatrixTurn
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void ToColumns(float* r0, float* r1, float* r2, float* r3, float* target, int stride)
     {
-        Matrix4x4 block;
+        Matrix4x4 block = Turned(*(Vector4*)r0, *(Vector4*)r1, *(Vector4*)r2, *(Vector4*)r3);
         var rows = (Vector4*)&block;
-        rows[0] = *(Vector4*)r0;
-        rows[1] = *(Vector4*)r1;
-        rows[2] = *(Vector4*)r2;
-        rows[3] = *(Vector4*)r3;
-        block = Matrix4x4.Transpose(block);
         *(Vector4*)target = rows[0];
         *(Vector4*)(target + stride) = rows[1];
         *(Vector4*)(target + (2 * stride)) = rows[2];
@@ -53,13 +48,8 @@ internal static unsafe class MatrixTurn
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void ToThreeColumns(float* r0, float* r1, float* r2, float* r3, float* target, int stride)
     {
-        Matrix4x4 block;
+        Matrix4x4 block = Turned(*(Vector4*)r0, *(Vector4*)r1, *(Vector4*)r2, *(Vector4*)r3);
         var rows = (Vector4*)&block;
-        rows[0] = *(Vector4*)r0;
-        rows[1] = *(Vector4*)r1;
-        rows[2] = *(Vector4*)r2;
-        rows[3] = *(Vector4*)r3;
-        block = Matrix4x4.Transpose(block);
         *(Vector4*)target = rows[0];
         *(Vector4*)(target + stride) = rows[1];
         *(Vector4*)(target + (2 * stride)) = rows[2];
@@ -70,13 +60,8 @@ internal static unsafe class MatrixTurn
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void ToTwoColumns(float* r0, float* r1, float* r2, float* r3, float* first, float* second)
     {
-        Matrix4x4 block;
+        Matrix4x4 block = Turned(*(Vector4*)r0, *(Vector4*)r1, *(Vector4*)r2, *(Vector4*)r3);
         var rows = (Vector4*)&block;
-        rows[0] = *(Vector4*)r0;
-        rows[1] = *(Vector4*)r1;
-        rows[2] = *(Vector4*)r2;
-        rows[3] = *(Vector4*)r3;
-        block = Matrix4x4.Transpose(block);
         *(Vector4*)first = rows[0];
         *(Vector4*)second = rows[1];
     }
@@ -86,13 +71,8 @@ internal static unsafe class MatrixTurn
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void ToPairs(float* r0, float* r1, float* r2, float* r3, float* odd, float* even, int stride)
     {
-        Matrix4x4 block;
+        Matrix4x4 block = Turned(*(Vector4*)r0, *(Vector4*)r1, *(Vector4*)r2, *(Vector4*)r3);
         var rows = (Vector4*)&block;
-        rows[0] = *(Vector4*)r0;
-        rows[1] = *(Vector4*)r1;
-        rows[2] = *(Vector4*)r2;
-        rows[3] = *(Vector4*)r3;
-        block = Matrix4x4.Transpose(block);
         *(Vector4*)odd = rows[0];
         *(Vector4*)even = rows[1];
         *(Vector4*)(odd + stride) = rows[2];
@@ -104,17 +84,25 @@ internal static unsafe class MatrixTurn
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void ToRecords(Vector4 c0, Vector4 c1, Vector4 c2, Vector4 c3, float* r0, float* r1, float* r2, float* r3)
     {
-        Matrix4x4 block;
+        Matrix4x4 block = Turned(c0, c1, c2, c3);
         var rows = (Vector4*)&block;
-        rows[0] = c0;
-        rows[1] = c1;
-        rows[2] = c2;
-        rows[3] = c3;
-        block = Matrix4x4.Transpose(block);
         *(Vector4*)r0 = rows[0];
         *(Vector4*)r1 = rows[1];
         *(Vector4*)r2 = rows[2];
         *(Vector4*)r3 = rows[3];
+    }
+
+    [SkipLocalsInit]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Matrix4x4 Turned(Vector4 r0, Vector4 r1, Vector4 r2, Vector4 r3)
+    {
+        Matrix4x4 block;
+        var rows = (Vector4*)&block;
+        rows[0] = r0;
+        rows[1] = r1;
+        rows[2] = r2;
+        rows[3] = r3;
+        return Matrix4x4.Transpose(block);
     }
 }
 

@@ -209,7 +209,7 @@ internal sealed unsafe class NetBodies
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Kick(BodyState* states, BodyDrive* drives, int* index, Wide share)
     {
-        BodyLanes.Gather((float*)states, (float*)drives, index, out FourColumns v, out FourColumns drive);
+        BodyLanes.Gather((float*)states, index, (float*)drives, index, out FourColumns v, out FourColumns drive);
         BodyLanes.Scatter(
             (float*)states, index, v.A + (share * drive.A), v.B + (share * drive.B), v.C + (share * drive.C), Wide.Zero);
     }
