@@ -68,7 +68,7 @@ internal static class Goals
         ("S13_ragdoll=1", "limit_overrun_deg", 0.2),
         ("S13_ragdoll=3", "limit_overrun_deg", 0.2),
         ("S13_ragdoll=3", "joint_error_peak_mm", 0.01),
-        ("S13_ragdoll=3", "rms_speed_mmps", 7.6e-5),
+        ("S13_ragdoll=3", "rms_speed_mmps", 2.2e-6),
         ("S13_ragdoll=8", "limit_overrun_deg", 0.2),
         ("S25_prismatic_load=100", "perp_error_mm", 1e-4),
         ("S25b_prismatic_slide=30", "perp_error_mm", 1e-3),

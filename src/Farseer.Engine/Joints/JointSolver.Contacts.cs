@@ -11,6 +11,9 @@ internal sealed unsafe partial class JointSolver
     private readonly Column<TreeContact> _contacts = new Column<TreeContact>();
     private readonly Column<ulong> _agendaKeys = new Column<ulong>();
     private readonly Column<int> _agenda = new Column<int>();
+
+    /// <summary>By the record of the contact.</summary>
+    private readonly Column<HeldGap> _gaps = new Column<HeldGap>();
     private int _contactCount;
     private int _agendaCount;
 
@@ -153,6 +156,31 @@ internal sealed unsafe partial class JointSolver
         from->PreviousNormal[lane] = 0;
         from->PreviousTangent[lane] = 0;
         from->Feed[lane] = 0;
+    }
+
+    /// <summary>The contacts go on from the gaps of the last step.</summary>
+    private void RecallGaps()
+    {
+        for (int i = 0; i < _contactCount; i++)
+        {
+            TreeContact* contact = _contacts.Pointer + i;
+            int index = contact->Bundle->Contact[contact->Lane];
+            if (index < _gaps.Capacity)
+            {
+                _contactPass.Recall(contact, _gaps[index]);
+            }
+        }
+    }
+
+    private void NoteGaps()
+    {
+        for (int i = 0; i < _contactCount; i++)
+        {
+            TreeContact* contact = _contacts.Pointer + i;
+            int index = contact->Bundle->Contact[contact->Lane];
+            _gaps.EnsureCapacity(index + 1);
+            TreeContactPass.Note(contact, ref _gaps[index]);
+        }
     }
 
     private void GiveContactsBack()

@@ -131,6 +131,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
 
         // Nothing has moved since the rows were written, unless somebody was told of a broken joint; guests are new.
         LoadMoves(BrokenCount > 0 ? 0 : own);
+        RecallGaps();
         TakeToLanes();
         TakeToChains();
         _chains.Start();
@@ -248,6 +249,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         }
 
         KeepMoves();
+        NoteGaps();
         GiveContactsBack();
         _contactCount = 0;
         _wheelContactCount = 0;

@@ -46,10 +46,7 @@ internal sealed unsafe partial class TreeContactPass
             TreeCross.Write(_view.Nodes, contact->Ends.NodeA, contact->Ends.NodeB, contact->Ends.Cross);
         }
 
-        Place(contact->Ends.NodeA, contact->Ends.BodyA, out double ax, out double ay, out double aCos, out double aSin);
-        Place(contact->Ends.NodeB, contact->Ends.BodyB, out double bx, out double by, out double bCos, out double bSin);
-        double moved = (contact->NormalX * (bx - ax)) + (contact->NormalY * (by - ay));
-        Place(contact, &contact->Point0, moved, aCos, aSin, bCos, bSin);
+        PlacePoints(contact);
         double* n0A = stackalloc double[3];
         double* n0B = stackalloc double[3];
         double* n1A = stackalloc double[3];
@@ -65,7 +62,6 @@ internal sealed unsafe partial class TreeContactPass
         contact->RubCoupling = 0;
         if (contact->Points > 1)
         {
-            Place(contact, &contact->Point1, moved, aCos, aSin, bCos, bSin);
             NormalRow(contact, &contact->Point1, n1A, n1B);
             contact->K22 = WithinReach(contact, &contact->Point1, RowEnds.Response(nodes, ends, n1A, n1B, dead), n1A, n1B);
             contact->K12 = RowEnds.Response(nodes, ends, n0A, n0B, n1A, n1B);
@@ -218,6 +214,19 @@ internal sealed unsafe partial class TreeContactPass
     {
         double depth = _c.Rest - point.Separation;
         return depth > 0 ? Math.Max(0, ((depth * rate) - v) / k) : 0;
+    }
+
+    /// <summary>Separations and arms at the present poses.</summary>
+    private void PlacePoints(TreeContact* contact)
+    {
+        Place(contact->Ends.NodeA, contact->Ends.BodyA, out double ax, out double ay, out double aCos, out double aSin);
+        Place(contact->Ends.NodeB, contact->Ends.BodyB, out double bx, out double by, out double bCos, out double bSin);
+        double moved = (contact->NormalX * (bx - ax)) + (contact->NormalY * (by - ay));
+        Place(contact, &contact->Point0, moved, aCos, aSin, bCos, bSin);
+        if (contact->Points > 1)
+        {
+            Place(contact, &contact->Point1, moved, aCos, aSin, bCos, bSin);
+        }
     }
 
     private void Place(int node, int body, out double x, out double y, out double cos, out double sin)
