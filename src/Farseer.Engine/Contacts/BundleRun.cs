@@ -41,23 +41,6 @@ internal readonly unsafe struct BundleRun
     }
 
     /// <summary>
-    /// Asks for all of a bundle ahead that the solver reads. Rows of a large world come from memory, and their lines are not read in order, which the
-    /// processor's own foresight needs.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AskAhead(ContactBundle* row)
-    {
-        if (Prefetch.IsUseful && IsFar)
-        {
-            byte* ahead = (byte*)row + DistanceAhead(row);
-            for (int line = 0; line < ContactBundle.SolvedBytes; line += Prefetch.LineBytes)
-            {
-                Prefetch.LineInBulk(ahead + line);
-            }
-        }
-    }
-
-    /// <summary>
     /// What the warm start reads of a bundle: 17 lines of 28, 12 where contacts have one point. It reads the most for the least work, so it waits for what the
     /// second-level cache does not hold also where rows are near; no line that it does not read, and no loop. Behind the last bundle there may be nothing, so
     /// bytes are counted from the columns of this one.

@@ -20,9 +20,8 @@ internal unsafe struct ContactBundle
 {
     public const int Lanes = WideLanes.BundleLanes;
 
-    /// <summary>The size of a bundle, and of what the passes of a substep read of it: all before <see cref="Contact"/>.</summary>
+    /// <summary>The size of a bundle.</summary>
     public const int Bytes = 28 * Prefetch.LineBytes;
-    public const int SolvedBytes = 25 * Prefetch.LineBytes;
 
     /// <summary>Bundles from one that is read to the one asked for.</summary>
     private const int Ahead = 5;

@@ -134,49 +134,46 @@ internal static unsafe class ContactKernel
     /// the impulses, so that a deep overlap never becomes speed.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
+    [SkipLocalsInit]
     public static void PushOut<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, float recoveryRate)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
     {
-        bool two = default(TPoints).AreTwo;
-        Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
-        Wide rate = Wide.Splat(recoveryRate);
-        ContactBundle* end = rows.Bundles + rows.Count;
-        for (ContactBundle* row = rows.Bundles; row < end; row++)
+        byte* memory = stackalloc byte[ContactWork.Bytes];
+        ContactWork* work = ContactWork.In(memory);
+        for (int done = 0; done < rows.Count;)
         {
-            rows.AskAhead(row);
-            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            ContactBundle* some = rows.Bundles + done;
+            int count = CountDeep(some, Math.Min(rows.Stride, rows.Count - done));
+            if (count > 0)
             {
-                WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
-                if (!WideLanes.Any(deep))
-                {
-                    continue;
-                }
+                ContactStages.AimApart<TPoints>(rows, some, count, work, bodies, c, recoveryRate);
+                ContactStages.PushApart<TPoints>(some, count, work);
+                ContactStages.Give<TScatter, TPoints>(some, count, work, bodies, blows: 0);
+            }
 
-                GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1, two);
-                BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
-                NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1, two);
-                Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
-                Wide r0 = v0 + (s0 * Wide.Select(s0 > Wide.Zero, inverseSubstep, rate));
-                Wide push1 = Wide.Zero;
-                Wide x0;
-                if (two)
-                {
-                    Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
-                    Wide r1 = v1 + (s1 * Wide.Select(s1 > Wide.Zero, inverseSubstep, rate));
-                    SolveBlock(row, lane, lambda0, lambda1, r0, r1, out x0, out Wide x1);
-                    push1 = Wide.Select(deep, x1 - lambda1, Wide.Zero);
-                }
-                else
-                {
-                    x0 = SolvePoint(row, lane, lambda0, r0);
-                }
+            done += Math.Max(count, 1);
+        }
+    }
 
-                Wide push0 = Wide.Select(deep, x0 - lambda0, Wide.Zero);
-                ApplyNormal(row, lane, ref a, ref b, push0, push1, two);
-                StoreVelocities<TScatter>(row, lane, bodies, a, b);
+    /// <summary>How many bundles from the first on have a contact of a deep island.</summary>
+    private static int CountDeep(ContactBundle* row, int most)
+    {
+        for (int i = 0; i < most; i++, row++)
+        {
+            WideMask deep = Wide.Load(row->Deep) > Wide.Zero;
+            for (int lane = Wide.Count; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                deep = deep | (Wide.Load(row->Deep + lane) > Wide.Zero);
+            }
+
+            if (!WideLanes.Any(deep))
+            {
+                return i;
             }
         }
+
+        return most;
     }
 
     /// <summary>

@@ -118,6 +118,64 @@ internal static unsafe class ContactStages
         }
     }
 
+    /// <summary>Velocities, and what is to be 0 for the contacts of deep islands to move apart.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void AimApart<TPoints>(
+        in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, float recoveryRate)
+        where TPoints : struct, IContactPoints
+    {
+        bool two = default(TPoints).AreTwo;
+        Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
+        Wide rate = Wide.Splat(recoveryRate);
+        ContactWork* end = work + count;
+        ContactMoved* moved = Turn(row, count, work, bodies);
+        for (; work < end; work++, row++, moved++)
+        {
+            rows.AskForBiased(row, bodies, two, anyDeep: true);
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                Gather(row, lane, work, moved, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
+                ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1, two);
+                ContactKernel.NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1, two);
+                (v0 + (s0 * Wide.Select(s0 > Wide.Zero, inverseSubstep, rate))).Store(work->Value0 + lane);
+                if (two)
+                {
+                    (v1 + (s1 * Wide.Select(s1 > Wide.Zero, inverseSubstep, rate))).Store(work->Value1 + lane);
+                }
+            }
+        }
+    }
+
+    /// <summary>Solves the blocks of contacts of deep islands; the impulses are forgotten.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void PushApart<TPoints>(ContactBundle* row, int count, ContactWork* work)
+        where TPoints : struct, IContactPoints
+    {
+        bool two = default(TPoints).AreTwo;
+        for (int i = 0; i < count; i++, work++, row++)
+        {
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
+                Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
+                Wide r0 = Wide.Load(work->Value0 + lane);
+                Wide x0;
+                if (two)
+                {
+                    Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
+                    ContactKernel.SolveBlock(row, lane, lambda0, lambda1, r0, Wide.Load(work->Value1 + lane), out x0, out Wide x1);
+                    Wide.Select(deep, x1 - lambda1, Wide.Zero).Store(work->Value1 + lane);
+                }
+                else
+                {
+                    x0 = ContactKernel.SolvePoint(row, lane, lambda0, r0);
+                }
+
+                Wide.Select(deep, x0 - lambda0, Wide.Zero).Store(work->Value0 + lane);
+            }
+        }
+    }
+
     /// <summary>Solves the blocks.</summary>
     /// <param name="row">The first bundle.</param>
     /// <param name="count">How many.</param>

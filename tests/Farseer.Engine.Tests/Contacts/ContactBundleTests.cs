@@ -7,11 +7,4 @@ public sealed unsafe class ContactBundleTests
 {
     [Fact]
     public void Bytes_OfABundle_AreItsSize() => Assert.Equal(ContactBundle.Bytes, sizeof(ContactBundle));
-
-    [Fact]
-    public void SolvedBytes_OfABundle_EndWhereItsContactsBegin()
-    {
-        ContactBundle bundle = default;
-        Assert.Equal(ContactBundle.SolvedBytes, (byte*)bundle.Contact - (byte*)&bundle);
-    }
 }
