@@ -13,7 +13,7 @@ public partial class PhysicsSimulator
 {
     private readonly ItemQueue<Joint> _joints;
     private readonly List<Joint> _jointsDisposed = new List<Joint>();
-    private readonly List<Joint> _jointsChanged = new List<Joint>();
+    private readonly List<(Joint Joint, Body Taken)> _jointsChanged = new List<(Joint Joint, Body Taken)>();
     private readonly JointRelay _jointRelay;
     private bool _jointBodiesChanged;
 
@@ -56,9 +56,11 @@ public partial class PhysicsSimulator
 
     internal void NoteDisposed(Joint joint) => _jointsDisposed.Add(joint);
 
-    internal void NoteChanged(Joint joint)
+    /// <summary>A joint was given a body, which is held from now on: another simulator must not get it before this one's next update.</summary>
+    internal void NoteChanged(Joint joint, Body taken)
     {
-        _jointsChanged.Add(joint);
+        HoldBody(taken);
+        _jointsChanged.Add((joint, taken));
         _jointBodiesChanged = true;
     }
 
@@ -128,12 +130,14 @@ public partial class PhysicsSimulator
         count = _jointsChanged.Count;
         for (int i = 0; i < count; i++)
         {
-            Joint joint = _jointsChanged[i];
+            (Joint joint, Body taken) = _jointsChanged[i];
             if (joint.Link.IsAttached && ReferenceEquals(joint.Simulator, this))
             {
                 Detach(joint);
                 Attach(joint);
             }
+
+            LetGo(taken);
         }
 
         _jointsChanged.RemoveRange(0, count);
@@ -189,6 +193,11 @@ public partial class PhysicsSimulator
     {
         _joints.Clear();
         _jointsDisposed.Clear();
+        foreach ((_, Body taken) in _jointsChanged)
+        {
+            LetGo(taken);
+        }
+
         _jointsChanged.Clear();
         _jointRelay.Written.Clear();
     }

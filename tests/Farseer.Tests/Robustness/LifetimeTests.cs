@@ -6,6 +6,7 @@ using System.Reflection;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Joints;
 using FarseerGames.FarseerPhysics.Factories;
 using Xunit;
 
@@ -197,6 +198,56 @@ public class LifetimeTests
         Assert.Throws<ObjectDisposedException>(() => bench.Simulator.Add(new Body()));
         Assert.Throws<ObjectDisposedException>(() => BodyFactory.Instance.CreateBody(bench.Simulator, 1, 1));
         Assert.Throws<ObjectDisposedException>(() => bench.Simulator.Clear());
+    }
+
+    [Fact]
+    public void BodyOfAnotherSimulator_IsRefusedByAJoint_ThatIsInOne()
+    {
+        var bench = new Bench();
+        using PhysicsSimulator other = new();
+        Body foreign = BodyFactory.Instance.CreateCircleBody(other, 1, 1);
+        other.Update(0.01f);
+        var partner = new Body();
+        var pin = new PinJoint(bench.Box, Vector2.Zero, partner, Vector2.Zero) { Enabled = false };
+        var nail = new FixedRevoluteJoint(bench.Box, Vector2.Zero) { Enabled = false };
+        bench.Simulator.Add(pin);
+        bench.Simulator.Add(nail);
+
+        // Both while they wait to be taken in and when they are in.
+        for (int i = 0; i < 2; i++)
+        {
+            Assert.Throws<ArgumentException>("Body1", () => pin.Body1 = foreign);
+            Assert.Throws<ArgumentException>("Body2", () => pin.Body2 = foreign);
+            Assert.Throws<ArgumentException>("Body", () => nail.Body = foreign);
+            Assert.Same(bench.Box, pin.Body1);
+            Assert.Same(partner, pin.Body2);
+            Assert.Same(bench.Box, nail.Body);
+            bench.Simulator.Update(0.01f);
+        }
+    }
+
+    [Fact]
+    public void JointGivenAFreshBody_KeepsItFromOtherSimulators_UntilItLeaves()
+    {
+        using PhysicsSimulator simulator = new();
+        using PhysicsSimulator other = new();
+        Body first = BodyFactory.Instance.CreateCircleBody(simulator, 1, 1);
+        Body second = BodyFactory.Instance.CreateCircleBody(simulator, 1, 1);
+        var passing = new Body();
+        var fresh = new Body();
+        PinJoint joint = JointFactory.Instance.CreatePinJoint(simulator, first, Vector2.Zero, second, Vector2.Zero);
+        simulator.Update(0.01f);
+        joint.Body2 = passing;
+        joint.Body2 = fresh;
+        Assert.Throws<ArgumentException>("body", () => other.Add(fresh));
+        simulator.Update(0.01f);
+        Assert.Throws<ArgumentException>("body", () => other.Add(fresh));
+        other.Add(passing);
+        joint.Body2 = second;
+        simulator.Clear();
+        other.Add(fresh);
+        other.Update(0.01f);
+        Assert.Equal(2, other.BodyList.Count);
     }
 
     [Fact]

@@ -250,7 +250,19 @@ public abstract class Joint : IDisposable, IItem
     }
 
     /// <summary>A body was exchanged: the joint is attached anew at the next update.</summary>
-    private protected void BodiesChanged() => Simulator?.NoteChanged(this);
+    private protected void BodiesChanged(Body taken) => Simulator?.NoteChanged(this, taken);
+
+    /// <summary>A body that the joint may have: while it is in a simulator, none of another one.</summary>
+    private protected Body Free(Body value, string name)
+    {
+        Require.NotNull(value, name);
+        if (Simulator is not null && value.Simulator is not null && !ReferenceEquals(Simulator, value.Simulator))
+        {
+            throw new ArgumentException("The body belongs to another simulator than the joint.", name);
+        }
+
+        return value;
+    }
 
     /// <summary>Keeps the error that the engine last found while the joint is out of it.</summary>
     internal void KeepError(float error) => _jointError = error;

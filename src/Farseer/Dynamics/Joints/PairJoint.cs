@@ -26,28 +26,28 @@ public abstract class PairJoint : Joint
 
     /// <summary>The first body. It may be exchanged; distances and anchors stay as they are, so set them anew if need be.</summary>
     /// <exception cref="ArgumentNullException">The value is null.</exception>
-    /// <exception cref="ArgumentException">The value is the second body.</exception>
+    /// <exception cref="ArgumentException">The value is the second body, or in another simulator than the joint.</exception>
     public Body Body1
     {
         get => _body1!;
         set
         {
             _body1 = Other(value, _body2, nameof(Body1));
-            BodiesChanged();
+            BodiesChanged(value);
             BodiesSet();
         }
     }
 
     /// <summary>The second body. It may be exchanged; distances and anchors stay as they are, so set them anew if need be.</summary>
     /// <exception cref="ArgumentNullException">The value is null.</exception>
-    /// <exception cref="ArgumentException">The value is the first body.</exception>
+    /// <exception cref="ArgumentException">The value is the first body, or in another simulator than the joint.</exception>
     public Body Body2
     {
         get => _body2!;
         set
         {
             _body2 = Other(value, _body1, nameof(Body2));
-            BodiesChanged();
+            BodiesChanged(value);
             BodiesSet();
         }
     }
@@ -91,9 +91,9 @@ public abstract class PairJoint : Joint
         return (float)Math.Sqrt(((x2 - x1) * (x2 - x1)) + ((y2 - y1) * (y2 - y1)));
     }
 
-    private static Body Other(Body value, Body? other, string name)
+    private Body Other(Body value, Body? other, string name)
     {
-        Require.NotNull(value, name);
+        Free(value, name);
         if (ReferenceEquals(value, other))
         {
             throw new ArgumentException("A joint needs two different bodies.", name);

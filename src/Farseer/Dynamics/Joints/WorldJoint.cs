@@ -16,13 +16,14 @@ public abstract class WorldJoint : Joint
 
     /// <summary>The body. It may be exchanged; anchors stay as they are, so set them anew if need be.</summary>
     /// <exception cref="ArgumentNullException">The value is null.</exception>
+    /// <exception cref="ArgumentException">The value is in another simulator than the joint.</exception>
     public Body Body
     {
         get => _body!;
         set
         {
-            _body = Require.NotNull(value, nameof(Body));
-            BodiesChanged();
+            _body = Free(value, nameof(Body));
+            BodiesChanged(value);
             BodySet();
         }
     }
