@@ -107,7 +107,7 @@ public abstract class Joint : IDisposable, IItem
     }
 
     /// <summary>
-    /// The share of an error that an update takes away, 0 to 1. Default 0.2. It sets the pace at which an angle joint turns to its
+    /// The share of an error that an update takes away, at least 0; values above 1 act as 1. Default 0.2. It sets the pace at which an angle joint turns to its
     /// target and at which bodies that were moved apart by hand come together; errors from the motion itself are always taken
     /// away at once.
     /// </summary>
@@ -230,7 +230,7 @@ public abstract class Joint : IDisposable, IItem
     internal void Describe(out JointSettings settings, out JointFlags flags)
     {
         settings = default;
-        settings.BiasFactor = _biasFactor;
+        settings.BiasFactor = Math.Min(1, _biasFactor);
         settings.Softness = _softness;
         settings.MaxImpulse = double.PositiveInfinity;
         settings.Breakpoint = Bound(_breakpoint);
