@@ -69,8 +69,10 @@ public class GravityController : BodyController
             return;
         }
 
-        double x = _center.X - body.PositionX;
-        double y = _center.Y - body.PositionY;
+        // Where the body is in the middle of the step: found at its start, the pull would lag behind and feed every orbit.
+        double ahead = dt / 2;
+        double x = _center.X - body.PositionX - (ahead * body.LinearVelocity.X);
+        double y = _center.Y - body.PositionY - (ahead * body.LinearVelocity.Y);
         double distance = Math.Sqrt((x * x) + (y * y));
         if (distance <= _maxRadius)
         {
