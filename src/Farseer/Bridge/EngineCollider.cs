@@ -53,8 +53,11 @@ internal sealed class EngineCollider
     /// <summary>If two geoms of overlapping boxes may become a pair: the rule of <see cref="Geom.CollidesWith"/> and its companions.</summary>
     public static bool MayCollide(Geom a, Geom b)
     {
-        Body bodyA = a.Body;
-        Body bodyB = b.Body;
+        if (a.Body is not { } bodyA || b.Body is not { } bodyB)
+        {
+            return false;
+        }
+
         if (!bodyA.Enabled || !bodyB.Enabled || ReferenceEquals(bodyA, bodyB) || (bodyA.IsStatic && bodyB.IsStatic))
         {
             return false;

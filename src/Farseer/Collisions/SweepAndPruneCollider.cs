@@ -19,7 +19,7 @@ public partial class SweepAndPruneCollider : LibraryCollider
     /// <summary>Tells if two geoms would become a pair once their boxes overlap.</summary>
     /// <param name="g1">One geom.</param>
     /// <param name="g2">The other geom.</param>
-    /// <returns>False if a filter, a disabled body or two static bodies forbid it.</returns>
+    /// <returns>False if a filter, a disabled body or two static bodies forbid it, or a geom has no body.</returns>
     /// <exception cref="System.ArgumentNullException">A geom is null.</exception>
     public static bool DoCollision(Geom g1, Geom g2) =>
         EngineCollider.MayCollide(Require.NotNull(g1, nameof(g1)), Require.NotNull(g2, nameof(g2)));

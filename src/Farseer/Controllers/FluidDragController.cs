@@ -94,7 +94,7 @@ public class FluidDragController : Controller
         _rotationalDragCoefficient = rotationalDragCoefficient;
     }
 
-    /// <summary>Lets a geom feel the fluid. One that was added before is ignored.</summary>
+    /// <summary>Lets a geom feel the fluid, once it has a body. One that was added before is ignored.</summary>
     /// <param name="geom">The geom.</param>
     /// <exception cref="ArgumentNullException"><paramref name="geom"/> is null.</exception>
     public void AddGeom(Geom geom)
@@ -132,7 +132,7 @@ public class FluidDragController : Controller
     {
         for (int i = _geoms.Count - 1; i >= 0; i--)
         {
-            if (_geoms[i].IsDisposed || _geoms[i].Body.IsDisposed)
+            if (_geoms[i].IsDisposed || _geoms[i].Body is { IsDisposed: true })
             {
                 RemoveAt(i);
             }
@@ -151,7 +151,7 @@ public class FluidDragController : Controller
         for (int i = 0; i < _geoms.Count; i++)
         {
             Geom geom = _geoms[i];
-            if (!geom.IsDisposed && geom.Body.Enabled && _container.Intersect(geom.AABB) && GatherInside(geom, _container, dt / 2, out float share))
+            if (!geom.IsDisposed && geom.Body is { Enabled: true } && _container.Intersect(geom.AABB) && GatherInside(geom, _container, dt / 2, out float share))
             {
                 Act(geom, share, dt);
                 if (!_entered[i])

@@ -69,7 +69,10 @@ public class WaveController : Controller, IFluidContainer
         set => _height = Require.NotNegative(value, nameof(Height));
     }
 
-    /// <summary>Number of nodes; 0, or at least 2 when <see cref="Initialize"/> is called. Default 0.</summary>
+    /// <summary>
+    /// Number of nodes; 0, or at least 2 when <see cref="Initialize"/> is called, which lays them out: until then a surface keeps those that it
+    /// has. Default 0.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative.</exception>
     public int NodeCount
     {
@@ -127,14 +130,14 @@ public class WaveController : Controller, IFluidContainer
 
     /// <summary>x of the nodes. Null until <see cref="Initialize"/>.</summary>
     /// <exception cref="ArgumentNullException">The value is null.</exception>
-    /// <exception cref="ArgumentException">The value does not have <see cref="NodeCount"/> numbers.</exception>
+    /// <exception cref="ArgumentException">The value does not have a number for each node laid out, or to be laid out.</exception>
     public float[]? XPosition
     {
         get => _xPosition.Length > 0 ? _xPosition : null;
         set
         {
             Require.NotNull(value, nameof(XPosition));
-            if (value!.Length != _nodeCount)
+            if (value!.Length != (_currentWave.Length > 0 ? _currentWave.Length : _nodeCount))
             {
                 throw new ArgumentException("XPosition needs a number for each node.", nameof(XPosition));
             }
@@ -201,7 +204,8 @@ public class WaveController : Controller, IFluidContainer
             return false;
         }
 
-        int left = Math.Min(Math.Max(0, (int)((vector.X - _position.X) / _width * (_nodeCount - 1))), _nodeCount - 2);
+        int last = _currentWave.Length - 1;
+        int left = Math.Min(Math.Max(0, (int)((vector.X - _position.X) / _width * last)), last - 1);
         var near = new Vector2(_xPosition[left], _position.Y + _currentWave[left]);
         var far = new Vector2(_xPosition[left + 1], _position.Y + _currentWave[left + 1]);
         VectorPoint = vector;

@@ -147,6 +147,14 @@ public class CollisionFilterTests
         Assert.InRange(box.Body.Position.Y, -10.01f, -9.9f);
     }
 
+    [Fact]
+    public void GeomWithoutABody_CollidesWithNothing()
+    {
+        Geom box = Sandbox.Box(Sandbox.Falling(), Vector2.Zero);
+        Assert.False(SweepAndPruneCollider.DoCollision(new Geom(), box));
+        Assert.False(SweepAndPruneCollider.DoCollision(box, new Geom()));
+    }
+
     private static void AssertCollides(bool collides, Action<Geom, Geom> set)
     {
         PhysicsSimulator simulator = Sandbox.Falling();

@@ -262,6 +262,45 @@ public class ControllerTests
     }
 
     [Fact]
+    public void WaveController_GivenAnotherNumberOfNodes_KeepsItsSurfaceUntilItIsLaidOutAnew()
+    {
+        var wave = new WaveController { Width = 200, Height = 80, NodeCount = 21 };
+        wave.Initialize();
+        Vector2 point = new(150, 10);
+        foreach (int count in new[] { 0, 1, 5, int.MaxValue })
+        {
+            wave.NodeCount = count;
+            Assert.True(wave.Contains(ref point));
+            Assert.Equal(150, wave.VectorNearWaveEdge.X, 3);
+            Assert.Throws<ArgumentException>("XPosition", () => wave.XPosition = new float[5]);
+        }
+
+        wave.XPosition = new float[21];
+        wave.NodeCount = 5;
+        wave.Initialize();
+        Assert.Equal(5, wave.CurrentWave!.Length);
+        wave.XPosition = new float[5];
+    }
+
+    [Fact]
+    public void FluidDragController_PassesOverAGeomWithoutABody_UntilItHasOne()
+    {
+        var simulator = new PhysicsSimulator();
+        var water = new FluidDragController();
+        water.Initialize(new AABBFluidContainer(new AABB(new Vector2(-500, -500), new Vector2(500, 500))), 1, 1, 1, new Vector2(0, 10));
+        simulator.Add(water);
+        var geom = new Geom();
+        geom.SetVertices(Vertices.CreateRectangle(20, 20));
+        water.AddGeom(geom);
+        Run(simulator, 2);
+        Body body = Free(simulator, 0, 100);
+        geom.SetBody(body);
+        simulator.Add(geom);
+        Run(simulator, 2);
+        Assert.NotEqual(0, body.LinearVelocity.Y);
+    }
+
+    [Fact]
     public void WindController_CarriesBodiesUpToItsOwnSpeed()
     {
         var simulator = new PhysicsSimulator();
