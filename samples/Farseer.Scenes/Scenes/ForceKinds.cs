@@ -91,10 +91,10 @@ public sealed class ForceKinds : Scene
         // The limit acts before the weight of the same update does.
         SceneOutcome.AtMost("fastest of those that are limited (px/s)", _fastestLimited, SpeedLimit + (Weight * Dt) + 0.01),
 
-        // A circular orbit, v^2 = strength / r, of one radian a second. The pull is that of each update's start, held for the update,
-        // which widens it: by (w dt)^2 / 4 an update if it were a spring's, a few times that for a pull that weakens outwards.
-        SceneOutcome.AtLeast("least radius of the orbit of 60 (px)", _leastRadius, 59.0),
-        SceneOutcome.AtMost("greatest radius of the orbit of 60 (px)", _mostRadius, 72.0),
+        // A circular orbit, v^2 = strength / r, of one radian a second. The pull is that of each update's middle, held for the update: the
+        // radius differs by a share of about (w dt)^2 / 4, and that does not grow.
+        SceneOutcome.AtLeast("least radius of the orbit of 60 (px)", _leastRadius, 59.98),
+        SceneOutcome.AtMost("greatest radius of the orbit of 60 (px)", _mostRadius, 60.02),
         SceneOutcome.Exactly("boxes put to rest", _idle!.Enabled ? 0 : 1, 1),
     ];
 
