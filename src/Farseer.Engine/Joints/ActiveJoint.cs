@@ -50,10 +50,20 @@ internal unsafe struct ActiveJoint
 
     /// <summary>A limit alone that makes an edge of a tree, where nothing else ties its bodies together.</summary>
     public bool Ties;
+
+    /// <summary>A limit of it stands aside, see <see cref="Outside"/>.</summary>
+    public bool Overrun;
     public int Class;
 
     /// <summary>Where a limit that holds in the block is to be by the substep's end.</summary>
     public fixed double Goal[JointRows.Most];
+
+    /// <summary>
+    /// What of the overrun of a limit came from outside, negative: so far from its place the limit stands meanwhile, and from there its error counts. And
+    /// its error before bodies were displaced.
+    /// </summary>
+    public fixed double Outside[JointRows.Most];
+    public fixed double Stood[JointRows.Most];
 
     /// <summary>Inverse of the block's response.</summary>
     public fixed double Block[9];

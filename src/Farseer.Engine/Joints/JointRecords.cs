@@ -136,3 +136,17 @@ internal unsafe struct JointState
     public double ForceY;
     public double Torque;
 }
+
+/// <summary>Where a step left the limits of a joint, the lower one first.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal unsafe struct JointRange
+{
+    /// <summary>Distance to the limit, negative: past it.</summary>
+    public fixed double Gap[2];
+
+    /// <summary>What of an overrun came from outside and is still to be taken out, negative.</summary>
+    public fixed double Outside[2];
+
+    /// <summary>The joint has acted in a step.</summary>
+    public bool Known;
+}

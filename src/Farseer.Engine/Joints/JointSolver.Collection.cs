@@ -44,6 +44,7 @@ internal sealed unsafe partial class JointSolver
             Look();
         }
 
+        FindOverruns();
         FindWheels();
     }
 

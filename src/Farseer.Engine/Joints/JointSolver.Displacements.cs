@@ -30,9 +30,15 @@ internal sealed unsafe partial class JointSolver
             deep |= _contacts[i].Deep;
         }
 
+        disturbed |= _overruns > 0;
         if (disturbed)
         {
             LeavePressed();
+        }
+
+        if (_anyLimits && (disturbed || deep))
+        {
+            NoteLimits();
         }
 
         if (projected && (disturbed || deep))
@@ -53,6 +59,11 @@ internal sealed unsafe partial class JointSolver
         if (deep)
         {
             PushOut(pushRate);
+        }
+
+        if (_anyLimits && (disturbed || deep))
+        {
+            FollowDisplacements();
         }
     }
 
@@ -91,9 +102,25 @@ internal sealed unsafe partial class JointSolver
             _contacts[i].Point1.Plain = 0;
         }
 
+        for (int at = 0; at < _jointCount; at++)
+        {
+            for (int k = 0; k < JointRows.Most; k++)
+            {
+                _active[_joints[at]].PlainLambda[k] = 0;
+            }
+        }
+
         Sweep(Pass.Pull, PullSweeps);
+        if (_overruns > 0)
+        {
+            BoundTurns();
+        }
 
         MoveAndForget();
+        if (_overruns > 0)
+        {
+            CloseDisplaced();
+        }
     }
 
     /// <summary>Moves deep overlaps with trees apart; the velocities that do it are forgotten.</summary>

@@ -56,8 +56,8 @@ internal sealed unsafe partial class JointSolver
         if (joint->Pivot == PivotKind.Limited)
         {
             double angle = f.BAngle - f.AAngle - joint->Settings.Target;
-            rows->Error[LowerRow] = angle - joint->Settings.Lower;
-            rows->Error[UpperRow] = joint->Settings.Upper - angle;
+            rows->Error[LowerRow] = angle - joint->Settings.Lower - joint->Outside[LowerRow];
+            rows->Error[UpperRow] = joint->Settings.Upper - angle - joint->Outside[UpperRow];
         }
     }
 

@@ -83,6 +83,7 @@ internal sealed unsafe partial class JointSolver
         }
 
         WriteRows(false);
+        EaseOverruns();
         Factor();
         PrepareOnLanes(false);
         if (_loose.Any)

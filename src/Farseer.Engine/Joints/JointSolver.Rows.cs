@@ -138,6 +138,10 @@ internal sealed unsafe partial class JointSolver
         }
 
         _kinds.Of(joint.Kind).Write(frame, settings, joint.Flags, ref rows);
+        for (int k = rows.Hard; k < rows.Count && joint.Overrun; k++)
+        {
+            rows.Error[k] -= joint.Outside[k];
+        }
     }
 
     /// <summary>
@@ -321,9 +325,11 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>A displacement as a speed: a small error at once, what is beyond at the rate of the bias factor.</summary>
-    internal static double PullSpeed(JointRows* rows, int r, in JointStep step)
+    internal static double PullSpeed(JointRows* rows, int r, in JointStep step) => PullSpeed(rows->Error[r], rows, r, step);
+
+    /// <summary>The same of another error than the row has.</summary>
+    internal static double PullSpeed(double error, JointRows* rows, int r, in JointStep step)
     {
-        double error = rows->Error[r];
         double magnitude = Math.Abs(error);
         double small = Math.Min(magnitude, Small * rows->SizeOf(r));
         double rest = (magnitude - small) * Math.Min(1, rows->Bias * step.Substep / step.Dt);

@@ -104,6 +104,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     public void Start(in ContactCoefficients coefficients)
     {
         _chains.Select(_class, _step);
+        FreeOverruns();
         AdmitTouched();
         int own = _nodeCount;
         Collate();
@@ -235,6 +236,11 @@ internal sealed unsafe partial class JointSolver : IStageWork
             if (_active[i].Kind == JointKind.Gear && _rows[i].Hard > 0)
             {
                 Mesh(_active.Pointer + i);
+            }
+
+            if (_active[i].Limited)
+            {
+                KeepRange(i);
             }
 
             double* given = _active.Pointer[i].Given;

@@ -17,6 +17,7 @@ internal sealed class JointStore
         Settings = _set.Add<JointSettings>();
         Flags = _set.Add<JointFlags>();
         States = _set.Add<JointState>();
+        Ranges = _set.Add<JointRange>();
     }
 
     public IdPool Ids { get; } = new IdPool();
@@ -28,6 +29,9 @@ internal sealed class JointStore
     public Column<JointFlags> Flags { get; }
 
     public Column<JointState> States { get; }
+
+    /// <summary>Of joints with limits.</summary>
+    public Column<JointRange> Ranges { get; }
 
     public int Count => Ids.Count;
 
@@ -60,6 +64,7 @@ internal sealed class JointStore
         Settings[joint] = settings;
         Flags[joint] = flags | JointFlags.Alive;
         States[joint] = default;
+        Ranges[joint] = default;
         Links[joint] = new JointLink
         {
             BodyA = bodyA,

@@ -477,6 +477,7 @@ internal sealed unsafe partial class TreeLanes
                     PutJointsBack(trees, lane);
                     PutHeldBack(trees, lane);
                     PutSoftsBack(trees, lane, false);
+                    PutGapsBack(trees, lane);
                     _given[GivenCount++] = trees->Tree[lane];
                 }
             }

@@ -300,6 +300,36 @@ internal sealed unsafe partial class TreeLanes
         }
     }
 
+    /// <summary>Where the limits of a tree's joints are.</summary>
+    private void PutGapsBack(LaneTrees* trees, int lane)
+    {
+        for (int i = 1; i < trees->Nodes && trees->HasLimits; i++)
+        {
+            PutGapsBack(&DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Joint, _places.Pointer + trees->First + i, lane);
+        }
+
+        for (int i = 0; i < trees->Anchors && trees->HasLimits; i++)
+        {
+            int at = trees->AnchorFirst + i;
+            PutGapsBack(&DoubleLanes.Shift(_anchors.Pointer + at, lane)->Joint, _anchorPlaces.Pointer + at, lane);
+        }
+    }
+
+    private void PutGapsBack(LaneJoint* joint, LanePlace* place, int lane)
+    {
+        if (!place->HasLimits)
+        {
+            return;
+        }
+
+        JointRows* limited = _rows + place->Limited(lane);
+        limited->Error[place->UpperRow] = joint->Gap[Y];
+        if (place->LowerRow >= 0)
+        {
+            limited->Error[place->LowerRow] = joint->Gap[0];
+        }
+    }
+
     /// <returns>The row of the joint that holds; -1: none.</returns>
     private int PutHeldBack(LaneJoint* joint, LanePlace* place, int lane)
     {

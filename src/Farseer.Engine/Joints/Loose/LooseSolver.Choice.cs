@@ -21,7 +21,8 @@ internal sealed unsafe partial class LooseSolver
 
     /// <summary>The joint has no rows but those that are iterated by themselves, of a kind that can be written on lanes.</summary>
     public static bool Knows(ActiveJoint* joint, JointRows* rows) =>
-        joint->Role == JointRole.Iterated && rows->Hard == 0 && rows->Count > 0 && !joint->Ends.Coupled && LooseForms.Knows(joint->Kind);
+        joint->Role == JointRole.Iterated && rows->Hard == 0 && rows->Count > 0 && !joint->Overrun && !joint->Ends.Coupled
+        && LooseForms.Knows(joint->Kind);
 
     /// <summary>Before the joints of a step are taken.</summary>
     /// <param name="forest">The trees.</param>

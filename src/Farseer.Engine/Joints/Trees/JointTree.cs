@@ -65,6 +65,9 @@ internal struct JointTree
 
     /// <summary>An error that was put there from outside waits to be taken out; the correction went astray; its limits changed.</summary>
     public bool Disturbed;
+
+    /// <summary>A limit at it stands aside, and is pulled to its place.</summary>
+    public bool Overrun;
     public bool Astray;
     public bool Refactored;
 
@@ -88,6 +91,10 @@ internal struct JointTree
 
     /// <summary>Of the first tree of a group: the group takes part in the sweep that is made for some only.</summary>
     public bool GroupActs;
+
+    /// <summary>Of the first tree of a group: the largest turn in a displacement, and whether limits are pulled there.</summary>
+    public double Turned;
+    public bool GroupPulls;
 
     /// <summary>It is solved on lanes in this step, and in no list of the other passes.</summary>
     public bool OnLanes;

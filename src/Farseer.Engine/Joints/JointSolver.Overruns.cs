@@ -1,0 +1,331 @@
+using System;
+using Farseer.Engine.Joints.Trees;
+
+namespace Farseer.Engine.Joints;
+
+/// <content>
+/// Overruns of limits that came from outside: a body was put elsewhere, a limit was set anew, a joint came late. As a speed, a fifth of the overrun a
+/// substep, such a return turned what it pulled at faster than one relaxing pass follows, and what was left of it flew on: 0.1 kg put 2.4 beyond a
+/// slider's end at up to 144 a second. So the limit stands where it was found, and goes back to its place by displacements.
+/// </content>
+internal sealed unsafe partial class JointSolver
+{
+    /// <summary>Limits of a joint whose overruns are told apart.</summary>
+    private const int MostLimits = 2;
+
+    /// <summary>Joints of the present class of which a limit stands aside.</summary>
+    private int _overruns;
+
+    /// <summary>The present class has joints with limits.</summary>
+    private bool _anyLimits;
+
+    /// <summary>
+    /// Where the step begins: what a limit is past by a jump since the end of the step before came from outside. What a body's own way brought is not
+    /// among it: a pair that whirls at its slider's end is past that by the bend of its way in each substep, and would lose its momentum.
+    /// </summary>
+    private void FindOverruns()
+    {
+        for (int i = 0; i < _count && _chains.QuietJoints < _count; i++)
+        {
+            if (_active[i].Limited && !IsQuiet(i) && !_step.Drifts && TreeOfLimits(_active.Pointer + i) == null)
+            {
+                FindOverrun(_active.Pointer + i, _rows.Pointer + i, ref _store.Ranges[_active[i].Joint]);
+            }
+        }
+    }
+
+    private static void FindOverrun(ActiveJoint* joint, JointRows* rows, ref JointRange range)
+    {
+        for (int k = rows->Hard, limit = 0; k < rows->Count && limit < MostLimits; k++)
+        {
+            if (!IsRigidLimit(rows, k))
+            {
+                continue;
+            }
+
+            double least = Small * rows->SizeOf(k);
+            double gap = rows->Error[k];
+            double outside = range.Outside[limit];
+            if (range.Known)
+            {
+                double jump = gap - range.Gap[limit];
+                outside += jump < -least ? jump : 0;
+            }
+            else
+            {
+                outside = gap < -least ? gap : 0;
+            }
+
+            joint->Outside[k] = Math.Max(outside, Overrun(rows, k, gap));
+            joint->Overrun |= joint->Outside[k] < 0;
+            limit++;
+        }
+
+        for (int k = rows->Hard; k < rows->Count && joint->Overrun; k++)
+        {
+            rows->Error[k] -= joint->Outside[k];
+        }
+    }
+
+    private static bool IsRigidLimit(JointRows* rows, int k) => rows->Type[k] == (byte)RowType.Limit && rows->Damping[k] == 0;
+
+    /// <summary>How far a limit is past its slack; 0: not.</summary>
+    private static double Overrun(JointRows* rows, int k, double gap) => Math.Min(0, gap + rows->Share[k]);
+
+    /// <summary>
+    /// Limits that stand aside are rows of the tree and not of its blocks: of several that contradict each other a block would make one far displacement, a
+    /// few sweeps make none.
+    /// </summary>
+    private void FreeOverruns()
+    {
+        _overruns = 0;
+        _anyLimits = false;
+        for (int at = 0; at < _treeCount; at++)
+        {
+            _forest.Trees[_trees[at]].Overrun = false;
+        }
+
+        for (int at = 0; at < _jointCount; at++)
+        {
+            int i = _joints[at];
+            _anyLimits |= _active[i].Limited;
+            if (_active[i].Overrun)
+            {
+                _overruns++;
+                MarkOverrun(_active[i].Ends.NodeA);
+                MarkOverrun(_active[i].Ends.NodeB);
+                if (_active[i].BlockLimits)
+                {
+                    _active[i].BlockLimits = false;
+                    LetGo(i);
+                }
+            }
+        }
+    }
+
+    private void MarkOverrun(int node)
+    {
+        if (node >= 0)
+        {
+            _forest.Trees[_forest.Nodes[node].Tree].Overrun = true;
+        }
+    }
+
+    /// <summary>
+    /// Displacements go along the joints' directions at their start: where one would turn a body further than that is good for, its group goes a share of
+    /// the way. A chain that is almost straight answers a pull along itself by a far wider bend.
+    /// </summary>
+    private void BoundTurns()
+    {
+        double h = _step.Substep;
+        for (int at = 0; at < _treeCount; at++)
+        {
+            _forest.Trees[_trees[at]].Turned = 0;
+            _forest.Trees[_trees[at]].GroupPulls = false;
+        }
+
+        for (int at = 0; at < _treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            JointTree* group = _forest.Trees + tree->Group;
+            group->GroupPulls |= tree->Overrun;
+            for (int i = tree->First; i < tree->End && Yields(tree); i++)
+            {
+                group->Turned = Math.Max(group->Turned, Math.Abs(h * _forest.Nodes[i].Velocity[2]));
+            }
+        }
+
+        for (int at = 0; at < _treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            JointTree* group = _forest.Trees + tree->Group;
+            for (int i = tree->First; i < tree->End && group->GroupPulls && group->Turned > LargestBend; i++)
+            {
+                double share = LargestBend / group->Turned;
+                double* v = _forest.Nodes[i].Velocity;
+                v[0] *= share;
+                v[1] *= share;
+                v[2] *= share;
+            }
+        }
+    }
+
+    /// <summary>What displacements along straight lines left of the joints of a tree is taken out at once: it would be a speed in the next substep.</summary>
+    private void CloseDisplaced()
+    {
+        for (int at = 0; at < _treeCount; at++)
+        {
+            if (IsClosed(_forest.Trees + _trees[at]))
+            {
+                Save(_forest.Trees + _trees[at]);
+            }
+        }
+
+        bool any = true;
+        for (int round = 0; round < Projections && any; round++)
+        {
+            any = false;
+            LoadPoses();
+            WriteRows(false);
+            for (int at = 0; at < _treeCount; at++)
+            {
+                JointTree* tree = _forest.Trees + _trees[at];
+                any |= IsClosed(tree) && Close(tree);
+            }
+        }
+
+        for (int at = 0; at < _treeCount; at++)
+        {
+            if (IsClosed(_forest.Trees + _trees[at]))
+            {
+                Restore(_forest.Trees + _trees[at]);
+            }
+        }
+
+        TakeBackPushes();
+    }
+
+    private bool IsClosed(JointTree* tree) => tree->Eliminates && !tree->Disturbed && _forest.Trees[tree->Group].GroupPulls;
+
+    /// <returns>True if there was something to close.</returns>
+    private bool Close(JointTree* tree)
+    {
+        SetTargets(tree, TargetKind.Projection);
+        if (tree->Worst <= Tolerance)
+        {
+            return false;
+        }
+
+        TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+        Clear(tree);
+        TreeSolve.Run(_forest, tree);
+        double h = _step.Substep;
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            double* v = node->Velocity;
+            double turn = Math.Max(-1, Math.Min(1, h * v[2]));
+            SetMove(node, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), node->Move[2] + turn);
+        }
+
+        return true;
+    }
+
+    /// <summary>No limit of a joint holds in its block.</summary>
+    private void LetGo(int index)
+    {
+        JointTree* tree = _forest.Trees + TreeOf(_active[index].Ends);
+        for (int i = tree->First + 1; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            int kept = node->HardRows;
+            for (int r = node->HardRows; r < node->Rows; r++)
+            {
+                if (node->RowJoint[r] != index)
+                {
+                    node->RowJoint[kept] = node->RowJoint[r];
+                    node->RowIndex[kept++] = node->RowIndex[r];
+                }
+            }
+
+            node->Rows = kept;
+        }
+
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
+        {
+            TreeAnchor* anchor = _forest.Anchors + i;
+            if (anchor->Active == index)
+            {
+                anchor->Rows = _rows[index].Hard;
+            }
+        }
+    }
+
+    /// <summary>Before bodies are displaced: where the limits stand.</summary>
+    private void NoteLimits()
+    {
+        LoadPoses();
+        WriteErrors();
+        for (int at = 0; at < _jointCount; at++)
+        {
+            ActiveJoint* joint = _active.Pointer + _joints[at];
+            if (joint->Limited)
+            {
+                Copy(_rows.Pointer[_joints[at]].Error, joint->Stood, JointRows.Most);
+            }
+        }
+    }
+
+    /// <summary>What displacements did to the limits is none of the bodies' motion either.</summary>
+    private void FollowDisplacements()
+    {
+        LoadPoses();
+        WriteErrors();
+        for (int at = 0; at < _jointCount; at++)
+        {
+            int i = _joints[at];
+            if (!_active[i].Limited || _step.Drifts || TreeOfLimits(_active.Pointer + i) != null)
+            {
+                continue;
+            }
+
+            ActiveJoint* joint = _active.Pointer + i;
+            JointRows* rows = _rows.Pointer + i;
+            for (int k = rows->Hard; k < rows->Count; k++)
+            {
+                double change = rows->Error[k] - joint->Stood[k];
+                if (IsRigidLimit(rows, k) && (joint->Outside[k] < 0 || change < -Loose * rows->SizeOf(k)))
+                {
+                    SetOutside(joint, rows, k, joint->Outside[k] + change);
+                }
+            }
+        }
+    }
+
+    /// <summary>A limit that its body comes back from by itself follows it.</summary>
+    private void EaseOverruns()
+    {
+        for (int at = 0; at < _jointCount && _overruns > 0; at++)
+        {
+            int i = _joints[at];
+            for (int k = _rows[i].Hard; k < _rows[i].Count && _active[i].Overrun; k++)
+            {
+                if (_active[i].Outside[k] < 0)
+                {
+                    SetOutside(_active.Pointer + i, _rows.Pointer + i, k, _active[i].Outside[k]);
+                }
+            }
+        }
+    }
+
+    /// <summary>A limit stands so far aside, but not further than it is past.</summary>
+    private static void SetOutside(ActiveJoint* joint, JointRows* rows, int k, double outside)
+    {
+        double gap = rows->Error[k] + joint->Outside[k];
+        outside = Math.Max(Math.Min(0, outside), Overrun(rows, k, gap));
+        rows->Error[k] = gap - outside;
+        joint->Outside[k] = outside;
+        joint->Overrun |= outside < 0;
+    }
+
+    /// <summary>Keeps for the next step where the limits are, and how far they stand aside.</summary>
+    private void KeepRange(int index)
+    {
+        ActiveJoint* joint = _active.Pointer + index;
+        JointRows* rows = _rows.Pointer + index;
+        ref JointRange range = ref _store.Ranges[joint->Joint];
+        for (int k = rows->Hard, limit = 0; k < rows->Count && limit < MostLimits; k++)
+        {
+            if (IsRigidLimit(rows, k))
+            {
+                range.Gap[limit] = rows->Error[k] + joint->Outside[k];
+                range.Outside[limit++] = joint->Outside[k];
+                joint->Outside[k] = 0;
+            }
+        }
+
+        range.Known = true;
+        joint->Overrun = false;
+        joint->BlockLimits = joint->Role != JointRole.Iterated && HasRoom(index);
+    }
+}
