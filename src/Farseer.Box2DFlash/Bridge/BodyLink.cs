@@ -272,6 +272,12 @@ internal sealed class BodyLink
 
     public void AddForce(double x, double y, double torque)
     {
+        // A body that is destroyed, or not in the engine because it is static, has nothing to be moved: it must not come back for this.
+        if (!IsAttached)
+        {
+            return;
+        }
+
         ref BodyForce force = ref _engine.Bodies.Force[Handle.Index];
         force.Force += new Vector2((float)x, (float)y);
         force.Torque += (float)torque;

@@ -20,6 +20,20 @@ internal static class Require
     public static float Positive(float value, string name) =>
         b2Math.b2IsValid(value) && value > 0 ? value : throw Outside(value, name, "must be finite and above 0");
 
+    /// <summary>A size of a shape: the engine must be able to square it.</summary>
+    public static float Length(float value, string name) =>
+        value >= StateRange.Least && value <= StateRange.Limit ? value : throw Outside(value, name, "must be above 0, from 1.1E-19 to 9.2E18");
+
+    /// <summary>An angle or an angular velocity that the engine can hold.</summary>
+    public static float Turn(float value, string name) =>
+        StateRange.Holds(value, 0, 0) ? value : throw Outside(value, name, "must be finite and within ±9.2E18");
+
+    /// <summary>A mass or an inertia: the solver works with its inverse. 0 stands for none.</summary>
+    public static float Mass(float value, string name) =>
+        IsMass(value) ? value : throw Outside(value, name, "must be 0, or finite and above 0 with a finite inverse");
+
+    public static bool IsMass(float value) => value == 0 || (value > 0 && b2Math.b2IsValid(value) && b2Math.b2IsValid(1 / value));
+
     public static int Positive(int value, string name) =>
         value > 0 ? value : throw new ArgumentOutOfRangeException(name, value, "The value must be above 0.");
 

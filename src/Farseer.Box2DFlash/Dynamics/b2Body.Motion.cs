@@ -23,11 +23,11 @@ public partial class b2Body
     public b2Vec2 GetLinearVelocity() => _velocity;
 
     /// <summary>Sets the angular velocity.</summary>
-    /// <param name="omega">rad/s, finite; counter-clockwise is positive.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="omega"/> is not finite.</exception>
+    /// <param name="omega">rad/s, within ±9.2·10¹⁸; counter-clockwise is positive.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="omega"/> is not finite or out of its range.</exception>
     public void SetAngularVelocity(float omega)
     {
-        Require.Finite(omega, nameof(omega));
+        Require.Turn(omega, nameof(omega));
         Link.Spin = omega;
         WakeBySetter();
     }

@@ -155,7 +155,7 @@ public partial class b2Body
     /// <summary>Sets mass, centre of mass and inertia. Origin, shapes and joints stay where they are.</summary>
     /// <param name="massData">The values; a mass of 0 makes the body static, whatever the inertia.</param>
     /// <exception cref="ArgumentNullException"><paramref name="massData"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A value is negative or not finite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A value is negative or not finite, or its inverse is not.</exception>
     /// <exception cref="InvalidOperationException">The body is destroyed, or the call comes from a listener.</exception>
     public void SetMass(b2MassData massData)
     {
@@ -171,7 +171,9 @@ public partial class b2Body
     /// Sets mass, centre of mass and inertia by the shapes and their densities. It costs time: call it once all shapes are made, or
     /// when one has gone.
     /// </summary>
-    /// <exception cref="InvalidOperationException">The body is destroyed, or the call comes from a listener.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The body is destroyed, the call comes from a listener, or the densities give a mass or an inertia that is too large or too small for a float.
+    /// </exception>
     public void SetMassFromShapes()
     {
         CheckAlive();
@@ -200,21 +202,28 @@ public partial class b2Body
             inertia -= mass * ((x * x) + (y * y));
         }
 
-        ApplyMass((float)mass, _fixedRotation || mass == 0 ? 0 : (float)inertia, x, y);
+        inertia = _fixedRotation || mass == 0 ? 0 : inertia;
+        if (!Fits(mass) || !Fits(inertia))
+        {
+            throw new InvalidOperationException(FormattableString.Invariant(
+                $"The shapes and their density give the body a mass of {mass} and an inertia of {inertia}, which is beyond what a float can hold and divide by."));
+        }
+
+        ApplyMass((float)mass, (float)inertia, x, y);
     }
 
     /// <summary>Moves the body at once, without regard to what is in the way.</summary>
     /// <param name="position">Where its origin goes, metres.</param>
-    /// <param name="angle">Its angle, radians.</param>
+    /// <param name="angle">Its angle, radians; within ±9.2·10¹⁸.</param>
     /// <returns>
     /// False if a shape of it then lies outside the world: the body is frozen. False too, and nothing happens, if it is frozen already.
     /// </returns>
-    /// <exception cref="ArgumentException">A value is null or not finite.</exception>
+    /// <exception cref="ArgumentException">A value is null, not finite or out of its range.</exception>
     /// <exception cref="InvalidOperationException">The body is destroyed, or the call comes from a listener.</exception>
     public bool SetXForm(b2Vec2 position, float angle)
     {
         Require.Vector(position, nameof(position));
-        Require.Finite(angle, nameof(angle));
+        Require.Turn(angle, nameof(angle));
         CheckAlive();
         if (World.IsLocked(nameof(SetXForm)))
         {
@@ -305,7 +314,7 @@ public partial class b2Body
     /// <returns>True for a dynamic body.</returns>
     public bool IsDynamic() => !Link.IsStatic;
 
-    /// <summary>Whether the body left the box of the world; it then stands still for good.</summary>
+    /// <summary>Whether the body left the box of the world, or its speed what the engine can hold; it then stands still for good.</summary>
     /// <returns>True for a frozen body.</returns>
     public bool IsFrozen() => Link.IsFrozen;
 
@@ -317,9 +326,9 @@ public partial class b2Body
         Require.NotNull(other, nameof(other));
         for (b2JointEdge? edge = Joints; edge is not null; edge = edge.next)
         {
-            if (ReferenceEquals(edge.other, other))
+            if (ReferenceEquals(edge.other, other) && !edge.joint.CollideConnected)
             {
-                return !edge.joint.CollideConnected;
+                return true;
             }
         }
 
@@ -335,8 +344,8 @@ public partial class b2Body
     internal static void CheckMass(b2MassData massData)
     {
         Require.NotNull(massData, nameof(massData));
-        Require.NotNegative(massData.mass, nameof(massData.mass));
-        Require.NotNegative(massData.I, nameof(massData.I));
+        Require.Mass(massData.mass, nameof(massData.mass));
+        Require.Mass(massData.I, nameof(massData.I));
         Require.Vector(massData.center, nameof(massData.center));
     }
 
@@ -368,6 +377,8 @@ public partial class b2Body
             throw new InvalidOperationException("The body is destroyed.");
         }
     }
+
+    private static bool Fits(double value) => !(value > 0) || ((float)value > 0 && Require.IsMass((float)value));
 
     private static Vector2 Of(b2Vec2 v) => new Vector2(v.x, v.y);
 }

@@ -23,7 +23,7 @@ public class b2BodyDef
     /// <summary>Where the origin of the body is, metres. Default (0, 0).</summary>
     public b2Vec2 position { get; set; } = new b2Vec2(0, 0);
 
-    /// <summary>By how much the body is turned, radians; finite. Default 0.</summary>
+    /// <summary>By how much the body is turned, radians; within ±9.2·10¹⁸. Default 0.</summary>
     public float angle { get; set; }
 
     /// <summary>Rate by which the velocity dies away, 1/s: v falls as e^(−c·t). Finite and 0 or more, usually 0 to 1. Default 0.</summary>

@@ -15,7 +15,7 @@ public partial class b2World
     /// <param name="shapes">Where the shapes go, from the first place on.</param>
     /// <param name="maxCount">How many at most; 0 or more.</param>
     /// <returns>How many were put into <paramref name="shapes"/>.</returns>
-    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentNullException">An argument, or a corner of the box, is null.</exception>
     /// <exception cref="ArgumentException">The corners of the box are not finite or not in order.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="maxCount"/> is negative or more than the array holds.</exception>
     public int Query(b2AABB aabb, b2Shape[] shapes, int maxCount)
@@ -45,7 +45,7 @@ public partial class b2World
     /// <param name="shapes">Where the shapes are added.</param>
     /// <param name="maxCount">How many at most; 0 or more.</param>
     /// <returns>How many were added.</returns>
-    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentNullException">An argument, or a corner of the box, is null.</exception>
     /// <exception cref="ArgumentException">The corners of the box are not finite or not in order.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="maxCount"/> is negative.</exception>
     public int Query(b2AABB aabb, List<b2Shape> shapes, int maxCount)
@@ -74,6 +74,8 @@ public partial class b2World
     private static void CheckBox(b2AABB aabb)
     {
         Require.NotNull(aabb, nameof(aabb));
+        Require.NotNull(aabb.lowerBound, nameof(aabb));
+        Require.NotNull(aabb.upperBound, nameof(aabb));
         if (!aabb.IsValid())
         {
             throw new ArgumentException("The corners of the box must be finite and in order.", nameof(aabb));

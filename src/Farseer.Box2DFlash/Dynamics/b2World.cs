@@ -53,11 +53,18 @@ public partial class b2World
     }
 
     /// <summary>Which wrongs of version 2.0.2 are to be had. Default none.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value has a bit that is no member of the enum.</exception>
     public Box2DFlash202Quirks Quirks
     {
         get => _quirks;
         set
         {
+            const Box2DFlash202Quirks All = (Box2DFlash202Quirks)(((int)Box2DFlash202Quirks.MouseJointStiffness << 1) - 1);
+            if ((value & ~All) != 0)
+            {
+                throw new ArgumentOutOfRangeException(nameof(Quirks), value, "The value must be made of members of the enum Box2DFlash202Quirks.");
+            }
+
             _quirks = value;
             Engine.SetGravityWakes((value & Box2DFlash202Quirks.SettersWakeNobody) == 0);
         }
@@ -107,7 +114,7 @@ public partial class b2World
     {
         Require.NotNull(def, nameof(def));
         Require.Vector(def.position, nameof(def.position));
-        Require.Finite(def.angle, nameof(def.angle));
+        Require.Turn(def.angle, nameof(def.angle));
         Require.NotNegative(def.linearDamping, nameof(def.linearDamping));
         Require.NotNegative(def.angularDamping, nameof(def.angularDamping));
         b2Body.CheckMass(def.massData);

@@ -14,6 +14,6 @@ public class b2CircleDef : b2ShapeDef
     /// <summary>Centre in the body, metres. Default (0, 0).</summary>
     public b2Vec2 localPosition { get; set; } = new b2Vec2(0, 0);
 
-    /// <summary>Radius, metres; above 0. Default 1.</summary>
+    /// <summary>Radius, metres; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸. Default 1.</summary>
     public float radius { get; set; } = 1.0f;
 }

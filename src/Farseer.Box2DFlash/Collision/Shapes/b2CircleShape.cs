@@ -16,7 +16,7 @@ public class b2CircleShape : b2Shape
     internal b2CircleShape(b2CircleDef def)
         : base(def)
     {
-        _radius = Require.Positive(def.radius, nameof(def.radius));
+        _radius = Require.Length(def.radius, nameof(def.radius));
         b2Vec2 center = Require.Vector(def.localPosition, nameof(def.localPosition));
         _center = new Vector2(center.x, center.y);
     }

@@ -29,13 +29,13 @@ public class b2PolygonDef : b2ShapeDef
     public int vertexCount { get; set; }
 
     /// <summary>Makes a box about the origin of the body.</summary>
-    /// <param name="hx">Half its width, metres; above 0.</param>
-    /// <param name="hy">Half its height, metres; above 0.</param>
-    /// <exception cref="System.ArgumentOutOfRangeException">A value is not finite or not above 0.</exception>
+    /// <param name="hx">Half its width, metres; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="hy">Half its height, metres; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <exception cref="System.ArgumentOutOfRangeException">A value is out of its range.</exception>
     public void SetAsBox(float hx, float hy)
     {
-        Require.Positive(hx, nameof(hx));
-        Require.Positive(hy, nameof(hy));
+        Require.Length(hx, nameof(hx));
+        Require.Length(hy, nameof(hy));
         if (vertices is null || vertices.Length < 4)
         {
             vertices = new[] { new b2Vec2(), new b2Vec2(), new b2Vec2(), new b2Vec2() };
@@ -49,11 +49,11 @@ public class b2PolygonDef : b2ShapeDef
     }
 
     /// <summary>Makes a box anywhere in the body.</summary>
-    /// <param name="hx">Half its width, metres; above 0.</param>
-    /// <param name="hy">Half its height, metres; above 0.</param>
+    /// <param name="hx">Half its width, metres; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
+    /// <param name="hy">Half its height, metres; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="center">Its centre; null leaves it about the origin and unturned, as in the original.</param>
     /// <param name="angle">By how much it is turned, radians.</param>
-    /// <exception cref="System.ArgumentOutOfRangeException">A value is not finite, or a half side not above 0.</exception>
+    /// <exception cref="System.ArgumentOutOfRangeException">A value is not finite, or a half side out of its range.</exception>
     public void SetAsOrientedBox(float hx, float hy, b2Vec2? center = null, float angle = 0)
     {
         Require.Finite(angle, nameof(angle));
