@@ -81,6 +81,13 @@ public enum Farseer201Quirks
     /// </summary>
     PathLinkedAtFarEnds = 8192,
 
+    /// <summary>
+    /// Forces and torques change the velocity when an update begins, which then carries the body; by default they act evenly over the
+    /// update. What is constant then moves a body too far, but a spring that a program makes of forces of its own, one for each update, neither gains
+    /// nor loses, where by default each update adds the share (ω·dt)²/4 to its swing.
+    /// </summary>
+    ForcesActAtOnce = 16384,
+
     /// <summary>All quirks.</summary>
-    All = 16383,
+    All = 32767,
 }

@@ -134,7 +134,9 @@ public partial class PhysicsSimulator
         }
     }
 
-    /// <summary>The part of the step where forces act: controllers, springs, then stored impulses become velocity.</summary>
+    /// <summary>
+    /// The part of the step where forces act: controllers, springs, then stored impulses become velocity, and with a quirk forces too.
+    /// </summary>
     internal void ApplyForces(float dt)
     {
         UpdateControls(dt);
@@ -158,6 +160,13 @@ public partial class PhysicsSimulator
         }
 
         _pending.RemoveRange(kept, _pending.Count - kept);
+        if ((_quirks & Farseer201Quirks.ForcesActAtOnce) != 0)
+        {
+            for (int i = 0; i < BodyList.Count; i++)
+            {
+                BodyList[i].UseForces(dt);
+            }
+        }
     }
 
     /// <summary>Runs a user's own broad phase on the arbiter list.</summary>

@@ -186,6 +186,18 @@ public partial class Body
         Impulse = Vector2.Zero;
     }
 
+    /// <summary>Turns the gathered force and torque into velocity.</summary>
+    internal void UseForces(float dt)
+    {
+        ref BodyForce gathered = ref Link.ForceRef;
+        if (Enabled && (gathered.Force != Vector2.Zero || gathered.Torque != 0))
+        {
+            LinearVelocity += dt * InverseMass * gathered.Force;
+            AngularVelocity += dt * InverseMomentOfInertia * gathered.Torque;
+            gathered = default;
+        }
+    }
+
     private void WakeFor(Vector2 amount)
     {
         if (amount != Vector2.Zero)

@@ -41,6 +41,9 @@ public class QuirkTests
 
         // F = 10 on m = 2 for 0.01 s: Δv = 0.05 a step.
         [Farseer201Quirks.ForcesAccumulateWhilePaused] = new(SpeedAfterAPause, 0.05, 21 * 0.05, 1e-5),
+
+        // ω·dt = 0.2 and 300 steps: √(1 + 0.04/2) a step, or none; within a swing the energy so found varies by ω·dt/2 of itself.
+        [Farseer201Quirks.ForcesActAtOnce] = new(SwingOfASpringOfOnesOwn, Math.Pow(1.02, 150), 1, 0.1),
         [Farseer201Quirks.OffsetTurnedByRotationOffset] = new(OffsetPlace, 10, 0, 1e-4),
 
         // Half a second of free fall, or none.
@@ -102,6 +105,24 @@ public class QuirkTests
         body.ApplyImpulse(new Vector2(8, 0));
         simulator.Update(Step);
         return body.LinearVelocity.X;
+    }
+
+    private static double SwingOfASpringOfOnesOwn(PhysicsSimulator simulator)
+    {
+        const float Stiffness = 400;
+        Body body = BodyFactory.Instance.CreateRectangleBody(simulator, 10, 10, 1);
+        body.IgnoreGravity = true;
+        WithoutDrag(body);
+        body.Position = new Vector2(1, 0);
+        body.Rotation = 0.5f;
+        for (int i = 0; i < 300; i++)
+        {
+            body.ApplyForce(-Stiffness * body.Position);
+            simulator.Update(Step);
+        }
+
+        // Of the energy, so that it does not matter where in its swing the last step leaves the body.
+        return Math.Sqrt(body.Position.LengthSquared() + (body.LinearVelocity.LengthSquared() / Stiffness));
     }
 
     private static double UpdateInWhichASpringBreaks(PhysicsSimulator simulator)
