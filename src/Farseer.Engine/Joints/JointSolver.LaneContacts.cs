@@ -36,10 +36,7 @@ internal sealed unsafe partial class JointSolver
         }
 
         _lanes.ShareVelocities();
-        for (int i = 0; i < _laneAgendaCount; i++)
-        {
-            WarmStart(_laneAgenda[i]);
-        }
+        WarmStart(_laneTrees, _laneTreeCount, _laneAgenda, _laneAgendaCount);
 
         _lanes.TakeVelocities();
     }

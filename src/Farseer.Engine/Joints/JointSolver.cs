@@ -180,11 +180,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         Kick(-0.5f);
         LoadVelocities();
         _chains.EnterPressed();
-        for (int i = 0; i < _agendaCount; i++)
-        {
-            WarmStart(_agenda[i]);
-        }
-
+        WarmStart(_trees, _treeCount, _agenda, _agendaCount);
         _chains.TakeWarmStart();
 
         ForgetLimits();
@@ -455,18 +451,6 @@ internal sealed unsafe partial class JointSolver : IStageWork
         }
 
         PrepareFrom(0);
-    }
-
-    private void WarmStart(int item)
-    {
-        if (item < 0)
-        {
-            _contactPass.WarmStart(_contacts.Pointer + ~item);
-        }
-        else
-        {
-            _pass.WarmStart(_active.Pointer + item, _rows.Pointer + item);
-        }
     }
 
     private void Prepare(int item)

@@ -80,24 +80,6 @@ internal sealed unsafe partial class TreeContactPass
         }
     }
 
-    /// <summary>The extrapolated impulses of the substep before, on the bodies' own masses: the trees are solved afterwards.</summary>
-    public void WarmStart(TreeContact* contact)
-    {
-        double fall = (double)_c.Gravity * _c.Substep;
-        Extrapolate(&contact->Point0, contact->Friction, contact->K11, fall);
-        if (contact->Points > 1)
-        {
-            Extrapolate(&contact->Point1, contact->Friction, contact->K22, fall);
-        }
-
-        double* a = stackalloc double[3];
-        double* b = stackalloc double[3];
-        Normals(contact, contact->Point0.Normal, contact->Point1.Normal, a, b);
-        RowEnds.Push(_view.Nodes, &contact->Ends, a, b);
-        Tangents(contact, contact->Point0.Tangent, contact->Point1.Tangent, a, b);
-        RowEnds.Push(_view.Nodes, &contact->Ends, a, b);
-    }
-
     public void SolveBiased(TreeContact* contact)
     {
         RowEnds.Visit(_view, &contact->Ends);
@@ -301,21 +283,6 @@ internal sealed unsafe partial class TreeContactPass
         a[0] = -b[0];
         a[1] = -b[1];
         a[2] = (contact->Point0.RubA * p0) + (contact->Point1.RubA * p1);
-    }
-
-    private static void Extrapolate(TreeContactPoint* p, double friction, double k, double fall)
-    {
-        const double Share = ContactCoefficients.Extrapolation;
-        double most = ContactCoefficients.LargestGrowth * (p->PreviousNormal + (k > 0 ? fall / k : 0));
-        bool impact = p->Normal > most;
-        double normal = impact ? p->PreviousNormal : Math.Max(0, p->Normal + (Share * (p->Normal - p->PreviousNormal)));
-        double tangent = impact ? p->PreviousTangent : p->Tangent + (Share * (p->Tangent - p->PreviousTangent));
-        double bound = friction * normal;
-        tangent = Math.Max(-bound, Math.Min(bound, tangent));
-        p->PreviousNormal = Math.Min(p->Normal, most);
-        p->PreviousTangent = impact ? tangent : p->Tangent;
-        p->Normal = normal * p->Reach;
-        p->Tangent = tangent * p->Reach;
     }
 
     /// <summary>What the biased pass brings to 0: see <see cref="ContactKernel.SolveBiased"/>.</summary>

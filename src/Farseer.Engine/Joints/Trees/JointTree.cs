@@ -120,4 +120,12 @@ internal struct JointTree
     /// <summary>Largest error of the tree now and a round ago, in terms of its joints' sizes.</summary>
     public double Worst;
     public double Before;
+
+    /// <summary>
+    /// Of the first tree of a group: surfaces within one of its trees press; what the impulses that its contacts start from do against the speeds that are there, and
+    /// against those that they make themselves.
+    /// </summary>
+    public bool Tempers;
+    public double Opposed;
+    public double Answered;
 }
