@@ -65,6 +65,11 @@ public sealed class ConsoleTests : IDisposable
     [InlineData("linearDragCoefficient", "linearDragCoeficient", "bodies[0].linearDragCoeficient is no property")]
     [InlineData("[0, 10]", "[0]", "gravity must be a pair [x, y]")]
     [InlineData("\"steps\": 20,", "\"steps\": 20, \"joints\": [{}],", "joints are not supported")]
+    [InlineData("\"steps\": 20,", "\"steps\": 20, \"actions\": [{ \"step\": -1, \"target\": \"a\", \"call\": \"ClearForce\" }],", "actions[0].step must be 0 or more")]
+    [InlineData(
+        "\"steps\": 20,",
+        "\"steps\": 20, \"actions\": [{ \"step\": 5, \"until\": 4, \"target\": \"a\", \"call\": \"ClearForce\" }],",
+        "actions[0].until must not be before step")]
     public async Task Console_BrokenFile_NamesThePlaceAndExitsWith2(string from, string to, string expected)
     {
         string file = Path.Combine(_folder, "broken.json");

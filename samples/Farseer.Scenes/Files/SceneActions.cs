@@ -24,7 +24,18 @@ internal sealed class SceneActions
         foreach (SceneNode action in list.Value.Items())
         {
             int first = action["step"].Whole();
-            _actions.Add((first, action.Find("until")?.Whole() ?? first, action));
+            int last = action.Find("until")?.Whole() ?? first;
+            if (first < 0)
+            {
+                throw action["step"].Fault("must be 0 or more");
+            }
+
+            if (last < first)
+            {
+                throw action["until"].Fault("must not be before step");
+            }
+
+            _actions.Add((first, last, action));
         }
     }
 
