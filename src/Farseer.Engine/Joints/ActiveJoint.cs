@@ -60,7 +60,7 @@ internal unsafe struct ActiveJoint
 
     /// <summary>
     /// What of the overrun of a limit came from outside, negative: so far from its place the limit stands meanwhile, and from there its error counts. And
-    /// its error before bodies were displaced.
+    /// its error before bodies were displaced; then that where the substep left them, before impacts.
     /// </summary>
     public fixed double Outside[JointRows.Most];
     public fixed double Stood[JointRows.Most];

@@ -134,6 +134,11 @@ internal sealed unsafe partial class JointSolver
         TakeBackPushes();
     }
 
+    /// <summary>Bodies of a row are being displaced, which has turned it since the substep before.</summary>
+    private bool IsDisplaced(in RowEnds ends) => IsDisplaced(ends.NodeA) || IsDisplaced(ends.NodeB);
+
+    private bool IsDisplaced(int node) => node >= 0 && _forest.Trees[_forest.Nodes[node].Tree].Disturbed;
+
     private static bool Yields(JointTree* tree) => tree->HasRows || tree->Disturbed;
 
     private void PutVelocitiesAside()

@@ -27,12 +27,15 @@ internal sealed unsafe partial class JointSolver
     {
         for (int i = 0; i < _count && _chains.QuietJoints < _count; i++)
         {
-            if (_active[i].Limited && !IsQuiet(i) && !_step.Drifts && TreeOfLimits(_active.Pointer + i) == null)
+            if (_active[i].Limited && !IsQuiet(i) && !_step.Drifts && !IsEdge(_active.Pointer + i))
             {
                 FindOverrun(_active.Pointer + i, _rows.Pointer + i, ref _store.Ranges[_active[i].Joint]);
             }
         }
     }
+
+    /// <summary>Its limits belong to the blocks of a tree with edges of limits, which displaces them itself.</summary>
+    private bool IsEdge(ActiveJoint* joint) => joint->BlockLimits && TreeOfLimits(joint) != null;
 
     private static void FindOverrun(ActiveJoint* joint, JointRows* rows, ref JointRange range)
     {
@@ -264,7 +267,7 @@ internal sealed unsafe partial class JointSolver
         for (int at = 0; at < _jointCount; at++)
         {
             int i = _joints[at];
-            if (!_active[i].Limited || _step.Drifts || TreeOfLimits(_active.Pointer + i) != null)
+            if (!_active[i].Limited || _step.Drifts || IsEdge(_active.Pointer + i))
             {
                 continue;
             }
@@ -285,15 +288,21 @@ internal sealed unsafe partial class JointSolver
     /// <summary>A limit that its body comes back from by itself follows it.</summary>
     private void EaseOverruns()
     {
-        for (int at = 0; at < _jointCount && _overruns > 0; at++)
+        for (int at = 0; at < _jointCount && _anyLimits; at++)
         {
-            int i = _joints[at];
-            for (int k = _rows[i].Hard; k < _rows[i].Count && _active[i].Overrun; k++)
+            ActiveJoint* joint = _active.Pointer + _joints[at];
+            JointRows* rows = _rows.Pointer + _joints[at];
+            for (int k = rows->Hard; k < rows->Count && joint->Overrun; k++)
             {
-                if (_active[i].Outside[k] < 0)
+                if (joint->Outside[k] < 0)
                 {
-                    SetOutside(_active.Pointer + i, _rows.Pointer + i, k, _active[i].Outside[k]);
+                    SetOutside(joint, rows, k, joint->Outside[k]);
                 }
+            }
+
+            if (joint->Limited)
+            {
+                Copy(rows->Error, joint->Stood, JointRows.Most);
             }
         }
     }
@@ -318,7 +327,7 @@ internal sealed unsafe partial class JointSolver
         {
             if (IsRigidLimit(rows, k))
             {
-                range.Gap[limit] = rows->Error[k] + joint->Outside[k];
+                range.Gap[limit] = joint->Stood[k] + joint->Outside[k];
                 range.Outside[limit++] = joint->Outside[k];
                 joint->Outside[k] = 0;
             }

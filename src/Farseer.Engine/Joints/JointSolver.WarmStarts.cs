@@ -24,6 +24,12 @@ internal sealed unsafe partial class JointSolver
             if (agenda[i] < 0)
             {
                 TreeContact* contact = _contacts.Pointer + ~agenda[i];
+                if (IsDisplaced(contact->Ends))
+                {
+                    TreeContactPass.Forget(contact);
+                    continue;
+                }
+
                 _contactPass.Extrapolate(contact);
                 if (contact->Ends.Coupled && contact->Point0.Normal + contact->Point1.Normal > 0)
                 {

@@ -172,26 +172,6 @@ internal sealed unsafe partial class TreeContactPass
         RowEnds.Apply(_view, &contact->Ends, a, b);
     }
 
-    /// <summary>Keeps surfaces out of each other while bodies are pulled about; the impulses count within the pull only.</summary>
-    public void Block(TreeContact* contact)
-    {
-        RowEnds.Visit(_view, &contact->Ends);
-        Speeds(contact, out double v0, out double v1);
-        double x0 = Block(ref contact->Point0, v0, contact->K11);
-        double x1 = contact->Points > 1 ? Block(ref contact->Point1, v1 + (contact->K12 * x0), contact->K22) : 0;
-        double* a = stackalloc double[3];
-        double* b = stackalloc double[3];
-        Normals(contact, x0, x1, a, b);
-        RowEnds.Apply(_view, &contact->Ends, a, b);
-    }
-
-    private double Block(ref TreeContactPoint point, double v, double k)
-    {
-        double old = point.Plain;
-        point.Plain = Math.Max(0, old - ((v + (Math.Max(0, point.Separation) * _c.InverseSubstep)) / k));
-        return point.Plain - old;
-    }
-
     private double Push(in TreeContactPoint point, double v, double k, double rate)
     {
         double depth = _c.Rest - point.Separation;

@@ -376,6 +376,7 @@ internal sealed unsafe partial class TreeLanes
         PutJointsBack(trees, lane);
         PutHeldBack(trees, lane);
         PutSoftsBack(trees, lane, before);
+        PutGapsBack(trees, lane);
         if (before && trees->HasRows)
         {
             TakeGivenBack(trees, lane);

@@ -322,11 +322,11 @@ internal sealed unsafe partial class TreeLanes
             return;
         }
 
-        JointRows* limited = _rows + place->Limited(lane);
-        limited->Error[place->UpperRow] = joint->Gap[Y];
+        double* gaps = _active[place->Limited(lane)].Stood;
+        gaps[place->UpperRow] = joint->Gap[Y];
         if (place->LowerRow >= 0)
         {
-            limited->Error[place->LowerRow] = joint->Gap[0];
+            gaps[place->LowerRow] = joint->Gap[0];
         }
     }
 

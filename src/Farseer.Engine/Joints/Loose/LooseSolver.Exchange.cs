@@ -147,7 +147,7 @@ internal sealed unsafe partial class LooseSolver
             LooseRow* row = DoubleLanes.Shift(_looseRows.Pointer + place->FirstRow + k, lane);
             joint->Lambda[k] = row->Soft.Lambda[0];
             joint->Response[k] = row->Soft.Response[0];
-            rows->Error[k] = row->Error[0];
+            joint->Stood[k] = row->Error[0];
         }
 
         joint->Given[0] = bundle->Given[0];
