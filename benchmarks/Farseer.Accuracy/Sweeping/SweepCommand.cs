@@ -16,9 +16,9 @@ internal static class SweepCommand
     /// <summary>Shorter outer steps with fewer iterations each.</summary>
     private static readonly (int Divisor, int Iterations)[] _outer = [(2, 1), (2, 3), (4, 1), (4, 2), (8, 1)];
 
-    /// <summary>Longer outer steps, as multiples, with the iterations tried in each.</summary>
-    private static readonly int[] _longSteps = [2, 4];
-    private static readonly int[] _longIterations = [1, 2, 4, 5, 8];
+    /// <summary>Longer outer steps, 1/30, 1/15, 1/10 and 1/8 s, as multiples, with the iterations tried in each.</summary>
+    private static readonly double[] _longSteps = [2, 4, 6, 7.5];
+    private static readonly int[] _longIterations = [1, 2, 3, 4, 5, 8];
 
     private static readonly (string Scene, string Metric)[] _stepLengthScenes =
     [
@@ -108,7 +108,7 @@ internal static class SweepCommand
                 points.Add(Show(Measure(scene, SweepKind.Dial, iterations, Options.DefaultDt / divisor, runs), output));
             }
 
-            foreach (int factor in _longSteps)
+            foreach (double factor in _longSteps)
             {
                 foreach (int iterations in _longIterations)
                 {

@@ -13,9 +13,10 @@ namespace Farseer.Engine.Solver;
 /// <summary>
 /// Islands (bodies joined by joints or contacts) by how many substeps they need: class k takes 2ᵏ times those of the step. Which
 /// class an island belongs to follows from its state alone, from the loads that its trees pass on and the sag of its contacts, unless the
-/// user chose for one of its bodies. Islands of class 0 stay where they are; the rows of the others are borrowed from the graph while they are solved.
+/// user chose for one of its bodies. Islands of class 0 stay where they are; the rows of the others are borrowed from the graph while they are solved,
+/// unless all rows are of one class: then they stay, and only count in its substeps meanwhile.
 /// </summary>
-internal sealed unsafe class IslandClasses
+internal sealed unsafe partial class IslandClasses
 {
     public const int Count = JointSolver.MostDoublings + 1;
 
@@ -39,6 +40,9 @@ internal sealed unsafe class IslandClasses
     private float _substep;
     private bool _adapts;
     private bool _anyChosen;
+
+    /// <summary>The class of all rows, which then are not borrowed; 0: there are several.</summary>
+    private int _only;
 
     public IslandClasses()
     {
@@ -218,6 +222,13 @@ internal sealed unsafe class IslandClasses
             _rowCounts[index] = 0;
         }
 
+        _only = FindOnly();
+        if (_only > 0)
+        {
+            Stay();
+            return;
+        }
+
         foreach (GraphColor source in _graph.Solved)
         {
             foreach (ContactBundle* bundle in source.Bundles)
@@ -237,6 +248,12 @@ internal sealed unsafe class IslandClasses
     /// <summary>Gives all rows back.</summary>
     public void GiveBack()
     {
+        if (_only > 0)
+        {
+            ScaleAll(1 << _only);
+            return;
+        }
+
         for (int i = 0; i < _loanCount; i++)
         {
             ref Loan loan = ref _loans[i];
@@ -272,13 +289,18 @@ internal sealed unsafe class IslandClasses
         ContactRowWriter.Mute(bundle, lane);
         ContactRowWriter.Scale(copy, to, share);
 
-        // A pace is slow against the slowest mode, and a stiffer island has faster modes; that of trees is not known so well.
-        bool jointed = ((_listed[Root(copy->BodyA[to])] | _listed[Root(copy->BodyB[to])]) & Jointed) != 0;
-        float fastest = _substep * share / FeedForwardSettings.ShortestTime;
-        copy->FeedRate[to] = jointed ? copy->FeedRate[to] * share : Math.Min(copy->FeedRate[to], fastest);
+        ShortenPace(copy, to, share);
         _rowCounts[index]++;
         _loans.EnsureCapacity(_loanCount + 1);
         _loans[_loanCount++] = new Loan { Home = bundle, Lane = lane, Class = index, Place = place };
+    }
+
+    /// <summary>A pace is slow against the slowest mode, and a stiffer island has faster modes; that of trees is not known so well.</summary>
+    private void ShortenPace(ContactBundle* bundle, int lane, float share)
+    {
+        bool jointed = ((_listed[Root(bundle->BodyA[lane])] | _listed[Root(bundle->BodyB[lane])]) & Jointed) != 0;
+        float fastest = _substep * share / FeedForwardSettings.ShortestTime;
+        bundle->FeedRate[lane] = jointed ? bundle->FeedRate[lane] * share : Math.Min(bundle->FeedRate[lane], fastest);
     }
 
     private static bool IsAnyChosen(BodyStore bodies, int* list, int count)
