@@ -48,12 +48,8 @@ internal static unsafe partial class BodyLanes
     public static void GatherVelocities(BodyState* bodies, int* indexA, int* indexB, out WideVelocity a, out WideVelocity b)
     {
         Gather((float*)bodies, indexA, (float*)bodies, indexB, out FourColumns ofA, out FourColumns ofB);
-        a.X = ofA.A;
-        a.Y = ofA.B;
-        a.W = ofA.C;
-        b.X = ofB.A;
-        b.Y = ofB.B;
-        b.W = ofB.C;
+        a = AsVelocity(ofA);
+        b = AsVelocity(ofB);
     }
 
     /// <summary>What two bundles' bodies have moved.</summary>
@@ -61,14 +57,29 @@ internal static unsafe partial class BodyLanes
     public static void GatherDeltas(BodyState* bodies, int* indexA, int* indexB, out WideDelta a, out WideDelta b)
     {
         Gather((float*)bodies + 4, indexA, (float*)bodies + 4, indexB, out FourColumns ofA, out FourColumns ofB);
-        a.X = ofA.A;
-        a.Y = ofA.B;
-        a.Sin = ofA.C;
-        a.Cos = ofA.D;
-        b.X = ofB.A;
-        b.Y = ofB.B;
-        b.Sin = ofB.C;
-        b.Cos = ofB.D;
+        a = AsDelta(ofA);
+        b = AsDelta(ofB);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideVelocity AsVelocity(in FourColumns half)
+    {
+        WideVelocity v;
+        v.X = half.A;
+        v.Y = half.B;
+        v.W = half.C;
+        return v;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideDelta AsDelta(in FourColumns half)
+    {
+        WideDelta d;
+        d.X = half.A;
+        d.Y = half.B;
+        d.Sin = half.C;
+        d.Cos = half.D;
+        return d;
     }
 
     /// <summary>

@@ -86,13 +86,8 @@ internal static unsafe class Integrator
         if (MatrixTurn.IsUsed)
         {
             BodyLanes.Gather((float*)states, (float*)states + 4, motion, motion + 4, index, out FourColumns speed, out FourColumns moved, out start, out change);
-            v.X = speed.A;
-            v.Y = speed.B;
-            v.W = speed.C;
-            d.X = moved.A;
-            d.Y = moved.B;
-            d.Sin = moved.C;
-            d.Cos = moved.D;
+            v = BodyLanes.AsVelocity(speed);
+            d = BodyLanes.AsDelta(moved);
             return;
         }
 

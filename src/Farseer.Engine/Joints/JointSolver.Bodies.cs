@@ -214,6 +214,15 @@ internal sealed unsafe partial class JointSolver
         StoreMove(node);
     }
 
+    /// <summary>Moves a body by what its velocity does in a substep, turned by a radian at most: further off a joint's direction tells nothing.</summary>
+    private void MoveOn(TreeNode* node)
+    {
+        double h = _step.Substep;
+        double* v = node->Velocity;
+        double turn = Math.Max(-1, Math.Min(1, h * v[2]));
+        SetMove(node, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), node->Move[2] + turn);
+    }
+
     /// <summary>As <see cref="SetMove"/>, with sines and cosines found together: <see cref="StoreMoves"/> must follow.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void NoteMove(int index, double x, double y, double turned)

@@ -158,7 +158,6 @@ internal sealed unsafe partial class JointSolver
     private void MoveAndForget()
     {
         _loose.StoreMoves();
-        double h = _step.Substep;
         for (int at = 0; at < _nodeCount; at++)
         {
             TreeNode* node = _forest.Nodes + _nodes[at];
@@ -170,8 +169,7 @@ internal sealed unsafe partial class JointSolver
                     node->PlainMove[k] = node->Move[k];
                 }
 
-                double turn = Math.Max(-1, Math.Min(1, h * v[2]));
-                SetMove(node, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), node->Move[2] + turn);
+                MoveOn(node);
                 v[0] = node->Saved[0];
                 v[1] = node->Saved[1];
                 v[2] = node->Saved[2];

@@ -202,13 +202,9 @@ internal sealed unsafe partial class JointSolver
         TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
         Clear(tree);
         TreeSolve.Run(_forest, tree);
-        double h = _step.Substep;
         for (int i = tree->First; i < tree->End; i++)
         {
-            TreeNode* node = _forest.Nodes + i;
-            double* v = node->Velocity;
-            double turn = Math.Max(-1, Math.Min(1, h * v[2]));
-            SetMove(node, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), node->Move[2] + turn);
+            MoveOn(_forest.Nodes + i);
         }
 
         return true;

@@ -171,7 +171,6 @@ internal sealed unsafe partial class JointSolver
     private bool ProjectOnce()
     {
         bool any = false;
-        double h = _step.Substep;
         LoadPoses();
         WriteRows(false);
         for (int at = 0; at < _treeCount; at++)
@@ -206,9 +205,7 @@ internal sealed unsafe partial class JointSolver
             TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
             for (int k = tree->First; k < tree->End; k++)
             {
-                TreeNode* node = _forest.Nodes + k;
-                double turn = Math.Max(-1, Math.Min(1, h * node->Velocity[2]));
-                SetMove(node, node->Move[0] + (h * node->Velocity[0]), node->Move[1] + (h * node->Velocity[1]), node->Move[2] + turn);
+                MoveOn(_forest.Nodes + k);
             }
         }
 

@@ -10,20 +10,17 @@ internal sealed unsafe partial class IslandClasses
     private int FindOnly()
     {
         int only = 0;
-        for (int index = 1; index < Count; index++)
-        {
-            only = _counts[index] > 0 ? index : only;
-        }
-
+        int classes = 0;
         for (int index = 0; index < Count; index++)
         {
-            if (index != only && _counts[index] > 0)
+            if (_counts[index] > 0)
             {
-                return 0;
+                only = index;
+                classes++;
             }
         }
 
-        if (only == 0 || _graph.Groups.Count > 1)
+        if (classes != 1 || only == 0 || _graph.Groups.Count > 1)
         {
             return 0;
         }

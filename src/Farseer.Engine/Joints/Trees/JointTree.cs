@@ -63,11 +63,11 @@ internal struct JointTree
     /// <summary>It was disturbed in the substep before: until nothing is left of its errors they count as put there from outside.</summary>
     public bool Unsettled;
 
-    /// <summary>An error that was put there from outside waits to be taken out; the correction went astray; its limits changed.</summary>
-    public bool Disturbed;
-
     /// <summary>A limit at it stands aside, and is pulled to its place.</summary>
     public bool Overrun;
+
+    /// <summary>An error that was put there from outside waits to be taken out; the correction went astray; its limits changed.</summary>
+    public bool Disturbed;
     public bool Astray;
     public bool Refactored;
 
