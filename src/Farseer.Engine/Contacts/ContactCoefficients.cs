@@ -18,6 +18,13 @@ internal readonly struct ContactCoefficients
     public const float LargestGrowth = 4f;
 
     /// <summary>
+    /// The same where nothing weighs anything, and no weight tells a load from a blow: there what grew is not taken further, so that no blow is
+    /// repeated, and what fell is by all of its fall, so that one dies out. A load that lasts is started from whole.
+    /// </summary>
+    private const float WeightlessRise = 0f;
+    private const float WeightlessFall = 1f;
+
+    /// <summary>
     /// Times the feed-forward that a load grows with a longer substep at most. The heavier point of a box that is about to slide with a friction of 0.6
     /// bears four times what the other does.
     /// </summary>
@@ -86,6 +93,18 @@ internal readonly struct ContactCoefficients
 
     /// <summary>Approach slower than this does not bounce.</summary>
     public float BounceThreshold { get; }
+
+    /// <summary>Share of a rise of its impulse that a contact starts a substep with.</summary>
+    public float RiseTaken => Gravity > 0 ? Extrapolation : WeightlessRise;
+
+    /// <summary>The same of a fall.</summary>
+    public float FallTaken => Gravity > 0 ? Extrapolation : WeightlessFall;
+
+    /// <summary>
+    /// What is kept of an impulse, at least, as the one before, whatever it grew from. A blow is taken for a load when it has lasted for as many substeps as
+    /// it takes the weight to grow to it; where there is no weight nothing would ever be one, and every substep began from nothing: after two.
+    /// </summary>
+    public float LeastKept => Gravity > 0 ? 0f : float.MaxValue;
 
     /// <summary>Difference of gaps up to which two points are level: above the rounding of a gap, below what matters.</summary>
     public float Level => LevelShare * Rest;

@@ -40,7 +40,7 @@ internal static unsafe class ContactKernel
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
-                ApplyStart<TScatter, TPoints>(row, lane, bodies, fall, ref a, ref b);
+                ApplyStart<TScatter, TPoints>(row, lane, bodies, c, fall, ref a, ref b);
             }
         }
     }
@@ -69,7 +69,7 @@ internal static unsafe class ContactKernel
                 for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
                 {
                     ContactStages.Take(work + i, lane, out WideVelocity a, out WideVelocity b);
-                    ApplyStart<TScatter, TPoints>(row, lane, bodies, fall, ref a, ref b);
+                    ApplyStart<TScatter, TPoints>(row, lane, bodies, c, fall, ref a, ref b);
                 }
             }
         }
@@ -77,20 +77,20 @@ internal static unsafe class ContactKernel
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void ApplyStart<TScatter, TPoints>(
-        ContactBundle* row, int lane, BodyState* bodies, Wide fall, ref WideVelocity a, ref WideVelocity b)
+        ContactBundle* row, int lane, BodyState* bodies, in ContactCoefficients c, Wide fall, ref WideVelocity a, ref WideVelocity b)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
         Wide friction = Wide.Load(row->Friction + lane);
         Wide weight0 = fall * Wide.Load(row->InverseK11 + lane);
-        Extrapolate(&row->Point0, lane, friction, weight0, out Wide normal0, out Wide tangent0);
+        Extrapolate(&row->Point0, lane, c, friction, weight0, out Wide normal0, out Wide tangent0);
         Wide normal1 = Wide.Zero;
         Wide tangent1 = Wide.Zero;
         if (two)
         {
             Wide weight1 = fall * Wide.Load(row->InverseK22 + lane);
-            Extrapolate(&row->Point1, lane, friction, weight1, out normal1, out tangent1);
+            Extrapolate(&row->Point1, lane, c, friction, weight1, out normal1, out tangent1);
         }
 
         ApplyNormal(row, lane, ref a, ref b, normal0, normal1, two);
@@ -230,7 +230,7 @@ internal static unsafe class ContactKernel
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Extrapolate(
-        ContactPointLanes* p, int lane, Wide friction, Wide weight, out Wide normal, out Wide tangent)
+        ContactPointLanes* p, int lane, in ContactCoefficients c, Wide friction, Wide weight, out Wide normal, out Wide tangent)
     {
         Wide share = Wide.Splat(ContactCoefficients.Extrapolation);
         Wide oldNormal = Wide.Load(p->Normal + lane);
@@ -239,11 +239,13 @@ internal static unsafe class ContactKernel
         Wide previousTangent = Wide.Load(p->PreviousTangent + lane);
         Wide most = Wide.Splat(ContactCoefficients.LargestGrowth) * (previous + weight);
         WideMask impact = oldNormal > most;
-        normal = Wide.Select(impact, previous, Wide.Max(oldNormal + (share * (oldNormal - previous)), Wide.Zero));
+        Wide change = oldNormal - previous;
+        change = Wide.Min(Wide.Splat(c.RiseTaken) * change, Wide.Splat(c.FallTaken) * change);
+        normal = Wide.Select(impact, previous, Wide.Max(oldNormal + change, Wide.Zero));
         tangent = Wide.Select(impact, previousTangent, oldTangent + (share * (oldTangent - previousTangent)));
         Wide bound = friction * normal;
         tangent = Wide.Max(Wide.Min(tangent, bound), Wide.Zero - bound);
-        Wide.Min(oldNormal, most).Store(p->PreviousNormal + lane);
+        Wide.Min(oldNormal, Wide.Max(most, Wide.Splat(c.LeastKept))).Store(p->PreviousNormal + lane);
         Wide.Select(impact, tangent, oldTangent).Store(p->PreviousTangent + lane);
         normal.Store(p->Normal + lane);
         tangent.Store(p->Tangent + lane);

@@ -11,10 +11,10 @@ internal sealed unsafe partial class TreeContactPass
     public void Extrapolate(TreeContact* contact)
     {
         double fall = (double)_c.Gravity * _c.Substep;
-        Extrapolate(&contact->Point0, contact->Friction, contact->K11, fall);
+        Extrapolate(&contact->Point0, _c, contact->Friction, contact->K11, fall);
         if (contact->Points > 1)
         {
-            Extrapolate(&contact->Point1, contact->Friction, contact->K22, fall);
+            Extrapolate(&contact->Point1, _c, contact->Friction, contact->K22, fall);
         }
     }
 
@@ -83,16 +83,17 @@ internal sealed unsafe partial class TreeContactPass
         contact->Point1.Tangent *= share;
     }
 
-    private static void Extrapolate(TreeContactPoint* p, double friction, double k, double fall)
+    private static void Extrapolate(TreeContactPoint* p, in ContactCoefficients c, double friction, double k, double fall)
     {
         const double Share = ContactCoefficients.Extrapolation;
         double most = ContactCoefficients.LargestGrowth * (p->PreviousNormal + (k > 0 ? fall / k : 0));
         bool impact = p->Normal > most;
-        double normal = impact ? p->PreviousNormal : Math.Max(0, p->Normal + (Share * (p->Normal - p->PreviousNormal)));
+        double change = p->Normal - p->PreviousNormal;
+        double normal = impact ? p->PreviousNormal : Math.Max(0, p->Normal + Math.Min(c.RiseTaken * change, c.FallTaken * change));
         double tangent = impact ? p->PreviousTangent : p->Tangent + (Share * (p->Tangent - p->PreviousTangent));
         double bound = friction * normal;
         tangent = Math.Max(-bound, Math.Min(bound, tangent));
-        p->PreviousNormal = Math.Min(p->Normal, most);
+        p->PreviousNormal = Math.Min(p->Normal, Math.Max(most, c.LeastKept));
         p->PreviousTangent = impact ? tangent : p->Tangent;
         p->Normal = normal * p->Reach;
         p->Tangent = tangent * p->Reach;
