@@ -74,6 +74,9 @@ internal readonly struct ContactCoefficients
         // Without gravity nothing sinks; a finite number keeps lanes without a piece, of size 0, at 0.
         _smallness = System.Math.Min(coarseness / (LargeSize * gravity * substep * substep), float.MaxValue);
         Gravity = gravity;
+        RiseTaken = gravity > 0 ? Extrapolation : WeightlessRise;
+        FallTaken = gravity > 0 ? Extrapolation : WeightlessFall;
+        LeastKept = gravity > 0 ? 0f : float.MaxValue;
         Rest = rest;
         BounceThreshold = bounceThreshold;
         Substep = substep;
@@ -95,16 +98,16 @@ internal readonly struct ContactCoefficients
     public float BounceThreshold { get; }
 
     /// <summary>Share of a rise of its impulse that a contact starts a substep with.</summary>
-    public float RiseTaken => Gravity > 0 ? Extrapolation : WeightlessRise;
+    public float RiseTaken { get; }
 
     /// <summary>The same of a fall.</summary>
-    public float FallTaken => Gravity > 0 ? Extrapolation : WeightlessFall;
+    public float FallTaken { get; }
 
     /// <summary>
     /// What is kept of an impulse, at least, as the one before, whatever it grew from. A blow is taken for a load when it has lasted for as many substeps as
     /// it takes the weight to grow to it; where there is no weight nothing would ever be one, and every substep began from nothing: after two.
     /// </summary>
-    public float LeastKept => Gravity > 0 ? 0f : float.MaxValue;
+    public float LeastKept { get; }
 
     /// <summary>Difference of gaps up to which two points are level: above the rounding of a gap, below what matters.</summary>
     public float Level => LevelShare * Rest;
