@@ -40,8 +40,11 @@ internal sealed unsafe class BoxStage : IStageWork
 
     private readonly Column<FitRecord> _fits = new Column<FitRecord>();
 
-    /// <summary>Bodies that left their boxes or whose boxes are out of date for another reason, a bit each.</summary>
-    private readonly Column<ulong> _left = new Column<ulong>();
+    /// <summary>Bodies whose boxes are out of date for another reason than motion, a bit each.</summary>
+    private readonly Column<ulong> _stale = new Column<ulong>();
+
+    /// <summary>Pieces that each worker has given new boxes; the first one writes them to the list of the world.</summary>
+    private IndexList[] _moved = { null! };
     private World _world = null!;
     private float _dt;
     private float _pull;
@@ -53,20 +56,18 @@ internal sealed unsafe class BoxStage : IStageWork
         int end = bodies.Ids.End;
         int words = (end + BitSet.WordBits - 1) / BitSet.WordBits;
         _fits.EnsureCapacity(end);
-        _left.EnsureCapacity(words);
+        _stale.EnsureCapacity(words);
         _world = world;
         _dt = dt;
         _pull = (Math.Abs(world.Settings.Gravity.X) + Math.Abs(world.Settings.Gravity.Y)) * dt;
+        BeginMoved(runner.Workers);
         runner.Run(this, words, LeastWords);
+        EndMoved();
         for (int word = 0; word < words; word++)
         {
-            ulong left = _left[word];
-            for (int body = word * BitSet.WordBits; left != 0; body++, left >>= 1)
+            for (ulong stale = _stale[word]; stale != 0; stale &= stale - 1)
             {
-                if ((left & 1) != 0)
-                {
-                    Take(world, body);
-                }
+                Take(world, (word * BitSet.WordBits) + BitSet.LowestBit(stale));
             }
         }
     }
@@ -81,9 +82,11 @@ internal sealed unsafe class BoxStage : IStageWork
         BodyState* states = bodies.State.Pointer;
         BodySize* sizes = bodies.Size.Pointer;
         FitRecord* fits = _fits.Pointer;
+        IndexList moved = _moved[worker];
+        int* next = moved.Pointer + moved.Count;
         for (int word = from; word < to; word++)
         {
-            ulong left = 0;
+            ulong stale = 0;
             int first = Math.Max(1, word * BitSet.WordBits);
             int end = visited[word] == 0 ? first : Math.Min((word + 1) * BitSet.WordBits, bodies.Ids.End);
             for (int body = first; body < end; body++)
@@ -91,21 +94,60 @@ internal sealed unsafe class BoxStage : IStageWork
                 BodyFlags flags = allFlags[body];
                 if ((flags & BodyFlags.Moved) != 0)
                 {
-                    left |= 1UL << body;
+                    stale |= 1UL << body;
                 }
                 else if (Moves(flags))
                 {
                     if (HasLeft(fits[body], poses[body], states[body]) || IsLoose(fits[body], states[body], sizes[body]))
                     {
-                        Refit(body);
-                        left |= 1UL << body;
+                        int* behind = Refit(body, next);
+                        stale |= behind == null ? 1UL << body : 0;
+                        next = behind == null ? next : behind;
                     }
 
                     NoteSpeed(allFlags + body, sizes[body], Motion(states[body], fits[body].Reach));
                 }
             }
 
-            _left[word] = left;
+            _stale[word] = stale;
+        }
+
+        moved.SetCount((int)(next - moved.Pointer));
+    }
+
+    /// <summary>Makes room for what workers list: they write without asking, and say at the end of a range how much.</summary>
+    private void BeginMoved(int workers)
+    {
+        if (_moved.Length != workers)
+        {
+            _moved = new IndexList[workers];
+            for (int i = 1; i < workers; i++)
+            {
+                _moved[i] = new IndexList();
+            }
+        }
+
+        int pieces = _world.Shapes.PieceIds.End;
+        _moved[0] = _world.MovedProxies;
+        _moved[0].Reserve(_moved[0].Count + pieces);
+        for (int i = 1; i < workers; i++)
+        {
+            _moved[i].Reserve(pieces);
+            _moved[i].Clear();
+        }
+    }
+
+    /// <summary>What follows for a piece with a new box follows from no order among them, so neither does it matter who listed which.</summary>
+    private void EndMoved()
+    {
+        IndexList all = _moved[0];
+        for (int i = 1; i < _moved.Length; i++)
+        {
+            int* from = _moved[i].Pointer;
+            int count = _moved[i].Count;
+            int before = all.Count;
+            all.SetCount(before + count);
+            Buffer.MemoryCopy(from, all.Pointer + before, (long)count * sizeof(int), (long)count * sizeof(int));
         }
     }
 
@@ -119,19 +161,6 @@ internal sealed unsafe class BoxStage : IStageWork
     {
         BodyStore bodies = world.Bodies;
         BodyFlags flags = bodies.Flags[body];
-        if ((flags & BodyFlags.Moved) == 0)
-        {
-            for (int collider = world.FirstCollider(body); collider >= 0; collider = world.NextCollider(collider))
-            {
-                for (int piece = world.Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = world.Shapes.NextPiece[piece])
-                {
-                    world.NoteMoved(piece);
-                }
-            }
-
-            return;
-        }
-
         bodies.Flags[body] = flags & ~(BodyFlags.Moved | BodyFlags.Fast);
         world.NoteAltered(body);
         Fit(world, body);
@@ -211,7 +240,8 @@ internal sealed unsafe class BoxStage : IStageWork
     }
 
     /// <summary>New boxes for a body that is what it was and has only moved.</summary>
-    private void Refit(int body)
+    /// <returns>One past the last of its pieces in the list; null: it is not what it was.</returns>
+    private int* Refit(int body, int* moved)
     {
         World world = _world;
         FitRecord fit = Begin(world.Bodies.Pose[body]);
@@ -223,15 +253,17 @@ internal sealed unsafe class BoxStage : IStageWork
                 if ((info.Flags & ProxyFlags.Alive) == 0)
                 {
                     world.Bodies.Flags[body] |= BodyFlags.Moved;
-                    return;
+                    return null;
                 }
 
                 world.Proxies.Fat[piece] = FatBox(world, body, piece, isStatic: false, ref fit);
                 info.Flags = ProxyFlags.Alive | ProxyFlags.Moved;
+                *moved++ = piece;
             }
         }
 
         _fits[body] = fit;
+        return moved;
     }
 
     private static FitRecord Begin(in BodyPose pose) => new FitRecord

@@ -51,8 +51,8 @@ internal sealed partial class World
         }
     }
 
-    /// <summary>A piece has a new box already: it looks for pairs.</summary>
-    internal void NoteMoved(int piece) => _movedProxies.Add(piece);
+    /// <summary>Pieces with a new box, in no order: they look for pairs.</summary>
+    internal IndexList MovedProxies => _movedProxies;
 
     /// <summary>A body was put elsewhere or its pieces were changed: what is known of the gaps around it does not hold.</summary>
     internal void NoteAltered(int body) => _contacts.Steps.Alter(body);

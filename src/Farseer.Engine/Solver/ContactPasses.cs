@@ -10,7 +10,7 @@ namespace Farseer.Engine.Solver;
 /// The passes over the contact rows, colour by colour: the rows of one colour share no body that moves, so they are cut into ranges for
 /// the workers. Rows of the overflow may share bodies and are done by one.
 /// </summary>
-internal sealed unsafe class ContactPasses : IStageWork
+internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
 {
     /// <summary>Bundles that are worth another worker's while, some 0.5 µs of a pass: a phase of two blocks takes 0.3 µs to share.</summary>
     private const int LeastBundles = 16;
@@ -25,6 +25,14 @@ internal sealed unsafe class ContactPasses : IStageWork
     private const int MostShort = 8;
 
     private ShortColor[] _short = new ShortColor[ConstraintGraph.ColorCount];
+
+    /// <summary>
+    /// The phases of a pass: a colour that is shared, or some in a row that are not worth it, which one worker does. For each phase the first
+    /// colour that is behind it, and whether it is one of these.
+    /// </summary>
+    private readonly StageList _stages = new StageList();
+    private GraphColor[] _colors = new GraphColor[ConstraintGraph.ColorCount];
+    private StageColors[] _stageColors = new StageColors[ConstraintGraph.ColorCount];
     private StageRunner _runner = null!;
     private BodyState* _states;
     private ContactCoefficients _coefficients;
@@ -60,6 +68,8 @@ internal sealed unsafe class ContactPasses : IStageWork
         {
             _short[i] = new ShortColor(colors[i]);
         }
+
+        FindStages(colors);
     }
 
     public void WarmStart(ReadOnlySpan<GraphColor> colors) => Run(colors, Pass.WarmStart, false);
@@ -81,14 +91,39 @@ internal sealed unsafe class ContactPasses : IStageWork
         Run(colors, Pass.PushOut, false);
     }
 
-    void IStageWork.Run(int worker, int from, int to)
+    void IStageWork.Run(int worker, int from, int to) => Run(_color, from, to);
+
+    void ISequenceWork.Run(int worker, int stage, int from, int to)
     {
-        BundleRuns runs = _color.Part(from, to);
-        bool far = _color.BundleCount > MostNear;
+        StageColors colors = _stageColors[stage];
+        if (colors.AreShared)
+        {
+            Run(_colors[colors.End - 1], from, to);
+            return;
+        }
+
+        for (int i = stage == 0 ? 0 : _stageColors[stage - 1].End; i < colors.End; i++)
+        {
+            ref readonly ShortColor found = ref _short[i];
+            if (found.Rows.Count > 0)
+            {
+                Run(found.Rows, found.IsGrounded, found.HasOnePoint);
+            }
+            else
+            {
+                Run(_colors[i], 0, _colors[i].BundleCount);
+            }
+        }
+    }
+
+    private void Run(GraphColor color, int from, int to)
+    {
+        BundleRuns runs = color.Part(from, to);
+        bool far = color.BundleCount > MostNear;
         while (runs.Next())
         {
-            var rows = new BundleRun(runs.Bundles, runs.Count, runs.Following, far, _color.IsSequential);
-            Run(rows, _color.IsGrounded, OnePoint.Are(rows.Bundles, rows.Count));
+            var rows = new BundleRun(runs.Bundles, runs.Count, runs.Following, far, color.IsSequential);
+            Run(rows, color.IsGrounded, OnePoint.Are(rows.Bundles, rows.Count));
         }
     }
 
@@ -142,6 +177,11 @@ internal sealed unsafe class ContactPasses : IStageWork
     {
         _pass = pass;
         _flag = flag;
+        if (colors.Length > 0 && _runner.RunAll(this, _stages))
+        {
+            return;
+        }
+
         for (int i = 0; i < colors.Length; i++)
         {
             ref readonly ShortColor found = ref _short[i];
@@ -154,6 +194,49 @@ internal sealed unsafe class ContactPasses : IStageWork
             _color = colors[i];
             _runner.Run(this, _color.BundleCount, _color.IsSequential ? int.MaxValue : LeastBundles);
         }
+    }
+
+    private void FindStages(ReadOnlySpan<GraphColor> colors)
+    {
+        if (!_runner.IsShared(2, 1))
+        {
+            return;
+        }
+
+        if (_colors.Length < colors.Length)
+        {
+            _colors = new GraphColor[2 * colors.Length];
+            _stageColors = new StageColors[2 * colors.Length];
+        }
+
+        _runner.Clear(_stages);
+        bool any = false;
+        bool alone = false;
+        for (int i = 0; i < colors.Length; i++)
+        {
+            GraphColor color = colors[i];
+            _colors[i] = color;
+            int blocks = color.IsSequential ? 1 : _runner.BlocksOf(color.BundleCount, LeastBundles);
+            any |= blocks > 1;
+            if (blocks > 1 || !alone)
+            {
+                alone = blocks == 1;
+                _stages.Add(alone ? 1 : color.BundleCount, blocks);
+            }
+
+            _stageColors[_stages.Count - 1] = new StageColors { End = i + 1, AreShared = !alone };
+        }
+
+        if (!any)
+        {
+            _runner.Clear(_stages);
+        }
+    }
+
+    private struct StageColors
+    {
+        public int End;
+        public bool AreShared;
     }
 
     /// <summary>Where the rows of a colour of few bundles are; no rows: it is not one, or they lie apart.</summary>

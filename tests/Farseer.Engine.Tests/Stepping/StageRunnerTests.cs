@@ -70,6 +70,110 @@ public class StageRunnerTests
         }
     }
 
+    /// <summary>
+    /// Rows of phases of different lengths, by turns with single phases, over lists that are made anew between them while helpers may still look at the last one.
+    /// </summary>
+    [Theory]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(8)]
+    public void RunAll_DoesEveryItemOnce_AndNoneBeforeThePhaseBeforeItIsDone(int workers)
+    {
+        using StageRunner runner = new(workers, null);
+        Counting single = new(100);
+        StageList stages = new();
+        int singles = 0;
+        int rows = 0;
+        for (int step = 0; step < 200; step++)
+        {
+            runner.Begin(Large);
+            AwaitHelper(runner);
+            int[] sizes = new int[1 + (step * 7 % 40)];
+            runner.Clear(stages);
+            for (int i = 0; i < sizes.Length; i++)
+            {
+                sizes[i] = 1 + ((step + i) * 41 % 100);
+                stages.Add(sizes[i], i % 3 == 2 ? 1 : runner.BlocksOf(sizes[i], 1 + (i % 5)));
+            }
+
+            for (int again = 0; again < 5; again++)
+            {
+                Marching work = new(sizes);
+                if (runner.RunAll(work, stages))
+                {
+                    rows++;
+                    Assert.Equal(sizes, work.Done);
+                    Assert.False(work.Early, "A phase began before the one before it was done.");
+                }
+
+                runner.Run(single, 100, 1);
+                singles++;
+            }
+
+            runner.End();
+        }
+
+        Assert.True(rows > 0, "No helper was there in a thousand times.");
+        Assert.All(single.Counts, c => Assert.Equal(singles, c));
+    }
+
+    [Fact]
+    public void RunAll_WithoutHelpers_DoesNothing()
+    {
+        using StageRunner runner = new(2, (_, _) => { });
+        StageList stages = new();
+        stages.Add(100, 8);
+        runner.Begin(Large);
+        Assert.False(runner.RunAll(new Marching([100]), stages));
+        runner.End();
+    }
+
+    [Fact]
+    public void ExceptionInARowOfPhases_ComesOutOnTheCallingThread_AndTheRunnerGoesOn()
+    {
+        using StageRunner runner = new(2, null);
+        StageList stages = new();
+        stages.Add(100, 8);
+        stages.Add(100, 8);
+        runner.Begin(Large);
+        AwaitHelper(runner);
+        bool silent = false;
+        try
+        {
+            silent = runner.RunAll(new Stumbling(), stages);
+        }
+        catch (FormatException)
+        {
+        }
+
+        Assert.False(silent, "Nothing came out.");
+
+        Marching work = new([100, 100]);
+        bool shared = runner.RunAll(work, stages);
+        runner.End();
+        Assert.True(!shared || (work.Done[0] == 100 && work.Done[1] == 100));
+    }
+
+    [Fact]
+    public void Patience_AfterLongWaits_LetsStepsBeDoneAlone_AndAsksAgain()
+    {
+        CrewPatience patience = new();
+        Assert.True(patience.MayShare(1e6));
+        patience.Look(true);
+        Thread.Sleep(20);
+        patience.Found();
+        patience.End();
+        int alone = 0;
+        while (!patience.MayShare(1e6))
+        {
+            alone++;
+        }
+
+        Assert.InRange(alone, 4, 256);
+        patience.End();
+        Assert.True(patience.MayShare(1e6), "A step without waiting is followed by another one that is shared.");
+    }
+
     [Fact]
     public void Run_WithHelpers_LetsThemWork()
     {
@@ -177,6 +281,9 @@ public class StageRunnerTests
         Assert.All(work.Counts, c => Assert.Equal(3, c));
     }
 
+    /// <summary>A helper has just done something when this returns, so it is most likely there.</summary>
+    private static void AwaitHelper(StageRunner runner) => runner.RunEach(new Beckoning(() => { }), 1000);
+
     private sealed class Counting(int count) : IStageWork
     {
         private readonly int[] _busy = new int[StageRunner.MostWorkers];
@@ -243,6 +350,31 @@ public class StageRunnerTests
                 Thread.Sleep(1);
             }
         }
+    }
+
+    /// <summary>Counts what is done of each phase, and looks whether all of the one before is.</summary>
+    private sealed class Marching(int[] sizes) : ISequenceWork
+    {
+        private bool _early;
+
+        public int[] Done { get; } = new int[sizes.Length];
+
+        public bool Early => _early;
+
+        public void Run(int worker, int stage, int from, int to)
+        {
+            if (stage > 0 && Volatile.Read(ref Done[stage - 1]) != sizes[stage - 1])
+            {
+                _early = true;
+            }
+
+            Interlocked.Add(ref Done[stage], to - from);
+        }
+    }
+
+    private sealed class Stumbling : ISequenceWork
+    {
+        public void Run(int worker, int stage, int from, int to) => throw new FormatException("item");
     }
 
     private sealed class Failing : IStageWork

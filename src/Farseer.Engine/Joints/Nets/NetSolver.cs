@@ -77,7 +77,7 @@ internal sealed unsafe partial class NetSolver
 
         _step = step;
         _bodies.BindTouched(step.Touches);
-        _work.Begin(step);
+        _work.Begin(step, _solved, _solvedCount);
         _work.Run(NetWork.Pass.StartBodies);
         for (int i = 0; i < _solvedCount; i++)
         {
@@ -134,9 +134,9 @@ internal sealed unsafe partial class NetSolver
 
     private void Sweep(NetWork.Pass pass, in NetSoftness softness)
     {
-        for (int i = 0; _runs && i < _solvedCount; i++)
+        if (_runs)
         {
-            _work.Run(pass, _solved[i], softness);
+            _work.Run(pass, softness);
         }
     }
 
