@@ -15,6 +15,7 @@ internal sealed partial class World
 {
     private readonly IslandClasses _classes = new IslandClasses();
     private readonly SolverUnits _units = new SolverUnits();
+    private readonly CarriedPushes _carriedPushes = new CarriedPushes();
 
     /// <summary>Sorts the rows of large worlds.</summary>
     public IslandGroups IslandGroups { get; } = new IslandGroups();
@@ -194,6 +195,7 @@ internal sealed partial class World
         input.List = _lists.Solver;
         input.PaddedCount = _lists.PaddedSolverCount;
         input.Saved = Scratch.Take<Vector3>(SolverUnits.MostListed(_lists.SolverCount, _graph.Groups.Count));
+        input.Pushes = _carriedPushes.Begin(anyDeep, _feedForward, _islands, Bodies.Ids.End);
         input.Substeps = _substeps;
         input.Substep = substep;
         input.Coefficients = coefficients;

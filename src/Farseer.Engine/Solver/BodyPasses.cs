@@ -14,6 +14,7 @@ internal sealed unsafe class BodyPasses : IStageWork
 
     private StageRunner _runner = null!;
     private Vector3* _saved;
+    private CarriedPush* _pushes;
     private BodyState* _states;
     private BodyMotion* _motions;
     private BodyDrive* _drives;
@@ -29,11 +30,14 @@ internal sealed unsafe class BodyPasses : IStageWork
         Save,
         Stop,
         Restore,
+        AddPushes,
+        RememberPushes,
     }
 
     public void Begin(in SolverInput input)
     {
         _saved = input.Saved;
+        _pushes = input.Pushes;
         _runner = input.Runner;
         _states = input.Bodies.State.Pointer;
         _motions = input.Bodies.Motion.Pointer;
@@ -60,6 +64,12 @@ internal sealed unsafe class BodyPasses : IStageWork
     public void Stop() => Run(Pass.Stop);
 
     public void RestoreVelocities() => Run(Pass.Restore);
+
+    /// <summary>The same as <see cref="SaveVelocities"/>, and then the bodies go on with what pushed them in the substep before.</summary>
+    public void AddPushes() => Run(_pushes != null ? Pass.AddPushes : Pass.Save);
+
+    /// <summary>The same as <see cref="RestoreVelocities"/>, but what the velocities differed by is kept for the next substep.</summary>
+    public void RememberPushes() => Run(_pushes != null ? Pass.RememberPushes : Pass.Restore);
 
     void IStageWork.Run(int worker, int from, int to) => Run(from, to);
 
@@ -103,6 +113,12 @@ internal sealed unsafe class BodyPasses : IStageWork
                     state->AngularVelocity = _saved[i].Z;
                 }
 
+                break;
+            case Pass.AddPushes:
+                CarriedPushes.Add(_pushes, _list + first, end - first, _states, _saved + first, _substep);
+                break;
+            case Pass.RememberPushes:
+                CarriedPushes.Remember(_pushes, _list + first, end - first, _states, _saved + first, _substep);
                 break;
         }
     }

@@ -29,6 +29,7 @@ internal sealed unsafe class SolverUnits : IStageWork
     private int _count;
     private BodyStore _bodies = null!;
     private Vector3* _saved;
+    private CarriedPush* _pushes;
     private int _rowCount;
     private int _substeps;
     private float _substep;
@@ -76,6 +77,7 @@ internal sealed unsafe class SolverUnits : IStageWork
         _bodies = input.Bodies;
         _rowCount = input.RowCount;
         _saved = input.Saved;
+        _pushes = input.Pushes;
         _substeps = input.Substeps;
         _substep = input.Substep;
         _coefficients = input.Coefficients;
@@ -102,6 +104,7 @@ internal sealed unsafe class SolverUnits : IStageWork
             input.List = _list.Pointer + _firstBody[unit];
             input.PaddedCount = _firstBody[unit + 1] - _firstBody[unit];
             input.Saved = _saved + _firstBody[unit];
+            input.Pushes = _pushes;
             input.Substeps = _substeps;
             input.Substep = _substep;
             input.Coefficients = _coefficients;

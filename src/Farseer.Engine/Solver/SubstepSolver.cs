@@ -30,6 +30,9 @@ internal unsafe ref struct SolverInput
 
     /// <summary>Room for the velocities of the list, of all its places.</summary>
     public Vector3* Saved;
+
+    /// <summary>What deep islands of many levels carry on of their pushes, by body; null: nothing.</summary>
+    public CarriedPush* Pushes;
     public int Substeps;
     public float Substep;
     public ContactCoefficients Coefficients;
@@ -246,13 +249,13 @@ internal sealed unsafe class SubstepSolver
         input.Joints?.PrepareBounce();
     }
 
-    /// <summary>Moves everything with the velocities that push deep islands apart, and then forgets these velocities.</summary>
+    /// <summary>Moves everything with the velocities that push deep islands apart, and then takes these velocities away again.</summary>
     private void PushOutAndMove(ReadOnlySpan<GraphColor> colors, float rate)
     {
-        _bodies.SaveVelocities();
+        _bodies.AddPushes();
         _passes.PushOut(colors, rate);
         _bodies.IntegratePositions();
-        _bodies.RestoreVelocities();
+        _bodies.RememberPushes();
     }
 
     /// <summary>Displaces the bodies of nets; the velocities that do it are forgotten.</summary>

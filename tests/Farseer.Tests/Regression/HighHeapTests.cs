@@ -24,11 +24,68 @@ public class HighHeapTests
     public void Heap_OfFortyLevelsInEachOther_RisesWithoutSpeed()
     {
         using var simulator = new PhysicsSimulator(new Vector2(0, -10)) { Iterations = 4 };
+        List<Body> bodies = Fill(simulator, 1);
+        float start = bodies.Average(body => body.Position.Y);
+        float fastest = 0;
+        for (int step = 0; step < 240; step++)
+        {
+            simulator.Update(1 / 60f);
+            fastest = Math.Max(fastest, bodies.Max(body => body.LinearVelocity.Length()));
+        }
+
+        // The bound of a tower that begins in itself; it is 2.1 here.
+        Assert.InRange(fastest, 0, 3);
+
+        // With the area of the bodies 7 m are to come, and no more. Where sweeps forgot what they had pushed it had risen by 0.9 by then; now it has by 6.1.
+        Assert.InRange(bodies.Average(body => body.Position.Y) - start, 5, 7);
+    }
+
+    [Theory]
+    [InlineData(1e-9f)]
+    [InlineData(1e-4f)]
+    [InlineData(1 / 240f)]
+    public void Heap_AfterAShortFirstStep_RisesAsWithoutIt(float first)
+    {
+        using var simulator = new PhysicsSimulator(new Vector2(0, -10)) { Iterations = 4 };
+        List<Body> bodies = Fill(simulator, 1);
+        float start = bodies.Average(body => body.Position.Y);
+        simulator.Update(first);
+        float fastest = 0;
+        for (int step = 0; step < 20; step++)
+        {
+            simulator.Update(1 / 60f);
+            fastest = Math.Max(fastest, bodies.Max(body => body.LinearVelocity.Length()));
+        }
+
+        // What a body is pushed by is a way: kept as a speed, that of a step of a nanosecond threw bodies off at 200 km/s in the next steps.
+        Assert.InRange(fastest, 0, 3);
+        Assert.InRange(bodies.Average(body => body.Position.Y) - start, 1, 3);
+    }
+
+    [Fact]
+    public void Heap_OfTwentyLevelsInEachOther_ComesApartWithinTwoSeconds()
+    {
+        using var simulator = new PhysicsSimulator(new Vector2(0, -10)) { Iterations = 4 };
+        List<Body> bodies = Fill(simulator, 2);
+        for (int step = 0; step < 120; step++)
+        {
+            simulator.Update(1 / 60f);
+        }
+
+        // Bodies that rest in each other by the allowed depth have their centres 0.65 apart, and began 0.5 apart; 34 are nearer than at the start, and were 613 where sweeps forgot.
+        Assert.InRange(bodies.Count(body => IsCrowded(body, bodies)), 0, 60);
+    }
+
+    private static bool IsCrowded(Body body, List<Body> bodies) =>
+        bodies.Exists(other => other != body && (other.Position - body.Position).LengthSquared() < 0.5f * 0.5f);
+
+    private static List<Body> Fill(PhysicsSimulator simulator, int share)
+    {
         Fence(simulator, new Vector2(15, -1), 60, 2);
         Fence(simulator, new Vector2(-1.5f, 50), 2, 120);
         Fence(simulator, new Vector2(31, 50), 2, 120);
         var bodies = new List<Body>();
-        for (int i = 0; i < Columns * Rows; i++)
+        for (int i = 0; i < Columns * Rows / share; i++)
         {
             var place = new Vector2(Spacing * (i % Columns), 0.5f + (Spacing * (i / Columns)));
             Geom geom = i % 2 == 0 ? Sandbox.Box(simulator, place, Size, Size) : Sandbox.Ball(simulator, place, Size / 2);
@@ -36,19 +93,7 @@ public class HighHeapTests
             bodies.Add(geom.Body);
         }
 
-        float start = bodies.Average(body => body.Position.Y);
-        float fastest = 0;
-        for (int step = 0; step < 120; step++)
-        {
-            simulator.Update(1 / 60f);
-            fastest = Math.Max(fastest, bodies.Max(body => body.LinearVelocity.Length()));
-        }
-
-        // The bound of a tower that begins in itself; it is 1.4 here.
-        Assert.InRange(fastest, 0, 3);
-
-        // It reaches 0.43, with the area of the bodies 7 m are to come: slow, but no level sinks meanwhile.
-        Assert.InRange(bodies.Average(body => body.Position.Y) - start, 0.3f, 7);
+        return bodies;
     }
 
     private static void Fence(PhysicsSimulator simulator, Vector2 place, float width, float height) =>
