@@ -275,7 +275,7 @@ public partial class PhysicsSimulator
     {
         AttachBody(geom.Body);
         geom.Body.Link.Colliders++;
-        geom.Link.Attach(World);
+        geom.Link.Attach(geom, World);
         _table.SetGeom(geom.Link.Handle.Index, geom);
     }
 

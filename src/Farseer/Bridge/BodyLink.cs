@@ -7,14 +7,18 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 
 /// <summary>
 /// Where a body's state is: in its own fields while it belongs to no world, otherwise in the columns of the world. The
-/// references are formed anew on every use, since columns move when they grow.
+/// references are formed anew on every use, since columns move when they grow. A part of the body: it is never copied.
 /// </summary>
-internal sealed class BodyLink
+internal struct BodyLink
 {
     /// <summary>Null while the body is simulated: then all of it is in the columns.</summary>
     private LooseBody? _loose = new LooseBody();
     private World? _world;
     private Handle _handle;
+
+    public BodyLink()
+    {
+    }
 
     /// <summary>The body is to be put to sleep as soon as it is in a world.</summary>
     public bool StartsAsleep { get; set; }

@@ -6,38 +6,39 @@ using FarseerGames.FarseerPhysics.Dynamics;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
-/// <summary>A geom's material and filters, and the collider that mirrors them while the geom is in a world.</summary>
-internal sealed class GeomLink
+/// <summary>A geom's material and filters, and the collider that mirrors them while the geom is in a world. A part of the geom: it is never copied.</summary>
+internal struct GeomLink
 {
-    private readonly Geom _geom;
     private World? _world;
 
-    public GeomLink(Geom geom) => _geom = geom;
+    public GeomLink()
+    {
+    }
 
-    public float Friction { get; private set; }
+    public float Friction { readonly get; private set; }
 
-    public float Restitution { get; private set; }
+    public float Restitution { readonly get; private set; }
 
-    public int Group { get; private set; }
+    public int Group { readonly get; private set; }
 
-    public CollisionCategory Categories { get; private set; } = CollisionCategory.All;
+    public CollisionCategory Categories { readonly get; private set; } = CollisionCategory.All;
 
-    public CollisionCategory CollidesWith { get; private set; } = CollisionCategory.All;
+    public CollisionCategory CollidesWith { readonly get; private set; } = CollisionCategory.All;
 
-    public bool CollisionEnabled { get; private set; } = true;
+    public bool CollisionEnabled { readonly get; private set; } = true;
 
-    public bool ResponseEnabled { get; private set; } = true;
+    public bool ResponseEnabled { readonly get; private set; } = true;
 
-    public bool IsSensor { get; private set; }
+    public bool IsSensor { readonly get; private set; }
 
-    public Handle Handle { get; private set; }
+    public Handle Handle { readonly get; private set; }
 
     /// <summary>The body whose slot the collider is on; differs from the geom's body between <c>SetBody</c> and the next update.</summary>
-    public Body? AttachedBody { get; private set; }
+    public Body? AttachedBody { readonly get; private set; }
 
-    public bool IsAttached => _world is not null;
+    public readonly bool IsAttached => _world is not null;
 
-    public void CopyFrom(GeomLink other)
+    public void CopyFrom(in GeomLink other)
     {
         Friction = other.Friction;
         Restitution = other.Restitution;
@@ -62,52 +63,52 @@ internal sealed class GeomLink
         }
     }
 
-    public void SetFilter(int group, CollisionCategory categories, CollisionCategory collidesWith)
+    public void SetFilter(Geom geom, int group, CollisionCategory categories, CollisionCategory collidesWith)
     {
         Group = group;
         Categories = categories;
         CollidesWith = collidesWith;
-        PushFilter();
+        PushFilter(geom);
     }
 
-    public void SetCollisionEnabled(bool value)
+    public void SetCollisionEnabled(Geom geom, bool value)
     {
         CollisionEnabled = value;
-        PushFilter();
+        PushFilter(geom);
     }
 
-    public void SetResponse(bool responseEnabled, bool isSensor)
+    public void SetResponse(Geom geom, bool responseEnabled, bool isSensor)
     {
         ResponseEnabled = responseEnabled;
         IsSensor = isSensor;
-        PushFlags();
+        PushFlags(geom);
     }
 
     /// <summary>Tells the world which events are wanted, so that a pair without handlers costs nothing.</summary>
-    public void PushFlags()
+    public readonly void PushFlags(Geom geom)
     {
         if (_world is not null)
         {
-            _world.Collider(Handle).Flags = Flags();
+            _world.Collider(Handle).Flags = Flags(geom);
             _world.NoteChanged(Handle);
         }
     }
 
-    public void Attach(World world)
+    public void Attach(Geom geom, World world)
     {
-        Handle = world.CreateCollider(_geom.Body.Link.Handle, _geom.Form!.Shape, new ColliderDef
+        Handle = world.CreateCollider(geom.Body.Link.Handle, geom.Form!.Shape, new ColliderDef
         {
-            Flags = Flags(),
+            Flags = Flags(geom),
             Friction = Friction,
             Restitution = Restitution,
             Group = Group,
             Categories = (uint)Categories,
             CollidesWith = (uint)CollidesWith,
-            Offset = _geom.EffectiveOffset,
-            RotationOffset = _geom.RotationOffset,
+            Offset = geom.EffectiveOffset,
+            RotationOffset = geom.RotationOffset,
         });
-        world.Collider(Handle).Order = _geom.Id;
-        AttachedBody = _geom.Body;
+        world.Collider(Handle).Order = geom.Id;
+        AttachedBody = geom.Body;
         _world = world;
     }
 
@@ -120,17 +121,17 @@ internal sealed class GeomLink
         Handle = default;
     }
 
-    private ColliderFlags Flags()
+    private readonly ColliderFlags Flags(Geom geom)
     {
         ColliderFlags flags = ColliderFlags.Alive;
         flags |= CollisionEnabled ? ColliderFlags.CollisionEnabled : ColliderFlags.None;
         flags |= ResponseEnabled && !IsSensor ? ColliderFlags.ResponseEnabled : ColliderFlags.None;
-        flags |= _geom.OnCollision is not null ? ColliderFlags.WantsContact : ColliderFlags.None;
-        flags |= _geom.OnSeparation is not null ? ColliderFlags.WantsSeparation : ColliderFlags.None;
+        flags |= geom.OnCollision is not null ? ColliderFlags.WantsContact : ColliderFlags.None;
+        flags |= geom.OnSeparation is not null ? ColliderFlags.WantsSeparation : ColliderFlags.None;
         return flags;
     }
 
-    private void PushFilter()
+    private readonly void PushFilter(Geom geom)
     {
         if (_world is null)
         {
@@ -141,7 +142,7 @@ internal sealed class GeomLink
         info.Group = Group;
         info.Categories = (uint)Categories;
         info.CollidesWith = (uint)CollidesWith;
-        info.Flags = Flags();
+        info.Flags = Flags(geom);
         _world.Refilter(Handle);
     }
 }

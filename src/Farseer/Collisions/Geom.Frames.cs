@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
 
@@ -6,9 +7,6 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// <content>Where the geom is. World vertices and box are worked out when asked for and kept until the body moves.</content>
 public partial class Geom
 {
-    // Only what somebody has asked for: most geoms are never asked, and all of it is as much as the rest of a geom.
-    private Frame? _frame;
-
     /// <summary>World position: the body's position plus the offset turned by the body's rotation.</summary>
     public Vector2 Position
     {
@@ -20,7 +18,7 @@ public partial class Geom
     }
 
     /// <summary>The body's total rotation plus the rotation offset, radians.</summary>
-    public float Rotation => _body is null ? _rotationOffset : (float)(_body.Link.PoseRef.Angle + _rotationOffset);
+    public float Rotation => _body is null ? RotationOffset : (float)(_body.Link.PoseRef.Angle + RotationOffset);
 
     /// <summary>
     /// Takes geom coordinates to world coordinates, for row vectors. A matrix that is set holds for vertices, box and queries
@@ -78,9 +76,9 @@ public partial class Geom
 
     /// <summary>The offset as the engine is to turn it by the body's rotation alone.</summary>
     internal Vector2 EffectiveOffset =>
-        _rotationOffset != 0 && (Quirks & Farseer201Quirks.OffsetTurnedByRotationOffset) != 0
-            ? new Vector2((_offsetCos * _offset.X) - (_offsetSin * _offset.Y), (_offsetSin * _offset.X) + (_offsetCos * _offset.Y))
-            : _offset;
+        RotationOffset != 0 && (Quirks & Farseer201Quirks.OffsetTurnedByRotationOffset) != 0
+            ? new Vector2((_offset!.Cos * Offset.X) - (_offset.Sin * Offset.Y), (_offset.Sin * Offset.X) + (_offset.Cos * Offset.Y))
+            : Offset;
 
     /// <summary>Takes a point of the geom to the world.</summary>
     /// <param name="localPosition">Point in geom coordinates.</param>
@@ -137,12 +135,14 @@ public partial class Geom
 
     private void GetPlacement(out double x, out double y, out float cos, out float sin)
     {
+        float offsetCos = _offset is null ? 1 : _offset.Cos;
+        float offsetSin = _offset is null ? 0 : _offset.Sin;
         if (_body is null)
         {
-            x = _offset.X;
-            y = _offset.Y;
-            cos = _offsetCos;
-            sin = _offsetSin;
+            x = Offset.X;
+            y = Offset.Y;
+            cos = offsetCos;
+            sin = offsetSin;
             return;
         }
 
@@ -150,15 +150,15 @@ public partial class Geom
         Vector2 offset = EffectiveOffset;
         x = pose.X + ((pose.Cos * offset.X) - (pose.Sin * offset.Y));
         y = pose.Y + ((pose.Sin * offset.X) + (pose.Cos * offset.Y));
-        cos = (pose.Cos * _offsetCos) - (pose.Sin * _offsetSin);
-        sin = (pose.Sin * _offsetCos) + (pose.Cos * _offsetSin);
+        cos = (pose.Cos * offsetCos) - (pose.Sin * offsetSin);
+        sin = (pose.Sin * offsetCos) + (pose.Cos * offsetSin);
     }
 
     /// <summary>Brings the world vertices and the box up to date if the body has moved since they were worked out.</summary>
     private Frame Follow()
     {
         BodyPose pose = _body is null ? new BodyPose { Cos = 1 } : _body.Link.PoseRef;
-        Frame frame = _frame ??= new Frame();
+        Frame frame = (_extras ??= new GeomExtras()).Frame ??= new Frame();
         BodyPose known = frame.Pose;
         bool same = pose.X == known.X && pose.Y == known.Y && pose.Angle == known.Angle && pose.Cos == known.Cos && pose.Sin == known.Sin;
         if (!same)
@@ -174,9 +174,9 @@ public partial class Geom
     /// <summary>What was worked out holds no more.</summary>
     private void ForgetFrame()
     {
-        if (_frame is not null)
+        if (_extras?.Frame is { } frame)
         {
-            _frame.Pose = default;
+            frame.Pose = default;
         }
     }
 
@@ -212,6 +212,33 @@ public partial class Geom
         }
 
         frame.Box.Set(min, max);
+    }
+
+    /// <summary>Where a geom sits that is not at its body's place.</summary>
+    private sealed class GeomOffset
+    {
+        public readonly Vector2 Place;
+        public readonly float Rotation;
+        public readonly float Cos;
+        public readonly float Sin;
+
+        public GeomOffset(Vector2 place, float rotation)
+        {
+            Place = place;
+            Rotation = rotation;
+            Cos = (float)Math.Cos(rotation);
+            Sin = (float)Math.Sin(rotation);
+        }
+    }
+
+    /// <summary>What nearly no geom has; all of it is as much as the rest of one.</summary>
+    private sealed class GeomExtras
+    {
+        public CollisionEventHandler? OnCollision;
+        public SeparationEventHandler? OnSeparation;
+        public object? Tag;
+        public Grid? Grid;
+        public Frame? Frame;
     }
 
     /// <summary>The geom at its body's place.</summary>

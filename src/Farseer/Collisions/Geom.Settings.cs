@@ -5,9 +5,6 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// <content>Material, filters, events, identity.</content>
 public partial class Geom
 {
-    private CollisionEventHandler? _onCollision;
-    private SeparationEventHandler? _onSeparation;
-
     /// <summary>
     /// Handlers called on every step in which the geom touches another, before the response. Use with +=. Of a pair the geom
     /// created first is asked first. False from a handler cancels the response of the pair in this step; then later handlers of
@@ -15,11 +12,15 @@ public partial class Geom
     /// </summary>
     public CollisionEventHandler? OnCollision
     {
-        get => _onCollision;
+        get => _extras?.OnCollision;
         set
         {
-            _onCollision = value;
-            Link.PushFlags();
+            if (ExtrasFor(value) is { } extras)
+            {
+                extras.OnCollision = value;
+            }
+
+            Link.PushFlags(this);
         }
     }
 
@@ -29,11 +30,15 @@ public partial class Geom
     /// </summary>
     public SeparationEventHandler? OnSeparation
     {
-        get => _onSeparation;
+        get => _extras?.OnSeparation;
         set
         {
-            _onSeparation = value;
-            Link.PushFlags();
+            if (ExtrasFor(value) is { } extras)
+            {
+                extras.OnSeparation = value;
+            }
+
+            Link.PushFlags(this);
         }
     }
 
@@ -60,14 +65,14 @@ public partial class Geom
     public int CollisionGroup
     {
         get => Link.Group;
-        set => Link.SetFilter(value, Link.Categories, Link.CollidesWith);
+        set => Link.SetFilter(this, value, Link.Categories, Link.CollidesWith);
     }
 
     /// <summary>The categories that the geom belongs to. Default <see cref="CollisionCategory.All"/>.</summary>
     public CollisionCategory CollisionCategories
     {
         get => Link.Categories;
-        set => Link.SetFilter(Link.Group, value, Link.CollidesWith);
+        set => Link.SetFilter(this, Link.Group, value, Link.CollidesWith);
     }
 
     /// <summary>
@@ -77,21 +82,21 @@ public partial class Geom
     public CollisionCategory CollidesWith
     {
         get => Link.CollidesWith;
-        set => Link.SetFilter(Link.Group, Link.Categories, value);
+        set => Link.SetFilter(this, Link.Group, Link.Categories, value);
     }
 
     /// <summary>False lets nothing collide with the geom: no events either. Default true.</summary>
     public bool CollisionEnabled
     {
         get => Link.CollisionEnabled;
-        set => Link.SetCollisionEnabled(value);
+        set => Link.SetCollisionEnabled(this, value);
     }
 
     /// <summary>False lets the geom pass through all others; events are still raised. Default true.</summary>
     public bool CollisionResponseEnabled
     {
         get => Link.ResponseEnabled && !Link.IsSensor;
-        set => Link.SetResponse(value, Link.IsSensor);
+        set => Link.SetResponse(this, value, Link.IsSensor);
     }
 
     /// <summary>
@@ -103,7 +108,7 @@ public partial class Geom
         get => Link.IsSensor;
         set
         {
-            Link.SetResponse(!value || Link.ResponseEnabled, value);
+            Link.SetResponse(this, !value || Link.ResponseEnabled, value);
             if (_body is not null && (Quirks & Farseer201Quirks.SensorMakesBodyStatic) != 0)
             {
                 _body.IsStatic = value;

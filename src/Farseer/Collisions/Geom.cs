@@ -15,7 +15,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
 {
     private static int s_lastId;
 
-    internal readonly GeomLink Link;
+    internal GeomLink Link = new GeomLink();
 
     private readonly int _id = GetNextId();
     private Body? _body;
@@ -23,15 +23,18 @@ public partial class Geom : IDisposable, IEquatable<Geom>
 
     // Null of a rectangle that nobody has asked for its outline.
     private Vertices? _localVertices;
-    private Vector2 _offset;
-    private float _rotationOffset;
-    private float _offsetCos = 1;
-    private float _offsetSin;
+
+    // Null of a geom that sits at its body's place, as nearly all do.
+    private GeomOffset? _offset;
+
+    // Null until somebody wants one of them.
+    private GeomExtras? _extras;
     private float _collisionGridCellSize;
-    private Grid? _grid;
 
     /// <summary>Makes a geom without body and vertices; give it both before it is added to a simulator.</summary>
-    public Geom() => Link = new GeomLink(this);
+    public Geom()
+    {
+    }
 
     /// <summary>Makes a polygon geom. The vertices are copied; they may be in any order and are put into the documented one.</summary>
     /// <param name="body">The body to attach to.</param>
@@ -68,7 +71,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     /// <param name="geometry">The geom to copy.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     public Geom(Body body, Geom geometry)
-        : this(body, geometry, Require.NotNull(geometry, nameof(geometry))._offset, geometry._rotationOffset)
+        : this(body, geometry, Require.NotNull(geometry, nameof(geometry)).Offset, geometry.RotationOffset)
     {
     }
 
@@ -85,7 +88,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         Require.NotNull(geometry, nameof(geometry));
         SetOffset(offset, rotationOffset);
         _collisionGridCellSize = geometry._collisionGridCellSize;
-        _grid = geometry._grid;
+        KeptGrid = geometry.KeptGrid;
         _form = geometry._form;
         _localVertices = geometry._localVertices is null ? null : new Vertices(geometry._localVertices);
         Link.CopyFrom(geometry.Link);
@@ -125,7 +128,17 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     public Body Body => _body!;
 
     /// <summary>Anything the user wants to keep with the geom. Default null.</summary>
-    public object? Tag { get; set; }
+    public object? Tag
+    {
+        get => _extras?.Tag;
+        set
+        {
+            if (ExtrasFor(value) is { } extras)
+            {
+                extras.Tag = value;
+            }
+        }
+    }
 
     /// <summary>
     /// The outline in geom coordinates, in the documented order. A circle has the number of edges it was made with, although it
@@ -141,7 +154,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         set
         {
             _collisionGridCellSize = CellSize(value, LocalVertices, nameof(CollisionGridCellSize));
-            _grid = null;
+            KeptGrid = null;
         }
     }
 
@@ -150,12 +163,12 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     {
         get
         {
-            if (_grid is null)
+            if (KeptGrid is null)
             {
                 ComputeCollisionGrid();
             }
 
-            return _grid!;
+            return KeptGrid!;
         }
     }
 
@@ -175,9 +188,9 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         return _form;
     }
 
-    internal Vector2 Offset => _offset;
+    internal Vector2 Offset => _offset is null ? Vector2.Zero : _offset.Place;
 
-    internal float RotationOffset => _rotationOffset;
+    internal float RotationOffset => _offset is null ? 0 : _offset.Rotation;
 
     internal PhysicsSimulator? Simulator { get; set; }
 
@@ -241,7 +254,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     {
         var grid = new Grid();
         grid.ComputeGrid(this, _collisionGridCellSize);
-        _grid = grid;
+        KeptGrid = grid;
     }
 
     /// <summary>
@@ -279,6 +292,21 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         }
     }
 
+    private Grid? KeptGrid
+    {
+        get => _extras?.Grid;
+        set
+        {
+            if (ExtrasFor(value) is { } extras)
+            {
+                extras.Grid = value;
+            }
+        }
+    }
+
+    /// <summary>Where a part is to be set that nearly no geom has; that there is none needs no place.</summary>
+    private GeomExtras? ExtrasFor(object? value) => value is null ? _extras : _extras ??= new GeomExtras();
+
     private static void CheckBody(Body body, string name)
     {
         Require.NotNull(body, name);
@@ -300,10 +328,12 @@ public partial class Geom : IDisposable, IEquatable<Geom>
 
     private void SetOffset(Vector2 offset, float rotationOffset)
     {
-        _offset = Require.Place(offset, nameof(offset));
-        _rotationOffset = Require.Finite(rotationOffset, nameof(rotationOffset));
-        _offsetCos = (float)Math.Cos(rotationOffset);
-        _offsetSin = (float)Math.Sin(rotationOffset);
+        Require.Place(offset, nameof(offset));
+        Require.Finite(rotationOffset, nameof(rotationOffset));
+        if (offset != Vector2.Zero || rotationOffset != 0)
+        {
+            _offset = new GeomOffset(offset, rotationOffset);
+        }
     }
 
     private Vertices Outline() => _form is null ? new Vertices() : Vertices.CreateRectangle(_form.Size.X, _form.Size.Y);
@@ -314,7 +344,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         _ = form.Shape;
         _form = form;
         _localVertices = form.Kind == FormKind.Box ? null : localVertices;
-        _grid = null;
+        KeptGrid = null;
         ForgetFrame();
     }
 }

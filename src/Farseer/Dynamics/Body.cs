@@ -16,16 +16,13 @@ public partial class Body : IDisposable
 {
     private const float DefaultDragCoefficient = 0.001f;
 
-    internal readonly BodyLink Link = new BodyLink();
+    internal BodyLink Link = new BodyLink();
 
     /// <summary>The geom, or a list of several: nearly all bodies have one.</summary>
     private object? _geoms;
-    private UpdatedEventHandler? _updated;
-    private float _idleTime;
-    private float _minimumVelocity = 55;
-    private double _toldX;
-    private double _toldY;
-    private double _toldAngle;
+
+    /// <summary>Null until somebody wants one of them.</summary>
+    private BodyExtras? _extras;
 
     /// <summary>Makes a body of mass 1 and moment of inertia 1 at the origin.</summary>
     public Body()
@@ -59,21 +56,39 @@ public partial class Body : IDisposable
     public delegate void UpdatedEventHandler(ref Vector2 position, ref float rotation);
 
     /// <summary>Raised when the body is disposed.</summary>
-    public event EventHandler<EventArgs>? Disposed;
+    public event EventHandler<EventArgs>? Disposed
+    {
+        add => Extras.Disposed += value;
+        remove => Extras.Disposed -= value;
+    }
 
     /// <summary>Handlers called when the body has moved in an update, and when its position or rotation is set. Use with +=.</summary>
     public UpdatedEventHandler? Updated
     {
-        get => _updated;
+        get => _extras?.Updated;
         set
         {
-            _updated = value;
+            if (value is not null || _extras is not null)
+            {
+                Extras.Updated = value;
+            }
+
             Simulator?.NoteListener(this);
         }
     }
 
     /// <summary>Anything the user wants to keep with the body. Default null.</summary>
-    public object? Tag { get; set; }
+    public object? Tag
+    {
+        get => _extras?.Tag;
+        set
+        {
+            if (value is not null || _extras is not null)
+            {
+                Extras.Tag = value;
+            }
+        }
+    }
 
     /// <summary>True once <see cref="Dispose()"/> was called.</summary>
     public bool IsDisposed { get; private set; }
@@ -262,16 +277,30 @@ public partial class Body : IDisposable
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float IdleTime
     {
-        get => _idleTime;
-        set => _idleTime = Require.NotNegative(value, nameof(IdleTime));
+        get => _extras is null ? 0 : _extras.IdleTime;
+        set
+        {
+            Require.NotNegative(value, nameof(IdleTime));
+            if (value != IdleTime)
+            {
+                Extras.IdleTime = value;
+            }
+        }
     }
 
     /// <summary>Speed from which on the body counts as moving, length/s. Default 55.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float MinimumVelocity
     {
-        get => _minimumVelocity;
-        set => _minimumVelocity = Require.NotNegative(value, nameof(MinimumVelocity));
+        get => _extras is null ? BodyExtras.UsualMinimumVelocity : _extras.MinimumVelocity;
+        set
+        {
+            Require.NotNegative(value, nameof(MinimumVelocity));
+            if (value != MinimumVelocity)
+            {
+                Extras.MinimumVelocity = value;
+            }
+        }
     }
 
     /// <summary>True if the speed of the body is at least <see cref="MinimumVelocity"/>.</summary>
@@ -301,6 +330,8 @@ public partial class Body : IDisposable
 
     /// <summary>How many geoms were made for this body; they are in the order of their creation.</summary>
     internal int GeomCount => _geoms is List<Geom> several ? several.Count : _geoms is null ? 0 : 1;
+
+    private BodyExtras Extras => _extras ??= new BodyExtras();
 
     private bool HasInfiniteMass => (Link.UserFlags & (BodyFlags.Static | BodyFlags.Kinematic)) != 0;
 
@@ -335,7 +366,7 @@ public partial class Body : IDisposable
         }
 
         Simulator?.NoteDisposed(this);
-        Disposed?.Invoke(this, EventArgs.Empty);
+        _extras?.Disposed?.Invoke(this, EventArgs.Empty);
     }
 
     internal Geom GeomAt(int index) => _geoms is List<Geom> several ? several[index] : (Geom)_geoms!;
@@ -366,21 +397,21 @@ public partial class Body : IDisposable
 
     internal void RaiseUpdated()
     {
-        if (_updated is not null)
+        if (_extras?.Updated is { } updated)
         {
             Vector2 position = Position;
             float rotation = Rotation;
-            _toldX = PositionX;
-            _toldY = PositionY;
-            _toldAngle = Link.PoseRef.Angle;
-            _updated(ref position, ref rotation);
+            _extras.ToldX = PositionX;
+            _extras.ToldY = PositionY;
+            _extras.ToldAngle = Link.PoseRef.Angle;
+            updated(ref position, ref rotation);
         }
     }
 
     /// <summary>Calls the handlers if the place differs from what they heard last.</summary>
     internal void TellIfMoved()
     {
-        if (PositionX != _toldX || PositionY != _toldY || Link.PoseRef.Angle != _toldAngle)
+        if (_extras is { } told && (PositionX != told.ToldX || PositionY != told.ToldY || Link.PoseRef.Angle != told.ToldAngle))
         {
             RaiseUpdated();
         }
@@ -418,5 +449,22 @@ public partial class Body : IDisposable
     {
         ThrowIfDisposed();
         Link.SetUserFlags(on ? Link.UserFlags | flag : Link.UserFlags & ~flag);
+    }
+
+    /// <summary>What nearly no body has.</summary>
+    private sealed class BodyExtras
+    {
+        public const float UsualMinimumVelocity = 55;
+
+        public EventHandler<EventArgs>? Disposed;
+        public UpdatedEventHandler? Updated;
+        public object? Tag;
+        public float IdleTime;
+        public float MinimumVelocity = UsualMinimumVelocity;
+
+        // What the handlers of moves heard last.
+        public double ToldX;
+        public double ToldY;
+        public double ToldAngle;
     }
 }
