@@ -39,10 +39,6 @@ public unsafe class KernelSuite
 
             // The bodies of no mass keep their speed: those of any would come to rest, and the passes on the smallest of numbers are slow.
             row->K11[lane] = row->K22[lane] = 5;
-            row->K12[lane] = -1;
-            row->InverseK11[lane] = row->InverseK22[lane] = 0.2f;
-            row->InverseDeterminant[lane] = 1f / 24;
-            row->TangentMass0[lane] = row->TangentMass1[lane] = 0.2f;
             row->Friction[lane] = 0.6f;
             SetPoint(&row->Point0, lane, 0.5f);
             SetPoint(&row->Point1, lane, -0.5f);

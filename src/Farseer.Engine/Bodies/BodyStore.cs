@@ -18,7 +18,6 @@ internal sealed class BodyStore
         UserIndex = _set.Add<int>();
         Motion = _set.Add<BodyMotion>();
         Drive = _set.Add<BodyDrive>();
-        Residual = _set.Add<BodyResidual>();
         Size = _set.Add<BodySize>();
     }
 
@@ -47,7 +46,20 @@ internal sealed class BodyStore
 
     public Column<BodyDrive> Drive { get; }
 
-    public Column<BodyResidual> Residual { get; }
-
     public Column<BodySize> Size { get; }
+
+    /// <summary>Of bodies that have flown freely: see <see cref="EnsureResiduals"/>. Those of others, and what lies beyond its end, are 0.</summary>
+    public Column<BodyResidual> Residual { get; } = new Column<BodyResidual>();
+
+    /// <summary>Makes room for the residuals of all bodies, before one flies: in a pile none does.</summary>
+    public void EnsureResiduals() => Residual.EnsureCapacity(State.Capacity);
+
+    /// <summary>A body begins anew, or was stopped.</summary>
+    public void ClearResidual(int body)
+    {
+        if (body < Residual.Capacity)
+        {
+            Residual[body] = default;
+        }
+    }
 }

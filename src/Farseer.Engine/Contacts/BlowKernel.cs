@@ -78,8 +78,8 @@ internal static unsafe class BlowKernel
         Wide a1 = Turn(row->Point1.TangentArmA + lane, row->Point1.NormalArmA + lane, movedA.Cos, Wide.Zero - movedA.Sin);
         Wide b1 = Turn(row->Point1.TangentArmB + lane, row->Point1.NormalArmB + lane, movedB.Cos, Wide.Zero - movedB.Sin);
         WideMask blow = Fresh(row, lane) & (Wide.Min(movedA.Cos, movedB.Cos) >= Wide.Splat(LeastCosine))
-            & Fits(row, lane, Wide.Load(row->InverseK11 + lane), a0, b0)
-            & Fits(row, lane, Wide.Load(row->InverseK22 + lane), a1, b1);
+            & Fits(row, lane, Wide.One / Wide.Load(row->K11 + lane), a0, b0)
+            & Fits(row, lane, Wide.One / Wide.Load(row->K22 + lane), a1, b1);
         Wide more0 = Wide.Keep(blow, Wide.Load(work->Value0 + lane));
         Wide more1 = Wide.Keep(blow, Wide.Load(work->Value1 + lane));
         Wide spinA = Wide.Load(row->InertiaA + lane)
@@ -101,8 +101,8 @@ internal static unsafe class BlowKernel
         Wide a1 = Turn(row->Point1.NormalArmA + lane, row->Point1.TangentArmA + lane, movedA.Cos, movedA.Sin);
         Wide b1 = Turn(row->Point1.NormalArmB + lane, row->Point1.TangentArmB + lane, movedB.Cos, movedB.Sin);
         WideMask blow = Fresh(row, lane) & (Wide.Min(movedA.Cos, movedB.Cos) >= Wide.Splat(LeastCosine))
-            & Fits(row, lane, Wide.Load(row->TangentMass0 + lane), a0 + radiusA, b0 - radiusB)
-            & Fits(row, lane, Wide.Load(row->TangentMass1 + lane), a1 + radiusA, b1 - radiusB);
+            & Fits(row, lane, ContactKernel.TangentMass(row, &row->Point0, lane), a0 + radiusA, b0 - radiusB)
+            & Fits(row, lane, ContactKernel.TangentMass(row, &row->Point1, lane), a1 + radiusA, b1 - radiusB);
         Wide more0 = Wide.Keep(blow, Wide.Load(work->Value0 + lane));
         Wide more1 = Wide.Keep(blow, Wide.Load(work->Value1 + lane));
         Wide spinA = Wide.Load(row->InertiaA + lane)

@@ -41,7 +41,7 @@ internal readonly unsafe struct BundleRun
     }
 
     /// <summary>
-    /// What the warm start reads of a bundle: 17 lines of 28, 12 where contacts have one point. It reads the most for the least work, so it waits for what the
+    /// What the warm start reads of a bundle: 17 lines of 22, 12 where contacts have one point. It reads the most for the least work, so it waits for what the
     /// second-level cache does not hold also where rows are near; no line that it does not read, and no loop. Behind the last bundle there may be nothing, so
     /// bytes are counted from the columns of this one.
     /// </summary>
@@ -66,7 +66,7 @@ internal readonly unsafe struct BundleRun
                 Ask(row->Point1.PreviousNormal, ahead);
             }
 
-            Ask(row->InverseK11, ahead);
+            Ask(row->K11, ahead);
             Ask(row->Friction, ahead);
             AskForStates(row, bodies);
         }
@@ -82,29 +82,24 @@ internal readonly unsafe struct BundleRun
                 Prefetch.Line((byte*)row->Point1.PreviousNormal + Near);
             }
 
-            Prefetch.Line((byte*)row->InverseK11 + Near);
+            Prefetch.Line((byte*)row->K11 + Near);
             Prefetch.Line((byte*)row->Friction + Near);
         }
     }
 
-    /// <summary>Asks for what the biased pass reads ahead: 16 lines.</summary>
+    /// <summary>Asks for what the biased pass reads ahead: 14 lines.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AskForBiased(ContactBundle* row, BodyState* bodies, bool two, bool anyDeep)
+    public void AskForBiased(ContactBundle* row, BodyState* bodies, bool two)
     {
         if (Prefetch.IsUseful && IsFar)
         {
             long ahead = DistanceAhead(row);
             AskForBlock(row, ahead, two);
-            if (anyDeep)
-            {
-                Ask(row->Deep, ahead);
-            }
-
             AskForStates(row, bodies);
         }
     }
 
-    /// <summary>Asks for what the relax pass reads ahead: 19 lines.</summary>
+    /// <summary>Asks for what the relax pass reads ahead: 16 lines.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void AskForRelaxed(ContactBundle* row, BodyState* bodies, bool two)
     {
@@ -113,7 +108,6 @@ internal readonly unsafe struct BundleRun
             long ahead = DistanceAhead(row);
             AskForBlock(row, ahead, two);
             Ask(row->RadiusA, ahead);
-            Ask(row->TangentMass0, ahead);
             Ask(row->FeedRate, ahead);
             AskForStates(row, bodies);
         }
@@ -136,11 +130,9 @@ internal readonly unsafe struct BundleRun
         if (two)
         {
             AskForPoint(&row->Point1, ahead);
-            Ask(row->K12, ahead);
         }
 
         Ask(row->K11, ahead);
-        Ask(row->InverseK11, ahead);
         Ask(row->Friction, ahead);
     }
 

@@ -1,6 +1,9 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Farseer.Engine.Contacts;
 
@@ -21,10 +24,25 @@ internal unsafe struct ContactBundle
     public const int Lanes = WideLanes.BundleLanes;
 
     /// <summary>The size of a bundle.</summary>
-    public const int Bytes = 28 * Prefetch.LineBytes;
+    public const int Bytes = 22 * Prefetch.LineBytes;
 
     /// <summary>Bundles from one that is read to the one asked for.</summary>
     private const int Ahead = 5;
+
+    /// <summary>The bits of <see cref="ContactFlags"/>.</summary>
+    public const int FlagBits = 0xFF;
+
+    /// <summary>
+    /// A contact with one point, whose feed-forward follows its own impulse, or an empty lane. What these have of a second point
+    /// is 0: see <see cref="OnePoint"/>.
+    /// </summary>
+    public const int SingleMark = 0x100;
+
+    /// <summary>Its two points are far enough apart to be solved together, else row by row.</summary>
+    public const int BlockMark = 0x400;
+
+    /// <summary>A contact of a deep island.</summary>
+    public const int DeepMark = 0x200;
 
     /// <summary>Separation of a point that does not exist. Finite also after the division by the substep.</summary>
     public const float NoPoint = 1e30f;
@@ -47,27 +65,16 @@ internal unsafe struct ContactBundle
     public ContactPointLanes Point0;
     public ContactPointLanes Point1;
 
-    /// <summary>Normal responses kii = mA + mB + iA·atAi² + iB·atBi² and the coupling k12 = mA + mB + iA·atA1·atA2 + iB·atB1·atB2.</summary>
+    /// <summary>Normal responses kii = mA + mB + iA·atAi² + iB·atBi². What else follows from masses and arms is found where it is needed.</summary>
     public fixed float K11[Lanes];
     public fixed float K22[Lanes];
-    public fixed float K12[Lanes];
-
-    /// <summary>1/(k11·k22 - k12²), or 0 where the points are too close together for the block: then row by row.</summary>
-    public fixed float InverseDeterminant[Lanes];
-
-    public fixed float InverseK11[Lanes];
-    public fixed float InverseK22[Lanes];
     public fixed float Friction[Lanes];
 
     /// <summary>
-    /// 1 for a contact with one point, whose feed-forward follows its own impulse, and for an empty lane; else 0. What these have of a second point
-    /// is 0: see <see cref="OnePoint"/>.
+    /// <see cref="ContactFlags"/> of the record, so that it is only touched when they change, and above them <see cref="SingleMark"/>,
+    /// <see cref="DeepMark"/> and <see cref="BlockMark"/>.
     /// </summary>
-    public fixed float Single[Lanes];
-
-    /// <summary>Tangent masses 1/(mA + mB + iA·anA² + iB·anB²) per point.</summary>
-    public fixed float TangentMass0[Lanes];
-    public fixed float TangentMass1[Lanes];
+    public fixed int Flags[Lanes];
 
     /// <summary>h/τ of the feed-forward: how fast it follows the impulse.</summary>
     public fixed float FeedRate[Lanes];
@@ -75,14 +82,11 @@ internal unsafe struct ContactBundle
     /// <summary>η: the share of the load that the feed-forward carries.</summary>
     public fixed float FeedShare[Lanes];
 
-    /// <summary>1 for a contact of a deep island, else 0.</summary>
-    public fixed float Deep[Lanes];
-
-    /// <summary>Combined restitution; 0: the restitution pass skips the contact.</summary>
+    /// <summary>
+    /// Combined restitution; 0: the restitution pass skips the contact. Below 0: the restitution, with the other sign, of one that bounces by
+    /// Newton's rule, which that pass skips as well: see <see cref="ReboundKernel"/>.
+    /// </summary>
     public fixed float Restitution[Lanes];
-
-    /// <summary>The same of contacts that bounce by Newton's rule, which have a restitution of 0: see <see cref="ReboundKernel"/>.</summary>
-    public fixed float Rebound[Lanes];
 
     /// <summary>Impulse of the last bounce of the pair in this step, else 0: by the step's end nothing else tells of an impact.</summary>
     public fixed float Struck[Lanes];
@@ -90,13 +94,40 @@ internal unsafe struct ContactBundle
     /// <summary>Index of the contact record; -1 in an empty lane.</summary>
     public fixed int Contact[Lanes];
 
-    /// <summary><see cref="ContactFlags"/> of the record, so that it is only touched when they change.</summary>
-    public fixed int Flags[Lanes];
-
     public fixed int PieceA[Lanes];
     public fixed int PieceB[Lanes];
-    public fixed int Island[Lanes];
-    public fixed int Level[Lanes];
+
+    /// <summary>Names of the points, which follow them from step to step.</summary>
+    public fixed uint Id0[Lanes];
+    public fixed uint Id1[Lanes];
+
+    /// <summary>Slot of its island and level: see <c>IslandStore</c>.</summary>
+    public fixed int Slot[Lanes];
+
+    /// <summary>Lanes with a mark.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideMask Has(ContactBundle* row, int lane, int mark) => WideLanes.Has(Wide.Load((float*)row->Flags + lane), mark);
+
+    /// <summary>Gives the lanes of the mask a mark, and takes it from the others.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Mark(ContactBundle* row, int lane, WideMask marked, int mark)
+    {
+        Wide flags = Wide.Load((float*)row->Flags + lane);
+        ((flags & Wide.FromBits(~mark)) | Wide.Keep(marked, Wide.FromBits(mark))).Store((float*)row->Flags + lane);
+    }
+
+    /// <summary>A bit for each lane with a mark.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int LanesWith(ContactBundle* row, int mark)
+    {
+        int bits = 0;
+        for (int lane = 0; lane < Lanes; lane += Wide.Count)
+        {
+            bits |= WideLanes.Bits(Has(row, lane, mark)) << lane;
+        }
+
+        return bits;
+    }
 
     /// <summary>Asks for all of a bundle.</summary>
     public static void AskFor(ContactBundle* bundle)
@@ -138,9 +169,4 @@ internal unsafe struct ContactPointLanes
 
     public fixed float PreviousNormal[Lanes];
     public fixed float PreviousTangent[Lanes];
-
-    /// <summary>Speed at which the surfaces are to part if they meet in this substep, by Newton's rule.</summary>
-    public fixed float Bounce[Lanes];
-
-    public fixed uint Id[Lanes];
 }

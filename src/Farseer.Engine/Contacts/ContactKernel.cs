@@ -83,13 +83,13 @@ internal static unsafe class ContactKernel
     {
         bool two = default(TPoints).AreTwo;
         Wide friction = Wide.Load(row->Friction + lane);
-        Wide weight0 = fall * Wide.Load(row->InverseK11 + lane);
+        Wide weight0 = fall * (Wide.One / Wide.Load(row->K11 + lane));
         Extrapolate(&row->Point0, lane, c, friction, weight0, out Wide normal0, out Wide tangent0);
         Wide normal1 = Wide.Zero;
         Wide tangent1 = Wide.Zero;
         if (two)
         {
-            Wide weight1 = fall * Wide.Load(row->InverseK22 + lane);
+            Wide weight1 = fall * (Wide.One / Wide.Load(row->K22 + lane));
             Extrapolate(&row->Point1, lane, c, friction, weight1, out normal1, out tangent1);
         }
 
@@ -161,13 +161,7 @@ internal static unsafe class ContactKernel
     {
         for (int i = 0; i < most; i++, row++)
         {
-            WideMask deep = Wide.Load(row->Deep) > Wide.Zero;
-            for (int lane = Wide.Count; lane < ContactBundle.Lanes; lane += Wide.Count)
-            {
-                deep = deep | (Wide.Load(row->Deep + lane) > Wide.Zero);
-            }
-
-            if (!WideLanes.Any(deep))
+            if (ContactBundle.LanesWith(row, ContactBundle.DeepMark) == 0)
             {
                 return i;
             }
@@ -389,9 +383,9 @@ internal static unsafe class ContactKernel
         WithRadii(row, lane, ref armA0, ref armB0);
         WithRadii(row, lane, ref armA1, ref armB1);
         Wide slip = Slip(row, lane, a, b);
-        Wide change0 = FindFriction(row, &row->Point0, row->TangentMass0, lane, SlipOf(slip, a, b, armA0, armB0), normal0, active);
+        Wide change0 = FindFriction(row, &row->Point0, lane, SlipOf(slip, a, b, armA0, armB0), normal0, active);
         Wide slip1 = SlipOf(slip, a, b, armA1, armB1) + (Coupling(row, lane, armA0, armB0, armA1, armB1) * change0);
-        Wide change1 = FindFriction(row, &row->Point1, row->TangentMass1, lane, slip1, normal1, active);
+        Wide change1 = FindFriction(row, &row->Point1, lane, slip1, normal1, active);
         ApplyTangent(row, lane, ref a, ref b, change0, change1);
     }
 
@@ -418,15 +412,32 @@ internal static unsafe class ContactKernel
         Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane)
             + (Wide.Load(row->InertiaA + lane) * armA0 * armA1) + (Wide.Load(row->InertiaB + lane) * armB0 * armB1);
 
+    /// <summary>The response of a point to friction, 1/(mA + mB + iA·anA² + iB·anB²) with the arms of the surfaces. Of a point that does not exist it is any.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Wide TangentMass(ContactBundle* row, ContactPointLanes* point, int lane)
+    {
+        Wide armA = Wide.Load(point->NormalArmA + lane) + Wide.Load(row->RadiusA + lane);
+        Wide armB = Wide.Load(point->NormalArmB + lane) - Wide.Load(row->RadiusB + lane);
+        Wide m = Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane);
+        return Wide.One / (m + (Wide.Load(row->InertiaA + lane) * (armA * armA)) + (Wide.Load(row->InertiaB + lane) * (armB * armB)));
+    }
+
+    /// <summary>How fast one point is pushed along its normal by an impulse at the other, k12 = mA + mB + iA·atA1·atA2 + iB·atB1·atB2.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Wide NormalCoupling(ContactBundle* row, int lane) =>
+        Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane)
+            + (Wide.Load(row->InertiaA + lane) * Wide.Load(row->Point0.TangentArmA + lane) * Wide.Load(row->Point1.TangentArmA + lane))
+            + (Wide.Load(row->InertiaB + lane) * Wide.Load(row->Point0.TangentArmB + lane) * Wide.Load(row->Point1.TangentArmB + lane));
+
     /// <summary>The friction of a point within its cone.</summary>
     /// <returns>The change of its impulse; the bodies do not know yet.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static Wide FindFriction(
-        ContactBundle* row, ContactPointLanes* point, float* mass, int lane, Wide slip, Wide normal, WideMask active)
+        ContactBundle* row, ContactPointLanes* point, int lane, Wide slip, Wide normal, WideMask active)
     {
         Wide old = Wide.Load(point->Tangent + lane);
         Wide bound = Wide.Load(row->Friction + lane) * normal;
-        Wide found = Wide.Max(Wide.Min(old - (Wide.Load(mass + lane) * slip), bound), Wide.Zero - bound);
+        Wide found = Wide.Max(Wide.Min(old - (TangentMass(row, point, lane) * slip), bound), Wide.Zero - bound);
         found = Wide.Select(active, found, old);
         found.Store(point->Tangent + lane);
         return found - old;
@@ -436,14 +447,16 @@ internal static unsafe class ContactKernel
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static Wide SolvePoint(ContactBundle* row, int lane, Wide lambda, Wide r)
     {
-        Wide b = r - (Wide.Load(row->K11 + lane) * lambda);
-        return Wide.Max((Wide.Zero - b) * Wide.Load(row->InverseK11 + lane), Wide.Zero);
+        Wide k11 = Wide.Load(row->K11 + lane);
+        Wide b = r - (k11 * lambda);
+        return Wide.Max((Wide.Zero - b) * (Wide.One / k11), Wide.Zero);
     }
 
     /// <summary>
     /// Finds x ≥ 0 with w = K(x - λ) + r ≥ 0 and x·w = 0. Written with b = r - Kλ, the four cases are: both points push,
     /// only the first, only the second, none; all are computed and the valid one selected, so there is no branch. Where the
-    /// points nearly coincide (the determinant is stored as 0) the rows are solved in turn.
+    /// points nearly coincide the rows are solved in turn. What the block is divided by is found anew each time: a division while others wait for memory
+    /// costs less than another column that is read.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void SolveBlock(
@@ -451,10 +464,10 @@ internal static unsafe class ContactKernel
     {
         Wide k11 = Wide.Load(row->K11 + lane);
         Wide k22 = Wide.Load(row->K22 + lane);
-        Wide k12 = Wide.Load(row->K12 + lane);
-        Wide inverse11 = Wide.Load(row->InverseK11 + lane);
-        Wide inverse22 = Wide.Load(row->InverseK22 + lane);
-        Wide inverse = Wide.Load(row->InverseDeterminant + lane);
+        Wide k12 = NormalCoupling(row, lane);
+        Wide inverse11 = Wide.One / k11;
+        Wide inverse22 = Wide.One / k22;
+        Wide inverse = Wide.One / ((k11 * k22) - (k12 * k12));
         Wide zero = Wide.Zero;
         Wide b0 = r0 - ((k11 * lambda0) + (k12 * lambda1));
         Wide b1 = r1 - ((k12 * lambda0) + (k22 * lambda1));
@@ -471,7 +484,7 @@ internal static unsafe class ContactKernel
         WideMask second = (b0 + (k12 * only1)) >= zero;
         WideMask first = (b1 + (k12 * only0)) >= zero;
         WideMask none = (b0 >= zero) & (b1 >= zero);
-        WideMask block = inverse > zero;
+        WideMask block = ContactBundle.Has(row, lane, ContactBundle.BlockMark);
         WideMask pair = (both0 >= zero) & (both1 >= zero);
         x0 = Wide.Select(second, zero, turn0);
         x1 = Wide.Select(second, only1, turn1);

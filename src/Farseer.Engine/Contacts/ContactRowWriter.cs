@@ -65,7 +65,7 @@ internal static unsafe class ContactRowWriter
             WideMask two = one & (count > Wide.One);
             Wide.Zero.Store(row->Struck + lane);
             WideMask empty = Wide.SameBits(Wide.Load((float*)row->Contact + lane), Wide.FromBits(-1));
-            Wide.Keep((one & ~two) | empty, Wide.One).Store(row->Single + lane);
+            ContactBundle.Mark(row, lane, (one & ~two) | empty, ContactBundle.SingleMark);
             WritePoints(input, row, lane, one, two);
             WriteMasses(pairs, row, lane);
             WriteResponses(row, lane, one, two);
@@ -95,6 +95,8 @@ internal static unsafe class ContactRowWriter
     {
         ClearPoint(&row->Point0, lane);
         ClearPoint(&row->Point1, lane);
+        row->Id0[lane] = 0;
+        row->Id1[lane] = 0;
     }
 
     /// <summary>Scales the impulses of a lane to those of another substep.</summary>
@@ -112,8 +114,12 @@ internal static unsafe class ContactRowWriter
         row->PieceA[lane] = record.PieceA;
         row->PieceB[lane] = record.PieceB;
         row->Contact[lane] = contact;
-        row->Flags[lane] = (int)record.Flags;
+        SetFlags(row, lane, record.Flags);
     }
+
+    /// <summary>The flags of the record have changed.</summary>
+    public static void SetFlags(ContactBundle* row, int lane, ContactFlags flags) =>
+        row->Flags[lane] = (row->Flags[lane] & ~ContactBundle.FlagBits) | (int)flags;
 
     /// <summary>A lane that holds no pair.</summary>
     public static void Unname(ContactBundle* row, int lane)
@@ -123,7 +129,7 @@ internal static unsafe class ContactRowWriter
         row->PieceA[lane] = ContactSides.NoPiece;
         row->PieceB[lane] = ContactSides.NoPiece;
         row->Contact[lane] = -1;
-        row->Flags[lane] = 0;
+        row->Flags[lane] = ContactBundle.SingleMark | ContactBundle.BlockMark;
     }
 
     /// <summary>A bundle without pairs, to be named and then written.</summary>
@@ -151,21 +157,11 @@ internal static unsafe class ContactRowWriter
         row->RadiusB[lane] = 0;
         row->K11[lane] = 1;
         row->K22[lane] = 1;
-        row->K12[lane] = 0;
-        row->InverseK11[lane] = 1;
-        row->InverseK22[lane] = 1;
-        row->InverseDeterminant[lane] = 1;
-        row->TangentMass0[lane] = 0;
-        row->TangentMass1[lane] = 0;
         row->FeedRate[lane] = 0;
         row->FeedShare[lane] = 0;
-        row->Single[lane] = 1;
-        row->Deep[lane] = 0;
         row->Restitution[lane] = 0;
-        row->Rebound[lane] = 0;
         row->Struck[lane] = 0;
-        row->Island[lane] = 0;
-        row->Level[lane] = 0;
+        row->Slot[lane] = 0;
         Mute(row, lane);
     }
 
@@ -207,14 +203,14 @@ internal static unsafe class ContactRowWriter
     {
         Wide id0 = Wide.Keep(one, Wide.Load((float*)input.Pairs->Point0.Id + lane));
         Wide id1 = Wide.Keep(two, Wide.Load((float*)input.Pairs->Point1.Id + lane));
-        Wide old0 = Wide.Load((float*)row->Point0.Id + lane);
-        Wide old1 = Wide.Load((float*)row->Point1.Id + lane);
+        Wide old0 = Wide.Load((float*)row->Id0 + lane);
+        Wide old1 = Wide.Load((float*)row->Id1 + lane);
         WideMask same0 = Wide.SameBits(id0, old0);
         WideMask same1 = Wide.SameBits(id1, old1);
         WideMask crossed0 = ~same0 & Wide.SameBits(id0, old1);
         WideMask crossed1 = Wide.SameBits(id1, old0);
-        id0.Store((float*)row->Point0.Id + lane);
-        id1.Store((float*)row->Point1.Id + lane);
+        id0.Store((float*)row->Id0 + lane);
+        id1.Store((float*)row->Id1 + lane);
         same1 = same1 & ~crossed1;
         if (input.LoadGrowth > 0)
         {
@@ -341,7 +337,6 @@ internal static unsafe class ContactRowWriter
         Wide lessB = (anB * (Wide.One - turn.NormalCos)) + (atB * turn.NormalSin) - (turn.LeadB * slideB);
         Wide start = ((separation + rest) - (anB - anA)) + (lessB - lessA);
         Wide.Select(exists, start, Wide.Splat(ContactBundle.NoPoint)).Store(point->Base + lane);
-        Wide.Zero.Store(point->Bounce + lane);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -370,18 +365,7 @@ internal static unsafe class ContactRowWriter
         WideMask block = two & (determinant > Wide.Max(Wide.Splat(DeterminantShare) * k11 * k22, Wide.Splat(LeastDeterminant)));
         k11.Store(row->K11 + lane);
         k22.Store(row->K22 + lane);
-        k12.Store(row->K12 + lane);
-        (Wide.One / k11).Store(row->InverseK11 + lane);
-        (Wide.One / k22).Store(row->InverseK22 + lane);
-        Wide.Keep(block, Wide.One / determinant).Store(row->InverseDeterminant + lane);
-        Wide radiusA = Wide.Load(row->RadiusA + lane);
-        Wide radiusB = Wide.Load(row->RadiusB + lane);
-        Wide anA0 = Wide.Load(row->Point0.NormalArmA + lane) + radiusA;
-        Wide anB0 = Wide.Load(row->Point0.NormalArmB + lane) - radiusB;
-        Wide anA1 = Wide.Load(row->Point1.NormalArmA + lane) + radiusA;
-        Wide anB1 = Wide.Load(row->Point1.NormalArmB + lane) - radiusB;
-        Wide.Keep(one, Wide.One / (m + (iA * (anA0 * anA0)) + (iB * (anB0 * anB0)))).Store(row->TangentMass0 + lane);
-        Wide.Keep(two, Wide.One / (m + (iA * (anA1 * anA1)) + (iB * (anB1 * anB1)))).Store(row->TangentMass1 + lane);
+        ContactBundle.Mark(row, lane, block, ContactBundle.BlockMark);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -404,7 +388,6 @@ internal static unsafe class ContactRowWriter
             ? Wide.Max(restitutionA, restitutionB)
             : (restitutionA + restitutionB) * half;
         restitution.Store(row->Restitution + lane);
-        Wide.Zero.Store(row->Rebound + lane);
     }
 
     /// <summary>How fully the load is fed forward, and deepness: a row stays deep until its depth is under half of what made it so.</summary>
@@ -428,14 +411,14 @@ internal static unsafe class ContactRowWriter
 
         limit = limit + (Wide.Splat(DeepSags) * input.Coefficients.Sag(load));
         WideMask deep = depth > limit;
-        WideMask still = (Wide.Load(row->Deep + lane) > Wide.Zero) & (depth > Wide.Splat(0.5f) * limit);
+        WideMask still = ContactBundle.Has(row, lane, ContactBundle.DeepMark) & (depth > Wide.Splat(0.5f) * limit);
         if (!input.Settings.CorrectPositions)
         {
             // What is deep is held hard where it is, and its overlap goes in a pass of its own, which is left out then.
             deep = WideLanes.AllSet;
         }
 
-        Wide.Keep(one & (deep | still), Wide.One).Store(row->Deep + lane);
+        ContactBundle.Mark(row, lane, one & (deep | still), ContactBundle.DeepMark);
     }
 
     /// <summary>A quirk of the original: the friction of a pair stays what it was when the pair was made.</summary>
@@ -471,7 +454,5 @@ internal static unsafe class ContactRowWriter
         point->PreviousNormal[lane] = 0;
         point->PreviousTangent[lane] = 0;
         point->Feed[lane] = 0;
-        point->Bounce[lane] = 0;
-        point->Id[lane] = 0;
     }
 }

@@ -39,7 +39,10 @@ internal struct ContactSide
     public float Restitution;
 }
 
-/// <summary>The sides of all pieces, rewritten at the start of each narrow phase.</summary>
+/// <summary>
+/// The sides of all pieces, rewritten at the start of each narrow phase. They are forgotten at its end, but for worlds where some of them may be left as they
+/// were, or compared with what they were.
+/// </summary>
 internal sealed unsafe class ContactSides
 {
     /// <summary>The piece of an empty lane: its side is inert.</summary>
@@ -48,12 +51,14 @@ internal sealed unsafe class ContactSides
     private readonly Column<ContactSide> _sides = new Column<ContactSide>();
     private readonly Column<int> _hulls = new Column<int>();
     private BodySteps? _steps;
+    private ContactSide* _first;
+    private bool _isKept;
 
     /// <summary>A listener hears, or has heard, of a piece.</summary>
     public bool AnyHeard { get; private set; }
 
     /// <summary>The side of piece 0; that of <see cref="NoPiece"/> stands before it.</summary>
-    public ContactSide* Pointer => _sides.Pointer + 1;
+    public ContactSide* Pointer => _first + 1;
 
     /// <summary>Where the corners of each piece are, as <see cref="HullLanes.Pack"/> gives it: all that the kernels of hulls need besides. Something stands at <see cref="NoPiece"/>.</summary>
     public int* Hulls => _hulls.Pointer + 1;
@@ -61,12 +66,31 @@ internal sealed unsafe class ContactSides
     /// <summary>Makes room for the sides of all pieces.</summary>
     /// <param name="shapes">The pieces.</param>
     /// <param name="steps">Where a change of a side is noted; null if nobody asks.</param>
-    public void Begin(ShapeStore shapes, BodySteps? steps)
+    /// <param name="maySleep">Bodies may fall asleep.</param>
+    /// <param name="scratch">Where they are if they are not kept.</param>
+    public void Begin(ShapeStore shapes, BodySteps? steps, bool maySleep, Scratch scratch)
     {
         _steps = steps;
-        _sides.EnsureCapacity(shapes.PieceIds.End + 1);
+        _isKept |= steps != null || maySleep;
+        if (_isKept)
+        {
+            Keep(shapes);
+        }
+        else
+        {
+            _first = scratch.Take<ContactSide>(shapes.PieceIds.End + 1);
+        }
+
         _hulls.EnsureCapacity(shapes.PieceIds.End + 1);
-        _sides[0] = new ContactSide { Cos = 1, HalfX = 1, HalfY = 1, Flags = SideFlags.Box };
+        _first[0] = new ContactSide { Cos = 1, HalfX = 1, HalfY = 1, Flags = SideFlags.Box };
+    }
+
+    /// <summary>Writes the sides of a piece that falls asleep: from now on they stay as they are.</summary>
+    public void LayDown(ShapeStore shapes, BodyStore bodies, ProxyInfo* proxies, byte* moves, int piece)
+    {
+        _isKept = true;
+        Keep(shapes);
+        Prepare(shapes, bodies, proxies, moves, piece, piece + 1);
     }
 
     /// <summary>Writes the sides of pieces in a row, but for those asleep, which have not changed. The first begins a word of bits.</summary>
@@ -151,6 +175,12 @@ internal sealed unsafe class ContactSides
         {
             AnyHeard = true;
         }
+    }
+
+    private void Keep(ShapeStore shapes)
+    {
+        _sides.EnsureCapacity(shapes.PieceIds.End + 1);
+        _first = _sides.Pointer;
     }
 
     private static void Note(BodyStep* step, SideFlags before, SideFlags now)

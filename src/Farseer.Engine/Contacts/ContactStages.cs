@@ -33,7 +33,7 @@ internal static unsafe class ContactStages
         ContactMoved* moved = Turn(row, count, work, bodies);
         for (; work < end; work++, row++, moved++)
         {
-            rows.AskForBiased(row, bodies, two, anyDeep);
+            rows.AskForBiased(row, bodies, two);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Gather(row, lane, work, moved, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
@@ -49,7 +49,7 @@ internal static unsafe class ContactStages
                 if (two)
                 {
                     Wide load1 = lambda1 * Wide.Load(row->K22 + lane);
-                    sink = Wide.Select(Wide.Load(row->Single + lane) > Wide.Zero, sink, Wide.Min(sink, load1));
+                    sink = Wide.Select(ContactBundle.Has(row, lane, ContactBundle.SingleMark), sink, Wide.Min(sink, load1));
                 }
 
                 sink = settleShare * sink;
@@ -58,7 +58,7 @@ internal static unsafe class ContactStages
                 Wide closing1 = (gap1 * inverseSubstep) + slowly;
                 if (anyDeep)
                 {
-                    WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
+                    WideMask deep = ContactBundle.Has(row, lane, ContactBundle.DeepMark);
                     closing0 = Wide.Select(deep, Wide.Max(gap0, Wide.Zero) * inverseSubstep, closing0);
                     closing1 = Wide.Select(deep, Wide.Max(gap1, Wide.Zero) * inverseSubstep, closing1);
                     apart0 = apart0 | deep;
@@ -131,7 +131,7 @@ internal static unsafe class ContactStages
         ContactMoved* moved = Turn(row, count, work, bodies);
         for (; work < end; work++, row++, moved++)
         {
-            rows.AskForBiased(row, bodies, two, anyDeep: true);
+            rows.AskForBiased(row, bodies, two);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Gather(row, lane, work, moved, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
@@ -156,7 +156,7 @@ internal static unsafe class ContactStages
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
-                WideMask deep = Wide.Load(row->Deep + lane) > Wide.Zero;
+                WideMask deep = ContactBundle.Has(row, lane, ContactBundle.DeepMark);
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
                 Wide r0 = Wide.Load(work->Value0 + lane);
                 Wide x0;
@@ -227,7 +227,7 @@ internal static unsafe class ContactStages
                 if (feed)
                 {
                     // Only the load common to both points is fed forward: with each point's own, random piles creep.
-                    Wide load = two ? Wide.Select(Wide.Load(row->Single + lane) > Wide.Zero, x0, Wide.Min(x0, x1)) : x0;
+                    Wide load = two ? Wide.Select(ContactBundle.Has(row, lane, ContactBundle.SingleMark), x0, Wide.Min(x0, x1)) : x0;
                     Wide target = Wide.Load(row->FeedShare + lane) * load;
                     Wide rate = Wide.Load(row->FeedRate + lane);
                     Wide.Min(x0, feed0 + (rate * (target - feed0))).Store(row->Point0.Feed + lane);
@@ -277,7 +277,7 @@ internal static unsafe class ContactStages
                 ContactKernel.WithRadii(row, lane, ref armA0, ref armB0);
                 Wide slip0 = ContactKernel.SlipOf(slip, a, b, armA0, armB0);
                 Wide normal0 = Wide.Load(row->Point0.Normal + lane);
-                Wide rub0 = ContactKernel.FindFriction(row, &row->Point0, row->TangentMass0, lane, slip0, normal0, WideLanes.AllSet);
+                Wide rub0 = ContactKernel.FindFriction(row, &row->Point0, lane, slip0, normal0, WideLanes.AllSet);
                 rub0.Store(work->Value0 + lane);
                 if (two)
                 {
@@ -287,7 +287,7 @@ internal static unsafe class ContactStages
                     Wide slip1 = ContactKernel.SlipOf(slip, a, b, armA1, armB1)
                         + (ContactKernel.Coupling(row, lane, armA0, armB0, armA1, armB1) * rub0);
                     Wide normal1 = Wide.Load(row->Point1.Normal + lane);
-                    ContactKernel.FindFriction(row, &row->Point1, row->TangentMass1, lane, slip1, normal1, WideLanes.AllSet)
+                    ContactKernel.FindFriction(row, &row->Point1, lane, slip1, normal1, WideLanes.AllSet)
                         .Store(work->Value1 + lane);
                 }
             }

@@ -2,6 +2,7 @@ using System;
 using System.Runtime.InteropServices;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Contacts;
@@ -31,7 +32,7 @@ internal enum ContactFlags : byte
 }
 
 /// <summary>
-/// A pair of pieces whose fat boxes overlap: half a cache line. Its impulses and its constraint live in a lane of a <see cref="ContactBundle"/>.
+/// A pair of pieces whose fat boxes overlap, 24 bytes. Its colliders are those of the pieces, its impulses and its constraint live in a lane of a <see cref="ContactBundle"/>.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 internal struct ContactRecord
@@ -40,8 +41,6 @@ internal struct ContactRecord
     public int PieceB;
     public int BodyA;
     public int BodyB;
-    public int ColliderA;
-    public int ColliderB;
 
     /// <summary>Colour of a pair that has no row.</summary>
     public const int Idle = -1;
@@ -80,6 +79,7 @@ internal sealed class ContactStore
     /// <summary>Records that are moved or made, from one to that asked for.</summary>
     private const int Ahead = 6;
 
+    private readonly ShapeStore _shapes;
     private readonly ColumnSet _set = new ColumnSet();
 
     // The pairs without a row; behind as many places as there are pairs the records that are free, the last one freed first.
@@ -89,8 +89,10 @@ internal sealed class ContactStore
     private bool _keepsManifolds;
     private bool _keepsFriction;
 
-    public ContactStore()
+    /// <param name="shapes">The pieces of the pairs.</param>
+    public ContactStore(ShapeStore shapes)
     {
+        _shapes = shapes;
         Records = _set.Add<ContactRecord>();
         _idle = _set.Add<int>();
         Map.EnsureCapacity(FewPairs);
@@ -218,8 +220,9 @@ internal sealed class ContactStore
         AddIdle(index);
         if (record.OfSeveral)
         {
-            Compounds.TryGet(ColliderKey(record.ColliderA, record.ColliderB), out int others);
-            Compounds.Set(ColliderKey(record.ColliderA, record.ColliderB), others + 1);
+            ulong colliders = ColliderKey(record);
+            Compounds.TryGet(colliders, out int others);
+            Compounds.Set(colliders, others + 1);
         }
 
         return index;
@@ -236,13 +239,15 @@ internal sealed class ContactStore
         RemoveIdle(index);
         if (Records[index].OfSeveral)
         {
-            Leave(ColliderKey(Records[index].ColliderA, Records[index].ColliderB));
+            Leave(ColliderKey(Records[index]));
         }
 
         Records[index] = default;
         Records[index].PieceA = -1;
         _idle[--Count] = index;
     }
+
+    private ulong ColliderKey(in ContactRecord record) => ColliderKey(_shapes.ColliderOf(record.PieceA), _shapes.ColliderOf(record.PieceB));
 
     private void Leave(ulong colliders)
     {

@@ -50,30 +50,30 @@ internal unsafe struct ContactUpdateInput
 internal struct ContactFates
 {
     /// <summary>The boxes came apart: the pair is forgotten.</summary>
-    public int Dropped;
+    public byte Dropped;
 
     /// <summary>Has points and gives impulses: belongs into the graph.</summary>
-    public int Solid;
+    public byte Solid;
 
     /// <summary>Those of the other pairs, which do not.</summary>
-    public int Idle;
-    public int Touching;
+    public byte Idle;
+    public byte Touching;
 
     /// <summary>Touches now and did not before.</summary>
-    public int TouchingNow;
-    public int Heard;
+    public byte TouchingNow;
+    public byte Heard;
 
     /// <summary>Gives impulses and will be struck: see <see cref="PairStage.BlowShare"/>.</summary>
-    public int Blows;
+    public byte Blows;
 
     /// <summary>Those that the kernel of hulls does, which takes several times as long as that of boxes or circles.</summary>
-    public int Hulls;
+    public byte Hulls;
 
     /// <summary>Those of the idle pairs of which the impact, if there is one, must be looked for along the way.</summary>
-    public int Deferred;
+    public byte Deferred;
 
     /// <summary>Those that touch and of which one moves fast past the other; both can move.</summary>
-    public int Racing;
+    public byte Racing;
 }
 
 /// <summary>
@@ -149,8 +149,8 @@ internal static unsafe class ContactUpdate
 
     public static float MixFriction(ShapeStore shapes, FrictionMix mix, in ContactRecord record)
     {
-        float a = shapes.Colliders[record.ColliderA].Friction;
-        float b = shapes.Colliders[record.ColliderB].Friction;
+        float a = shapes.Colliders[shapes.ColliderOf(record.PieceA)].Friction;
+        float b = shapes.Colliders[shapes.ColliderOf(record.PieceB)].Friction;
         return mix switch
         {
             FrictionMix.Minimum => Math.Min(a, b),
@@ -161,8 +161,8 @@ internal static unsafe class ContactUpdate
 
     public static double MixRestitution(ShapeStore shapes, RestitutionMix mix, in ContactRecord record)
     {
-        double a = shapes.Colliders[record.ColliderA].Restitution;
-        double b = shapes.Colliders[record.ColliderB].Restitution;
+        double a = shapes.Colliders[shapes.ColliderOf(record.PieceA)].Restitution;
+        double b = shapes.Colliders[shapes.ColliderOf(record.PieceB)].Restitution;
         return mix == RestitutionMix.Maximum ? Math.Max(a, b) : 0.5 * (a + b);
     }
 
@@ -173,15 +173,17 @@ internal static unsafe class ContactUpdate
     private static ContactFates Update(in ContactUpdateInput input, ContactBundle* row, in PairBits bits, bool isNew)
     {
         ContactFates fates;
-        fates.Dropped = (bits.NewBox & bits.Exists) == 0 ? 0 : FindDropped(input, row, bits.NewBox & bits.Exists);
-        int fast = bits.Fast & bits.Exists & ~fates.Dropped;
+        int dropped = (bits.NewBox & bits.Exists) == 0 ? 0 : FindDropped(input, row, bits.NewBox & bits.Exists);
+        fates.Dropped = (byte)dropped;
+        int fast = bits.Fast & bits.Exists & ~dropped;
         SweepBits sweep = fast == 0 ? default : FastPairs.Look(input);
         PairStage.Collide(input, row, bits);
         TouchBits touch = PairStage.Touch(input, row);
-        fates.Racing = 0;
-        fates.Deferred = fast == 0 ? 0 : FastPairs.Defer(input, row, fast, sweep, ref touch, out fates.Racing);
+        int racing = 0;
+        fates.Deferred = (byte)(fast == 0 ? 0 : FastPairs.Defer(input, row, fast, sweep, ref touch, out racing));
+        fates.Racing = (byte)racing;
 
-        int fresh = bits.Solid & touch.Hit & bits.Exists & ~fates.Dropped;
+        int fresh = bits.Solid & touch.Hit & bits.Exists & ~dropped;
         if (isNew && fresh != 0)
         {
             GlancingContact.Drop(input, row, fresh, ref touch);
@@ -190,17 +192,17 @@ internal static unsafe class ContactUpdate
         int hit = touch.Hit;
         int touching = touch.Touching;
         int due = bits.Heard == 0 ? 0 : FindDue(input, row, bits, touching, hit);
-        int solid = bits.Solid & hit & bits.Exists & ~fates.Dropped & ~FindRefused(row, bits, due);
-        fates.Solid = solid;
-        fates.Idle = bits.Exists & ~solid & ~fates.Dropped;
-        fates.Blows = solid & touch.Blows;
-        touching = ((touching & ~fates.Dropped) | (touch.Touched & fates.Dropped)) & bits.Exists;
-        fates.Touching = touching;
-        fates.TouchingNow = touching & ~touch.Touched;
-        fates.Heard = bits.Heard & bits.Exists;
-        fates.Hulls = bits.Hulls & ~bits.Boxes & bits.Exists;
+        int solid = bits.Solid & hit & bits.Exists & ~dropped & ~FindRefused(row, bits, due);
+        fates.Solid = (byte)solid;
+        fates.Idle = (byte)(bits.Exists & ~solid & ~dropped);
+        fates.Blows = (byte)(solid & touch.Blows);
+        touching = ((touching & ~dropped) | (touch.Touched & dropped)) & bits.Exists;
+        fates.Touching = (byte)touching;
+        fates.TouchingNow = (byte)(touching & ~touch.Touched);
+        fates.Heard = (byte)(bits.Heard & bits.Exists);
+        fates.Hulls = (byte)(bits.Hulls & ~bits.Boxes & bits.Exists);
         // Flags hardly ever change, and each record is a cache line of its own: they are visited only if something is new.
-        int news = bits.Exists & ~fates.Dropped & (~touch.Same | bits.Heard);
+        int news = bits.Exists & ~dropped & (~touch.Same | bits.Heard);
         for (int lane = 0; news != 0; lane++, news >>= 1)
         {
             if ((news & 1) == 0)
@@ -213,9 +215,9 @@ internal static unsafe class ContactUpdate
                 | ((bits.Solid & bit) != 0 ? ContactFlags.Solid : ContactFlags.None)
                 | ((bits.Heard & bit) != 0 ? ContactFlags.Heard | ((ContactFlags)row->Flags[lane] & ContactFlags.Vetoed) : ContactFlags.None)
                 | ((due & bit) != 0 ? ContactFlags.Due : ContactFlags.None);
-            if ((int)flags != row->Flags[lane])
+            if ((int)flags != (row->Flags[lane] & ContactBundle.FlagBits))
             {
-                row->Flags[lane] = (int)flags;
+                ContactRowWriter.SetFlags(row, lane, flags);
                 input.Contacts.Records[row->Contact[lane]].Flags = flags;
             }
 

@@ -34,7 +34,7 @@ internal readonly struct OnePoint : IContactPoints
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
-                if (WideLanes.Bits(Wide.Load(row->Single + lane) > Wide.Zero) != (1 << Wide.Count) - 1)
+                if (WideLanes.Bits(ContactBundle.Has(row, lane, ContactBundle.SingleMark)) != (1 << Wide.Count) - 1)
                 {
                     return false;
                 }

@@ -255,7 +255,7 @@ internal static unsafe class PairStage
             Wide speed = ((Wide.Load(b->VelocityX + lane) - Wide.Load(a->VelocityX + lane)) * nx)
                 + ((Wide.Load(b->VelocityY + lane) - Wide.Load(a->VelocityY + lane)) * ny);
             Wide gain = Wide.Min((pullX * nx) + (pullY * ny), Wide.Zero);
-            Wide old = Wide.Load((float*)row->Flags + lane);
+            Wide old = Wide.Load((float*)row->Flags + lane) & Wide.FromBits(ContactBundle.FlagBits);
             WideMask before = WideLanes.Has(old, (int)ContactFlags.Touching);
             Wide reach = Wide.Keep(before, rest);
             Wide count = Wide.Load(pairs->Count + lane);

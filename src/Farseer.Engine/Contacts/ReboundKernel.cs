@@ -7,6 +7,13 @@ using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Contacts;
 
+/// <summary>Speeds at which the surfaces of the points of a bundle are to part if they meet in a substep, by Newton's rule.</summary>
+internal unsafe struct ReboundSpeeds
+{
+    public fixed float First[ContactBundle.Lanes];
+    public fixed float Second[ContactBundle.Lanes];
+}
+
 /// <summary>
 /// Restitution by Newton's rule, for weak bounces in large piles: the passes of the substep stop what approaches, all of it together, and
 /// afterwards contacts that they stopped part with e times their speed of approach. Held back and taken one by one
@@ -57,16 +64,15 @@ internal static unsafe class ReboundKernel
 
     /// <summary>Contacts of these islands that bounce weakly are to do so by Newton's rule.</summary>
     /// <returns>True if there are some.</returns>
-    public static bool Take(ContactBundle* row, byte* inTurmoil)
+    public static bool Take(ContactBundle* row, byte* inTurmoil, int* islandOfSlot)
     {
         bool any = false;
         int weak = WeakLanes(row);
         for (int lane = 0; weak >> lane != 0; lane++)
         {
-            if (((weak >> lane) & 1) != 0 && inTurmoil[row->Island[lane]] != 0)
+            if (((weak >> lane) & 1) != 0 && inTurmoil[islandOfSlot[row->Slot[lane]]] != 0)
             {
-                row->Rebound[lane] = row->Restitution[lane];
-                row->Restitution[lane] = 0;
+                row->Restitution[lane] = -row->Restitution[lane];
                 any = true;
             }
         }
@@ -77,12 +83,12 @@ internal static unsafe class ReboundKernel
     /// <summary>Before a substep: notes at what speed the surfaces are to part if they meet in it.</summary>
     /// <returns>True if some approach fast enough.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static bool Note(ContactBundle* row, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
+    public static bool Note(ContactBundle* row, ReboundSpeeds* speeds, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
     {
         bool any = false;
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            Wide restitution = Wide.Load(row->Rebound + lane);
+            Wide restitution = Wide.Zero - Wide.Load(row->Restitution + lane);
             Wide load = Wide.Load(row->Point0.Normal + lane) + Wide.Load(row->Point1.Normal + lane);
             WideMask can = (restitution > Wide.Zero) & (load <= Wide.Zero);
             Wide speed0 = Wide.Zero;
@@ -95,8 +101,8 @@ internal static unsafe class ReboundKernel
                 any |= WideLanes.Any(Wide.Max(speed0, speed1) > Wide.Zero);
             }
 
-            speed0.Store(row->Point0.Bounce + lane);
-            speed1.Store(row->Point1.Bounce + lane);
+            speed0.Store(speeds->First + lane);
+            speed1.Store(speeds->Second + lane);
         }
 
         return any;
@@ -104,7 +110,7 @@ internal static unsafe class ReboundKernel
 
     /// <summary>After the passes: what they have stopped parts. The impulses are let go, for they are not to be repeated.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Part(ContactBundle* row, BodyState* bodies, in ContactCoefficients c)
+    public static void Part(ContactBundle* row, ReboundSpeeds* speeds, BodyState* bodies, in ContactCoefficients c)
     {
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rest = Wide.Splat(c.Rest);
@@ -112,8 +118,8 @@ internal static unsafe class ReboundKernel
         {
             Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
             Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
-            Wide speed0 = Wide.Keep(lambda0 > Wide.Zero, Wide.Load(row->Point0.Bounce + lane));
-            Wide speed1 = Wide.Keep(lambda1 > Wide.Zero, Wide.Load(row->Point1.Bounce + lane));
+            Wide speed0 = Wide.Keep(lambda0 > Wide.Zero, Wide.Load(speeds->First + lane));
+            Wide speed1 = Wide.Keep(lambda1 > Wide.Zero, Wide.Load(speeds->Second + lane));
             WideMask parts = Wide.Max(speed0, speed1) > Wide.Zero;
             if (!WideLanes.Any(parts))
             {
@@ -155,7 +161,6 @@ internal static unsafe class ReboundKernel
         Prefetch.Line(point->TangentArmA);
         Prefetch.Line(point->TangentArmB);
         Prefetch.Line(point->Normal);
-        Prefetch.Line(point->Bounce);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -29,7 +29,7 @@ internal unsafe struct RowExtent
 /// </summary>
 internal sealed unsafe class RowArena
 {
-    /// <summary>Bundles of the smallest extent, 3.5 KB: most colours of a small world have a row or two.</summary>
+    /// <summary>Bundles of the smallest extent, 2.75 KB: most colours of a small world have a row or two.</summary>
     private const int Granule = 1 << GranuleShift;
     private const int GranuleShift = 1;
 
@@ -43,7 +43,7 @@ internal sealed unsafe class RowArena
     /// <summary>The arena grows by an eighth: growing copies nothing, so often is cheap, and a sixteenth lies idle on average.</summary>
     private const int GrowthShift = 3;
 
-    /// <summary>Least bundles by which it grows, 112 KB: a small world may need a further colour late, and is not to allocate for it.</summary>
+    /// <summary>Least bundles by which it grows, 88 KB: a small world may need a further colour late, and is not to allocate for it.</summary>
     private const int LeastGrowth = 64;
 
     private readonly List<Column<ContactBundle>> _segments = new List<Column<ContactBundle>>();

@@ -39,6 +39,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     private const int LeastBundles = 32;
 
     private readonly ColorRanges _ranges = new ColorRanges();
+    private IslandStore _islands = null!;
     private float* _sags;
     private readonly Column<float> _deep = new Column<float>();
     private float* _rate;
@@ -57,6 +58,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     /// <returns>True if any island is deep.</returns>
     public bool Apply(StageRunner runner, IslandStore islands, ConstraintGraph graph, in ContactCoefficients c, Scratch scratch)
     {
+        _islands = islands;
         int mark = scratch.Mark;
         _rate = scratch.Take<float>(Math.Max(1, islands.Count));
         _ranges.Find(graph.Used);
@@ -164,8 +166,8 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
             ContactBundle.AskAhead(row->Point0.Normal);
             ContactBundle.AskAhead(row->Point1.Normal);
             ContactBundle.AskAhead(row->K11);
-            ContactBundle.AskAhead(row->Deep);
-            ContactBundle.AskAhead(row->Level);
+            ContactBundle.AskAhead(row->Flags);
+            ContactBundle.AskAhead(row->Slot);
             int deep = 0;
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
@@ -173,13 +175,13 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
                     Wide.Load(row->Point0.Normal + lane) * Wide.Load(row->K11 + lane),
                     Wide.Load(row->Point1.Normal + lane) * Wide.Load(row->K22 + lane));
                 c.Sag(load).Store(sags + lane);
-                deep |= WideLanes.Bits(Wide.Load(row->Deep + lane) > Wide.Zero) << lane;
+                deep |= WideLanes.Bits(ContactBundle.Has(row, lane, ContactBundle.DeepMark)) << lane;
             }
 
             // An empty lane has no sag, and changes nothing in slot 0.
             for (int lane = 0; lane < ContactBundle.Lanes; lane++)
             {
-                int slot = row->Level[lane];
+                int slot = row->Slot[lane];
                 if (sags[lane] > slotSag[slot])
                 {
                     slotSag[slot] = sags[lane];
@@ -190,7 +192,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
             {
                 if ((deep & 1) != 0)
                 {
-                    _deep[row->Island[lane]] = 1;
+                    _deep[_islands.OfSlot[row->Slot[lane]]] = 1;
                     _anyDeep = true;
                 }
             }
@@ -203,24 +205,21 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     {
         float* rates = _rate;
         float* deeps = _deep.Pointer;
+        int* ofSlot = _islands.OfSlot;
+        int* firstSlot = _islands.FirstSlot;
         for (ContactBundle* row = rows; count > 0; count--, row++)
         {
-            ContactBundle.AskAhead(row->Island);
+            ContactBundle.AskAhead(row->Slot);
             ContactBundle.AskAhead(row->FeedRate);
-            ContactBundle.AskAhead(row->Deep);
-            int first = row->Island[0];
-            WideMask same = WideLanes.AllSet;
-            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            ContactBundle.AskAhead(row->Flags);
+            int first = ofSlot[row->Slot[0]];
+            if (IsOfOne(row->Slot, firstSlot[first], firstSlot[first + 1]))
             {
-                same = same & Wide.SameBits(Wide.Load((float*)row->Island + lane), Wide.FromBits(first));
-            }
-
-            if (WideLanes.Bits(same) == (1 << Wide.Count) - 1)
-            {
+                WideMask deep = deeps[first] > 0 ? WideLanes.AllSet : ~WideLanes.AllSet;
                 for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
                 {
                     Wide.Splat(rates[first]).Store(row->FeedRate + lane);
-                    Wide.Splat(deeps[first]).Store(row->Deep + lane);
+                    ContactBundle.Mark(row, lane, deep, ContactBundle.DeepMark);
                 }
 
                 continue;
@@ -228,10 +227,23 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
 
             for (int lane = 0; lane < ContactBundle.Lanes; lane++)
             {
-                int island = row->Island[lane];
+                int island = ofSlot[row->Slot[lane]];
                 row->FeedRate[lane] = rates[island];
-                row->Deep[lane] = deeps[island];
+                row->Flags[lane] = (row->Flags[lane] & ~ContactBundle.DeepMark) | (deeps[island] > 0 ? ContactBundle.DeepMark : 0);
             }
         }
+    }
+
+    /// <summary>All slots of a bundle are those of one island.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsOfOne(int* slots, int from, int end)
+    {
+        bool all = true;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            all &= (uint)(slots[lane] - from) < (uint)(end - from);
+        }
+
+        return all;
     }
 }

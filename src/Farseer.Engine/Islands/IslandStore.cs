@@ -32,6 +32,7 @@ internal sealed unsafe partial class IslandStore : IStageWork
     private readonly Column<int> _neighbours = new Column<int>();
     private readonly Column<int> _islandOf = new Column<int>();
     private readonly Column<int> _firstSlot = new Column<int>();
+    private readonly Column<int> _ofSlot = new Column<int>();
     private readonly ColorRanges _ranges = new ColorRanges();
 
     // In scratch memory, while the islands are built: the bodies that each of the searches has reached.
@@ -64,6 +65,9 @@ internal sealed unsafe partial class IslandStore : IStageWork
 
     /// <summary>First slot of each island; the entry after the last island is <see cref="SlotCount"/>.</summary>
     public int* FirstSlot => _firstSlot.Pointer;
+
+    /// <summary>The island of each slot.</summary>
+    public int* OfSlot => _ofSlot.Pointer;
 
     /// <summary>Finds islands and levels of all rows and writes both into the rows.</summary>
     /// <param name="runner">Who shares the work out.</param>
@@ -105,6 +109,7 @@ internal sealed unsafe partial class IslandStore : IStageWork
         _begin.EnsureCapacity(bodyEnd);
         _end.EnsureCapacity(bodyEnd);
         _firstSlot.EnsureCapacity(bodyEnd + 1);
+        _ofSlot.EnsureCapacity(bodyEnd + 1);
         _neighbours.EnsureCapacity(2 * Math.Max(rows, 2 * bodyEnd));
     }
 
@@ -280,12 +285,18 @@ internal sealed unsafe partial class IslandStore : IStageWork
             }
         }
 
+        // The slot of a row whose bodies cannot move any more is 0, also where there is no island.
+        int* ofSlot = _ofSlot.Pointer;
+        ofSlot[0] = 0;
         int total = 0;
         for (int i = 0; i < Count; i++)
         {
             int levels = firstSlot[i];
             firstSlot[i] = total;
-            total += levels;
+            for (int end = total + levels; total < end; total++)
+            {
+                ofSlot[total] = i;
+            }
         }
 
         firstSlot[Count] = total;
@@ -299,7 +310,7 @@ internal sealed unsafe partial class IslandStore : IStageWork
             foreach (ContactBundle* row in new BundleWalk(_ranges.From(from, to, out from)))
             {
                 ContactBundle.AskAhead(row->BodyA);
-                ContactBundle.AskAhead(row->Island);
+                ContactBundle.AskAhead(row->Slot);
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
                     if (row->BodyA[lane] != row->BodyB[lane])
@@ -320,8 +331,7 @@ internal sealed unsafe partial class IslandStore : IStageWork
         // Both were taken out of motion since the step began: the row goes at the start of the next.
         if ((moves[a] | moves[b]) == 0)
         {
-            row->Island[lane] = 0;
-            row->Level[lane] = 0;
+            row->Slot[lane] = 0;
             return;
         }
 
@@ -331,7 +341,6 @@ internal sealed unsafe partial class IslandStore : IStageWork
         int other = moves[b] != 0 ? b : body;
         int height = Math.Max(0, Math.Max(level[body], level[other]));
         int island = _islandOf[body];
-        row->Island[lane] = island;
-        row->Level[lane] = _firstSlot[island] + height;
+        row->Slot[lane] = _firstSlot[island] + height;
     }
 }

@@ -65,19 +65,6 @@ internal sealed unsafe class RestJudge : IStageWork
         }
     }
 
-    /// <summary>Sets the sizes of a body: that of its smallest piece, and its greatest distance from the centre.</summary>
-    /// <param name="body">The body.</param>
-    /// <param name="extent">0 if it has no shape: it is then as large as its mass is spread.</param>
-    /// <param name="reach">At least the extent.</param>
-    /// <param name="mass">Its mass.</param>
-    public void SetSize(int body, float extent, float reach, in BodyMass mass)
-    {
-        float spread = mass.InverseInertia > 0 ? (float)Math.Sqrt((double)mass.InverseMass / mass.InverseInertia) : 0;
-        EnsureBodies(body + 1);
-        _records[body].Extent = extent > 0 ? extent : spread;
-        _records[body].Reach = extent > 0 ? reach : spread;
-    }
-
     /// <summary>Follows the bodies of a step.</summary>
     /// <returns>True if one of them has, in this step, rested long enough: a group can be ready only then, or if it has changed.</returns>
     public bool Watch(StageRunner runner, in RestInput input)
@@ -107,13 +94,15 @@ internal sealed unsafe class RestJudge : IStageWork
         byte* moves = input.Moves;
         RestRecord* records = _records.Pointer;
         BodyPose* poses = bodies.Pose.Pointer;
+        BodySize* sizes = bodies.Size.Pointer;
         for (int i = from; i < to; i++)
         {
             int body = active[i];
             RestRecord* record = records + body;
             BodyPose* pose = poses + body;
-            double moved = Math.Abs(pose->X - record->X) + Math.Abs(pose->Y - record->Y) + (Math.Abs(pose->Angle - record->Angle) * record->Reach);
-            if (!(moved <= share * record->Extent))
+            BodySize size = sizes[body].Reach > 0 ? sizes[body] : Spread(bodies.Mass[body]);
+            double moved = Math.Abs(pose->X - record->X) + Math.Abs(pose->Y - record->Y) + (Math.Abs(pose->Angle - record->Angle) * size.Reach);
+            if (!(moved <= share * size.Extent))
             {
                 record->X = pose->X;
                 record->Y = pose->Y;
@@ -123,10 +112,10 @@ internal sealed unsafe class RestJudge : IStageWork
             }
 
             bool pulled = gravity > 0 && (bodies.Flags[body] & BodyFlags.IgnoreGravity) == 0;
-            float room = pulled ? Math.Min(share * record->Extent, fall) : share * record->Extent;
+            float room = pulled ? Math.Min(share * size.Extent, fall) : share * size.Extent;
             if (moves[body] == 0 || IsHeld(bodies, body)
                 || (pulled && !(moved <= fall))
-                || (!pulled && input.Degrees[body] == 0 && !WillStop(bodies, body, record->Reach, room, time)))
+                || (!pulled && input.Degrees[body] == 0 && !WillStop(bodies, body, size.Reach, room, time)))
             {
                 record->X = pose->X;
                 record->Y = pose->Y;
@@ -214,6 +203,13 @@ internal sealed unsafe class RestJudge : IStageWork
         }
     }
 
+    /// <summary>A body without a shape is as large as its mass is spread.</summary>
+    private static BodySize Spread(in BodyMass mass)
+    {
+        float spread = mass.InverseInertia > 0 ? (float)Math.Sqrt((double)mass.InverseMass / mass.InverseInertia) : 0;
+        return new BodySize { Extent = spread, Reach = spread };
+    }
+
     private static bool IsHeld(BodyStore bodies, int body)
     {
         ref BodyForce force = ref bodies.Force[body];
@@ -256,8 +252,6 @@ internal sealed unsafe class RestJudge : IStageWork
         public double X;
         public double Y;
         public double Angle;
-        public float Reach;
-        public float Extent;
 
         /// <summary>Seconds since then.</summary>
         public float Time;

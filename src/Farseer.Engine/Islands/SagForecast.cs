@@ -79,7 +79,9 @@ internal sealed unsafe class SagForecast
     /// <param name="rebuilt">The islands were built anew.</param>
     public void Begin(IslandStore islands, ConstraintGraph graph, BodyStore bodies, float dt, Vector2 gravity, bool rebuilt)
     {
-        Reserve(bodies.Ids.End);
+        ReserveIslands(islands.Count);
+        _fine.EnsureCapacity(bodies.Ids.End);
+        _wait.EnsureCapacity(bodies.Ids.End);
         if (!rebuilt && dt == _dt && gravity == _gravity)
         {
             return;
@@ -150,7 +152,7 @@ internal sealed unsafe class SagForecast
             _levels = scratch.Take<Level>(islands.SlotCount);
             Collect(islands, graph, bodies, usual);
             Decide(islands, usual);
-            GiveLoads(graph, bodies, c);
+            GiveLoads(islands, graph, bodies, c, scratch);
         }
 
         bool any = false;
@@ -172,13 +174,21 @@ internal sealed unsafe class SagForecast
         return any;
     }
 
-    /// <summary>There are at most as many islands, and levels in all, as bodies: later steps allocate nothing, whatever piles up in them.</summary>
+    /// <summary>
+    /// There are at most as many islands, and levels in all, as bodies: later steps allocate nothing, whatever piles up in them. A world that was built dense
+    /// has fewer.
+    /// </summary>
     public void Reserve(int bodyEnd)
     {
-        _islands.EnsureCapacity(bodyEnd);
-        _doublings.EnsureCapacity(bodyEnd);
+        ReserveIslands(bodyEnd);
         _fine.EnsureCapacity(bodyEnd);
         _wait.EnsureCapacity(bodyEnd);
+    }
+
+    private void ReserveIslands(int islands)
+    {
+        _islands.EnsureCapacity(islands);
+        _doublings.EnsureCapacity(islands);
     }
 
     private void CollectMotion(IslandStore islands, FeedForwardSettings feedForward, BodyStore bodies, int* list, int count)
@@ -227,7 +237,7 @@ internal sealed unsafe class SagForecast
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    if (bundle->Contact[lane] >= 0 && _islands[bundle->Island[lane]].Wanted)
+                    if (bundle->Contact[lane] >= 0 && _islands[islands.OfSlot[bundle->Slot[lane]]].Wanted)
                     {
                         AddRow(bundle, lane, bodies.Size.Pointer, c);
                     }
@@ -248,9 +258,9 @@ internal sealed unsafe class SagForecast
 
     private void AddRow(ContactBundle* bundle, int lane, BodySize* sizes, in ContactCoefficients c)
     {
-        ref Level level = ref _levels[bundle->Level[lane]];
+        ref Level level = ref _levels[bundle->Slot[lane]];
         float size = 2 * Math.Min(ExtentOf(sizes[bundle->BodyA[lane]]), ExtentOf(sizes[bundle->BodyB[lane]]));
-        double load = bundle->Single[lane] > 0 ? 1 : 0.5;
+        double load = (bundle->Flags[lane] & ContactBundle.SingleMark) != 0 ? 1 : 0.5;
         double steep = (1 / c.Gravity) * Math.Abs((bundle->NormalX[lane] * _gravity.X) + (bundle->NormalY[lane] * _gravity.Y));
         load /= Math.Max(steep, LeastSteepness);
         level.Softness += load * bundle->K11[lane] * c.FeedRestOf(size) / size;
@@ -301,7 +311,7 @@ internal sealed unsafe class SagForecast
     }
 
     /// <summary>Islands whose sag asks for more substeps have a long way to their load: those that were just judged are given it.</summary>
-    private void GiveLoads(ConstraintGraph graph, BodyStore bodies, in ContactCoefficients c)
+    private void GiveLoads(IslandStore islands, ConstraintGraph graph, BodyStore bodies, in ContactCoefficients c, Scratch scratch)
     {
         bool any = false;
         for (int i = 0; i < _islandCount; i++)
@@ -314,16 +324,17 @@ internal sealed unsafe class SagForecast
             return;
         }
 
-        _loads.Begin(_islandCount);
+        _loads.Begin(_islandCount, scratch);
         foreach (GraphColor color in graph.Used)
         {
             foreach (ContactBundle* bundle in color.Bundles)
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    if (bundle->Contact[lane] >= 0 && _islands[bundle->Island[lane]].Starts)
+                    int island = islands.OfSlot[bundle->Slot[lane]];
+                    if (bundle->Contact[lane] >= 0 && _islands[island].Starts)
                     {
-                        _loads.Add(bundle->Island[lane], bundle, lane);
+                        _loads.Add(island, bundle, lane);
                     }
                 }
             }
@@ -354,6 +365,7 @@ internal sealed unsafe class SagForecast
         public int Ends;
         public float Lightest;
         public float Heaviest;
+        public float Fastest;
 
         /// <summary>It may need more: its sag is worth a look.</summary>
         public bool Open;
@@ -367,7 +379,6 @@ internal sealed unsafe class SagForecast
         /// <summary>It was foreseen in this step.</summary>
         public bool Starts;
         public byte Doublings;
-        public float Fastest;
         public bool WasFine;
         public byte Wait;
     }

@@ -32,13 +32,14 @@ internal sealed unsafe class StartingLoads
     private readonly Column<Entry> _entries = new Column<Entry>();
     private readonly Column<Point> _points = new Column<Point>();
     private readonly Column<int> _heads = new Column<int>();
-    private readonly double[] _matrix = new double[2 * MostContacts * 2 * MostContacts];
+    private double* _matrix;
     private readonly double[] _load = new double[2 * MostContacts];
     private int _count;
 
     /// <summary>Forgets the contacts of the last time.</summary>
-    public void Begin(int islands)
+    public void Begin(int islands, Scratch scratch)
     {
+        _matrix = scratch.Take<double>(2 * MostContacts * 2 * MostContacts);
         _heads.EnsureCapacity(Math.Max(islands, 1));
         for (int i = 0; i < islands; i++)
         {
@@ -85,7 +86,7 @@ internal sealed unsafe class StartingLoads
             ContactBundle* bundle = point.Bundle;
             int lane = point.Lane;
             float shared = bundle->Point0.Normal[lane];
-            shared = bundle->Single[lane] > 0 ? shared : Math.Min(shared, bundle->Point1.Normal[lane]);
+            shared = (bundle->Flags[lane] & ContactBundle.SingleMark) != 0 ? shared : Math.Min(shared, bundle->Point1.Normal[lane]);
             ContactPointLanes* lanes = point.Second ? &bundle->Point1 : &bundle->Point0;
             lanes->Feed[lane] = shared;
             bundle->FeedRate[lane] = 0;
@@ -113,7 +114,7 @@ internal sealed unsafe class StartingLoads
             float approach = (bundle->NormalX[lane] * fall.X) + (bundle->NormalY[lane] * fall.Y);
             _points.EnsureCapacity(count + 2);
             AddPoint(ref count, bundle, lane, second: false, approach);
-            if (bundle->Single[lane] == 0)
+            if ((bundle->Flags[lane] & ContactBundle.SingleMark) == 0)
             {
                 AddPoint(ref count, bundle, lane, second: true, approach);
             }

@@ -122,13 +122,13 @@ internal sealed unsafe partial class JointSolver
         contact->NormalX = bundle->NormalX[lane];
         contact->NormalY = bundle->NormalY[lane];
         contact->Friction = bundle->Friction[lane];
-        contact->Restitution = bundle->Restitution[lane];
-        contact->Rebound = bundle->Rebound[lane];
+        contact->Restitution = Math.Max(bundle->Restitution[lane], 0);
+        contact->Rebound = Math.Max(-bundle->Restitution[lane], 0);
         contact->RadiusA = bundle->RadiusA[lane];
         contact->RadiusB = bundle->RadiusB[lane];
         contact->FeedRate = bundle->FeedRate[lane];
         contact->FeedShare = bundle->FeedShare[lane];
-        contact->Deep = bundle->Deep[lane] > 0;
+        contact->Deep = (bundle->Flags[lane] & ContactBundle.DeepMark) != 0;
         Take(&bundle->Point0, lane, ref contact->Point0);
         if (contact->Points > 1)
         {

@@ -18,19 +18,19 @@ internal sealed unsafe partial class TreeContactPass
     public void Recall(TreeContact* contact, in HeldGap held)
     {
         PlacePoints(contact);
-        Recall(contact, ref contact->Point0, contact->Bundle->Point0.Id[contact->Lane], held);
+        Recall(contact, ref contact->Point0, contact->Bundle->Id0[contact->Lane], held);
         if (contact->Points > 1)
         {
-            Recall(contact, ref contact->Point1, contact->Bundle->Point1.Id[contact->Lane], held);
+            Recall(contact, ref contact->Point1, contact->Bundle->Id1[contact->Lane], held);
         }
     }
 
     /// <summary>At the end of a step.</summary>
     public static void Note(TreeContact* contact, ref HeldGap held)
     {
-        held.Id0 = contact->Bundle->Point0.Id[contact->Lane];
+        held.Id0 = contact->Bundle->Id0[contact->Lane];
         held.Gap0 = contact->Point0.Separation;
-        held.Id1 = contact->Points > 1 ? contact->Bundle->Point1.Id[contact->Lane] : 0;
+        held.Id1 = contact->Points > 1 ? contact->Bundle->Id1[contact->Lane] : 0;
         held.Gap1 = contact->Point1.Separation;
     }
 

@@ -44,6 +44,9 @@ internal sealed class ShapeStore
 
     public Column<Piece> Pieces { get; }
 
+    /// <summary>The collider of a piece.</summary>
+    public int ColliderOf(int piece) => Pieces[piece].Collider;
+
     /// <summary>Per piece: the next piece of the same collider, -1 after the last.</summary>
     public Column<int> NextPiece { get; }
 

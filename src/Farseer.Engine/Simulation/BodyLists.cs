@@ -192,6 +192,11 @@ internal sealed unsafe class BodyLists
 
     public void FlyFree(StageRunner runner, BodyStore bodies, Vector2 gravity, float dt, float substep, Scratch scratch)
     {
+        if (FreeCount > 0)
+        {
+            bodies.EnsureResiduals();
+        }
+
         int mark = scratch.Mark;
         FlightStart* starts = scratch.Take<FlightStart>(FreeCount);
         if (_work.FlyFree(runner, bodies, _free.Pointer, FreeCount, gravity, dt, substep, starts))

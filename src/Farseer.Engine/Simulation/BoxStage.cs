@@ -235,7 +235,6 @@ internal sealed unsafe class BoxStage : IStageWork
         }
 
         world.Bodies.Size[body] = new BodySize { Extent = FastShare * extent, Reach = fit.Reach };
-        world.NoteSize(body, fit.Reach > 0 ? extent : 0, fit.Reach);
         _fits[body] = fit;
     }
 

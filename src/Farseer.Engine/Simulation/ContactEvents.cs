@@ -52,7 +52,7 @@ internal sealed unsafe class ContactEvents
             }
 
             ref ContactRecord first = ref contacts.Records[_contacts[i]];
-            var pair = new PairOfColliders { A = first.ColliderA, B = first.ColliderB };
+            var pair = new PairOfColliders { A = world.Shapes.ColliderOf(first.PieceA), B = world.Shapes.ColliderOf(first.PieceB) };
             int position = _count++;
             _keys[position] = _keys[i];
             _pairs[position] = pair;
@@ -96,7 +96,7 @@ internal sealed unsafe class ContactEvents
         if ((record.Flags & ContactFlags.Heard) != 0 && IsReported(world, record))
         {
             _woken.EnsureCapacity(_wokenCount + 1);
-            _woken[_wokenCount++] = new PairOfColliders { A = record.ColliderA, B = record.ColliderB };
+            _woken[_wokenCount++] = new PairOfColliders { A = world.Shapes.ColliderOf(record.PieceA), B = world.Shapes.ColliderOf(record.PieceB) };
         }
     }
 
@@ -182,7 +182,7 @@ internal sealed unsafe class ContactEvents
     {
         ref ContactRecord record = ref contacts.Records[contact];
         record.Flags |= ContactFlags.Touching;
-        var pair = new PairOfColliders { A = record.ColliderA, B = record.ColliderB };
+        var pair = new PairOfColliders { A = world.Shapes.ColliderOf(record.PieceA), B = world.Shapes.ColliderOf(record.PieceB) };
         IStepHooks? hooks = world.Hooks;
         if (hooks == null || !(Wants(world, pair, ColliderFlags.WantsContact) || Wants(world, pair, ColliderFlags.WantsSeparation)))
         {
@@ -317,7 +317,7 @@ internal sealed unsafe class ContactEvents
                 world.Shapes.TightBox(record.PieceB, world.Bodies.Pose[record.BodyB]));
     }
 
-    private static ulong Key(World world, in ContactRecord record) => Key(world, record.ColliderA, record.ColliderB);
+    private static ulong Key(World world, in ContactRecord record) => Key(world, world.Shapes.ColliderOf(record.PieceA), world.Shapes.ColliderOf(record.PieceB));
 
     private static ulong Key(World world, int colliderA, int colliderB) =>
         ((ulong)(uint)world.Shapes.Colliders[colliderA].Order << 32) | (uint)world.Shapes.Colliders[colliderB].Order;
@@ -371,7 +371,7 @@ internal sealed unsafe class ContactEvents
             record.Flags &= ~ContactFlags.Vetoed;
             if (record.Color >= 0)
             {
-                graph.BundleOf(record.Row)->Flags[RowArena.LaneOf(record.Row)] = (int)record.Flags;
+                ContactRowWriter.SetFlags(graph.BundleOf(record.Row), RowArena.LaneOf(record.Row), record.Flags);
             }
         }
     }

@@ -63,6 +63,8 @@ internal sealed unsafe class ContactStage : IStageWork
     public void Update(StageRunner runner, World world, ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
     {
         ContactStore contacts = input.Contacts;
+        Scratch scratch = input.Scratch;
+        int mark = scratch.Mark;
         _idle.Begin(input, _hulls, graph.RowCount);
         _work.WriteSides(runner, input, _sides);
         _idle.FindSteps(runner, input);
@@ -79,8 +81,6 @@ internal sealed unsafe class ContactStage : IStageWork
         _touching = 0;
         _touchingNow = 0;
         _hulls = 0;
-        Scratch scratch = input.Scratch;
-        int mark = scratch.Mark;
         _lost = new ScratchList<int>(scratch);
         _dropped = new ScratchList<int>(scratch);
         _droppedKeys = new ScratchList<ulong>(scratch);
@@ -140,7 +140,7 @@ internal sealed unsafe class ContactStage : IStageWork
 
     /// <summary>Writes the sides of a body that has just fallen asleep: until it wakes they stay as they are.</summary>
     public void WriteSides(World world, byte* moves, int piece) =>
-        _sides.Prepare(world.Shapes, world.Bodies, world.Proxies.Info.Pointer, moves, piece, piece + 1);
+        _sides.LayDown(world.Shapes, world.Bodies, world.Proxies.Info.Pointer, moves, piece);
 
     /// <summary>Pairs of one side asleep are about to get a row: that wakes it, but for those that nothing has moved.</summary>
     private void WakeGained(World world, ContactStore contacts)

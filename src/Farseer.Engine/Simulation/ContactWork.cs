@@ -64,7 +64,7 @@ internal sealed unsafe class ContactWork : IStageWork
     {
         _pairs.EnsureCapacity(runner.Workers);
         _bundles.EnsureCapacity(runner.Workers);
-        sides.Begin(input.Shapes, input.Contacts.KeepsGaps ? input.Contacts.Steps : null);
+        sides.Begin(input.Shapes, input.Contacts.KeepsGaps ? input.Contacts.Steps : null, input.Settings.AllowSleep, input.Scratch);
         _input = input;
         _sides = sides;
         _part = Part.Sides;

@@ -134,7 +134,7 @@ internal sealed unsafe class FastPairStage : IStageWork
     }
 
     private static bool IsSolid(in ContactUpdateInput input, in ContactRecord record) =>
-        (input.Shapes.Colliders[record.ColliderA].Flags & input.Shapes.Colliders[record.ColliderB].Flags & ColliderFlags.ResponseEnabled) != 0
+        (input.Shapes.Colliders[input.Shapes.ColliderOf(record.PieceA)].Flags & input.Shapes.Colliders[input.Shapes.ColliderOf(record.PieceB)].Flags & ColliderFlags.ResponseEnabled) != 0
         && (input.Moves[record.BodyA] | input.Moves[record.BodyB]) != 0;
 
     /// <summary>

@@ -176,8 +176,8 @@ internal sealed unsafe class StruckPairs : IStageWork
             foreach (ContactBundle* bundle in new BundleWalk(_ranges.From(from, to, out from)))
             {
                 ContactBundle.AskAhead(bundle->BodyA);
-                ContactBundle.AskAhead(bundle->Single);
-                int single = Singles(bundle);
+                ContactBundle.AskAhead(bundle->Flags);
+                int single = ContactBundle.LanesWith(bundle, ContactBundle.SingleMark);
                 for (int lane = 0; single != 0; lane++, single >>= 1)
                 {
                     if ((single & 1) == 0 || throws[bundle->BodyA[lane]] + throws[bundle->BodyB[lane]] == 0)
@@ -204,18 +204,6 @@ internal sealed unsafe class StruckPairs : IStageWork
         {
             Rewrite(input, rewritten, filled);
         }
-    }
-
-    /// <summary>The lanes of rows with one point, a bit each.</summary>
-    private static int Singles(ContactBundle* bundle)
-    {
-        int bits = 0;
-        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
-        {
-            bits |= WideLanes.Bits(Wide.Load(bundle->Single + lane) > Wide.Zero) << lane;
-        }
-
-        return bits;
     }
 
     private void Rewrite(in ContactUpdateInput input, ContactBundle* bundle, int filled)

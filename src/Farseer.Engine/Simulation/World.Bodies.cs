@@ -29,7 +29,11 @@ internal sealed partial class World
         int bodyEnd = Bodies.Ids.EndAfter(bodies);
         int colliderEnd = Shapes.ColliderIds.EndAfter(colliders);
         EnsureBodies(bodyEnd);
-        _rest.EnsureBodies(bodyEnd);
+        if (Settings.AllowSleep)
+        {
+            _rest.EnsureBodies(bodyEnd);
+        }
+
         EnsureColliders(colliderEnd);
         int pieceEnd = Shapes.PieceIds.EndAfter(colliders);
         Shapes.PieceSet.EnsureCapacity(pieceEnd);
@@ -56,7 +60,7 @@ internal sealed partial class World
         {
             StartX = def.LinearVelocity.X, StartY = def.LinearVelocity.Y, StartW = def.AngularVelocity,
         };
-        Bodies.Residual[body] = default;
+        Bodies.ClearResidual(body);
         _firstCollider[body] = -1;
         SetMass(handle, def.Mass, def.Inertia);
         if ((def.Flags & BodyFlags.Asleep) != 0)

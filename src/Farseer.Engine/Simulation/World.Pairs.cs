@@ -213,8 +213,6 @@ internal sealed partial class World
             PieceB = b,
             BodyA = Shapes.Pieces[a].Body,
             BodyB = Shapes.Pieces[b].Body,
-            ColliderA = colliderA,
-            ColliderB = colliderB,
             OfSeveral = ofSeveral,
         };
         int index = _contacts.Create(key, record);
@@ -333,7 +331,7 @@ internal sealed partial class World
             return true;
         }
 
-        return (Shapes.Colliders[record.ColliderA].Flags & Shapes.Colliders[record.ColliderB].Flags & ColliderFlags.Alive) == 0;
+        return (Shapes.Colliders[Shapes.ColliderOf(record.PieceA)].Flags & Shapes.Colliders[Shapes.ColliderOf(record.PieceB)].Flags & ColliderFlags.Alive) == 0;
     }
 
     private bool IsStale(int body) => body < _staleBodies.Capacity && _staleBodies[body] != 0;

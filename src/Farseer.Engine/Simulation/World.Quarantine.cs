@@ -69,7 +69,7 @@ internal sealed partial class World
             state.DeltaSin = 0;
             state.DeltaCos = 1;
             Bodies.Motion[body] = default;
-            Bodies.Residual[body] = default;
+            Bodies.ClearResidual(body);
             ref BodyPose pose = ref Bodies.Pose[body];
             if (!StateRange.Holds(pose.X, pose.Y, pose.Angle))
             {

@@ -52,8 +52,8 @@ internal sealed partial class World
             ref ContactRecord record = ref _contacts.Records[i];
             if (record.PieceA >= 0 && (record.Flags & ContactFlags.Touching) != 0)
             {
-                _visitKeys[count] = ((ulong)(uint)Shapes.Colliders[record.ColliderA].Order << 32)
-                    | (uint)Shapes.Colliders[record.ColliderB].Order;
+                _visitKeys[count] = ((ulong)(uint)Shapes.Colliders[Shapes.ColliderOf(record.PieceA)].Order << 32)
+                    | (uint)Shapes.Colliders[Shapes.ColliderOf(record.PieceB)].Order;
                 _visitContacts[count++] = i;
             }
         }
@@ -75,7 +75,7 @@ internal sealed partial class World
             }
 
             ref ContactRecord first = ref _contacts.Records[_visitContacts[start]];
-            visitor.Visit(first.ColliderA, first.ColliderB, new ReadOnlySpan<ContactPoint>(_visitPoints.Pointer, points));
+            visitor.Visit(Shapes.ColliderOf(first.PieceA), Shapes.ColliderOf(first.PieceB), new ReadOnlySpan<ContactPoint>(_visitPoints.Pointer, points));
             start = end;
         }
     }
@@ -106,14 +106,14 @@ internal sealed partial class World
         ref ContactRecord record = ref _contacts.Records[index];
         ContactBundle* bundle = _graph.BundleOf(record.Row);
         int lane = Graph.RowArena.LaneOf(record.Row);
-        if (bundle->Point0.Id[lane] == feature)
+        if (bundle->Id0[lane] == feature)
         {
             normal = ImpulseOf(bundle, lane, bundle->Point0.Normal[lane]);
             tangent = RubOf(index, bundle, lane, bundle->Point0.Tangent[lane]);
             return true;
         }
 
-        if (bundle->Point1.Id[lane] == feature)
+        if (bundle->Id1[lane] == feature)
         {
             normal = ImpulseOf(bundle, lane, bundle->Point1.Normal[lane]);
             tangent = RubOf(index, bundle, lane, bundle->Point1.Tangent[lane]);
@@ -126,7 +126,7 @@ internal sealed partial class World
     private unsafe float RubOf(int contact, ContactBundle* bundle, int lane, float tangent) =>
         (tangent * Settings.Substeps) + (_contactStage.Lone.TangentOf(contact) * ShareOfPoint(bundle, lane));
 
-    private static unsafe float ShareOfPoint(ContactBundle* bundle, int lane) => bundle->Single[lane] > 0 ? 1f : 0.5f;
+    private static unsafe float ShareOfPoint(ContactBundle* bundle, int lane) => (bundle->Flags[lane] & ContactBundle.SingleMark) != 0 ? 1f : 0.5f;
 
     /// <summary>A point that bounced has let go of its impulse: then that of the blow counts, which the points of the contact share.</summary>
     private unsafe float ImpulseOf(ContactBundle* bundle, int lane, float normal)
@@ -205,12 +205,12 @@ internal sealed partial class World
         for (int k = from; k < from + count; k++)
         {
             ref ContactPoint point = ref _visitPoints[k];
-            if (point.FeatureId == bundle->Point0.Id[lane])
+            if (point.FeatureId == bundle->Id0[lane])
             {
                 point.NormalImpulse = bundle->Point0.Normal[lane] * _substeps;
                 point.TangentImpulse = bundle->Point0.Tangent[lane] * _substeps;
             }
-            else if (point.FeatureId == bundle->Point1.Id[lane])
+            else if (point.FeatureId == bundle->Id1[lane])
             {
                 point.NormalImpulse = bundle->Point1.Normal[lane] * _substeps;
                 point.TangentImpulse = bundle->Point1.Tangent[lane] * _substeps;

@@ -23,11 +23,16 @@ internal sealed partial class World
     /// <summary>Of more pieces the rest comes by need: a growth by a quarter is seldom then, and the room would be gigabytes.</summary>
     private const int MostPieces = 1 << 15;
 
-    /// <summary>Bytes of scratch memory for each pair and each row: what the narrow phase notes of them.</summary>
+    /// <summary>Bytes of scratch memory for each pair, each row and each piece: what the narrow phase notes of them.</summary>
     private const int ScratchAPair = 16;
     private const int ScratchARow = 12;
+    private const int ScratchAPiece = 64;
+
+    /// <summary>Steps after the first of a world that was built dense, after which it gives up what that first one took.</summary>
+    private const int StepsToGiveUp = 8;
 
     private bool _roomIsDue;
+    private int _stepsToGiveUp;
 
     /// <summary>Makes room once colliders have come, after their first contacts are known.</summary>
     private void MakeRoomAhead()
@@ -39,15 +44,17 @@ internal sealed partial class World
 
         _roomIsDue = false;
         _islands.Reserve(Bodies.State.Capacity, _graph.RowCount);
-        _sagForecast.Reserve(Bodies.State.Capacity);
-        _feedForward.Reserve(Bodies.State.Capacity);
         int pieces = CountPieces(out int hulls, out int immovable);
         _immovable.Reserve(Math.Min(immovable, MostInARow + 1));
         if (_graph.RowCount * 2L >= (long)DenseTwice * pieces && !_contactStage.AnyBounce)
         {
+            _stepsToGiveUp = StepsToGiveUp;
             return;
         }
 
+        _stepsToGiveUp = 0;
+        _sagForecast.Reserve(Bodies.State.Capacity);
+        _feedForward.Reserve(Bodies.State.Capacity);
         pieces = Math.Min(pieces, MostPieces);
         int pairs = PairsAPiece * pieces;
         int rows = RowsAPiece * pieces;
@@ -56,10 +63,34 @@ internal sealed partial class World
         _pairs.Expect(pairs);
         _graph.Reserve(rows);
         _islands.Reserve(Bodies.State.Capacity, rows);
-        Scratch.Reserve((ScratchAPair * pairs) + (ScratchARow * rows));
+        Scratch.Reserve((ScratchAPair * pairs) + (ScratchARow * rows) + (ScratchAPiece * Shapes.PieceIds.End));
         if (hulls * 2 > pieces)
         {
             _contacts.Steps.Reserve(Bodies.State.Capacity);
+        }
+    }
+
+    /// <summary>
+    /// Between two steps: a world that was built dense found all its pairs, and gave them rows, in its first step, and no later one is to be like it. What it took
+    /// for that was a twentieth of what it keeps.
+    /// </summary>
+    private void GiveUpRoom()
+    {
+        if (_stepsToGiveUp == 0)
+        {
+            return;
+        }
+
+        // The first of these steps is the one that took so much.
+        _stepsToGiveUp--;
+        if (_stepsToGiveUp == 0 || _stepsToGiveUp == StepsToGiveUp - 1)
+        {
+            Scratch.Trim();
+        }
+
+        if (_stepsToGiveUp == 0)
+        {
+            _pairs.Shrink();
         }
     }
 

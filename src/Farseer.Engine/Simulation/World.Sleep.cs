@@ -97,8 +97,6 @@ internal sealed partial class World
         }
     }
 
-    internal void NoteSize(int body, float extent, float reach) => _rest.SetSize(body, extent, reach, Bodies.Mass[body]);
-
     /// <summary>Whether nothing moves a body: it sleeps, or is static or kinematic and has no velocity.</summary>
     internal bool IsStill(int body)
     {
@@ -238,7 +236,7 @@ internal sealed partial class World
         state.LinearVelocity = Vector2.Zero;
         state.AngularVelocity = 0;
         Bodies.Motion[body] = default;
-        Bodies.Residual[body] = default;
+        Bodies.ClearResidual(body);
         Bodies.Force[body] = default;
         _lists.SetMoving(body, false);
     }

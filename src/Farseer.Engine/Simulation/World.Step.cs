@@ -26,6 +26,7 @@ internal sealed partial class World
     private void RunStages(float dt)
     {
         Profile.Begin();
+        GiveUpRoom();
         PurgeNow();
         BeginAccuracy();
         WakeWhatChanged(dt);
@@ -191,7 +192,7 @@ internal sealed partial class World
         input.Bodies = Bodies;
         input.Colors = _graph.Solved;
         input.RowCount = _graph.RowCount;
-        input.IslandCount = Math.Max(1, _islands.Count);
+        input.Islands = _islands;
         input.List = _lists.Solver;
         input.PaddedCount = _lists.PaddedSolverCount;
         input.Saved = Scratch.Take<Vector3>(SolverUnits.MostListed(_lists.SolverCount, _graph.Groups.Count));

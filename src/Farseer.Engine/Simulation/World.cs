@@ -19,7 +19,7 @@ namespace Farseer.Engine.Simulation;
 /// <summary>Owns the stores of one simulation. The facades create it, fill it and step it.</summary>
 internal sealed partial class World
 {
-    private readonly ContactStore _contacts = new ContactStore();
+    private readonly ContactStore _contacts;
     private readonly ConstraintGraph _graph = new ConstraintGraph();
     private readonly IslandStore _islands = new IslandStore();
     private readonly FeedForwardSettings _feedForward = new FeedForwardSettings();
@@ -41,6 +41,7 @@ internal sealed partial class World
 
     public World()
     {
+        _contacts = new ContactStore(Shapes);
         _jointSolver = new JointSolver(Joints);
         Queries = new WorldQueries(Shapes, Bodies);
         _pairFlight = new PairFlight(_sweep, _secondSweep);

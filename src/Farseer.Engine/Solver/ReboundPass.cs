@@ -3,6 +3,7 @@ using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Islands;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 
@@ -31,6 +32,9 @@ internal sealed unsafe class ReboundPass
 
     /// <summary>Those of which in this substep some contacts approach fast enough to bounce.</summary>
     private readonly Column<Entry> _striking = new Column<Entry>();
+
+    /// <summary>What these are to part with.</summary>
+    private readonly Column<ReboundSpeeds> _speeds = new Column<ReboundSpeeds>();
     private readonly Column<int> _rows = new Column<int>();
     private readonly Column<int> _strikes = new Column<int>();
     private readonly Column<byte> _inTurmoil = new Column<byte>();
@@ -38,7 +42,7 @@ internal sealed unsafe class ReboundPass
     private int _strikingCount;
 
     /// <summary>Takes the weak bounces out of the rows of islands in turmoil.</summary>
-    public void Begin(ReadOnlySpan<GraphColor> colors, int rowCount, int islands, BodyStore bodies, in ContactCoefficients c)
+    public void Begin(ReadOnlySpan<GraphColor> colors, int rowCount, IslandStore islands, BodyStore bodies, in ContactCoefficients c)
     {
         _count = 0;
         if (rowCount < Many)
@@ -56,7 +60,7 @@ internal sealed unsafe class ReboundPass
 
         for (int i = 0; i < weak; i++)
         {
-            if (ReboundKernel.Take(_entries[i].Row, _inTurmoil.Pointer))
+            if (ReboundKernel.Take(_entries[i].Row, _inTurmoil.Pointer, islands.OfSlot))
             {
                 _entries[_count++].Row = _entries[i].Row;
             }
@@ -68,13 +72,14 @@ internal sealed unsafe class ReboundPass
     {
         _strikingCount = 0;
         _striking.EnsureCapacity(_count);
+        _speeds.EnsureCapacity(_count);
         for (int i = 0; i < _count; i++)
         {
             Entry* entry = _entries.Pointer + i;
             ContactBundle* ahead = _entries[Math.Min(i + Ahead, _count - 1)].Row;
-            Prefetch.Line(ahead->Rebound);
+            Prefetch.Line(ahead->Restitution);
             ReboundKernel.AskFor(ahead);
-            if (ReboundKernel.Note(entry->Row, bodies.State.Pointer, bodies.Drive.Pointer, c))
+            if (ReboundKernel.Note(entry->Row, _speeds.Pointer + _strikingCount, bodies.State.Pointer, bodies.Drive.Pointer, c))
             {
                 _striking[_strikingCount++].Row = entry->Row;
             }
@@ -87,7 +92,7 @@ internal sealed unsafe class ReboundPass
         for (int i = 0; i < _strikingCount; i++)
         {
             ContactBundle.AskFor(_striking[Math.Min(i + StrikingAhead, _strikingCount - 1)].Row);
-            ReboundKernel.Part(_striking[i].Row, bodies.State.Pointer, c);
+            ReboundKernel.Part(_striking[i].Row, _speeds.Pointer + i, bodies.State.Pointer, c);
         }
     }
 
@@ -108,8 +113,11 @@ internal sealed unsafe class ReboundPass
         }
     }
 
-    private bool FindTurmoil(int weakCount, int end, BodyStore bodies, in ContactCoefficients c)
+    private bool FindTurmoil(int weakCount, IslandStore islands, BodyStore bodies, in ContactCoefficients c)
     {
+        // A row whose bodies cannot move any more is of island 0, if there is one or not.
+        int end = Math.Max(1, islands.Count);
+
         _rows.EnsureCapacity(bodies.State.Capacity);
         _strikes.EnsureCapacity(bodies.State.Capacity);
         _inTurmoil.EnsureCapacity(bodies.State.Capacity);
@@ -124,14 +132,15 @@ internal sealed unsafe class ReboundPass
             ContactBundle* row = _entries[i].Row;
             ContactBundle* ahead = _entries[Math.Min(i + Ahead, weakCount - 1)].Row;
             Prefetch.Line(ahead->Restitution);
-            Prefetch.Line(ahead->Island);
+            Prefetch.Line(ahead->Slot);
             ReboundKernel.AskFor(ahead);
             int weak = ReboundKernel.WeakLanes(row);
             int strikes = weak & ReboundKernel.FastLanes(row, bodies.State.Pointer, bodies.Drive.Pointer, c);
             for (int lane = 0; weak >> lane != 0; lane++)
             {
-                _rows[row->Island[lane]] += (weak >> lane) & 1;
-                _strikes[row->Island[lane]] += (strikes >> lane) & 1;
+                int island = islands.OfSlot[row->Slot[lane]];
+                _rows[island] += (weak >> lane) & 1;
+                _strikes[island] += (strikes >> lane) & 1;
             }
         }
 

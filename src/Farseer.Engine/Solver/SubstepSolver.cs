@@ -3,6 +3,7 @@ using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Springs;
@@ -21,8 +22,8 @@ internal unsafe ref struct SolverInput
     public ReadOnlySpan<GraphColor> Colors;
     public int RowCount;
 
-    /// <summary>One past the last island that a row names.</summary>
-    public int IslandCount;
+    /// <summary>The islands of the rows.</summary>
+    public IslandStore Islands;
 
     /// <summary>Bodies with constraints, padded to whole bundles with body 0.</summary>
     public int* List;
@@ -86,7 +87,7 @@ internal sealed unsafe class SubstepSolver
         double recovery = input.AnyDeep ? RecoveryRate(input.Recovery, input.Substeps) : 0;
         if (input.AnyBounce)
         {
-            _rebounds.Begin(input.Colors, input.RowCount, input.IslandCount, input.Bodies, coefficients);
+            _rebounds.Begin(input.Colors, input.RowCount, input.Islands, input.Bodies, coefficients);
         }
 
         ReadOnlySpan<GraphColor> colors = input.Colors;

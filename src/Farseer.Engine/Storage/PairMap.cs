@@ -9,12 +9,25 @@ namespace Farseer.Engine.Storage;
 /// back instead of leaving tombstones, so a map in steady use never has to be rebuilt. There is no enumeration on
 /// purpose: its order would be that of the hash.
 /// </summary>
+/// <remarks>
+/// While both numbers of all keys and all values are small enough, key and value share a word: that is two thirds of the memory, and one line to wait for
+/// instead of two. The first that is larger turns the map into one of keys and values apart, for good.
+/// </remarks>
 internal sealed unsafe class PairMap
 {
     private const ulong Golden = 0x9E3779B97F4A7C15UL;
 
-    private Column<ulong> _keys = new Column<ulong>(16);
-    private Column<int> _values = new Column<int>(16);
+    /// <summary>Bits of each of the two numbers, and of the value, of an entry of one word.</summary>
+    private const int NumberBits = 20;
+    private const int ValueBits = 24;
+    private const uint NumberMask = (1u << NumberBits) - 1;
+    private const uint ValueMask = (1u << ValueBits) - 1;
+
+    // Of one word: the numbers of the key, then the value plus one. Apart: the keys plus one. So an empty slot is zero and new memory is an empty table.
+    private Column<ulong> _slots = new Column<ulong>(16);
+
+    // The values; null while they are in the slots.
+    private Column<int>? _values;
     private int _mask = 15;
     private int _shift = 60;
 
@@ -32,7 +45,7 @@ internal sealed unsafe class PairMap
 
         if (wanted > _mask + 1)
         {
-            Rehash(checked((int)wanted));
+            Rehash(checked((int)wanted), _values != null);
         }
     }
 
@@ -40,7 +53,7 @@ internal sealed unsafe class PairMap
     {
         if (Count > 0)
         {
-            Unsafe.InitBlock(_keys.Pointer, 0, checked((uint)(_mask + 1) * sizeof(ulong)));
+            Unsafe.InitBlock(_slots.Pointer, 0, checked((uint)(_mask + 1) * sizeof(ulong)));
             Count = 0;
         }
     }
@@ -48,48 +61,54 @@ internal sealed unsafe class PairMap
     public bool TryGet(ulong key, out int value)
     {
         int slot = Find(key);
-        value = slot < 0 ? 0 : _values.Pointer[slot];
+        value = slot < 0 ? 0 : ValueAt(slot);
         return slot >= 0;
     }
 
     public bool Contains(ulong key) => Find(key) >= 0;
 
     /// <summary>Asks for what <see cref="Contains"/> is going to read.</summary>
-    public void AskFor(ulong key) => Prefetch.Line(_keys.Pointer + Home(key + 1));
+    public void AskFor(ulong key) => Prefetch.Line(_slots.Pointer + Home(key));
 
     /// <summary>Asks for what <see cref="TryGet"/> and <see cref="Remove(ulong)"/> are going to read.</summary>
     public void AskForValue(ulong key)
     {
-        int home = Home(key + 1);
-        Prefetch.Line(_keys.Pointer + home);
-        Prefetch.Line(_values.Pointer + home);
+        int home = Home(key);
+        Prefetch.Line(_slots.Pointer + home);
+        if (_values != null)
+        {
+            Prefetch.Line(_values.Pointer + home);
+        }
     }
 
-    /// <summary>Adds the key, or changes the value of one that is there. Returns true if the key is new.</summary>
+    /// <summary>Adds the key, or changes the value of one that is there, which is at least 0. Returns true if the key is new.</summary>
     public bool Set(ulong key, int value)
     {
-        ulong stored = key + 1;
-        System.Diagnostics.Debug.Assert(stored != 0, "the key of all ones marks nothing");
+        System.Diagnostics.Debug.Assert(key + 1 != 0, "the key of all ones marks nothing");
         if ((Count + 1) * 2L > _mask + 1)
         {
             EnsureCapacity(Count + 1);
         }
 
-        ulong* keys = _keys.Pointer;
-        int slot = Home(stored);
-        while (keys[slot] != 0)
+        if (_values == null && !(IsShort(key) && (uint)value < ValueMask))
         {
-            if (keys[slot] == stored)
+            Rehash(_mask + 1, apart: true);
+        }
+
+        ulong* slots = _slots.Pointer;
+        int slot = Home(key);
+        while (slots[slot] != 0)
+        {
+            if (KeyAt(slot) == key)
             {
-                _values.Pointer[slot] = value;
+                Put(slot, key, value);
                 return false;
             }
 
             slot = (slot + 1) & _mask;
         }
 
-        keys[slot] = stored;
-        _values.Pointer[slot] = value;
+        Put(slot, key, value);
         Count++;
         return true;
     }
@@ -105,45 +124,62 @@ internal sealed unsafe class PairMap
             return false;
         }
 
-        ulong* keys = _keys.Pointer;
-        int* values = _values.Pointer;
-        value = values[hole];
+        ulong* slots = _slots.Pointer;
+        value = ValueAt(hole);
         int next = hole;
         while (true)
         {
             next = (next + 1) & _mask;
-            if (keys[next] == 0)
+            if (slots[next] == 0)
             {
                 break;
             }
 
             // An entry may move back to the hole unless its home lies after the hole.
-            int distanceToHome = (next - Home(keys[next])) & _mask;
+            int distanceToHome = (next - Home(KeyAt(next))) & _mask;
             int distanceToHole = (next - hole) & _mask;
             if (distanceToHome >= distanceToHole)
             {
-                keys[hole] = keys[next];
-                values[hole] = values[next];
+                slots[hole] = slots[next];
+                if (_values != null)
+                {
+                    _values[hole] = _values[next];
+                }
+
                 hole = next;
             }
         }
 
-        keys[hole] = 0;
+        slots[hole] = 0;
         Count--;
         return true;
     }
 
-    // Keys are stored plus one, so that an empty slot is zero and new memory is an empty table.
     private int Find(ulong key)
     {
-        ulong stored = key + 1;
-        ulong* keys = _keys.Pointer;
-        int slot = Home(stored);
-        while (keys[slot] != 0)
+        ulong* slots = _slots.Pointer;
+        int slot = Home(key);
+        if (_values != null)
         {
-            if (keys[slot] == stored)
+            while (slots[slot] != 0)
             {
-                return slot;
+                if (slots[slot] == key + 1)
+                {
+                    return slot;
+                }
+
+                slot = (slot + 1) & _mask;
+            }
+
+            return -1;
+        }
+
+        ulong wanted = Shorten(key);
+        while (slots[slot] != 0)
+        {
+            if ((slots[slot] >> ValueBits) == wanted)
+            {
+                return IsShort(key) ? slot : -1;
             }
 
             slot = (slot + 1) & _mask;
@@ -153,44 +189,73 @@ internal sealed unsafe class PairMap
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private int Home(ulong stored)
+    private static bool IsShort(ulong key) => (key & ~(((ulong)NumberMask << 32) | NumberMask)) == 0;
+
+    /// <summary>The numbers of a key side by side; of a key that is not short it may be those of another.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static ulong Shorten(ulong key) => (((key >> 32) & NumberMask) << NumberBits) | (key & NumberMask);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private ulong KeyAt(int slot)
+    {
+        ulong entry = _slots.Pointer[slot];
+        return _values != null ? entry - 1 : ((entry >> (NumberBits + ValueBits)) << 32) | ((entry >> ValueBits) & NumberMask);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private int ValueAt(int slot) => _values != null ? _values.Pointer[slot] : (int)(_slots.Pointer[slot] & ValueMask) - 1;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Put(int slot, ulong key, int value)
+    {
+        if (_values == null)
+        {
+            _slots.Pointer[slot] = (Shorten(key) << ValueBits) | (uint)(value + 1);
+            return;
+        }
+
+        _slots.Pointer[slot] = key + 1;
+        _values.Pointer[slot] = value;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private int Home(ulong key)
     {
         // The first product carries the lower half upwards, the shift brings the upper half down, the second product mixes them:
         // every step can be undone, so no two keys collide before the cut to the table's size.
-        ulong mixed = stored * Golden;
+        ulong mixed = (key + 1) * Golden;
         mixed ^= mixed >> 32;
         return (int)((mixed * Golden) >> _shift);
     }
 
-    private void Rehash(int slots)
+    private void Rehash(int count, bool apart)
     {
-        Column<ulong> oldKeys = _keys;
-        Column<int> oldValues = _values;
-        int oldSlots = _mask + 1;
-        _keys = new Column<ulong>(slots);
-        _values = new Column<int>(slots);
-        _mask = slots - 1;
+        var old = new PairMap { _slots = _slots, _values = _values };
+        int oldCount = _mask + 1;
+        _slots = new Column<ulong>(count);
+        _values = apart ? new Column<int>(count) : null;
+        _mask = count - 1;
         _shift = 64;
-        for (int s = slots; s > 1; s >>= 1)
+        for (int s = count; s > 1; s >>= 1)
         {
             _shift--;
         }
 
-        ulong* keys = _keys.Pointer;
-        for (int i = 0; i < oldSlots; i++)
+        for (int i = 0; i < oldCount; i++)
         {
-            ulong stored = oldKeys.Pointer[i];
-            if (stored != 0)
+            if (old._slots.Pointer[i] == 0)
             {
-                int slot = Home(stored);
-                while (keys[slot] != 0)
-                {
-                    slot = (slot + 1) & _mask;
-                }
-
-                keys[slot] = stored;
-                _values.Pointer[slot] = oldValues.Pointer[i];
+                continue;
             }
+
+            ulong key = old.KeyAt(i);
+            int slot = Home(key);
+            while (_slots.Pointer[slot] != 0)
+            {
+                slot = (slot + 1) & _mask;
+            }
+
+            Put(slot, key, old.ValueAt(i));
         }
     }
 }

@@ -59,7 +59,7 @@ public sealed unsafe class IslandChangeTests
                 }
 
                 graph.ForgetChanges();
-                List<(int Island, int Level)> mine = Read(graph, records, present);
+                List<int> mine = Read(graph, records, present);
                 fresh.Build(alone, graph, Bodies, moves.Pointer, scratch);
                 Assert.Equal(Read(graph, records, present), mine);
                 Assert.Equal(fresh.Count, islands.Count);
@@ -94,14 +94,14 @@ public sealed unsafe class IslandChangeTests
         }
     }
 
-    private static List<(int Island, int Level)> Read(ConstraintGraph graph, Column<ContactRecord> records, List<int> present)
+    private static List<int> Read(ConstraintGraph graph, Column<ContactRecord> records, List<int> present)
     {
-        var rows = new List<(int, int)>();
+        var rows = new List<int>();
         foreach (int contact in present)
         {
             ContactBundle* row = graph.BundleOf(records[contact].Row);
             int lane = RowArena.LaneOf(records[contact].Row);
-            rows.Add((row->Island[lane], row->Level[lane]));
+            rows.Add(row->Slot[lane]);
         }
 
         return rows;

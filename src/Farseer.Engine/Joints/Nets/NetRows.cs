@@ -40,7 +40,8 @@ internal readonly unsafe struct NetMotion
 internal abstract unsafe class NetRows
 {
     private readonly Column<byte> _memory = new Column<byte>();
-    private readonly Column<NetAnchors> _anchors = new Column<NetAnchors>();
+    // Null until there is a row: most colours of most worlds never have one.
+    private Column<NetAnchors>? _anchors;
     private readonly int _lanesUsed;
     private readonly int _size;
 
@@ -65,7 +66,7 @@ internal abstract unsafe class NetRows
 
     public int LaneOf(int row) => row % _lanesUsed;
 
-    public ref NetAnchors AnchorsOf(int row) => ref _anchors[row];
+    public ref NetAnchors AnchorsOf(int row) => ref _anchors![row];
 
     protected byte* Memory => _memory.Pointer;
 
@@ -113,7 +114,7 @@ internal abstract unsafe class NetRows
     public int AddRow()
     {
         int row = RowCount++;
-        _anchors.EnsureCapacity(RowCount);
+        (_anchors ??= new Column<NetAnchors>()).EnsureCapacity(RowCount);
         if (LaneOf(row) == 0)
         {
             _memory.EnsureCapacity(BundleCount * _size);
@@ -143,7 +144,7 @@ internal abstract unsafe class NetRows
                 to[i] = from[i];
             }
 
-            _anchors[row] = _anchors[last];
+            AnchorsOf(row) = AnchorsOf(last);
             moved = EndsOf(row)->Joint[LaneOf(row)];
         }
 
