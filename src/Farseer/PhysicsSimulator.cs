@@ -103,7 +103,10 @@ public partial class PhysicsSimulator : IDisposable
         set => World.Settings.AdaptSubsteps = value;
     }
 
-    /// <summary>The depth at which geoms rest on each other, a length of the scene; at least 0. Default 0.05.</summary>
+    /// <summary>
+    /// The depth to which geoms may sink into each other at rest, a length of the scene; at least 0. Those that slide and those of bodies with
+    /// joints, and what these touch, rest at it; others go no deeper than 1/256 of the smaller one's narrowest width where that is less. Default 0.05.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float AllowedPenetration
     {
@@ -238,7 +241,8 @@ public partial class PhysicsSimulator : IDisposable
 
     /// <summary>
     /// A body rests as long as it does not move by more than this share of its size; above 0. A larger one lets bodies sleep sooner,
-    /// and stops those that still creep; a tall pile may never rest within a small one. No body in free flight rests, whatever its size.
+    /// and stops those that still creep; a tall pile may never rest within a small one. What trembles or rolls within 64 times as much, and at
+    /// most 1/256 of its size, falls asleep after eight times <see cref="TimeToSleep"/>. No body in free flight rests, whatever its size.
     /// Default 1/16384. (An addition to the original.)
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>

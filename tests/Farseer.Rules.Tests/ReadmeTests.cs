@@ -25,7 +25,7 @@ public sealed class ReadmeTests
     {
         string output = string.Concat(Snippet.Blocks(_text).Select(b => Snippet.Run(b, "README.md")));
 
-        // The floor's top is at 0.5 and half the box is 0.5; a contact rests at AllowedPenetration = 0.05 below.
+        // The floor's top is at 0.5 and half the box is 0.5; a contact rests at most AllowedPenetration = 0.05 below.
         Match y = Regex.Match(output, @"^the box rests at y = (-?\d+\.\d+)\s*$");
         Assert.True(y.Success, output);
         Assert.InRange(double.Parse(y.Groups[1].Value, System.Globalization.CultureInfo.InvariantCulture), 0.94, 1.0);

@@ -44,6 +44,12 @@ internal unsafe struct ContactBundle
     /// <summary>A contact of a deep island.</summary>
     public const int DeepMark = 0x200;
 
+    /// <summary>
+    /// The upper half of the flags is that of a number: how far surfaces that do not slide sink in before they are held where they are, see
+    /// <see cref="ContactCoefficients.HoldShare"/>.
+    /// </summary>
+    private const int HoldBits = unchecked((int)0xFFFF0000);
+
     /// <summary>Separation of a point that does not exist. Finite also after the division by the substep.</summary>
     public const float NoPoint = 1e30f;
 
@@ -72,7 +78,7 @@ internal unsafe struct ContactBundle
 
     /// <summary>
     /// <see cref="ContactFlags"/> of the record, so that it is only touched when they change, and above them <see cref="SingleMark"/>,
-    /// <see cref="DeepMark"/> and <see cref="BlockMark"/>.
+    /// <see cref="DeepMark"/>, <see cref="BlockMark"/> and the depth at which surfaces are held.
     /// </summary>
     public fixed int Flags[Lanes];
 
@@ -114,6 +120,24 @@ internal unsafe struct ContactBundle
     {
         Wide flags = Wide.Load((float*)row->Flags + lane);
         ((flags & Wide.FromBits(~mark)) | Wide.Keep(marked, Wide.FromBits(mark))).Store((float*)row->Flags + lane);
+    }
+
+    /// <summary>The depth below first touch at which surfaces that do not slide are held, to a hundredth.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Wide HoldDepth(ContactBundle* row, int lane) => Wide.Load((float*)row->Flags + lane) & Wide.FromBits(HoldBits);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void SetHoldDepth(ContactBundle* row, int lane, Wide depth)
+    {
+        Wide flags = Wide.Load((float*)row->Flags + lane);
+        ((flags & Wide.FromBits(~HoldBits)) | (depth & Wide.FromBits(HoldBits))).Store((float*)row->Flags + lane);
+    }
+
+    /// <summary>Lets the surfaces of a lane sink in as far as is allowed.</summary>
+    public static void LetSink(ContactBundle* row, int lane)
+    {
+        const int Never = 0x7F000000;
+        row->Flags[lane] = (row->Flags[lane] & ~HoldBits) | Never;
     }
 
     /// <summary>A bit for each lane with a mark.</summary>

@@ -36,6 +36,13 @@ internal readonly struct ContactCoefficients
     /// </summary>
     public const float SettleShare = 0.25f;
 
+    /// <summary>
+    /// Share of the smaller piece by which surfaces that stand sink in at most before they are held where they are. The depth of rest is a length of
+    /// the scene, and for small bodies a long way: each contact went it at a pace of its own, by its load, and a heap crept and slipped for
+    /// minutes. Where it is less than this share nobody is held.
+    /// </summary>
+    public const float HoldShare = 1f / 256;
+
     /// <summary>Share of the depth of rest by which the two points of a contact may differ and still count as level.</summary>
     private const float LevelShare = 1e-3f;
 
@@ -113,6 +120,9 @@ internal readonly struct ContactCoefficients
     public float Level => LevelShare * Rest;
 
     public float InverseSubstep { get; }
+
+    /// <summary>Surfaces that pass each other faster than this, a substep's fall, slide: they sink in, for tiles are at one height only then.</summary>
+    public float Sliding => Gravity * Substep;
 
     /// <summary>Speed of recovery per unit of depth, 1/s.</summary>
     public float BiasRate { get; }

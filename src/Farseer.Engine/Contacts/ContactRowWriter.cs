@@ -400,6 +400,8 @@ internal static unsafe class ContactRowWriter
         depth = Wide.Select(two, Wide.Max(depth, Wide.Zero - Wide.Load(pairs->Point1.Separation + lane)), depth) - rest;
         Wide size = Wide.Splat(2f) * Wide.Min(Wide.Load(pairs->A.Extent + lane), Wide.Load(pairs->B.Extent + lane));
         input.Coefficients.FeedShare(size).Store(row->FeedShare + lane);
+        Wide hold = Wide.Splat(ContactCoefficients.HoldShare) * size;
+        ContactBundle.SetHoldDepth(row, lane, Wide.Select(hold < rest, hold, Wide.Splat(ContactBundle.NoPoint)));
         Wide load = Wide.Max(
             Wide.Load(row->Point0.Normal + lane) * Wide.Load(row->K11 + lane),
             Wide.Load(row->Point1.Normal + lane) * Wide.Load(row->K22 + lane));

@@ -29,6 +29,7 @@ internal static unsafe class ContactStages
         Wide rest = Wide.Splat(c.Rest);
         Wide settle = Wide.Splat(c.BiasRate * c.Rest);
         Wide settleShare = Wide.Splat(ContactCoefficients.SettleShare);
+        Wide sliding = Wide.Splat(c.Sliding);
         ContactWork* end = work + count;
         ContactMoved* moved = Turn(row, count, work, bodies);
         for (; work < end; work++, row++, moved++)
@@ -53,6 +54,8 @@ internal static unsafe class ContactStages
                 }
 
                 sink = settleShare * sink;
+                Wide hold = rest - ContactBundle.HoldDepth(row, lane);
+                WideMask stands = Wide.Abs(ContactKernel.Slip(row, lane, a, b)) < sliding;
                 Wide slowly = Wide.Min(settle, sink);
                 Wide closing0 = (gap0 * inverseSubstep) + slowly;
                 Wide closing1 = (gap1 * inverseSubstep) + slowly;
@@ -67,16 +70,22 @@ internal static unsafe class ContactStages
 
                 Wide soft0 = (massScale * v0) + Wide.Min(biasRate * s0, sink)
                     + (Wide.Load(row->K11 + lane) * leak * (lambda0 - Wide.Load(row->Point0.Feed + lane)));
+                soft0 = Wide.Select(stands & IsHeld(s0, hold), v0, soft0);
                 Wide.Select(apart0, v0 + closing0, soft0).Store(work->Value0 + lane);
                 if (two)
                 {
                     Wide soft1 = (massScale * v1) + Wide.Min(biasRate * s1, sink)
                         + (Wide.Load(row->K22 + lane) * leak * (lambda1 - Wide.Load(row->Point1.Feed + lane)));
+                    soft1 = Wide.Select(stands & IsHeld(s1, hold), v1, soft1);
                     Wide.Select(apart1, v1 + closing1, soft1).Store(work->Value1 + lane);
                 }
             }
         }
     }
+
+    /// <summary>Sunk in as far as is needed, but not as far as is allowed.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideMask IsHeld(Wide s, Wide hold) => (s > Wide.Zero) & (s <= hold);
 
     /// <summary>Velocities, turned arms, and what the relax pass is to make 0.</summary>
     [MethodImpl(KernelMethod.Optimized)]

@@ -29,13 +29,22 @@ internal unsafe struct RestInput
 
 /// <summary>
 /// Finds out which groups of bodies rest. A body rests as long as it stays where it was, within a small share of its size: that asks
-/// nothing of its velocity, which trembles, and lets no slow but steady motion pass. Under gravity the share is also one of the
+/// nothing of its velocity, which trembles, and lets no slow but steady motion pass. What trembles more, as in a heap in which corners
+/// slip, or rolls to and fro, rests as well if it stays within a larger share for longer. Under gravity the share is also one of the
 /// way that a body falls in the time to sleep: at the top of its flight it is in no case long enough within that, however large it is.
 /// </summary>
 internal sealed unsafe class RestJudge : IStageWork
 {
     /// <summary>A body flying freely goes through at least 1/8 of g·T² in the time to sleep; it rests within this share of it.</summary>
     private const float FallShare = 1f / 1024;
+
+    /// <summary>
+    /// The longer watch: so many times to sleep, within so many times the share, and at most within what nobody sees. What dies away within
+    /// a second has gone through almost all of its way by then, so the larger share costs nothing of where it ends.
+    /// </summary>
+    private const float LongTimes = 8f;
+    private const float LongShares = 64f;
+    private const float LargestLongShare = 1f / 256;
 
     /// <summary>Bodies that are worth another worker's while, some 1 µs.</summary>
     private const int LeastBodies = 128;
@@ -61,7 +70,8 @@ internal sealed unsafe class RestJudge : IStageWork
     {
         if (body < _records.Capacity)
         {
-            _records[body].Time = 0;
+            _records[body].Near.Time = 0;
+            _records[body].Far.Time = 0;
         }
     }
 
@@ -87,6 +97,8 @@ internal sealed unsafe class RestJudge : IStageWork
         float time = input.Settings.TimeToSleep;
         float fall = FallShare * gravity * time * time;
         float share = input.Settings.RestShare;
+        float longShare = Math.Min(LongShares * share, LargestLongShare);
+        float longFall = fall * LongTimes * LongTimes;
         float dt = input.Dt;
         bool anyReady = false;
         bool anyRested = false;
@@ -101,32 +113,21 @@ internal sealed unsafe class RestJudge : IStageWork
             RestRecord* record = records + body;
             BodyPose* pose = poses + body;
             BodySize size = sizes[body].Reach > 0 ? sizes[body] : Spread(bodies.Mass[body]);
-            double moved = Math.Abs(pose->X - record->X) + Math.Abs(pose->Y - record->Y) + (Math.Abs(pose->Angle - record->Angle) * size.Reach);
-            if (!(moved <= share * size.Extent))
-            {
-                record->X = pose->X;
-                record->Y = pose->Y;
-                record->Angle = pose->Angle;
-                record->Time = 0;
-                continue;
-            }
-
+            float extent = size.Extent;
             bool pulled = gravity > 0 && (bodies.Flags[body] & BodyFlags.IgnoreGravity) == 0;
-            float room = pulled ? Math.Min(share * size.Extent, fall) : share * size.Extent;
-            if (moves[body] == 0 || IsHeld(bodies, body)
-                || (pulled && !(moved <= fall))
-                || (!pulled && input.Degrees[body] == 0 && !WillStop(bodies, body, size.Reach, room, time)))
-            {
-                record->X = pose->X;
-                record->Y = pose->Y;
-                record->Angle = pose->Angle;
-                record->Time = 0;
-                continue;
-            }
-
-            float before = record->Time;
-            record->Time = before + dt;
-            bool rested = record->Time >= time;
+            bool free = !pulled && input.Degrees[body] == 0;
+            float before = record->Rested;
+            float room = pulled ? Math.Min(share * extent, fall) : share * extent;
+            bool mayRest = moves[body] != 0 && !IsHeld(bodies, body);
+            Watch(ref record->Near, pose, size.Reach, room, mayRest && (!free || WillStop(bodies, body, size.Reach, room, time)), dt);
+            Watch(
+                ref record->Far,
+                pose,
+                size.Reach,
+                pulled ? Math.Min(longShare * extent, longFall) : longShare * extent,
+                mayRest && !free,
+                dt);
+            bool rested = record->Rested >= time;
             anyRested |= rested;
             anyReady |= rested && before < time;
         }
@@ -188,7 +189,7 @@ internal sealed unsafe class RestJudge : IStageWork
             if (input.Moves[body] != 0)
             {
                 ref float least = ref _least[Find(body)];
-                least = Math.Min(least, _records[body].Time);
+                least = Math.Min(least, _records[body].Rested);
             }
         }
 
@@ -208,6 +209,23 @@ internal sealed unsafe class RestJudge : IStageWork
     {
         float spread = mass.InverseInertia > 0 ? (float)Math.Sqrt((double)mass.InverseMass / mass.InverseInertia) : 0;
         return new BodySize { Extent = spread, Reach = spread };
+    }
+
+    /// <summary>Follows a body from the place where it came to rest.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Watch(ref RestPlace place, BodyPose* pose, float reach, float room, bool mayRest, float dt)
+    {
+        double moved = Math.Abs(pose->X - place.X) + Math.Abs(pose->Y - place.Y) + (Math.Abs(pose->Angle - place.Angle) * reach);
+        if (mayRest && moved <= room)
+        {
+            place.Time += dt;
+            return;
+        }
+
+        place.X = pose->X;
+        place.Y = pose->Y;
+        place.Angle = pose->Angle;
+        place.Time = 0;
     }
 
     private static bool IsHeld(BodyStore bodies, int body)
@@ -247,6 +265,17 @@ internal sealed unsafe class RestJudge : IStageWork
 
     [StructLayout(LayoutKind.Sequential)]
     private struct RestRecord
+    {
+        /// <summary>By the usual watch and by the longer one.</summary>
+        public RestPlace Near;
+        public RestPlace Far;
+
+        /// <summary>Seconds of rest, those of the longer watch at its rate.</summary>
+        public readonly float Rested => Math.Max(Near.Time, Far.Time * (1f / LongTimes));
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    private struct RestPlace
     {
         /// <summary>Where the body came to rest.</summary>
         public double X;

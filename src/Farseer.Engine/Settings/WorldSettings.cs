@@ -33,7 +33,10 @@ internal sealed class WorldSettings
     /// <summary>Islands that need more substeps than the step has take them. Default true.</summary>
     public bool AdaptSubsteps { get; set; } = true;
 
-    /// <summary>Depth at which a contact rests, a length of the scene. 0 or more; default 0.05 (the original's).</summary>
+    /// <summary>
+    /// Depth at which a contact rests, a length of the scene. 0 or more; default 0.05 (the original's). Surfaces that stand are held before where this is
+    /// much for their bodies: see <c>ContactCoefficients.HoldShare</c>.
+    /// </summary>
     public float AllowedPenetration { get; set; } = 0.05f;
 
     /// <summary>Default average.</summary>

@@ -167,7 +167,13 @@ internal sealed partial class World
         }
 
         _sagForecast.Begin(_islands, _graph, Bodies, dt, Settings.Gravity, rebuilt);
-        return _feedForward.Apply(_runner, _islands, _graph, coefficients, Scratch);
+        bool anyDeep = _feedForward.Apply(_runner, _islands, _graph, coefficients, Scratch);
+        if (Joints.Count > 0 && coefficients.Rest > 0)
+        {
+            LetJointedSink();
+        }
+
+        return anyDeep;
     }
 
     private unsafe void Solve(float dt, bool anyDeep, in ContactCoefficients coefficients)
