@@ -115,6 +115,9 @@ internal enum BodyFlags : uint
 
     /// <summary>How many times the step's substeps its island takes, chosen by the user: see <see cref="ChosenSubsteps"/>.</summary>
     Substeps = 7 * 16384,
+
+    /// <summary>A limb: has joints that give no way, so it does not go where its velocity leads.</summary>
+    Tied = 131072,
 }
 
 /// <summary>What a step's motion of a body is measured by. 8 bytes; a body without colliders is never fast.</summary>

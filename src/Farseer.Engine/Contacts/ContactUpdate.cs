@@ -147,6 +147,25 @@ internal static unsafe class ContactUpdate
         ContactRowWriter.Write(input, row);
     }
 
+    /// <summary>
+    /// Writes the constraint of a pair that will not meet by its velocities, from where it is; it is lane 0 of the bundle.
+    /// </summary>
+    /// <returns>False if it has no points, or would meet by what they say: a corner that the body passes, or the side of something in its way.</returns>
+    public static bool TryFillBeside(in ContactUpdateInput input, ContactBundle* row)
+    {
+        PairBits bits = PairStage.Load(input, row);
+        FastPairs.Look(input);
+        PairStage.Collide(input, row, bits);
+        TouchBits touch = PairStage.Touch(input, row);
+        if ((touch.Hit & ~touch.Touching & 1) == 0)
+        {
+            return false;
+        }
+
+        ContactRowWriter.Write(input, row);
+        return true;
+    }
+
     public static float MixFriction(ShapeStore shapes, FrictionMix mix, in ContactRecord record)
     {
         float a = shapes.Colliders[shapes.ColliderOf(record.PieceA)].Friction;

@@ -67,8 +67,8 @@ internal static unsafe class FastPairs
             float size = Math.Min(pairs->A.Extent[lane], pairs->B.Extent[lane]);
 
             // Of two that tumble in each other, each needs to be held by the other; one alone goes on to the sweep.
-            if (deepest <= PairStage.SkinShare * size
-                && (discrete || (bothMove && deepest < 0) || !(Tumbles(&pairs->A, lane, input.Dt) || Tumbles(&pairs->B, lane, input.Dt))))
+            bool tumbles = Tumbles(input, row->BodyA[lane], &pairs->A, lane) || Tumbles(input, row->BodyB[lane], &pairs->B, lane);
+            if (deepest <= PairStage.SkinShare * size && (discrete || (bothMove && deepest < 0) || !tumbles))
             {
                 racing |= bothMove && !discrete ? bit : 0;
                 continue;
@@ -98,6 +98,8 @@ internal static unsafe class FastPairs
 
     public static double Glance(float extent, float rest) => ((double)GlanceShare * extent) + ((double)GlanceRests * rest);
 
+    public static bool IsTied(in ContactUpdateInput input, int body) => (input.Bodies.Flags[body] & BodyFlags.Tied) != 0;
+
     /// <summary>The solver does not move it fast, or it is not to be looked after.</summary>
     private static bool IsDiscrete(BodyStore bodies, int body) =>
         (bodies.Flags[body] & (BodyFlags.Fast | BodyFlags.Discrete)) != BodyFlags.Fast;
@@ -109,10 +111,12 @@ internal static unsafe class FastPairs
         return pairs->Count[lane] > 1 ? Math.Min(first, pairs->Point1.Separation[lane]) : first;
     }
 
-    private static bool Tumbles(SideLanes* side, int lane, float dt)
+    /// <summary>It has no lasting contact. A limb has: its joint may stop its turn within the step, and the sweep would stop it alone, away from its hinge.</summary>
+    private static bool Tumbles(in ContactUpdateInput input, int body, SideLanes* side, int lane)
     {
-        float turn = side->AngularVelocity[lane] * dt;
-        if ((side->Flags[lane] & (int)SideFlags.Turns) == 0 || (turn <= LargestTurn && turn >= -LargestTurn))
+        float turn = side->AngularVelocity[lane] * input.Dt;
+        if ((side->Flags[lane] & (int)SideFlags.Turns) == 0 || (turn <= LargestTurn && turn >= -LargestTurn)
+            || IsTied(input, body))
         {
             return false;
         }

@@ -114,6 +114,29 @@ internal sealed class JointStore
         return false;
     }
 
+    /// <summary>An enabled joint that ties its bodies to each other at a point, by a rod or along a rail, and does not give way.</summary>
+    public bool IsTie(int joint) =>
+        Links[joint].Kind is JointKind.Revolute or JointKind.Weld or JointKind.Prismatic or JointKind.Pin or JointKind.Distance
+        && (Flags[joint] & (JointFlags.Enabled | JointFlags.Spring)) == JointFlags.Enabled
+        && !(Settings[joint].Softness > 0);
+
+    /// <summary>True if a body has such a joint.</summary>
+    public bool IsTied(int body)
+    {
+        for (int entry = First(body); entry >= 0; entry = Next(entry))
+        {
+            if (IsTie(entry >> 1))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>The other body of an entry of a body's list.</summary>
+    public int Other(int entry) => (entry & 1) == 0 ? Links[entry >> 1].BodyB : Links[entry >> 1].BodyA;
+
     private void EnsureBodies(int end)
     {
         _first.EnsureCapacity(end);

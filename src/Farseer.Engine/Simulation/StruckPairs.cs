@@ -25,6 +25,12 @@ internal sealed unsafe class StruckPairs : IStageWork
     private const int BlockBundles = 64;
     private const int BlockWords = BlockRecords / BitSet.WordBits;
 
+    /// <summary>A limb whips on by more than the way that was taken from the struck one: twice, if that is stopped in the middle of its way.</summary>
+    private const float Whip = 2;
+
+    /// <summary>Bodies that a blow is handed on to by joints: three puppets. In a bridge or a net the nearest.</summary>
+    private const int MostReached = 32;
+
     private readonly Column<float> _throws = new Column<float>();
 
     /// <summary>A bundle for each worker.</summary>
@@ -38,6 +44,7 @@ internal sealed unsafe class StruckPairs : IStageWork
     private bool _widens;
     private ScratchList<int> _struck;
     private ScratchList<int> _found;
+    private ScratchList<int> _reached;
     private JointStore _joints = null!;
 
     /// <summary>A body is struck.</summary>
@@ -54,6 +61,7 @@ internal sealed unsafe class StruckPairs : IStageWork
         _joints = joints;
         _struck = new ScratchList<int>(scratch);
         _found = new ScratchList<int>(scratch);
+        _reached = new ScratchList<int>(scratch);
         _throws.EnsureCapacity(bodies.State.Capacity);
     }
 
@@ -254,10 +262,53 @@ internal sealed unsafe class StruckPairs : IStageWork
         {
             Note(record.BodyA, sinking * (a / (a + b)));
         }
+        else
+        {
+            HandOn(input, record.BodyA, Whip * sinking);
+        }
 
         if (b > 0)
         {
             Note(record.BodyB, sinking * (b / (a + b)));
+        }
+        else
+        {
+            HandOn(input, record.BodyB, Whip * sinking);
+        }
+    }
+
+    /// <summary>Notes a struck body and those that joints tie to it, the nearest first; none if nothing that moves is tied to it.</summary>
+    private void HandOn(in ContactUpdateInput input, int body, float way)
+    {
+        if (input.Moves[body] == 0)
+        {
+            return;
+        }
+
+        _reached.SetCount(0);
+        Reach(input, body, way);
+        for (int i = 0; i < _reached.Count && _reached.Count < MostReached; i++)
+        {
+            Reach(input, _reached[i], way);
+        }
+
+        if (_reached.Count > 0)
+        {
+            Note(body, way);
+        }
+    }
+
+    /// <summary>Notes the neighbours of a body that no blow has reached yet, and lists them.</summary>
+    private void Reach(in ContactUpdateInput input, int body, float way)
+    {
+        for (int entry = _joints.First(body); entry >= 0; entry = _joints.Next(entry))
+        {
+            int other = _joints.Other(entry);
+            if (input.Moves[other] != 0 && _throws[other] < way && _joints.IsTie(entry >> 1))
+            {
+                Note(other, way);
+                _reached.Add(other);
+            }
         }
     }
 

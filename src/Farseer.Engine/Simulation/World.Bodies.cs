@@ -52,7 +52,7 @@ internal sealed partial class World
         FinishBodies.UpdateRotor(ref Bodies.Pose[body]);
         Bodies.Force[body] = default;
         Bodies.Drag[body] = def.Drag;
-        Bodies.Flags[body] = (def.Flags & ~BodyFlags.Asleep) | BodyFlags.Alive | BodyFlags.Moved;
+        Bodies.Flags[body] = (def.Flags & ~(BodyFlags.Asleep | BodyFlags.Tied)) | BodyFlags.Alive | BodyFlags.Moved;
         Bodies.Visited.Set(body);
         _rest.Restart(body);
         Bodies.UserIndex[body] = def.UserIndex;

@@ -57,6 +57,8 @@ internal sealed partial class World
         DisturbByJoint(bodyA.Index);
         DisturbByJoint(bodyB.Index);
         Handle joint = Joints.Add(kind, bodyA.Index, bodyB.Index, settings, flags);
+        NoteTies(bodyA.Index);
+        NoteTies(bodyB.Index);
         Refilter(bodyA.Index, bodyB.Index, flags);
         return joint;
     }
@@ -70,7 +72,21 @@ internal sealed partial class World
         DisturbByJoint(link.BodyA);
         DisturbByJoint(link.BodyB);
         Joints.Remove(joint);
+        NoteTies(link.BodyA);
+        NoteTies(link.BodyB);
         Refilter(link.BodyA, link.BodyB, flags);
+    }
+
+    private void NoteTies(int body)
+    {
+        if (Joints.IsTied(body))
+        {
+            Bodies.Flags[body] |= BodyFlags.Tied;
+        }
+        else
+        {
+            Bodies.Flags[body] &= ~BodyFlags.Tied;
+        }
     }
 
     public void SetJoint(Handle joint, in JointSettings settings, JointFlags flags)
@@ -83,6 +99,8 @@ internal sealed partial class World
         Joints.Settings[joint.Index] = settings;
         Joints.Flags[joint.Index] = flags | JointFlags.Alive;
         Joints.NoteEdit();
+        NoteTies(Joints.Links[joint.Index].BodyA);
+        NoteTies(Joints.Links[joint.Index].BodyB);
         if (((before ^ flags) & JointFlags.Enabled) != 0)
         {
             Joints.Changed = true;
