@@ -5,9 +5,7 @@ namespace Farseer.Engine.BroadPhase;
 /// <summary>A reused list of proxy pairs, packed as lower &lt;&lt; 32 | higher.</summary>
 internal sealed class PairBuffer
 {
-    private const int Few = 256;
-
-    private Column<ulong> _pairs = new Column<ulong>(Few);
+    private readonly Column<ulong> _pairs = new Column<ulong>(256);
 
     public int Count { get; private set; }
 
@@ -32,16 +30,6 @@ internal sealed class PairBuffer
 
     /// <summary>Makes room for so many pairs in all.</summary>
     public void Expect(int pairs) => _pairs.EnsureCapacity(pairs);
-
-    /// <summary>Keeps room for a quarter of the pairs that there is room for; those that are there are forgotten.</summary>
-    public void Shrink()
-    {
-        Clear();
-        if (_pairs.Capacity > 4 * Few)
-        {
-            _pairs = new Column<ulong>(_pairs.Capacity / 4);
-        }
-    }
 
     public unsafe void SetEnd(ulong* end) => Count = (int)(end - _pairs.Pointer);
 

@@ -8,6 +8,9 @@ namespace Farseer.Engine.Joints;
 /// <content>Contacts with trees: taken out of their lanes for the step, solved in the order of the trees, and given back.</content>
 internal sealed unsafe partial class JointSolver
 {
+    /// <summary>Room from the first contact on: a few ragdolls that lie down one after the other need more ever later.</summary>
+    private const int LeastContacts = 64;
+
     private readonly Column<TreeContact> _contacts = new Column<TreeContact>();
     private readonly Column<ulong> _agendaKeys = new Column<ulong>();
     private readonly Column<int> _agenda = new Column<int>();
@@ -53,7 +56,7 @@ internal sealed unsafe partial class JointSolver
                 }
                 else
                 {
-                    _contacts.EnsureCapacity(_contactCount + 1);
+                    _contacts.EnsureCapacity(Math.Max(_contactCount + 1, LeastContacts));
                     Take(bundle, lane, _contacts.Pointer + _contactCount++);
                 }
             }

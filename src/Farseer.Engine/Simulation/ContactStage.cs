@@ -87,7 +87,7 @@ internal sealed unsafe class ContactStage : IStageWork
         _gainKeys = new ScratchList<ulong>(scratch);
         _gained = new ScratchList<int>(scratch);
         _fast.Begin(scratch);
-        _struck.Begin(input.Bodies, joints, scratch);
+        _struck.Begin(runner, input.Bodies, joints, scratch);
         Lone.Begin(input.Bodies.State.Capacity);
         UpdateGraph(runner, input, graph);
         UpdateIdle(runner, input);

@@ -56,8 +56,10 @@ internal sealed unsafe class StruckPairs : IStageWork
     /// <summary>Pairs that are to get rows.</summary>
     public ReadOnlySpan<int> Found => new ReadOnlySpan<int>(_found.Pointer, _found.Count);
 
-    public void Begin(BodyStore bodies, JointStore joints, Scratch scratch)
+    public void Begin(StageRunner runner, BodyStore bodies, JointStore joints, Scratch scratch)
     {
+        // Not when the first blow comes, which may be after a thousand steps.
+        _bundles.EnsureCapacity(runner.Workers);
         _joints = joints;
         _struck = new ScratchList<int>(scratch);
         _found = new ScratchList<int>(scratch);
@@ -136,7 +138,6 @@ internal sealed unsafe class StruckPairs : IStageWork
 
     private void Run(StageRunner runner, in ContactUpdateInput input, int blocks)
     {
-        _bundles.EnsureCapacity(runner.Workers);
         _input = input;
         _input.Throws = Throws;
         runner.Run(this, blocks, 1);

@@ -28,11 +28,7 @@ internal sealed partial class World
     private const int ScratchARow = 12;
     private const int ScratchAPiece = 64;
 
-    /// <summary>Steps after the first of a world that was built dense, after which it gives up what that first one took.</summary>
-    private const int StepsToGiveUp = 8;
-
     private bool _roomIsDue;
-    private int _stepsToGiveUp;
 
     /// <summary>Makes room once colliders have come, after their first contacts are known.</summary>
     private void MakeRoomAhead()
@@ -48,11 +44,9 @@ internal sealed partial class World
         _immovable.Reserve(Math.Min(immovable, MostInARow + 1));
         if (_graph.RowCount * 2L >= (long)DenseTwice * pieces && !_contactStage.AnyBounce)
         {
-            _stepsToGiveUp = StepsToGiveUp;
             return;
         }
 
-        _stepsToGiveUp = 0;
         _sagForecast.Reserve(Bodies.State.Capacity);
         _feedForward.Reserve(Bodies.State.Capacity);
         pieces = Math.Min(pieces, MostPieces);
@@ -67,30 +61,6 @@ internal sealed partial class World
         if (hulls * 2 > pieces)
         {
             _contacts.Steps.Reserve(Bodies.State.Capacity);
-        }
-    }
-
-    /// <summary>
-    /// Between two steps: a world that was built dense found all its pairs, and gave them rows, in its first step, and no later one is to be like it. What it took
-    /// for that was a twentieth of what it keeps.
-    /// </summary>
-    private void GiveUpRoom()
-    {
-        if (_stepsToGiveUp == 0)
-        {
-            return;
-        }
-
-        // The first of these steps is the one that took so much.
-        _stepsToGiveUp--;
-        if (_stepsToGiveUp == 0 || _stepsToGiveUp == StepsToGiveUp - 1)
-        {
-            Scratch.Trim();
-        }
-
-        if (_stepsToGiveUp == 0)
-        {
-            _pairs.Shrink();
         }
     }
 

@@ -26,7 +26,6 @@ internal sealed partial class World
     private void RunStages(float dt)
     {
         Profile.Begin();
-        GiveUpRoom();
         PurgeNow();
         BeginAccuracy();
         WakeWhatChanged(dt);

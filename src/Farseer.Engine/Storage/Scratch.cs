@@ -15,9 +15,6 @@ internal sealed unsafe class Scratch
     private readonly List<Column<byte>> _outgrown = new List<Column<byte>>();
     private Column<byte> _block = new Column<byte>();
 
-    /// <summary>Most that was taken at once since the last <see cref="Trim"/>.</summary>
-    private int _most;
-
     /// <summary>Bytes taken of the blocks that were outgrown, and of the present one.</summary>
     private int _usedBefore;
     private int _used;
@@ -37,7 +34,6 @@ internal sealed unsafe class Scratch
 
         T* start = (T*)(_block.Pointer + _used);
         _used += bytes;
-        _most = System.Math.Max(_most, Mark);
         return start;
     }
 
@@ -46,18 +42,6 @@ internal sealed unsafe class Scratch
     {
         System.Diagnostics.Debug.Assert(Mark == 0, "room is made while nothing is taken");
         _block.EnsureCapacity(bytes);
-    }
-
-    /// <summary>Keeps no more than was taken at once since the last time, and a sixteenth of that.</summary>
-    public void Trim()
-    {
-        System.Diagnostics.Debug.Assert(Mark == 0, "memory is given up while nothing is taken");
-        int kept = _most + (_most / 16);
-        _most = 0;
-        if (kept < _block.Capacity)
-        {
-            _block = new Column<byte>(kept);
-        }
     }
 
     /// <summary>Gives back what was taken since the mark. The last one to leave makes one block of several.</summary>

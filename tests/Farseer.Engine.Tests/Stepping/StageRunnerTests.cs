@@ -84,7 +84,10 @@ public class StageRunnerTests
         StageList stages = new();
         int singles = 0;
         int rows = 0;
-        for (int step = 0; step < 200; step++)
+
+        // While other programs have the processors no helper comes, for as long as they take them.
+        var clock = System.Diagnostics.Stopwatch.StartNew();
+        for (int step = 0; step < 200 || (rows == 0 && clock.Elapsed.TotalSeconds < 30); step++)
         {
             runner.Begin(Large);
             AwaitHelper(runner);
@@ -113,7 +116,7 @@ public class StageRunnerTests
             runner.End();
         }
 
-        Assert.True(rows > 0, "No helper was there in a thousand times.");
+        Assert.True(rows > 0, "No helper was there in half a minute.");
         Assert.All(single.Counts, c => Assert.Equal(singles, c));
     }
 
