@@ -67,7 +67,9 @@ public sealed class OneWayPlatform : Scene
         for (int i = 0; i < _launch.Length; i++)
         {
             apex = Math.Max(apex, Math.Abs(_apex[i] - (1.0 + (_launch[i] * _launch[i] / (2.0 * Make.Gravity)))));
-            double rest = Radius - Make.Depth + (i == 0 ? 0.0 : Top);
+
+            // Surfaces that stand are held once they sank in by 1/256 of the smaller piece.
+            double rest = i == 0 ? Radius - Make.Depth : Top + Radius - Math.Min(Make.Depth, Thickness / 256.0);
             height = Math.Max(height, Math.Abs(_balls[i].Body.Position.Y - rest));
             above += _balls[i].Body.Position.Y > Top ? 1 : 0;
         }
