@@ -36,7 +36,7 @@ internal static class SizeSeries
             return Misused;
         }
 
-        output.WriteLine($"{Asset.Framework}, {Asset.Lanes} lanes, {Steps} steps, best of each step; ratio to {Reference} bodies");
+        output.WriteLine($"{Asset.Name}, {Asset.Lanes} lanes, {Steps} steps, best of each step; ratio to {Reference} bodies");
         Print(new LargePyramid(), _bases, size => size * (size + 1) / 2, largest, output);
         Print(new CirclePile(), _circles, size => size, largest, output);
         return 0;

@@ -38,11 +38,11 @@ internal unsafe struct ContactBundle
     /// </summary>
     public const int SingleMark = 0x100;
 
-    /// <summary>Its two points are far enough apart to be solved together, else row by row.</summary>
-    public const int BlockMark = 0x400;
-
     /// <summary>A contact of a deep island.</summary>
     public const int DeepMark = 0x200;
+
+    /// <summary>Its two points are far enough apart to be solved together, else row by row.</summary>
+    public const int BlockMark = 0x400;
 
     /// <summary>
     /// The upper half of the flags is that of a number: how far surfaces that do not slide sink in before they are held where they are, see

@@ -168,8 +168,8 @@ internal static unsafe class ContactUpdate
 
     public static float MixFriction(ShapeStore shapes, FrictionMix mix, in ContactRecord record)
     {
-        float a = shapes.Colliders[shapes.ColliderOf(record.PieceA)].Friction;
-        float b = shapes.Colliders[shapes.ColliderOf(record.PieceB)].Friction;
+        float a = shapes.ColliderAt(record.PieceA).Friction;
+        float b = shapes.ColliderAt(record.PieceB).Friction;
         return mix switch
         {
             FrictionMix.Minimum => Math.Min(a, b),
@@ -180,8 +180,8 @@ internal static unsafe class ContactUpdate
 
     public static double MixRestitution(ShapeStore shapes, RestitutionMix mix, in ContactRecord record)
     {
-        double a = shapes.Colliders[shapes.ColliderOf(record.PieceA)].Restitution;
-        double b = shapes.Colliders[shapes.ColliderOf(record.PieceB)].Restitution;
+        double a = shapes.ColliderAt(record.PieceA).Restitution;
+        double b = shapes.ColliderAt(record.PieceB).Restitution;
         return mix == RestitutionMix.Maximum ? Math.Max(a, b) : 0.5 * (a + b);
     }
 

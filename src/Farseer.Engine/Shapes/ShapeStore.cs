@@ -47,6 +47,9 @@ internal sealed class ShapeStore
     /// <summary>The collider of a piece.</summary>
     public int ColliderOf(int piece) => Pieces[piece].Collider;
 
+    /// <summary>What that collider is.</summary>
+    public ref ColliderInfo ColliderAt(int piece) => ref Colliders[Pieces[piece].Collider];
+
     /// <summary>Per piece: the next piece of the same collider, -1 after the last.</summary>
     public Column<int> NextPiece { get; }
 

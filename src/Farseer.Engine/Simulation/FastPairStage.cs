@@ -135,7 +135,7 @@ internal sealed unsafe class FastPairStage : IStageWork
     }
 
     private static bool IsSolid(in ContactUpdateInput input, in ContactRecord record) =>
-        (input.Shapes.Colliders[input.Shapes.ColliderOf(record.PieceA)].Flags & input.Shapes.Colliders[input.Shapes.ColliderOf(record.PieceB)].Flags & ColliderFlags.ResponseEnabled) != 0
+        (input.Shapes.ColliderAt(record.PieceA).Flags & input.Shapes.ColliderAt(record.PieceB).Flags & ColliderFlags.ResponseEnabled) != 0
         && (input.Moves[record.BodyA] | input.Moves[record.BodyB]) != 0;
 
     /// <summary>
@@ -153,9 +153,10 @@ internal sealed unsafe class FastPairStage : IStageWork
         }
 
         bool solid = IsSolid(input, record);
+        bool heard = (record.Flags & ContactFlags.Heard) != 0;
         if (!found.Meets)
         {
-            bool isRefused = (record.Flags & ContactFlags.Heard) != 0 && (record.Flags & ContactFlags.Vetoed) != 0;
+            bool isRefused = heard && (record.Flags & ContactFlags.Vetoed) != 0;
             if (solid && !isRefused && (FastPairs.IsTied(input, record.BodyA) || FastPairs.IsTied(input, record.BodyB)))
             {
                 GiveBeside(input, graph, contact);
@@ -164,7 +165,6 @@ internal sealed unsafe class FastPairStage : IStageWork
             return;
         }
 
-        bool heard = (record.Flags & ContactFlags.Heard) != 0;
         record.Flags |= ContactFlags.Touching | (heard ? ContactFlags.Due : ContactFlags.None);
         if (heard)
         {
@@ -218,16 +218,10 @@ internal sealed unsafe class FastPairStage : IStageWork
 
     private void Give(in ContactUpdateInput input, ConstraintGraph graph, int contact, in ForeseenImpact impact)
     {
-        ref ContactRecord record = ref input.Contacts.Records[contact];
-        ContactBundle* bundle = _bundle.Pointer;
-        input.Contacts.RemoveIdle(contact);
-        graph.Add(contact, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
-        ContactRowWriter.ClearForWrite(bundle);
-        ContactRowWriter.Name(bundle, 0, contact, record);
+        ContactBundle* bundle = Clear(input, contact);
         ContactUpdate.FillImpact(input, bundle, impact);
-        _struck.Note(input, record, input.Pairs->Sinking[0]);
-        AnyBounce = AnyBounce || bundle->Restitution[0] > 0;
-        ContactRowWriter.MoveLane(bundle, 0, graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
+        _struck.Note(input, input.Contacts.Records[contact], input.Pairs->Sinking[0]);
+        Place(input, graph, contact);
         Given++;
     }
 
@@ -237,17 +231,30 @@ internal sealed unsafe class FastPairStage : IStageWork
     /// </summary>
     private void GiveBeside(in ContactUpdateInput input, ConstraintGraph graph, int contact)
     {
-        ref ContactRecord record = ref input.Contacts.Records[contact];
+        if (ContactUpdate.TryFillBeside(input, Clear(input, contact)))
+        {
+            Place(input, graph, contact);
+        }
+    }
+
+    /// <summary>A bundle for the row of a pair, in its first lane; nothing is written yet but what it is called.</summary>
+    private ContactBundle* Clear(in ContactUpdateInput input, int contact)
+    {
         ContactBundle* bundle = _bundle.Pointer;
         ContactRowWriter.ClearForWrite(bundle);
-        ContactRowWriter.Name(bundle, 0, contact, record);
-        if (ContactUpdate.TryFillBeside(input, bundle))
-        {
-            input.Contacts.RemoveIdle(contact);
-            graph.Add(contact, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
-            AnyBounce = AnyBounce || bundle->Restitution[0] > 0;
-            ContactRowWriter.MoveLane(bundle, 0, graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
-        }
+        ContactRowWriter.Name(bundle, 0, contact, input.Contacts.Records[contact]);
+        return bundle;
+    }
+
+    /// <summary>Puts the row that was written in that bundle among those of the graph.</summary>
+    private void Place(in ContactUpdateInput input, ConstraintGraph graph, int contact)
+    {
+        ref ContactRecord record = ref input.Contacts.Records[contact];
+        ContactBundle* bundle = _bundle.Pointer;
+        input.Contacts.RemoveIdle(contact);
+        graph.Add(contact, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
+        AnyBounce = AnyBounce || bundle->Restitution[0] > 0;
+        ContactRowWriter.MoveLane(bundle, 0, graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
     }
 
     private static bool IsFree(in ContactUpdateInput input, ConstraintGraph graph, int body) =>

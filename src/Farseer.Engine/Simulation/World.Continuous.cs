@@ -282,7 +282,7 @@ internal sealed partial class World : IImpactListener
 
     private bool Responds(in ContactRecord record)
     {
-        ColliderFlags both = Shapes.Colliders[Shapes.ColliderOf(record.PieceA)].Flags & Shapes.Colliders[Shapes.ColliderOf(record.PieceB)].Flags;
+        ColliderFlags both = Shapes.ColliderAt(record.PieceA).Flags & Shapes.ColliderAt(record.PieceB).Flags;
         return (both & (ColliderFlags.Alive | ColliderFlags.ResponseEnabled)) == (ColliderFlags.Alive | ColliderFlags.ResponseEnabled);
     }
 

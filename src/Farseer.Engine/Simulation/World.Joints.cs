@@ -77,18 +77,6 @@ internal sealed partial class World
         Refilter(link.BodyA, link.BodyB, flags);
     }
 
-    private void NoteTies(int body)
-    {
-        if (Joints.IsTied(body))
-        {
-            Bodies.Flags[body] |= BodyFlags.Tied;
-        }
-        else
-        {
-            Bodies.Flags[body] &= ~BodyFlags.Tied;
-        }
-    }
-
     public void SetJoint(Handle joint, in JointSettings settings, JointFlags flags)
     {
         const JointFlags Filter = JointFlags.Enabled | JointFlags.CollideConnected;
@@ -146,6 +134,19 @@ internal sealed partial class World
             int body = (Bodies.Flags[bodyA] & BodyFlags.Static) != 0 ? bodyB : bodyA;
             MarkStale(body);
             Bodies.Flags[body] |= BodyFlags.Moved;
+        }
+    }
+
+    /// <summary>Notes whether a body hangs on a joint that does not yield, when one of its joints has come, gone or changed.</summary>
+    private void NoteTies(int body)
+    {
+        if (Joints.IsTied(body))
+        {
+            Bodies.Flags[body] |= BodyFlags.Tied;
+        }
+        else
+        {
+            Bodies.Flags[body] &= ~BodyFlags.Tied;
         }
     }
 

@@ -331,7 +331,7 @@ internal sealed partial class World
             return true;
         }
 
-        return (Shapes.Colliders[Shapes.ColliderOf(record.PieceA)].Flags & Shapes.Colliders[Shapes.ColliderOf(record.PieceB)].Flags & ColliderFlags.Alive) == 0;
+        return (Shapes.ColliderAt(record.PieceA).Flags & Shapes.ColliderAt(record.PieceB).Flags & ColliderFlags.Alive) == 0;
     }
 
     private bool IsStale(int body) => body < _staleBodies.Capacity && _staleBodies[body] != 0;

@@ -52,8 +52,8 @@ internal sealed partial class World
             ref ContactRecord record = ref _contacts.Records[i];
             if (record.PieceA >= 0 && (record.Flags & ContactFlags.Touching) != 0)
             {
-                _visitKeys[count] = ((ulong)(uint)Shapes.Colliders[Shapes.ColliderOf(record.PieceA)].Order << 32)
-                    | (uint)Shapes.Colliders[Shapes.ColliderOf(record.PieceB)].Order;
+                _visitKeys[count] = ((ulong)(uint)Shapes.ColliderAt(record.PieceA).Order << 32)
+                    | (uint)Shapes.ColliderAt(record.PieceB).Order;
                 _visitContacts[count++] = i;
             }
         }
