@@ -76,25 +76,16 @@ public partial class PhysicsSimulator
         int lost = MarkLeaving(_geomsDisposed);
         bool removed = _geomsOut.Count > 0;
         bool disposed = _geomsDisposed.Count > 0;
-        TakeOut(_geomsOut, geoms);
-        int bodies = _bodiesOut.Count;
-        for (int i = 0; i < bodies; i++)
+        bool unlist = GeomList.Removed is not null || !ListRoom.AreMany(geoms + lost);
+        if (!unlist)
         {
-            if (_bodiesOut[i].Membership == Membership.RemoveQueued)
-            {
-                TakeOut(_bodiesOut[i]);
-            }
+            GeomList.RemoveAll(static geom => geom.IsLeaving);
         }
 
-        _bodiesOut.RemoveRange(0, bodies);
-        TakeOut(_geomsDisposed, lost);
-        bodies = _bodiesDisposed.Count;
-        for (int i = 0; i < bodies; i++)
-        {
-            SweepDisposed(_bodiesDisposed[i]);
-        }
-
-        _bodiesDisposed.RemoveRange(0, bodies);
+        TakeOut(_geomsOut, geoms, unlist);
+        TakeOut(_bodiesOut);
+        TakeOut(_geomsDisposed, lost, unlist);
+        TakeOut(_bodiesDisposed);
         _arbiters.IsStale = true;
         if (removed)
         {
@@ -157,7 +148,7 @@ public partial class PhysicsSimulator
         BodyList.TakeIn(body);
     }
 
-    private void TakeOut(List<Geom> geoms, int count)
+    private void TakeOut(List<Geom> geoms, int count, bool unlist)
     {
         for (int i = 0; i < count; i++)
         {
@@ -172,7 +163,11 @@ public partial class PhysicsSimulator
                 }
                 else if (geom.Membership != Membership.None)
                 {
-                    TakeOut(geom);
+                    Release(geom);
+                    if (unlist)
+                    {
+                        GeomList.TakeOut(geom);
+                    }
                 }
             }
         }
@@ -180,16 +175,34 @@ public partial class PhysicsSimulator
         geoms.RemoveRange(0, count);
     }
 
-    private void TakeOut(Geom geom)
+    /// <summary>Takes out those that still are to leave: a removal may have been taken back, an addition not yet done.</summary>
+    private void TakeOut(List<Body> bodies)
     {
-        Release(geom);
-        GeomList.TakeOut(geom);
-    }
+        int count = bodies.Count;
+        bool unlist = BodyList.Removed is not null || !ListRoom.AreMany(count);
+        for (int i = 0; i < count; i++)
+        {
+            Body body = bodies[i];
+            if (body.IsDisposed && body.Membership == Membership.AddQueued)
+            {
+                body.Membership = Membership.None;
+                ReleaseIfUnused(body);
+            }
+            else if (body.Membership == Membership.RemoveQueued || (body.IsDisposed && body.Membership == Membership.Added))
+            {
+                Release(body);
+                if (unlist)
+                {
+                    BodyList.TakeOut(body);
+                }
+            }
+        }
 
-    private void TakeOut(Body body)
-    {
-        Release(body);
-        BodyList.TakeOut(body);
+        bodies.RemoveRange(0, count);
+        if (!unlist)
+        {
+            BodyList.RemoveAll(static body => body.Membership == Membership.None);
+        }
     }
 
     /// <summary>Takes it out of the world, not of the list.</summary>
@@ -217,19 +230,6 @@ public partial class PhysicsSimulator
         }
 
         ReleaseIfUnused(body);
-    }
-
-    private void SweepDisposed(Body body)
-    {
-        if (body.Membership == Membership.AddQueued)
-        {
-            body.Membership = Membership.None;
-            ReleaseIfUnused(body);
-        }
-        else if (body.Membership != Membership.None)
-        {
-            TakeOut(body);
-        }
     }
 
     /// <summary>A geom got another body or outline: its collider is made anew.</summary>

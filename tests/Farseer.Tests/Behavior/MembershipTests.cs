@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Linq;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
@@ -125,6 +126,87 @@ public class MembershipTests
         // Some 0.05 s. One after the other, each moving all behind it, they took 20 s.
         Assert.InRange(clock.Elapsed.TotalSeconds, 0, 5);
         Assert.Empty(simulator.BodyList);
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Remove_OfManyBodiesLastFirst_TakesNoLongerThanTheyAreMany(bool disposed)
+    {
+        const int Count = 100_000;
+        var simulator = new PhysicsSimulator();
+        for (int i = 0; i < Count; i++)
+        {
+            simulator.Add(new Body { Mass = 1, MomentOfInertia = 1 });
+        }
+
+        simulator.Update(0.01f);
+        Body first = simulator.BodyList[0];
+        for (int i = Count - 1; i > 0; i--)
+        {
+            Body body = simulator.BodyList[i];
+            if (disposed)
+            {
+                body.Dispose();
+            }
+            else
+            {
+                simulator.Remove(body);
+            }
+        }
+
+        var clock = Stopwatch.StartNew();
+        simulator.Update(0.01f);
+
+        // Some 0.05 s. One after the other, each looked for from the start, they took over 10 s.
+        Assert.InRange(clock.Elapsed.TotalSeconds, 0, 5);
+        Assert.Equal([first], simulator.BodyList);
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Remove_OfEveryOther_LeavesTheOthersInOrder_WhetherSomebodyListensOrNot(bool heard)
+    {
+        var simulator = new PhysicsSimulator();
+        var told = new List<int>();
+        for (int i = 0; i < 40; i++)
+        {
+            Body body = BodyFactory.Instance.CreateCircleBody(simulator, 1, 1);
+            body.Position = new Vector2(i * 1.5f, 0);
+            GeomFactory.Instance.CreateCircleGeom(simulator, body, 1, 16);
+        }
+
+        simulator.Update(0.01f);
+        Body[] bodies = [.. simulator.BodyList];
+        Geom[] geoms = [.. simulator.GeomList];
+        if (heard)
+        {
+            simulator.BodyList.Removed += _ => told.Add(simulator.BodyList.Count);
+            simulator.GeomList.Removed += _ => told.Add(simulator.GeomList.Count);
+        }
+
+        for (int i = 38; i >= 0; i -= 2)
+        {
+            if (i % 4 == 0)
+            {
+                simulator.Remove(geoms[i]);
+                simulator.Remove(bodies[i]);
+            }
+            else
+            {
+                bodies[i].Dispose();
+            }
+        }
+
+        simulator.Update(0.01f);
+        Assert.Equal(bodies.Where((_, i) => i % 2 == 1), simulator.BodyList);
+        Assert.Equal(geoms.Where((_, i) => i % 2 == 1), simulator.GeomList);
+
+        // Told of each once it is out: 10 geoms and bodies removed, then as many disposed.
+        IEnumerable<int> removed = Enumerable.Range(30, 10).Reverse();
+        IEnumerable<int> disposed = Enumerable.Range(20, 10).Reverse();
+        Assert.Equal(heard ? removed.Concat(removed).Concat(disposed).Concat(disposed) : [], told);
     }
 
     [Fact]
