@@ -65,70 +65,15 @@ internal struct BodyLink
 
     public ref BodyDrag Drag => ref _loose!.Drag;
 
-    public ref BodyState StateRef
-    {
-        get
-        {
-            if (_world is null)
-            {
-                return ref State;
-            }
+    public ref BodyState StateRef => ref (_world is null ? ref State : ref _world.Bodies.State[_handle.Index]);
 
-            return ref _world.Bodies.State[_handle.Index];
-        }
-    }
+    public ref BodyPose PoseRef => ref (_world is null ? ref Pose : ref _world.Bodies.Pose[_handle.Index]);
 
-    public ref BodyPose PoseRef
-    {
-        get
-        {
-            if (_world is null)
-            {
-                return ref Pose;
-            }
+    public ref BodyMass MassRef => ref (_world is null ? ref Mass : ref _world.Bodies.Mass[_handle.Index]);
 
-            return ref _world.Bodies.Pose[_handle.Index];
-        }
-    }
+    public ref BodyForce ForceRef => ref (_world is null ? ref Force : ref _world.Bodies.Force[_handle.Index]);
 
-    public ref BodyMass MassRef
-    {
-        get
-        {
-            if (_world is null)
-            {
-                return ref Mass;
-            }
-
-            return ref _world.Bodies.Mass[_handle.Index];
-        }
-    }
-
-    public ref BodyForce ForceRef
-    {
-        get
-        {
-            if (_world is null)
-            {
-                return ref Force;
-            }
-
-            return ref _world.Bodies.Force[_handle.Index];
-        }
-    }
-
-    public ref BodyDrag DragRef
-    {
-        get
-        {
-            if (_world is null)
-            {
-                return ref Drag;
-            }
-
-            return ref _world.Bodies.Drag[_handle.Index];
-        }
-    }
+    public ref BodyDrag DragRef => ref (_world is null ? ref Drag : ref _world.Bodies.Drag[_handle.Index]);
 
     private BodyFlags EngineFlags => IsSimulated ? UserFlags : UserFlags | BodyFlags.Static;
 

@@ -154,13 +154,13 @@ public class FastBodyTests
             rod.LinearVelocity = new Vector2(5, 0);
             rod.AngularVelocity = spin;
             Smooth(GeomFactory.Instance.CreateRectangleGeom(simulator, rod, 0.1f, 2));
-            double before = Energy(rod);
+            double before = Energies.Kinetic(rod);
             for (int i = 0; i < 120; i++)
             {
                 simulator.Update(Dt);
 
                 // Rounding of the float velocities.
-                Assert.True(Energy(rod) <= before * (1 + 1e-6), $"Start {start}, step {i}: {Energy(rod)} of {before}.");
+                Assert.True(Energies.Kinetic(rod) <= before * (1 + 1e-6), $"Start {start}, step {i}: {Energies.Kinetic(rod)} of {before}.");
                 Assert.True(rod.Position.X < 0, $"Start {start}: passed in step {i}.");
             }
         }
@@ -349,10 +349,6 @@ public class FastBodyTests
 
         return states;
     }
-
-    private static double Energy(Body body) =>
-        (0.5 * body.Mass * body.LinearVelocity.LengthSquared())
-        + (0.5 * body.MomentOfInertia * body.AngularVelocity * body.AngularVelocity);
 
     private static Geom Wall(PhysicsSimulator simulator, Vector2 place, float width, float height)
     {

@@ -226,9 +226,7 @@ public class NetTests
             double sum = 0;
             foreach (Body body in Bodies)
             {
-                sum += (0.5 * body.Mass * body.LinearVelocity.LengthSquared())
-                    + (0.5 * body.MomentOfInertia * body.AngularVelocity * body.AngularVelocity)
-                    - (body.Mass * Gravity * body.Position.Y);
+                sum += Energies.Kinetic(body) - (body.Mass * Gravity * body.Position.Y);
             }
 
             return sum;

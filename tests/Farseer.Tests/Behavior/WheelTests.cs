@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
@@ -85,7 +86,7 @@ public class WheelTests
             bodies.Add(ball.Body);
         }
 
-        double energy = Energy(bodies);
+        double energy = bodies.Sum(Energies.Kinetic);
         Run(simulator, 20);
         double momentum = 0;
         for (int i = 0; i < bodies.Count; i++)
@@ -100,7 +101,7 @@ public class WheelTests
         }
 
         Assert.InRange(momentum, 4000 * 100 * (1 - 1e-6), 4000 * 100 * (1 + 1e-6));
-        Assert.InRange(Energy(bodies), energy * (1 - 1e-5), energy * (1 + 1e-5));
+        Assert.InRange(bodies.Sum(Energies.Kinetic), energy * (1 - 1e-5), energy * (1 + 1e-5));
     }
 
     private static List<Body> BoxesOnABeam(float? torque, out Body beam, out FixedRevoluteJoint hinge)
@@ -147,17 +148,6 @@ public class WheelTests
         {
             double lever = ((double)body.Position.X * body.LinearVelocity.Y) - ((double)body.Position.Y * body.LinearVelocity.X);
             sum += (body.Mass * lever) + (body.MomentOfInertia * (double)body.AngularVelocity);
-        }
-
-        return sum;
-    }
-
-    private static double Energy(List<Body> bodies)
-    {
-        double sum = 0;
-        foreach (Body body in bodies)
-        {
-            sum += (0.5 * body.Mass * body.LinearVelocity.LengthSquared()) + (0.5 * body.MomentOfInertia * body.AngularVelocity * body.AngularVelocity);
         }
 
         return sum;

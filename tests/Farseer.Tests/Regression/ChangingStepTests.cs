@@ -180,31 +180,14 @@ public class ChangingStepTests
                 : (index % 2 == 0 ? 1 / 30.0 : 1 / 300.0) / (random.Next(3) == 0 ? 3 : 1);
             simulator.Update((float)dt);
             time += dt;
-            (double energy, double weight) = Energy(simulator);
+            double energy = Energies.Whole(simulator.BodyList, Gravity);
+            double weight = Energies.Weight(simulator.BodyList, Gravity);
             least = Math.Min(least, energy);
             most = Math.Max(most, (energy - least) / weight);
         }
 
         Assert.All(simulator.BodyList, body => Assert.True(body.Enabled));
         Assert.InRange(most, 0, rise);
-    }
-
-    private static (double Energy, double Weight) Energy(PhysicsSimulator simulator)
-    {
-        double energy = 0;
-        double weight = 0;
-        foreach (Body body in simulator.BodyList)
-        {
-            if (!body.IsStatic)
-            {
-                body.GetPosition(out _, out double y);
-                energy += (0.5 * body.Mass * body.LinearVelocity.LengthSquared()) + (body.Mass * Gravity * y)
-                    + (0.5 * body.MomentOfInertia * body.AngularVelocity * body.AngularVelocity);
-                weight += body.Mass * Gravity;
-            }
-        }
-
-        return (energy, weight);
     }
 
     private static PhysicsSimulator World(int iterations) =>

@@ -84,24 +84,11 @@ public class CollidingLimbsTests
             };
             simulator.Update((float)dt);
             time += dt;
-            double height = EnergyAsHeight(puppet);
+            double height = Energies.AsHeight(puppet.Geoms.Select(geom => geom.Body), Gravity);
             rise = Math.Max(rise, height - before);
             before = height;
         }
 
         return rise;
-    }
-
-    private static double EnergyAsHeight(Puppet puppet)
-    {
-        double energy = 0;
-        foreach (Body body in puppet.Geoms.Select(geom => geom.Body))
-        {
-            body.GetPosition(out _, out double y);
-            energy += (0.5 * body.Mass * body.LinearVelocity.LengthSquared()) + (body.Mass * Gravity * y)
-                + (0.5 * body.MomentOfInertia * body.AngularVelocity * body.AngularVelocity);
-        }
-
-        return energy / (Gravity * puppet.Geoms.Sum(geom => geom.Body.Mass));
     }
 }

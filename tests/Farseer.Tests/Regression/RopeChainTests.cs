@@ -156,7 +156,7 @@ public class RopeChainTests
     private static double Rise(PhysicsSimulator simulator, Body[] links, Pace pace)
     {
         var random = new Random(3);
-        double start = Height(links);
+        double start = Energies.AsHeight(links, Gravity);
         double rise = 0;
         double time = 0;
         for (int i = 0; time < Seconds; i++)
@@ -169,25 +169,11 @@ public class RopeChainTests
             };
             simulator.Update(dt);
             time += dt;
-            double now = Height(links);
+            double now = Energies.AsHeight(links, Gravity);
             Assert.True(double.IsFinite(now));
             rise = Math.Max(rise, now - start);
         }
 
         return rise;
-    }
-
-    private static double Height(Body[] bodies)
-    {
-        double energy = 0;
-        double weight = 0;
-        foreach (Body body in bodies)
-        {
-            energy += body.Mass * ((0.5 * body.LinearVelocity.LengthSquared()) + (Gravity * body.Position.Y));
-            energy += 0.5 * body.MomentOfInertia * body.AngularVelocity * body.AngularVelocity;
-            weight += body.Mass * Gravity;
-        }
-
-        return energy / weight;
     }
 }

@@ -74,7 +74,7 @@ public class WreckingBallTests
             double dt = changingSteps ? 1 / (30 + (210 * random.NextDouble())) : 1 / 60.0;
             simulator.Update((float)dt);
             time += dt;
-            double height = EnergyAsHeight(simulator);
+            double height = Energies.AsHeight(simulator.BodyList, Gravity);
             least = Math.Min(least, height);
             rise = Math.Max(rise, height - least);
         }
@@ -88,23 +88,5 @@ public class WreckingBallTests
     {
         geom.FrictionCoefficient = 0.6f;
         geom.RestitutionCoefficient = 0;
-    }
-
-    private static double EnergyAsHeight(PhysicsSimulator simulator)
-    {
-        double energy = 0;
-        double weight = 0;
-        foreach (Body body in simulator.BodyList)
-        {
-            if (!body.IsStatic)
-            {
-                body.GetPosition(out _, out double y);
-                energy += (0.5 * body.Mass * body.LinearVelocity.LengthSquared()) + (body.Mass * Gravity * y)
-                    + (0.5 * body.MomentOfInertia * body.AngularVelocity * body.AngularVelocity);
-                weight += body.Mass * Gravity;
-            }
-        }
-
-        return energy / weight;
     }
 }

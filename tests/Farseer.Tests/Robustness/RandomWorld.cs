@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
@@ -146,17 +147,7 @@ internal sealed partial class RandomWorld
         return mass * 10 * 0.05;
     }
 
-    private double Kinetic()
-    {
-        double energy = 0;
-        foreach (Body body in _bodies)
-        {
-            energy += body.IsStatic || _absent.Contains(body) ? 0 : 0.5 * body.Mass * body.LinearVelocity.LengthSquared();
-            energy += body.IsStatic || _absent.Contains(body) ? 0 : 0.5 * body.MomentOfInertia * body.AngularVelocity * body.AngularVelocity;
-        }
-
-        return energy;
-    }
+    private double Kinetic() => _bodies.Where(body => !body.IsStatic && !_absent.Contains(body)).Sum(Energies.Kinetic);
 
     private bool Keeps(string what)
     {

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
@@ -11,8 +12,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 public class DistanceJoint : AnchoredJoint
 {
     private float _distance;
-    private float _frequency;
-    private float _dampingRatio;
+    private JointSpring _spring;
     private bool _limited;
     private float _lower;
     private float _upper;
@@ -31,7 +31,7 @@ public class DistanceJoint : AnchoredJoint
         _distance = AnchorDistance(anchor1, anchor2);
     }
 
-    /// <summary>Wanted distance; finite and at least 0.</summary>
+    /// <summary>Wanted distance; finite and at least 0. Default the distance of the anchors when it was made.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float TargetDistance
     {
@@ -47,10 +47,10 @@ public class DistanceJoint : AnchoredJoint
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float Frequency
     {
-        get => _frequency;
+        get => _spring.Frequency;
         set
         {
-            _frequency = Require.NotNegative(value, nameof(Frequency));
+            _spring.Frequency = Require.NotNegative(value, nameof(Frequency));
             Changed();
         }
     }
@@ -59,10 +59,10 @@ public class DistanceJoint : AnchoredJoint
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float DampingRatio
     {
-        get => _dampingRatio;
+        get => _spring.DampingRatio;
         set
         {
-            _dampingRatio = Require.NotNegative(value, nameof(DampingRatio));
+            _spring.DampingRatio = Require.NotNegative(value, nameof(DampingRatio));
             Changed();
         }
     }
@@ -108,9 +108,7 @@ public class DistanceJoint : AnchoredJoint
     {
         base.Fill(ref settings, ref flags);
         settings.Target = _distance;
-        settings.Frequency = _frequency;
-        settings.DampingRatio = _dampingRatio;
-        flags |= _frequency > 0 ? JointFlags.Spring : JointFlags.None;
+        _spring.Fill(ref settings, ref flags);
         settings.Lower = _lower;
         settings.Upper = _upper;
         flags |= _limited ? JointFlags.Limit : JointFlags.None;

@@ -15,8 +15,7 @@ public class TargetJoint : WorldJoint
     private readonly double _y;
     private Vector2 _target;
     private float _maxForce = float.MaxValue;
-    private float _frequency = 5;
-    private float _dampingRatio = 0.7f;
+    private JointSpring _spring = new JointSpring { Frequency = 5, DampingRatio = 0.7f };
 
     /// <summary>Makes a joint that holds a body at a point.</summary>
     /// <param name="body">The body.</param>
@@ -58,10 +57,10 @@ public class TargetJoint : WorldJoint
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float Frequency
     {
-        get => _frequency;
+        get => _spring.Frequency;
         set
         {
-            _frequency = Require.NotNegative(value, nameof(Frequency));
+            _spring.Frequency = Require.NotNegative(value, nameof(Frequency));
             Changed();
         }
     }
@@ -70,10 +69,10 @@ public class TargetJoint : WorldJoint
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float DampingRatio
     {
-        get => _dampingRatio;
+        get => _spring.DampingRatio;
         set
         {
-            _dampingRatio = Require.NotNegative(value, nameof(DampingRatio));
+            _spring.DampingRatio = Require.NotNegative(value, nameof(DampingRatio));
             Changed();
         }
     }
@@ -87,8 +86,6 @@ public class TargetJoint : WorldJoint
         settings.AnchorBX = _x;
         settings.AnchorBY = _y;
         settings.MotorLimit = Bound(_maxForce);
-        settings.Frequency = _frequency;
-        settings.DampingRatio = _dampingRatio;
-        flags |= _frequency > 0 ? JointFlags.Spring : JointFlags.None;
+        _spring.Fill(ref settings, ref flags);
     }
 }

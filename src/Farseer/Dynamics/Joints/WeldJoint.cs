@@ -16,8 +16,7 @@ public class WeldJoint : PairJoint
     private readonly double _x2;
     private readonly double _y2;
     private readonly double _startAngle;
-    private float _frequency;
-    private float _dampingRatio;
+    private JointSpring _spring;
 
     /// <summary>Makes a rigid joint of the bodies as they stand.</summary>
     /// <param name="body1">First body.</param>
@@ -39,10 +38,10 @@ public class WeldJoint : PairJoint
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float Frequency
     {
-        get => _frequency;
+        get => _spring.Frequency;
         set
         {
-            _frequency = Require.NotNegative(value, nameof(Frequency));
+            _spring.Frequency = Require.NotNegative(value, nameof(Frequency));
             Changed();
         }
     }
@@ -51,10 +50,10 @@ public class WeldJoint : PairJoint
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float DampingRatio
     {
-        get => _dampingRatio;
+        get => _spring.DampingRatio;
         set
         {
-            _dampingRatio = Require.NotNegative(value, nameof(DampingRatio));
+            _spring.DampingRatio = Require.NotNegative(value, nameof(DampingRatio));
             Changed();
         }
     }
@@ -68,8 +67,6 @@ public class WeldJoint : PairJoint
         settings.AnchorBX = _x2;
         settings.AnchorBY = _y2;
         settings.Target = _startAngle;
-        settings.Frequency = _frequency;
-        settings.DampingRatio = _dampingRatio;
-        flags |= _frequency > 0 ? JointFlags.Spring : JointFlags.None;
+        _spring.Fill(ref settings, ref flags);
     }
 }

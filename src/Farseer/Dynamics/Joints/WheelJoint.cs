@@ -11,8 +11,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// </summary>
 public class WheelJoint : AxisJoint
 {
-    private float _frequency = 2;
-    private float _dampingRatio = 0.7f;
+    private JointSpring _spring = new JointSpring { Frequency = 2, DampingRatio = 0.7f };
 
     /// <summary>Makes a joint; the spring is relaxed as the bodies stand.</summary>
     /// <param name="body1">The car.</param>
@@ -31,10 +30,10 @@ public class WheelJoint : AxisJoint
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float Frequency
     {
-        get => _frequency;
+        get => _spring.Frequency;
         set
         {
-            _frequency = Require.NotNegative(value, nameof(Frequency));
+            _spring.Frequency = Require.NotNegative(value, nameof(Frequency));
             Changed();
         }
     }
@@ -43,10 +42,10 @@ public class WheelJoint : AxisJoint
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float DampingRatio
     {
-        get => _dampingRatio;
+        get => _spring.DampingRatio;
         set
         {
-            _dampingRatio = Require.NotNegative(value, nameof(DampingRatio));
+            _spring.DampingRatio = Require.NotNegative(value, nameof(DampingRatio));
             Changed();
         }
     }
@@ -64,8 +63,6 @@ public class WheelJoint : AxisJoint
     internal override void Fill(ref JointSettings settings, ref JointFlags flags)
     {
         base.Fill(ref settings, ref flags);
-        settings.Frequency = _frequency;
-        settings.DampingRatio = _dampingRatio;
-        flags |= _frequency > 0 ? JointFlags.Spring : JointFlags.None;
+        _spring.Fill(ref settings, ref flags);
     }
 }
