@@ -10,28 +10,28 @@ public class Features
 
     internal Features(b2ContactID id) => _id = id;
 
-    /// <summary>Lowest byte of the id.</summary>
+    /// <summary>Lowest byte of the id, 0 to 255; of a larger number that is set, the lowest byte. Default 0.</summary>
     public int referenceEdge
     {
         get => Get(0);
         set => Set(0, value);
     }
 
-    /// <summary>Second byte.</summary>
+    /// <summary>Second byte, as <see cref="referenceEdge"/>.</summary>
     public int incidentEdge
     {
         get => Get(8);
         set => Set(8, value);
     }
 
-    /// <summary>Third byte.</summary>
+    /// <summary>Third byte, as <see cref="referenceEdge"/>.</summary>
     public int incidentVertex
     {
         get => Get(16);
         set => Set(16, value);
     }
 
-    /// <summary>Highest byte.</summary>
+    /// <summary>Highest byte, as <see cref="referenceEdge"/>.</summary>
     public int flip
     {
         get => Get(24);

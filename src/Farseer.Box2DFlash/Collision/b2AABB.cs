@@ -5,10 +5,10 @@ namespace Box2D.Collision;
 /// <summary>A box whose sides are parallel to the axes.</summary>
 public class b2AABB
 {
-    /// <summary>The corner with the lesser coordinates.</summary>
+    /// <summary>The corner with the lesser coordinates, metres. Default (0, 0).</summary>
     public b2Vec2 lowerBound { get; set; } = new b2Vec2();
 
-    /// <summary>The corner with the greater coordinates.</summary>
+    /// <summary>The corner with the greater coordinates, metres. Default (0, 0).</summary>
     public b2Vec2 upperBound { get; set; } = new b2Vec2();
 
     /// <summary>Whether the corners are finite and in order.</summary>

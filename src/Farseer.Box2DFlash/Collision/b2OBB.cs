@@ -5,12 +5,12 @@ namespace Box2D.Collision;
 /// <summary>A box that may be turned.</summary>
 public class b2OBB
 {
-    /// <summary>The rotation.</summary>
+    /// <summary>The rotation against the body. Default none.</summary>
     public b2Mat22 R { get; set; } = new b2Mat22();
 
-    /// <summary>The centre, in the body.</summary>
+    /// <summary>The centre, in the body, metres. Default (0, 0).</summary>
     public b2Vec2 center { get; set; } = new b2Vec2();
 
-    /// <summary>Half the sides.</summary>
+    /// <summary>Half the sides, metres. Default (0, 0).</summary>
     public b2Vec2 extents { get; set; } = new b2Vec2();
 }

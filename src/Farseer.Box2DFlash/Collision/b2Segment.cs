@@ -6,10 +6,10 @@ namespace Box2D.Collision;
 /// <summary>A line from one point to another.</summary>
 public class b2Segment
 {
-    /// <summary>Where it starts.</summary>
+    /// <summary>Where it starts, metres. Default (0, 0).</summary>
     public b2Vec2 p1 { get; set; } = new b2Vec2();
 
-    /// <summary>Where it ends.</summary>
+    /// <summary>Where it ends, metres. Default (0, 0).</summary>
     public b2Vec2 p2 { get; set; } = new b2Vec2();
 
     /// <summary>Whether this line meets another one from its front.</summary>
@@ -18,6 +18,7 @@ public class b2Segment
     /// <param name="segment">The other line.</param>
     /// <param name="maxLambda">How far along the other line to look, 0 to 1.</param>
     /// <returns>True if they meet.</returns>
+    /// <exception cref="System.ArgumentException">An argument is null or not finite, or <paramref name="lambda"/> has no room.</exception>
     public bool TestSegment(float[] lambda, b2Vec2 normal, b2Segment segment, float maxLambda)
     {
         Require.Room(lambda, nameof(lambda));

@@ -15,19 +15,19 @@ public class b2Color
     /// <param name="bb">Blue.</param>
     public b2Color(float rr, float gg, float bb) => Set(rr, gg, bb);
 
-    /// <summary>Sets red, 0 to 1.</summary>
+    /// <summary>Sets red, 0 to 1; values outside are taken to the nearer end.</summary>
     public float r
     {
         set => _r = Part(value);
     }
 
-    /// <summary>Sets green, 0 to 1.</summary>
+    /// <summary>Sets green, 0 to 1; values outside are taken to the nearer end.</summary>
     public float g
     {
         set => _g = Part(value);
     }
 
-    /// <summary>Sets blue, 0 to 1.</summary>
+    /// <summary>Sets blue, 0 to 1; values outside are taken to the nearer end.</summary>
     public float b
     {
         set => _b = Part(value);

@@ -321,6 +321,7 @@ public partial class b2Body
     /// <summary>Whether a joint that keeps its bodies from colliding joins this body to another.</summary>
     /// <param name="other">The other body.</param>
     /// <returns>True if there is one.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="other"/> is null.</exception>
     public bool IsConnected(b2Body other)
     {
         Require.NotNull(other, nameof(other));

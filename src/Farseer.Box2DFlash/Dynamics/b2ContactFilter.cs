@@ -18,6 +18,7 @@ public class b2ContactFilter
     /// <param name="shape1">First shape.</param>
     /// <param name="shape2">Second shape.</param>
     /// <returns>True lets them collide.</returns>
+    /// <exception cref="System.ArgumentNullException">A shape is null.</exception>
     public virtual bool ShouldCollide(b2Shape shape1, b2Shape shape2)
     {
         b2FilterData a = Require.NotNull(shape1, nameof(shape1)).Filter;

@@ -76,8 +76,10 @@ public class b2DebugDraw
 
     /// <summary>Draws the rim of a polygon.</summary>
     /// <param name="vertices">Its corners, metres.</param>
-    /// <param name="vertexCount">How many count.</param>
+    /// <param name="vertexCount">How many count, at least 1.</param>
     /// <param name="color">Colour.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="vertices"/> or <paramref name="color"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="vertexCount"/> is not from 1 to the number of corners.</exception>
     public virtual void DrawPolygon(b2Vec2[] vertices, int vertexCount, b2Color color)
     {
         Require.NotNull(color, nameof(color));
@@ -87,8 +89,10 @@ public class b2DebugDraw
 
     /// <summary>Draws a filled polygon.</summary>
     /// <param name="vertices">Its corners, metres.</param>
-    /// <param name="vertexCount">How many count.</param>
+    /// <param name="vertexCount">How many count, at least 1.</param>
     /// <param name="color">Colour.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="vertices"/> or <paramref name="color"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="vertexCount"/> is not from 1 to the number of corners.</exception>
     public virtual void DrawSolidPolygon(b2Vec2[] vertices, int vertexCount, b2Color color)
     {
         Require.NotNull(color, nameof(color));
@@ -102,6 +106,7 @@ public class b2DebugDraw
     /// <param name="center">Centre, metres.</param>
     /// <param name="radius">Radius, metres.</param>
     /// <param name="color">Colour.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="center"/> or <paramref name="color"/> is null.</exception>
     public virtual void DrawCircle(b2Vec2 center, float radius, b2Color color)
     {
         Require.NotNull(center, nameof(center));
@@ -115,6 +120,7 @@ public class b2DebugDraw
     /// <param name="radius">Radius, metres.</param>
     /// <param name="axis">Unit vector to where the radius is drawn.</param>
     /// <param name="color">Colour.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="center"/>, <paramref name="axis"/> or <paramref name="color"/> is null.</exception>
     public virtual void DrawSolidCircle(b2Vec2 center, float radius, b2Vec2 axis, b2Color color)
     {
         Require.NotNull(center, nameof(center));
@@ -131,8 +137,9 @@ public class b2DebugDraw
 
     /// <summary>Draws a line.</summary>
     /// <param name="p1">Where it starts, metres.</param>
-    /// <param name="p2">Where it ends.</param>
+    /// <param name="p2">Where it ends, metres.</param>
     /// <param name="color">Colour.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
     public virtual void DrawSegment(b2Vec2 p1, b2Vec2 p2, b2Color color)
     {
         Require.NotNull(p1, nameof(p1));
@@ -144,6 +151,7 @@ public class b2DebugDraw
 
     /// <summary>Draws the axes of a transform: red the first, green the second.</summary>
     /// <param name="xf">The transform.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="xf"/> is null.</exception>
     public virtual void DrawXForm(b2XForm xf)
     {
         Require.NotNull(xf, nameof(xf));
@@ -159,18 +167,18 @@ public class b2DebugDraw
         m_sprite?.lineTo(x * m_drawScale, y * m_drawScale);
     }
 
-    private void Rim(b2Vec2[] vertices, int count)
+    private void Rim(b2Vec2[] vertices, int vertexCount)
     {
         Require.NotNull(vertices, nameof(vertices));
-        if (count < 1 || count > vertices.Length)
+        if (vertexCount < 1 || vertexCount > vertices.Length)
         {
-            throw new ArgumentOutOfRangeException(nameof(count), count, "The count must be above 0 and not above that of the corners.");
+            throw new ArgumentOutOfRangeException(nameof(vertexCount), vertexCount, "The count must be above 0 and not above that of the corners.");
         }
 
         m_sprite?.moveTo(vertices[0].x * m_drawScale, vertices[0].y * m_drawScale);
-        for (int i = 1; i <= count; i++)
+        for (int i = 1; i <= vertexCount; i++)
         {
-            m_sprite?.lineTo(vertices[i % count].x * m_drawScale, vertices[i % count].y * m_drawScale);
+            m_sprite?.lineTo(vertices[i % vertexCount].x * m_drawScale, vertices[i % vertexCount].y * m_drawScale);
         }
     }
 }

@@ -135,6 +135,7 @@ public partial class Geom
     /// <param name="geometry1">One geom.</param>
     /// <param name="geometry2">The other geom.</param>
     /// <returns>Whether the first is the older one.</returns>
+    /// <exception cref="ArgumentNullException">A geom is null.</exception>
     public static bool operator <(Geom geometry1, Geom geometry2) =>
         Require.NotNull(geometry1, nameof(geometry1))._id < Require.NotNull(geometry2, nameof(geometry2))._id;
 
@@ -142,6 +143,7 @@ public partial class Geom
     /// <param name="geometry1">One geom.</param>
     /// <param name="geometry2">The other geom.</param>
     /// <returns>Whether the first is the younger one.</returns>
+    /// <exception cref="ArgumentNullException">A geom is null.</exception>
     public static bool operator >(Geom geometry1, Geom geometry2) =>
         Require.NotNull(geometry1, nameof(geometry1))._id > Require.NotNull(geometry2, nameof(geometry2))._id;
 

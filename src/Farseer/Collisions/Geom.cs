@@ -146,7 +146,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     /// </summary>
     public Vertices LocalVertices => _localVertices ??= Outline();
 
-    /// <summary>Cell size of <see cref="Grid"/>. Setting it drops the grid, which is made anew when next asked for.</summary>
+    /// <summary>Cell size of <see cref="Grid"/>, a length; 0 or less, the default, picks one that fits the outline. Setting it drops the grid, which is made anew when next asked for.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float CollisionGridCellSize
     {

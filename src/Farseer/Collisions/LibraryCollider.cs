@@ -24,6 +24,7 @@ public abstract class LibraryCollider : IBroadPhaseCollider
 
     /// <summary>The simulator calls it; the collider already knows its geoms by then, so it does nothing.</summary>
     /// <param name="geom">The geom.</param>
+    /// <exception cref="System.ArgumentNullException"><paramref name="geom"/> is null.</exception>
     public void Add(Geom geom) => Require.NotNull(geom, nameof(geom));
 
     /// <summary>The simulator calls it; geoms leave the collider by themselves, so it does nothing.</summary>

@@ -36,13 +36,13 @@ public class WaveController : Controller, IFluidContainer
     {
     }
 
-    /// <summary>The point that <see cref="Contains"/> looked at last.</summary>
+    /// <summary>The point that <see cref="Contains"/> looked at last, in the world. Default (0, 0).</summary>
     public Vector2 VectorPoint { get; set; }
 
-    /// <summary>The node left of the point that <see cref="Contains"/> looked at last.</summary>
+    /// <summary>The node left of the point that <see cref="Contains"/> looked at last, in the world. Default (0, 0).</summary>
     public Vector2 VectorNearWaveEdge { get; set; }
 
-    /// <summary>The node right of the point that <see cref="Contains"/> looked at last.</summary>
+    /// <summary>The node right of the point that <see cref="Contains"/> looked at last, in the world. Default (0, 0).</summary>
     public Vector2 VectorFarWaveEdge { get; set; }
 
     /// <summary>Left end of the surface at rest; finite. Default (0, 0).</summary>

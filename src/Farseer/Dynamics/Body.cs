@@ -62,7 +62,7 @@ public partial class Body : IDisposable
         remove => Extras.Disposed -= value;
     }
 
-    /// <summary>Handlers called when the body has moved in an update, and when its position or rotation is set. Use with +=.</summary>
+    /// <summary>Handlers called when the body has moved in an update, and when its position or rotation is set. Use with +=. Default null.</summary>
     public UpdatedEventHandler? Updated
     {
         get => _extras?.Updated;
@@ -243,6 +243,7 @@ public partial class Body : IDisposable
     /// puts it to sleep at once, or as soon as it is in a simulator. That is without effect where the body may not sleep, and does not
     /// last while something awake touches it. Default true. (An addition to the original.)
     /// </summary>
+    /// <exception cref="ObjectDisposedException">The body is disposed.</exception>
     public bool Awake
     {
         get => Link.IsAwake;
@@ -273,7 +274,7 @@ public partial class Body : IDisposable
     /// <summary>True lets an inactivity controller disable the body when it rests. Default false.</summary>
     public bool IsAutoIdle { get; set; }
 
-    /// <summary>How long the body has been slower than <see cref="MinimumVelocity"/>, milliseconds; kept by an inactivity controller.</summary>
+    /// <summary>How long the body has been slower than <see cref="MinimumVelocity"/>, milliseconds; kept by an inactivity controller. At least 0. Default 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float IdleTime
     {

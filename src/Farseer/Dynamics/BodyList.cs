@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
 /// <summary>
-/// A list of bodys that tells of additions and removals. That of a simulator is a view of what it simulates:
+/// A list of bodies that tells of additions and removals. That of a simulator is a view of what it simulates:
 /// <see cref="Add"/> and <see cref="Remove"/> then stand for those of the simulator, which take effect at the next update.
 /// </summary>
 public class BodyList : List<Body>
@@ -52,7 +52,7 @@ public class BodyList : List<Body>
         }
     }
 
-    /// <summary>Takes disposed bodys out of the list. A simulator does it by itself at each update.</summary>
+    /// <summary>Takes disposed bodies out of the list. A simulator does it by itself at each update.</summary>
     public void RemoveDisposed()
     {
         for (int i = Count - 1; i >= 0; i--)

@@ -9,7 +9,7 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// <content>Circles and ellipses.</content>
 public partial class GeomFactory
 {
-    /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given and adds it.</summary>
+    /// <summary>Makes a circle that collides as a true circle, and adds it; its vertices have the number of edges given.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -30,7 +30,7 @@ public partial class GeomFactory
     public Geom CreateCircleGeom(Body body, float radius, int numberOfEdges) =>
         CreateCircleGeom(body, radius, numberOfEdges, Vector2.Zero, 0, 0);
 
-    /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given and adds it.</summary>
+    /// <summary>Makes a circle that collides as a true circle, and adds it; its vertices have the number of edges given.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -53,7 +53,7 @@ public partial class GeomFactory
     public Geom CreateCircleGeom(Body body, float radius, int numberOfEdges, float collisionGridCellSize) =>
         CreateCircleGeom(body, radius, numberOfEdges, Vector2.Zero, 0, collisionGridCellSize);
 
-    /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given and adds it.</summary>
+    /// <summary>Makes a circle that collides as a true circle, and adds it; its vertices have the number of edges given.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -78,7 +78,7 @@ public partial class GeomFactory
     public Geom CreateCircleGeom(Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset) =>
         CreateCircleGeom(body, radius, numberOfEdges, offset, rotationOffset, 0);
 
-    /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given and adds it.</summary>
+    /// <summary>Makes a circle that collides as a true circle, and adds it; its vertices have the number of edges given.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="radius">Radius; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -109,7 +109,7 @@ public partial class GeomFactory
         return new Geom(body, GeomForm.Circle(radius), Vertices.CreateCircle(radius, numberOfEdges), offset, rotationOffset, collisionGridCellSize);
     }
 
-    /// <summary>Makes an ellipse as a polygon of the number of edges given and adds it.</summary>
+    /// <summary>Makes an ellipse as a polygon of the number of edges given, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="xRadius">Radius along x; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -132,7 +132,7 @@ public partial class GeomFactory
     public Geom CreateEllipseGeom(Body body, float xRadius, float yRadius, int numberOfEdges) =>
         CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, Vector2.Zero, 0, 0);
 
-    /// <summary>Makes an ellipse as a polygon of the number of edges given and adds it.</summary>
+    /// <summary>Makes an ellipse as a polygon of the number of edges given, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="xRadius">Radius along x; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -157,7 +157,7 @@ public partial class GeomFactory
     public Geom CreateEllipseGeom(Body body, float xRadius, float yRadius, int numberOfEdges, float collisionGridCellSize) =>
         CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, Vector2.Zero, 0, collisionGridCellSize);
 
-    /// <summary>Makes an ellipse as a polygon of the number of edges given and adds it.</summary>
+    /// <summary>Makes an ellipse as a polygon of the number of edges given, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="xRadius">Radius along x; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -184,7 +184,7 @@ public partial class GeomFactory
     public Geom CreateEllipseGeom(Body body, float xRadius, float yRadius, int numberOfEdges, Vector2 offset, float rotationOffset) =>
         CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, offset, rotationOffset, 0);
 
-    /// <summary>Makes an ellipse as a polygon of the number of edges given and adds it.</summary>
+    /// <summary>Makes an ellipse as a polygon of the number of edges given, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="xRadius">Radius along x; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>

@@ -9,7 +9,7 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// <content>Polygons.</content>
 public partial class GeomFactory
 {
-    /// <summary>Makes a polygon of any simple outline; the list given is put into the documented order and moved so that its centroid is at the origin and adds it.</summary>
+    /// <summary>Makes a polygon of any simple outline, and adds it; the list given is put into the documented order and moved so that its centroid is at the origin.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="vertices">A simple outline, which is moved to its centroid; at least three vertices.</param>
@@ -30,7 +30,7 @@ public partial class GeomFactory
     public Geom CreatePolygonGeom(Body body, Vertices vertices, float collisionGridCellSize) =>
         CreatePolygonGeom(body, vertices, Vector2.Zero, 0, collisionGridCellSize);
 
-    /// <summary>Makes a polygon of any simple outline; the list given is put into the documented order and moved so that its centroid is at the origin and adds it.</summary>
+    /// <summary>Makes a polygon of any simple outline, and adds it; the list given is put into the documented order and moved so that its centroid is at the origin.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="vertices">A simple outline, which is moved to its centroid; at least three vertices.</param>

@@ -9,7 +9,7 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// <content>Rectangles.</content>
 public partial class GeomFactory
 {
-    /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners and adds it.</summary>
+    /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -30,7 +30,7 @@ public partial class GeomFactory
     public Geom CreateRectangleGeom(Body body, float width, float height) =>
         CreateRectangleGeom(body, width, height, Vector2.Zero, 0, 0);
 
-    /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners and adds it.</summary>
+    /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -53,7 +53,7 @@ public partial class GeomFactory
     public Geom CreateRectangleGeom(Body body, float width, float height, float collisionGridCellSize) =>
         CreateRectangleGeom(body, width, height, Vector2.Zero, 0, collisionGridCellSize);
 
-    /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners and adds it.</summary>
+    /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -78,7 +78,7 @@ public partial class GeomFactory
     public Geom CreateRectangleGeom(Body body, float width, float height, Vector2 offset, float rotationOffset) =>
         CreateRectangleGeom(body, width, height, offset, rotationOffset, 0);
 
-    /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners and adds it.</summary>
+    /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>

@@ -71,49 +71,49 @@ public partial class PhysicsSimulatorView
         set => _pointSize = Require.NotNegative(value, nameof(PointSize));
     }
 
-    /// <summary>Colour of geoms of bodies that move without touching anything.</summary>
+    /// <summary>Colour of geoms of bodies that move without touching anything. Default (38, 115, 191).</summary>
     public DebugColor FreeColor { get; set; } = new DebugColor(38, 115, 191);
 
-    /// <summary>Colour of geoms in contact.</summary>
+    /// <summary>Colour of geoms in contact. Default (30, 140, 80).</summary>
     public DebugColor TouchingColor { get; set; } = new DebugColor(30, 140, 80);
 
-    /// <summary>Colour of geoms of static bodies.</summary>
+    /// <summary>Colour of geoms of static bodies. Default (110, 110, 110).</summary>
     public DebugColor StaticColor { get; set; } = new DebugColor(110, 110, 110);
 
-    /// <summary>Colour of geoms of kinematic bodies.</summary>
+    /// <summary>Colour of geoms of kinematic bodies. Default (150, 90, 190).</summary>
     public DebugColor KinematicColor { get; set; } = new DebugColor(150, 90, 190);
 
-    /// <summary>Colour of geoms of bodies that are disabled, or put to sleep by an inactivity controller.</summary>
+    /// <summary>Colour of geoms of bodies that are disabled, or put to sleep by an inactivity controller. Default (180, 180, 200).</summary>
     public DebugColor SleepingColor { get; set; } = new DebugColor(180, 180, 200);
 
-    /// <summary>Colour of sensors.</summary>
+    /// <summary>Colour of sensors. Default (200, 160, 20).</summary>
     public DebugColor SensorColor { get; set; } = new DebugColor(200, 160, 20);
 
-    /// <summary>Colour of vertices.</summary>
+    /// <summary>Colour of vertices. Default (20, 20, 20).</summary>
     public DebugColor VerticeColor { get; set; } = new DebugColor(20, 20, 20);
 
-    /// <summary>Colour of boxes.</summary>
+    /// <summary>Colour of boxes. Default (170, 170, 90).</summary>
     public DebugColor AABBColor { get; set; } = new DebugColor(170, 170, 90);
 
-    /// <summary>Colour of grid points inside a geom; those outside are half as opaque.</summary>
+    /// <summary>Colour of grid points inside a geom; those outside are half as opaque. Default (90, 160, 160).</summary>
     public DebugColor GridColor { get; set; } = new DebugColor(90, 160, 160);
 
-    /// <summary>Colour of contacts and their normals.</summary>
+    /// <summary>Colour of contacts and their normals. Default (200, 40, 40).</summary>
     public DebugColor ContactColor { get; set; } = new DebugColor(200, 40, 40);
 
-    /// <summary>Colour of springs at rest.</summary>
+    /// <summary>Colour of springs at rest. Default (90, 170, 60).</summary>
     public DebugColor SpringColor { get; set; } = new DebugColor(90, 170, 60);
 
-    /// <summary>Colour of joints.</summary>
+    /// <summary>Colour of joints. Default (120, 80, 30).</summary>
     public DebugColor JointColor { get; set; } = new DebugColor(120, 80, 30);
 
-    /// <summary>Colour of springs with a large error, as long as their rest length or near their breakpoint, and of joints near theirs.</summary>
+    /// <summary>Colour of springs with a large error, as long as their rest length or near their breakpoint, and of joints near theirs. Default (220, 60, 40).</summary>
     public DebugColor StrainedColor { get; set; } = new DebugColor(220, 60, 40);
 
-    /// <summary>Colour of fluids.</summary>
+    /// <summary>Colour of fluids. Default (60, 170, 210).</summary>
     public DebugColor FluidColor { get; set; } = new DebugColor(60, 170, 210);
 
-    /// <summary>Colour of the axes of bodies; the y axis is half as opaque.</summary>
+    /// <summary>Colour of the axes of bodies; the y axis is half as opaque. Default (60, 60, 60).</summary>
     public DebugColor AxisColor { get; set; } = new DebugColor(60, 60, 60);
 
     /// <summary>Draws everything that is switched on, as it is after the last update.</summary>

@@ -92,11 +92,13 @@ public class b2PolygonShape : b2Shape
     /// <summary>The first corner in the world.</summary>
     /// <param name="xf">Where the body is.</param>
     /// <returns>A new vector.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="xf"/> is null.</exception>
     public b2Vec2 GetFirstVertex(b2XForm xf) => b2Math.b2MulX(Require.NotNull(xf, nameof(xf)), Of(_corners[0]));
 
     /// <summary>The centroid in the world.</summary>
     /// <param name="xf">Where the body is.</param>
     /// <returns>A new vector.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="xf"/> is null.</exception>
     public b2Vec2 Centroid(b2XForm xf) => b2Math.b2MulX(Require.NotNull(xf, nameof(xf)), GetCentroid());
 
     /// <summary>The core corner that lies farthest in a direction, in the world.</summary>
@@ -104,6 +106,7 @@ public class b2PolygonShape : b2Shape
     /// <param name="dX">First component of the direction, in the world.</param>
     /// <param name="dY">Second component.</param>
     /// <returns>A new vector.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="xf"/> is null.</exception>
     public b2Vec2 Support(b2XForm xf, float dX, float dY)
     {
         Require.NotNull(xf, nameof(xf));

@@ -26,6 +26,6 @@ public abstract class b2ShapeDef
     /// <summary>True makes a shape that notices overlaps and does not respond to them. Default false.</summary>
     public bool isSensor { get; set; }
 
-    /// <summary>Which shapes it collides with.</summary>
+    /// <summary>Which shapes it collides with. Default with all: see <see cref="b2FilterData"/>.</summary>
     public b2FilterData filter { get; set; } = new b2FilterData();
 }

@@ -12,10 +12,10 @@ public class b2GearJointDef : b2JointDef
     {
     }
 
-    /// <summary>First joint: a hinge or slider whose first body is static, as the ground body.</summary>
+    /// <summary>First joint: a hinge or slider whose first body is static, as the ground body. Default null: it must be set.</summary>
     public b2Joint? joint1 { get; set; }
 
-    /// <summary>Second joint, of the same kinds.</summary>
+    /// <summary>Second joint, of the same kinds. Default null: it must be set.</summary>
     public b2Joint? joint2 { get; set; }
 
     /// <summary>coordinate1 + ratio·coordinate2 is constant. Finite and not 0; may be negative. Default 1.</summary>

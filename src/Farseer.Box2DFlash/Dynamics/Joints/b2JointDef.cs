@@ -15,10 +15,10 @@ public abstract class b2JointDef
     /// <summary>Any object. Default null.</summary>
     public object? userData { get; set; }
 
-    /// <summary>First body.</summary>
+    /// <summary>First body. Default null: it must be set.</summary>
     public b2Body? body1 { get; set; }
 
-    /// <summary>Second body, another one.</summary>
+    /// <summary>Second body, another one. Default null: it must be set.</summary>
     public b2Body? body2 { get; set; }
 
     /// <summary>Whether the two bodies collide with each other all the same. Default false.</summary>

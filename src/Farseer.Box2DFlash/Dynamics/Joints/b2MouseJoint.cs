@@ -27,7 +27,7 @@ public class b2MouseJoint : b2Joint
         Link.Settings.Ratio = def.body2.GetMass();
     }
 
-    /// <summary>The target.</summary>
+    /// <summary>The target, in the world, metres.</summary>
     /// <returns>A new vector.</returns>
     public override b2Vec2 GetAnchor1() => _target.Copy();
 

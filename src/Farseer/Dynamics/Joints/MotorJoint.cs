@@ -30,7 +30,7 @@ public class MotorJoint : PairJoint
         _angle = (float)(JointAttachment.Angle(body2) - JointAttachment.Angle(body1));
     }
 
-    /// <summary>Wanted position of the second body in the coordinates of the first; finite.</summary>
+    /// <summary>Wanted position of the second body in the coordinates of the first; finite. Default that when it was made.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public Vector2 Offset
     {
@@ -42,7 +42,7 @@ public class MotorJoint : PairJoint
         }
     }
 
-    /// <summary>Wanted angle of the second body less that of the first, radians; finite.</summary>
+    /// <summary>Wanted angle of the second body less that of the first, radians; finite. Default that when it was made.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float TargetAngle
     {

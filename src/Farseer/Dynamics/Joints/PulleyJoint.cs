@@ -42,7 +42,7 @@ public class PulleyJoint : AnchoredJoint
     /// <summary>Length of the rope on the second side.</summary>
     public float Length2 => Vector2.Distance(_ground2, WorldAnchor2);
 
-    /// <summary>Largest value of <see cref="Length1"/> + <see cref="Ratio"/> · <see cref="Length2"/>; finite and at least 0.</summary>
+    /// <summary>Largest value of <see cref="Length1"/> + <see cref="Ratio"/> · <see cref="Length2"/>; finite and at least 0. Default that when it was made.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float TotalLength
     {
@@ -54,7 +54,7 @@ public class PulleyJoint : AnchoredJoint
         }
     }
 
-    /// <summary>How much the second side counts; finite and above 0.</summary>
+    /// <summary>How much the second side counts, as in a block and tackle; finite and above 0. Default 1.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
     public float Ratio
     {

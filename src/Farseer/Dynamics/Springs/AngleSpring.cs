@@ -86,7 +86,7 @@ public class AngleSpring : Spring
         set => _anchor2 = Require.Finite(value, nameof(Anchor2));
     }
 
-    /// <summary>Angle without force, radians; finite. More than a turn is allowed.</summary>
+    /// <summary>Angle without force, radians; finite. More than a turn is allowed. Default that when it was made, or 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float TargetAngle
     {

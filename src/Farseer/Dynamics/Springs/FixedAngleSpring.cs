@@ -40,7 +40,7 @@ public class FixedAngleSpring : Spring
         set => _body = Require.NotNull(value, nameof(Body));
     }
 
-    /// <summary>Angle without force, radians; finite. More than a turn is allowed.</summary>
+    /// <summary>Angle without force, radians; finite. More than a turn is allowed. Default that when it was made, or 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float TargetAngle
     {

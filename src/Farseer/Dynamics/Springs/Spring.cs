@@ -108,7 +108,8 @@ public abstract class Spring : IDisposable, IItem
     /// the size of <see cref="SpringError"/> is above <see cref="Breakpoint"/>: it sets <see cref="Enabled"/> to false and raises
     /// <see cref="Broke"/>. Call it first, or after setting the error.
     /// </summary>
-    /// <param name="dt">The step, seconds.</param>
+    /// <param name="dt">The step, seconds; finite and at least 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is negative or not finite.</exception>
     public virtual void Update(float dt)
     {
         Require.NotNegative(dt, nameof(dt));
