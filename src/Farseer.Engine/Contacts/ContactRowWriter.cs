@@ -282,7 +282,8 @@ internal static unsafe class ContactRowWriter
         Wide previous = Wide.Load(point->PreviousNormal + lane);
         Wide tangent = Wide.Load(point->Tangent + lane);
         Wide previousTangent = Wide.Load(point->PreviousTangent + lane);
-        Wide more = growth * Wide.Min(Wide.Min(normal, previous), Wide.Splat(ContactCoefficients.LoadInFeeds) * feed);
+        Wide most = Wide.Splat(ContactCoefficients.LoadInFeeds) * Wide.Max(feed, Wide.Zero);
+        Wide more = growth * Wide.Min(Wide.Min(normal, previous), most);
         Wide rub = Wide.Select(feed > Wide.Zero, growth, Wide.Zero);
         (feed + (growth * feed)).Store(point->Feed + lane);
         (normal + more).Store(point->Normal + lane);

@@ -39,6 +39,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     private const int LeastBundles = 32;
 
     private readonly ColorRanges _ranges = new ColorRanges();
+    private readonly DeepStacks _deepStacks = new DeepStacks();
     private IslandStore _islands = null!;
     private float* _sags;
     private readonly Column<float> _deep = new Column<float>();
@@ -51,18 +52,23 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     /// <summary>Whether an island is pushed apart in this step.</summary>
     public bool IsDeep(int island) => _deep[island] > 0;
 
-    /// <summary>Makes room for so many islands.</summary>
-    public void Reserve(int islands) => _deep.EnsureCapacity(islands);
+    /// <summary>Makes room for the islands of so many bodies.</summary>
+    public void Reserve(int bodyEnd)
+    {
+        _deep.EnsureCapacity(bodyEnd);
+        _deepStacks.Reserve(bodyEnd);
+    }
 
     /// <summary>Writes rate and deepness into every row.</summary>
     /// <returns>True if any island is deep.</returns>
-    public bool Apply(StageRunner runner, IslandStore islands, ConstraintGraph graph, in ContactCoefficients c, Scratch scratch)
+    public bool Apply(StageRunner runner, IslandStore islands, ConstraintGraph graph, in ContactCoefficients c, bool cold, Scratch scratch)
     {
         _islands = islands;
         int mark = scratch.Mark;
         _rate = scratch.Take<float>(Math.Max(1, islands.Count));
         _ranges.Find(graph.Used);
         CollectSag(runner, islands, c, scratch);
+        _anyDeep = _deepStacks.Find(islands, graph, c, cold, scratch, _deep.Pointer, _anyDeep);
         float weight = c.Sag(c.Gravity * c.Substep);
         float* sags = _sags;
         float* rates = _rate;
@@ -138,7 +144,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
             _sags[i] = 0;
         }
 
-        Reserve(islands.Count);
+        _deep.EnsureCapacity(islands.Count);
         for (int i = 0; i < islands.Count; i++)
         {
             _deep[i] = 0;

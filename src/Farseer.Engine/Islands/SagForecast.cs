@@ -70,6 +70,12 @@ internal sealed unsafe class SagForecast
     /// <summary>How often the substeps of an island are to be doubled.</summary>
     public int DoublingsOf(int island) => _doublings[island];
 
+    /// <summary>Some island takes more substeps from this step on.</summary>
+    public bool AnyRaised { get; private set; }
+
+    /// <summary>An island that does.</summary>
+    public bool IsRaised(int island) => island < _islandCount && _islands[island].Raised;
+
     /// <summary>Looks which islands may need more, if they or the step have changed.</summary>
     /// <param name="islands">The islands.</param>
     /// <param name="graph">Their rows.</param>
@@ -130,6 +136,7 @@ internal sealed unsafe class SagForecast
     public bool Find(
         IslandStore islands, FeedForwardSettings feedForward, ConstraintGraph graph, BodyStore bodies, int* list, int count, in ContactCoefficients c, Scratch scratch)
     {
+        AnyRaised = false;
         if (!_any)
         {
             return false;
@@ -162,6 +169,8 @@ internal sealed unsafe class SagForecast
             _any |= _islands[i].Open;
             _doublings[i] = _islands[i].Wanted ? _islands[i].Doublings : (byte)0;
             any |= _doublings[i] > 0;
+            _islands[i].Raised = _doublings[i] > 0 && !_islands[i].WasFine;
+            AnyRaised |= _islands[i].Raised;
         }
 
         for (int i = 0; i < count; i++)
@@ -380,6 +389,9 @@ internal sealed unsafe class SagForecast
         public bool Starts;
         public byte Doublings;
         public bool WasFine;
+
+        /// <summary>It has more in this step, and had not in the one before.</summary>
+        public bool Raised;
         public byte Wait;
     }
 }

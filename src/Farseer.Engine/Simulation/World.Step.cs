@@ -166,7 +166,7 @@ internal sealed partial class World
         }
 
         _sagForecast.Begin(_islands, _graph, Bodies, dt, Settings.Gravity, rebuilt);
-        bool anyDeep = _feedForward.Apply(_runner, _islands, _graph, coefficients, Scratch);
+        bool anyDeep = _feedForward.Apply(_runner, _islands, _graph, coefficients, _contactStage.ColdStart, Scratch);
         if (Joints.Count > 0 && coefficients.Rest > 0)
         {
             LetJointedSink();
@@ -288,6 +288,7 @@ internal sealed partial class World
             ref readonly ContactCoefficients c = ref input.Coefficients;
             input.Coefficients = new ContactCoefficients(substep, c.Gravity, c.Rest, c.BounceThreshold, 1f, _recovery / fineness);
             input.Springs = null;
+            _classes.Ease(index, _sagForecast, _islands, input.Coefficients);
             joints?.Select(index, substep, fineness);
             AuditSolve(input);
             _solver.Solve(input);

@@ -27,9 +27,6 @@ internal struct CarriedPush
 /// </summary>
 internal sealed unsafe class CarriedPushes
 {
-    /// <summary>From so many levels on a deep island remembers; below, sweeps reach far enough, and a tower would rise too high.</summary>
-    private const int ManyLevels = 16;
-
     /// <summary>
     /// The share that is lost in a substep, times the levels. The slowest wave of n levels would swing back below some 2 over n, but nothing draws the heap together again,
     /// and half of that lets a heap of forty rise by 6.1 m in four seconds instead of 5.2.
@@ -116,7 +113,7 @@ internal sealed unsafe class CarriedPushes
     }
 
     private static bool IsHigh(FeedForwardSettings feedForward, IslandStore islands, int island) =>
-        Levels(islands, island) > ManyLevels && feedForward.IsDeep(island);
+        Levels(islands, island) > DeepStacks.ManyLevels && feedForward.IsDeep(island);
 
     private static int Levels(IslandStore islands, int island) => islands.FirstSlot[island + 1] - islands.FirstSlot[island];
 }

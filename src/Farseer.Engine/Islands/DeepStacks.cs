@@ -1,0 +1,153 @@
+using System;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Islands;
+
+/// <summary>
+/// Finds islands of many levels that are a little too deep in each of them. What soft contacts take back of an overlap leaves at the rate r, and the passes
+/// that forget that speed reach some levels far: of a tower of n levels the top goes off at r·E, with E the sum over the levels. Gravity takes that back within
+/// the way E itself if (r·E)² ≤ 2·g·E. What is more is pushed apart as deep islands are, without speed, until half of that is left: 40 boxes that began 2 mm in each
+/// other threw the topmost up by 1.1 m.
+/// </summary>
+internal sealed unsafe class DeepStacks
+{
+    /// <summary>
+    /// Up to so many levels sweeps reach far enough: boxes that begin in each other come to rest within their height. Beyond, deep islands remember their pushes
+    /// (<see cref="Solver.CarriedPushes"/>); with fewer levels a tower would rise too high.
+    /// </summary>
+    public const int ManyLevels = 16;
+
+    /// <summary>Times the sag that a load explains.</summary>
+    private const float Sags = 3f;
+
+    /// <summary>Of what makes an island deep: from there on it may be left to soft contacts.</summary>
+    private const float Leaves = 0.5f;
+
+    /// <summary>By body: its island, of many levels, was deep in the step before.</summary>
+    private readonly Column<byte> _wereDeep = new Column<byte>();
+    private int _bodies;
+    private bool _wereAny;
+
+    /// <summary>Makes such islands deep.</summary>
+    /// <param name="islands">The islands.</param>
+    /// <param name="graph">The rows.</param>
+    /// <param name="c">The substep.</param>
+    /// <param name="cold">Most contacts are new: only then, and after they were deep, islands are looked at.</param>
+    /// <param name="scratch">Where to work.</param>
+    /// <param name="deep">By island: above 0 if it is deep.</param>
+    /// <param name="anyDeep">Some island is.</param>
+    /// <returns>The same afterwards.</returns>
+    public bool Find(IslandStore islands, ConstraintGraph graph, in ContactCoefficients c, bool cold, Scratch scratch, float* deep, bool anyDeep)
+    {
+        bool looks = c.Gravity > 0 && (cold || _wereAny);
+        if (looks)
+        {
+            Judge(islands, graph, c, cold, scratch, deep);
+        }
+
+        if (looks || anyDeep)
+        {
+            Remember(islands, deep);
+        }
+
+        return anyDeep || _wereAny;
+    }
+
+    /// <summary>Room for so many bodies.</summary>
+    public void Reserve(int bodyEnd) => _wereDeep.EnsureCapacity(bodyEnd);
+
+    private static bool IsHigh(IslandStore islands, int island) => islands.FirstSlot[island + 1] - islands.FirstSlot[island] > ManyLevels;
+
+    private void Judge(IslandStore islands, ConstraintGraph graph, in ContactCoefficients c, bool cold, Scratch scratch, float* deep)
+    {
+        int mark = scratch.Mark;
+        float* least = scratch.Take<float>(Math.Max(1, islands.SlotCount));
+        for (int i = 0; i < islands.SlotCount; i++)
+        {
+            least[i] = float.MaxValue;
+        }
+
+        byte* were = scratch.Take<byte>(Math.Max(1, islands.Count));
+        FindWere(islands, were);
+        foreach (GraphColor color in graph.Used)
+        {
+            foreach (ContactBundle* row in color.Bundles)
+            {
+                Collect(row, c, least);
+            }
+        }
+
+        float most = 2 * c.Gravity / (c.BiasRate * c.BiasRate);
+        for (int i = 0; i < islands.Count; i++)
+        {
+            if (deep[i] > 0 || !IsHigh(islands, i) || !(cold || were[i] != 0))
+            {
+                continue;
+            }
+
+            float sum = 0;
+            for (int slot = islands.FirstSlot[i]; slot < islands.FirstSlot[i + 1]; slot++)
+            {
+                sum += least[slot] == float.MaxValue ? 0 : least[slot];
+            }
+
+            deep[i] = sum > (were[i] != 0 ? Leaves * most : most) ? 1 : 0;
+        }
+
+        scratch.Release(mark);
+    }
+
+    /// <summary>The least excess of the rows of each level that touch: one that is not too deep holds its level.</summary>
+    private static void Collect(ContactBundle* row, in ContactCoefficients c, float* least)
+    {
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            float separation = Math.Min(Separation(&row->Point0, lane), Separation(&row->Point1, lane));
+            if (row->Contact[lane] < 0 || separation - c.Rest > 0)
+            {
+                continue;
+            }
+
+            float load = Math.Max(row->Point0.Normal[lane] * row->K11[lane], row->Point1.Normal[lane] * row->K22[lane]);
+            float excess = Math.Max(0, -separation - (Sags * c.Sag(load)));
+            int slot = row->Slot[lane];
+            least[slot] = Math.Min(least[slot], excess);
+        }
+    }
+
+    private static float Separation(ContactPointLanes* point, int lane) => point->Base[lane] + (point->NormalArmB[lane] - point->NormalArmA[lane]);
+
+    private void FindWere(IslandStore islands, byte* were)
+    {
+        for (int i = 0; i < islands.Count; i++)
+        {
+            were[i] = 0;
+        }
+
+        int end = _wereAny ? Math.Min(_bodies, islands.BodyEnd) : 0;
+        for (int body = 0; body < end; body++)
+        {
+            int island = islands.Of(body);
+            if (_wereDeep[body] != 0 && island >= 0 && island < islands.Count)
+            {
+                were[island] = 1;
+            }
+        }
+    }
+
+    private void Remember(IslandStore islands, float* deep)
+    {
+        _bodies = islands.BodyEnd;
+        Reserve(_bodies);
+        _wereAny = false;
+        for (int body = 0; body < _bodies; body++)
+        {
+            int island = islands.Of(body);
+            bool isDeep = island >= 0 && island < islands.Count && deep[island] > 0 && IsHigh(islands, island);
+            _wereDeep[body] = isDeep ? (byte)1 : (byte)0;
+            _wereAny |= isDeep;
+        }
+    }
+}
