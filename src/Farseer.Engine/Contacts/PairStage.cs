@@ -130,37 +130,30 @@ internal static unsafe class PairStage
             }
 
             bits.Exists |= exists << lane;
-            WideMask solid = WideLanes.Has(both, (int)SideFlags.Responds) & WideLanes.Has(any, (int)SideFlags.Moves);
-            WideLanes.Bits(
-                solid,
+            Note(
+                lane,
+                AreSolid(both, any),
                 WideLanes.Has(any, (int)SideFlags.Heard),
                 WideLanes.Has(both, (int)SideFlags.Box),
                 WideLanes.Has(both, (int)SideFlags.Circle),
-                out int solids,
-                out int heard,
-                out int boxes,
-                out int circles);
-            bits.Solid |= solids << lane;
-            bits.Heard |= heard << lane;
-            bits.Boxes |= boxes << lane;
-            bits.Circles |= circles << lane;
+                ref bits.Solid,
+                ref bits.Heard,
+                ref bits.Boxes,
+                ref bits.Circles);
             bits.Hulls |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Hull)) << lane;
             WideMask circleFirst = WideLanes.Has(flagsA, (int)SideFlags.Circle) & WideLanes.Has(flagsB, (int)SideFlags.Hull);
             WideMask circleSecond = WideLanes.Has(flagsB, (int)SideFlags.Circle) & WideLanes.Has(flagsA, (int)SideFlags.Hull);
             bits.CircleFirst |= WideLanes.Bits(circleFirst) << lane;
-            WideLanes.Bits(
+            Note(
+                lane,
                 circleFirst | circleSecond,
                 WideLanes.Has(any, (int)SideFlags.Tilted),
                 WideLanes.Has(any, (int)SideFlags.NewBox),
                 WideLanes.Has(any, (int)SideFlags.Fast),
-                out int circleHulls,
-                out int tilted,
-                out int newBox,
-                out int fast);
-            bits.CircleHulls |= circleHulls << lane;
-            bits.Tilted |= tilted << lane;
-            bits.NewBox |= newBox << lane;
-            bits.Fast |= fast << lane;
+                ref bits.CircleHulls,
+                ref bits.Tilted,
+                ref bits.NewBox,
+                ref bits.Fast);
         }
 
         return bits;
@@ -269,8 +262,7 @@ internal static unsafe class PairStage
             Wide size = Wide.Min(Wide.Load(a->Extent + lane), Wide.Load(b->Extent + lane));
             WideMask blow = touch & (sunk > (Wide.Splat(BlowShare) * size));
             bits.Blows |= WideLanes.Bits(blow) << lane;
-            WideMask solid = WideLanes.Has(flagsA & flagsB, (int)SideFlags.Responds)
-                & WideLanes.Has(flagsA | flagsB, (int)SideFlags.Moves);
+            WideMask solid = AreSolid(flagsA & flagsB, flagsA | flagsB);
             Wide now = Wide.Keep(touch, Wide.FromBits((int)ContactFlags.Touching)) | Wide.Keep(solid, Wide.FromBits((int)ContactFlags.Solid));
             bits.Touching |= WideLanes.Bits(touch) << lane;
             bits.Touched |= WideLanes.Bits(before) << lane;
@@ -325,6 +317,23 @@ internal static unsafe class PairStage
         sunk = Wide.Zero - (Wide.Max(separation, Wide.Zero) + (closing * dt));
         return (separation <= reach) | (separation + ((closing + gain) * dt) <= Wide.Zero);
     }
+
+    /// <summary>Adds the bits of four masks to those of the lanes before.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Note(
+        int lane, WideMask a, WideMask b, WideMask c, WideMask d, ref int bitsA, ref int bitsB, ref int bitsC, ref int bitsD)
+    {
+        WideLanes.Bits(a, b, c, d, out int laneA, out int laneB, out int laneC, out int laneD);
+        bitsA |= laneA << lane;
+        bitsB |= laneB << lane;
+        bitsC |= laneC << lane;
+        bitsD |= laneD << lane;
+    }
+
+    /// <summary>Pairs that push: <paramref name="both"/> and <paramref name="any"/> are what the flags of their sides share and have.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideMask AreSolid(Wide both, Wide any) =>
+        WideLanes.Has(both, (int)SideFlags.Responds) & WideLanes.Has(any, (int)SideFlags.Moves);
 
     /// <summary>Names the hulls of some lanes: those of B where a bit of <paramref name="ofB"/> is set, elsewhere those of A.</summary>
     [MethodImpl(KernelMethod.Optimized)]
