@@ -40,24 +40,22 @@ internal sealed unsafe class FastList
         return Math.Abs(pose.X - before.X) + Math.Abs(pose.Y - before.Y) + (Math.Abs(pose.Angle - before.Angle) * size.Reach) > size.Extent;
     }
 
-    /// <summary>Notes a body; one that is not to be looked after is left out.</summary>
-    public void Add(BodyStore bodies, int body, in BodyPose start, in BodyState state, bool isFree)
-    {
-        if ((bodies.Flags[body] & (BodyFlags.Discrete | BodyFlags.Kinematic)) != 0)
-        {
-            return;
-        }
+    /// <summary>Whether a fast body is to be looked after.</summary>
+    public static bool IsLookedAfter(BodyStore bodies, int body) => (bodies.Flags[body] & (BodyFlags.Discrete | BodyFlags.Kinematic)) == 0;
 
-        _motions[Count++] = new FastMotion
-        {
-            X = start.X,
-            Y = start.Y,
-            Angle = start.Angle,
-            VelocityX = state.LinearVelocity.X,
-            VelocityY = state.LinearVelocity.Y,
-            AngularVelocity = state.AngularVelocity,
-            Body = body,
-            Free = isFree ? 1 : 0,
-        };
-    }
+    /// <summary>How a body began its step.</summary>
+    public static FastMotion Begin(int body, in BodyPose start, in BodyState state, bool isFree) => new FastMotion
+    {
+        X = start.X,
+        Y = start.Y,
+        Angle = start.Angle,
+        VelocityX = state.LinearVelocity.X,
+        VelocityY = state.LinearVelocity.Y,
+        AngularVelocity = state.AngularVelocity,
+        Body = body,
+        Free = isFree ? 1 : 0,
+    };
+
+    /// <summary>Notes a body that is to be looked after.</summary>
+    public void Add(in FastMotion motion) => _motions[Count++] = motion;
 }

@@ -14,15 +14,8 @@ namespace Farseer.Engine.BroadPhase;
 /// between rows); for scattered boxes they are cut to a power of two, a hash that keeps neighbouring columns
 /// neighbours and maps "one row up" to "plus stride". Cut numbers let boxes of other rows into a search, which their row numbers then tell.
 /// </remarks>
-internal sealed unsafe class GridLevel
+internal sealed unsafe partial class GridLevel
 {
-    // The slack covers the rounding of the cell numbers: they are below 2²⁶, so the division errs by less than 2⁻²⁶ cells.
-    private const double CellSlack = 1 + (1.0 / (1 << 20));
-
-    // Up to here the cells are numbered directly; a table for scattered boxes is smaller.
-    private const int MostCellsABox = 4;
-    private const int LeastCells = 64;
-
     // In scratch memory, which is taken back when the search is over.
     private WideBoxes _rows;
     private WideBoxes _sought;
@@ -48,44 +41,6 @@ internal sealed unsafe class GridLevel
 
     /// <summary>The box around which a member last found its pairs.</summary>
     public Box Sought(int place) => _sought.Get(place);
-
-    /// <summary>Sorts the boxes into the grid, in scratch memory.</summary>
-    public void Build(ProxyStore proxies, int* members, int count, double maxSize)
-    {
-        Box* boxes = proxies.Fat.Pointer;
-        Measure(boxes, members, count, maxSize);
-        Scratch scratch = proxies.Scratch;
-        Count = count;
-        _entries = scratch.Take<GridEntry>(count);
-        _start = scratch.Take<int>(_cells + 2);
-        _rows = BoxRows.Take(scratch, count);
-        _sought = BoxRows.Take(scratch, count);
-        int mark = scratch.Mark;
-        GridPlace* places = scratch.Take<GridPlace>(count);
-        int* start = _start;
-        bool bounded = _inverseCell > 0;
-        Unsafe.InitBlock(start, 0, (uint)(_cells + 2) * sizeof(int));
-        for (int i = 0; i < count; i++)
-        {
-            Box* box = boxes + members[i];
-            int column = bounded ? (int)((box->MinX - _originX) * _inverseCell) : 0;
-            int row = bounded ? (int)((box->MinY - _originY) * _inverseCell) : 0;
-            int cell = (int)(((uint)row * _stride) + (uint)column + 1 & _mask);
-            places[i].Cell = cell;
-            places[i].Row = row;
-            start[cell + 2]++;
-        }
-
-        int sum = 0;
-        for (int c = 2; c < _cells + 2; c++)
-        {
-            sum += start[c];
-            start[c] = sum;
-        }
-
-        Fill(proxies, members, places, count);
-        scratch.Release(mark);
-    }
 
     /// <summary>Pairs of a range of the boxes of this level with those behind them. Each looks at the rest of its cell, the next cell, and three cells of the next row.</summary>
     /// <remarks>
@@ -197,37 +152,6 @@ internal sealed unsafe class GridLevel
         }
     }
 
-    // Slots by cell: start[c + 1] is where cell c begins; filling moves it to where cell c + 1 does. Each box is written to one place, and
-    // spread into the rows of bounds in a second walk: five far stores a box would each miss the cache in a large world.
-    private void Fill(ProxyStore proxies, int* members, GridPlace* places, int count)
-    {
-        Box* boxes = proxies.Fat.Pointer;
-        ProxyInfo* info = proxies.Info.Pointer;
-        int* start = _start;
-        GridEntry* entries = _entries;
-        int seekers = 0;
-        for (int i = 0; i < count; i++)
-        {
-            int proxy = members[i];
-            GridEntry* entry = entries + start[places[i].Cell + 1]++;
-            entry->Box = boxes[proxy];
-            entry->Proxy = proxy;
-            entry->Key = PairRule.Key(info[proxy]);
-            entry->Place = places[i];
-            seekers += PairRule.Seeks(entry->Key) ? 1 : 0;
-        }
-
-        Seekers = seekers;
-        WideBoxes wide = _rows;
-        WideBoxes before = _sought;
-        Box* sought = proxies.Sought.Pointer;
-        for (int slot = 0; slot < count; slot++)
-        {
-            wide.Set(slot, entries[slot].Box);
-            before.Set(slot, sought[entries[slot].Proxy]);
-        }
-    }
-
     // A box whose neighbouring cells wrap around the end of the table: they are taken one by one.
     private void CollectAcrossEnd(int i, PairBuffer pairs)
     {
@@ -263,59 +187,6 @@ internal sealed unsafe class GridLevel
                     pairs.Add(entry->Proxy, other->Proxy);
                 }
             }
-        }
-    }
-
-    private void Measure(Box* boxes, int* members, int count, double maxSize)
-    {
-        float minX = float.PositiveInfinity;
-        float minY = float.PositiveInfinity;
-        float maxX = float.NegativeInfinity;
-        float maxY = float.NegativeInfinity;
-        for (int i = 0; i < count; i++)
-        {
-            Box* box = boxes + members[i];
-            minX = box->MinX < minX ? box->MinX : minX;
-            minY = box->MinY < minY ? box->MinY : minY;
-            maxX = box->MinX > maxX ? box->MinX : maxX;
-            maxY = box->MinY > maxY ? box->MinY : maxY;
-        }
-
-        _originX = minX;
-        _originY = minY;
-        if (maxSize > double.MaxValue)
-        {
-            // Boxes without bounds: one cell for the whole plane, to which all numbers below come out as 0.
-            _originX = 0;
-            _originY = 0;
-            maxX = maxY = 0;
-        }
-
-        // Only points at the origin have size 0: any cell holds them.
-        _cell = maxSize > 0 ? maxSize * CellSlack : 1;
-        _inverseCell = 1 / _cell;
-        _columns = (int)((maxX - _originX) * _inverseCell) + 1;
-        _rowCount = (int)((maxY - _originY) * _inverseCell) + 1;
-        long direct = ((long)_columns + 1) * ((long)_rowCount + 1) + 2;
-        _hashed = direct > ((long)MostCellsABox * count) + LeastCells;
-        if (_hashed)
-        {
-            int cells = 16;
-            while (cells < 2 * count)
-            {
-                cells *= 2;
-            }
-
-            // The golden section spreads the beginnings of consecutive rows as evenly as can be.
-            _cells = cells;
-            _mask = (uint)cells - 1;
-            _stride = (uint)(cells * 0.6180339887498949) | 1;
-        }
-        else
-        {
-            _cells = (int)direct;
-            _mask = uint.MaxValue;
-            _stride = (uint)_columns + 1;
         }
     }
 }

@@ -16,18 +16,13 @@ namespace Farseer.Engine.BroadPhase;
 /// A box is put into the tree when keeping it in the grids has cost as much as rebuilding the tree: at worst twice the cost of knowing
 /// in advance. The rule counts boxes, not time, so runs repeat exactly.
 /// </remarks>
-internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
+internal sealed unsafe partial class LevelGrid : IBroadPhase, IStageWork
 {
-    // Collects without motion after which a box is thought to rest.
-    private const int RestAfter = 16;
-
     // The cost of building one box into the tree, in boxes sorted into a grid.
     private const int BuildCost = 4;
 
     // Boxes that are worth another worker's while, some 2 µs.
     private const int LeastBoxes = 128;
-
-    private const int NotInTree = -1;
 
     // Hits of a box in the tree, for which there is room.
     private const int UsualHits = 1024;
@@ -40,17 +35,13 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
     private readonly PackedTree _tree = new PackedTree();
     private readonly FewSeekers _few = new FewSeekers();
     private readonly MainGroup _mainGroup = new MainGroup();
-    private readonly IndexList _active = new IndexList();
-    private readonly IndexList _resting = new IndexList();
     private IndexList[] _hits = { new IndexList() };
     private PairBuffer[] _found = { new PairBuffer() };
     private StageRunner? _runner;
-    private readonly Column<Residence> _residence = new Column<Residence>(1);
     private ProxyStore _proxies = null!;
     private PairBuffer _pairs = null!;
     private GridLevel? _coarse;
     private GridLevel? _fine;
-    private int _end;
     private int _reserved;
     private long _debt;
 
@@ -120,7 +111,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
     private void SearchGrids(ProxyStore proxies)
     {
         int mark = proxies.Scratch.Mark;
-        _levels.Assign(proxies.Scratch, proxies.Fat.Pointer, _active.Pointer, _active.Count);
+        _levels.Assign(_runner, proxies.Scratch, proxies.Fat.Pointer, _active.Pointer, _active.Count);
         while (_grids.Count < System.Math.Max(_levels.Count, UsualLevels))
         {
             _grids.Add(new GridLevel());
@@ -128,7 +119,7 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
 
         for (int l = 0; l < _levels.Count; l++)
         {
-            _grids[l].Build(proxies, _levels.Members(l), _levels.Size(l), _levels.MaxSize(l));
+            _grids[l].Build(_runner, proxies, _levels.Members(l), _levels.Size(l), _levels.MaxSize(l));
         }
 
         for (int coarse = 0; coarse < _levels.Count; coarse++)
@@ -151,9 +142,19 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
         proxies.Scratch.Release(mark);
     }
 
-    /// <summary>A range of the active boxes asks the tree, or one of a level the level itself or a finer one.</summary>
+    /// <summary>A range of the active boxes asks the tree, or one of a level the level itself or a finer one; or blocks of boxes are gathered.</summary>
     void IStageWork.Run(int worker, int from, int to)
     {
+        if (_gathers)
+        {
+            for (int block = from; block < to; block++)
+            {
+                Gather(block);
+            }
+
+            return;
+        }
+
         PairBuffer pairs = worker == 0 ? _pairs : _found[worker];
         if (_coarse == null)
         {
@@ -229,42 +230,6 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
         }
     }
 
-    // Lists the live boxes outside the tree, and those of them that rest; moved boxes leave the tree. Returns how many seek pairs.
-    private int GatherActive(ProxyStore proxies)
-    {
-        _active.Clear();
-        _resting.Clear();
-        ProxyInfo* info = proxies.Info.Pointer;
-        Residence* residence = _residence.Pointer;
-        int seekers = 0;
-        for (int i = 0; i < proxies.End; i++)
-        {
-            ProxyFlags flags = info[i].Flags;
-            if ((flags & ProxyFlags.Alive) == 0)
-            {
-                continue;
-            }
-
-            if ((flags & ProxyFlags.Moved) != 0)
-            {
-                Leave(i);
-                seekers++;
-                _active.Add(i);
-            }
-            else if (residence[i].TreeSlot == NotInTree)
-            {
-                _active.Add(i);
-                residence[i].StillFor++;
-                if (residence[i].StillFor >= RestAfter || (flags & ProxyFlags.Static) != 0)
-                {
-                    _resting.Add(i);
-                }
-            }
-        }
-
-        return seekers;
-    }
-
     // Rebuilds the tree with the resting boxes in it. They leave the list of the grids at once, so that none is found twice.
     private void Settle(ProxyStore proxies)
     {
@@ -336,40 +301,5 @@ internal sealed unsafe class LevelGrid : IBroadPhase, IStageWork
         _resting.Reserve(_reserved);
         _tree.Reserve(_reserved);
         _hits[0].Reserve(System.Math.Min(_reserved, UsualHits));
-    }
-
-    private void Know(ProxyStore proxies, int end)
-    {
-        if (end > _end)
-        {
-            _residence.EnsureCapacity(System.Math.Max(end, proxies.Info.Capacity));
-            for (int i = _end; i < end; i++)
-            {
-                _residence.Pointer[i].TreeSlot = NotInTree;
-            }
-
-            _end = end;
-        }
-    }
-
-    private void Leave(int proxy)
-    {
-        ref Residence residence = ref _residence[proxy];
-        if (residence.TreeSlot != NotInTree)
-        {
-            _tree.Remove(residence.TreeSlot);
-            residence.TreeSlot = NotInTree;
-        }
-
-        residence.StillFor = 0;
-    }
-
-    private struct Residence
-    {
-        /// <summary>The slot in the tree, or −1 while the box is in the grids.</summary>
-        public int TreeSlot;
-
-        /// <summary>Collects since the box last moved.</summary>
-        public int StillFor;
     }
 }

@@ -156,7 +156,7 @@ internal sealed unsafe class SelectiveSweep : IBroadPhase
         bool vertical = SpreadsMoreVertically(boxes);
         Scratch scratch = proxies.Scratch;
         int mark = scratch.Mark;
-        _levels.Assign(scratch, boxes, _live.Pointer, _live.Count);
+        _levels.Assign(null, scratch, boxes, _live.Pointer, _live.Count);
         _levelCount = _levels.Count;
         while (_sweeps.Count < _levelCount)
         {

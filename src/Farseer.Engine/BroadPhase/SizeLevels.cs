@@ -1,5 +1,7 @@
 using System;
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.BroadPhase;
@@ -8,7 +10,7 @@ namespace Farseer.Engine.BroadPhase;
 /// Groups boxes by size, each group spanning at most two powers of two, so that one cell size (or one search margin) fits all boxes of a
 /// group: O(n). Sizes are measured by their exponents, so the grouping does not depend on the unit of length.
 /// </summary>
-internal sealed unsafe class SizeLevels
+internal sealed unsafe class SizeLevels : IStageWork
 {
     // Doubles that come from float boxes have exponents −173 … 129.
     private const int Lowest = -180;
@@ -17,14 +19,22 @@ internal sealed unsafe class SizeLevels
     // A group of so few may join any coarser one: even all in one cell they cost less than a level of their own.
     private const int Few = 16;
 
+    // Boxes that are worth another worker's while, some 1 µs.
+    private const int LeastBoxes = 256;
+
     // 2⁻²⁴: a box is never taken as smaller than the spacing of floats where it lies, so that cell numbers stay below 2²⁶.
     private const float Spacing = 1f / (1 << 24);
 
-    private readonly Column<int> _bucketCount = new Column<int>(Buckets);
     private readonly Column<int> _bucketLevel = new Column<int>(Buckets);
     private readonly Column<double> _maxSize = new Column<double>(Buckets);
     private readonly Column<int> _start = new Column<int>(Buckets + 1);
     private int* _order;
+
+    // While members are sorted: their sizes, and what each worker has found of each power of two.
+    private double* _size;
+    private SizeBucket* _found;
+    private Box* _boxes;
+    private int* _members;
 
     /// <summary>Groups, the finest first.</summary>
     public int Count { get; private set; }
@@ -39,28 +49,55 @@ internal sealed unsafe class SizeLevels
     /// <summary>The largest side in the group.</summary>
     public double MaxSize(int level) => _maxSize[level];
 
-    /// <summary>Sorts the members into groups. They lie in the scratch memory from then on.</summary>
-    public void Assign(Scratch scratch, Box* boxes, int* members, int count)
+    /// <summary>Sorts the members into groups. They lie in the scratch memory from then on, or where they were if there is only one.</summary>
+    /// <param name="runner">Who shares the measuring out; null: nobody.</param>
+    /// <param name="scratch">Where room is found.</param>
+    /// <param name="boxes">All boxes.</param>
+    /// <param name="members">Those that are sorted.</param>
+    /// <param name="count">How many they are.</param>
+    public void Assign(StageRunner? runner, Scratch scratch, Box* boxes, int* members, int count)
     {
+        int workers = runner != null && runner.IsShared(count, LeastBoxes) ? runner.Workers : 1;
         _order = scratch.Take<int>(count);
         int mark = scratch.Mark;
-        double* size = scratch.Take<double>(count);
-        int* buckets = _bucketCount.Pointer;
-        for (int b = 0; b < Buckets; b++)
+        _size = scratch.Take<double>(count);
+        _found = scratch.Take<SizeBucket>(workers * Buckets);
+        _boxes = boxes;
+        _members = members;
+        Unsafe.InitBlock(_found, 0, (uint)(workers * Buckets * sizeof(SizeBucket)));
+        if (workers == 1)
         {
-            buckets[b] = 0;
+            ((IStageWork)this).Run(0, 0, count);
+        }
+        else
+        {
+            runner!.Run(this, count, LeastBoxes);
         }
 
-        for (int i = 0; i < count; i++)
+        for (int i = Buckets; i < workers * Buckets; i++)
         {
-            double s = EffectiveSize(boxes[members[i]]);
-            size[i] = s;
-            buckets[Bucket(s)]++;
+            ref SizeBucket sum = ref _found[i % Buckets];
+            sum.Count += _found[i].Count;
+            sum.Most = _found[i].Most > sum.Most ? _found[i].Most : sum.Most;
         }
 
-        MergeBuckets(buckets);
-        Distribute(members, size, count);
+        MergeBuckets();
+        Distribute(count);
         scratch.Release(mark);
+    }
+
+    /// <summary>Measures a range of the members.</summary>
+    void IStageWork.Run(int worker, int from, int to)
+    {
+        SizeBucket* found = _found + (worker * Buckets);
+        for (int i = from; i < to; i++)
+        {
+            double size = EffectiveSize(_boxes[_members[i]]);
+            _size[i] = size;
+            SizeBucket* bucket = found + Bucket(size);
+            bucket->Count++;
+            bucket->Most = size > bucket->Most ? size : bucket->Most;
+        }
     }
 
     /// <summary>The larger side, or the spacing of floats at the box if that is more.</summary>
@@ -87,8 +124,9 @@ internal sealed unsafe class SizeLevels
     }
 
     // From fine to coarse: a group takes in the next power of two while that does not crowd the larger cells.
-    private void MergeBuckets(int* buckets)
+    private void MergeBuckets()
     {
+        double* maxSize = _maxSize.Pointer;
         int* level = _bucketLevel.Pointer;
         int* start = _start.Pointer;
         int current = 0;
@@ -96,9 +134,10 @@ internal sealed unsafe class SizeLevels
         int finest = 0;
         int total = 0;
         start[0] = 0;
+        maxSize[0] = 0;
         for (int b = 0; b < Buckets; b++)
         {
-            int here = buckets[b];
+            int here = _found[b].Count;
             if (here == 0)
             {
                 continue;
@@ -108,6 +147,7 @@ internal sealed unsafe class SizeLevels
             if (!joins)
             {
                 start[++current] = total;
+                maxSize[current] = 0;
                 pending = 0;
             }
 
@@ -117,6 +157,7 @@ internal sealed unsafe class SizeLevels
             }
 
             level[b] = current;
+            maxSize[current] = Math.Max(maxSize[current], _found[b].Most);
             pending += here;
             total += here;
         }
@@ -125,35 +166,20 @@ internal sealed unsafe class SizeLevels
         start[Count] = total;
     }
 
-    private void Distribute(int* members, double* size, int count)
+    private void Distribute(int count)
     {
         int* order = _order;
         int* start = _start.Pointer;
-        double* maxSize = _maxSize.Pointer;
         if (Count <= 1)
         {
-            double max = 0;
-            for (int i = 0; i < count; i++)
-            {
-                order[i] = members[i];
-                max = size[i] > max ? size[i] : max;
-            }
-
-            maxSize[0] = max;
+            _order = _members;
             return;
         }
 
         // The starts serve as cursors and are moved back afterwards.
-        for (int l = 0; l < Count; l++)
-        {
-            maxSize[l] = 0;
-        }
-
         for (int i = 0; i < count; i++)
         {
-            int l = _bucketLevel.Pointer[Bucket(size[i])];
-            order[start[l]++] = members[i];
-            maxSize[l] = size[i] > maxSize[l] ? size[i] : maxSize[l];
+            order[start[_bucketLevel.Pointer[Bucket(_size[i])]]++] = _members[i];
         }
 
         for (int l = Count - 1; l > 0; l--)
@@ -162,5 +188,14 @@ internal sealed unsafe class SizeLevels
         }
 
         start[0] = 0;
+    }
+
+    // The boxes of a power of two.
+    private struct SizeBucket
+    {
+        public int Count;
+
+        // The largest side of one.
+        public double Most;
     }
 }

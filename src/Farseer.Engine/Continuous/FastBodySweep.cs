@@ -59,7 +59,7 @@ internal sealed class FastBodySweep
         }
 
         BodyPath path = WayOf(input, motion);
-        return input.Listener.StaysWithin(motion.Body, path) && FindGuarded(input, motion.Body, path, out _) < 0;
+        return input.Listener.AddsNothing(motion.Body, path) && FindGuarded(input, motion.Body, path, out _) < 0;
     }
 
     /// <summary>Sweeps one body against the candidates added.</summary>

@@ -22,8 +22,8 @@ internal interface IImpactListener
     /// </summary>
     void OnWay(FastBodySweep sweep, int body, in BodyPath way);
 
-    /// <summary>A way of a body stays within its boxes, so <see cref="OnWay"/> has nothing to add. Workers ask.</summary>
-    bool StaysWithin(int body, in BodyPath way);
+    /// <summary>There is nothing on a way of a body that <see cref="OnWay"/> would add. Workers ask.</summary>
+    bool AddsNothing(int body, in BodyPath way);
 }
 
 /// <summary>What the sweep of a step works on.</summary>

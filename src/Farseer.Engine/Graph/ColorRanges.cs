@@ -4,54 +4,90 @@ namespace Farseer.Engine.Graph;
 
 /// <summary>
 /// The bundles of several colours numbered one after the other: a phase that does not care for colours is then one range for the workers,
-/// and not one a colour.
+/// and not one a colour. The first parts of all colours come first, then their second ones, a part for each worker: so a worker begins with
+/// the rows that are its own in the passes, where each colour is cut by itself, and they stay in its cache.
 /// </summary>
 internal sealed class ColorRanges
 {
     private GraphColor[] _colors = new GraphColor[ConstraintGraph.ColorCount];
     private int[] _first = new int[ConstraintGraph.ColorCount + 1];
-
-    private int _count;
+    private int _colorCount;
+    private int _parts = 1;
 
     /// <summary>Bundles in all.</summary>
     public int Count { get; private set; }
 
     /// <summary>Takes the colours as they are; valid until a row is added or removed.</summary>
-    public void Find(ReadOnlySpan<GraphColor> colors)
+    /// <param name="colors">The colours.</param>
+    /// <param name="parts">Into how many parts each is cut; the numbers of the bundles follow from it.</param>
+    public void Find(ReadOnlySpan<GraphColor> colors, int parts)
     {
         if (_colors.Length < colors.Length)
         {
             _colors = new GraphColor[2 * colors.Length];
-            _first = new int[_colors.Length + 1];
         }
 
+        if (_first.Length <= parts * _colors.Length)
+        {
+            _first = new int[(parts * _colors.Length) + 1];
+        }
+
+        _colorCount = colors.Length;
+        _parts = parts;
         Count = 0;
         for (int i = 0; i < colors.Length; i++)
         {
             _colors[i] = colors[i];
-            _first[i] = Count;
-            Count += colors[i].BundleCount;
         }
 
-        _first[colors.Length] = Count;
-        _count = colors.Length;
+        for (int part = 0; part < parts; part++)
+        {
+            for (int i = 0; i < colors.Length; i++)
+            {
+                _first[(part * colors.Length) + i] = Count;
+                Count += Start(i, part + 1) - Start(i, part);
+            }
+        }
+
+        _first[parts * colors.Length] = Count;
     }
 
-    /// <summary>The bundles of one colour of a range.</summary>
+    /// <summary>The bundles of one part of a colour that a range begins with.</summary>
     /// <param name="from">The number of the first.</param>
     /// <param name="to">One past the last that is wanted.</param>
-    /// <param name="end">One past the last that is of the first one's colour, at most <paramref name="to"/>.</param>
+    /// <param name="end">One past the last that is of the first one's part, at most <paramref name="to"/>.</param>
     public BundleRuns From(int from, int to, out int end)
     {
-        int color = 0;
-        for (int above = _count; above - color > 1;)
+        int place = 0;
+        for (int above = _parts * _colorCount; above - place > 1;)
         {
-            int middle = (color + above) / 2;
-            color = _first[middle] <= from ? middle : color;
+            int middle = (place + above) / 2;
+            place = _first[middle] <= from ? middle : place;
             above = _first[middle] <= from ? above : middle;
         }
 
-        end = Math.Min(to, _first[color + 1]);
-        return _colors[color].Part(from - _first[color], end - _first[color]);
+        end = Math.Min(to, _first[place + 1]);
+        int shift = Start(place % _colorCount, place / _colorCount) - _first[place];
+        return _colors[place % _colorCount].Part(from + shift, end + shift);
     }
+
+    /// <summary>The numbers of the bundles of a part of a colour. In the order of the colours, and of the parts of each, the bundles are in an order that no number of workers changes.</summary>
+    /// <param name="place">From 0, below <see cref="Places"/>.</param>
+    /// <param name="from">The first number.</param>
+    /// <param name="to">One past the last.</param>
+    /// <returns>The bundles.</returns>
+    public BundleRuns At(int place, out int from, out int to)
+    {
+        int color = place / _parts;
+        int part = place % _parts;
+        from = _first[(part * _colorCount) + color];
+        to = _first[(part * _colorCount) + color + 1];
+        return _colors[color].Part(Start(color, part), Start(color, part + 1));
+    }
+
+    /// <summary>Parts of all colours.</summary>
+    public int Places => _parts * _colorCount;
+
+    /// <summary>Where a part of a colour begins.</summary>
+    private int Start(int color, int part) => (int)((long)_colors[color].BundleCount * part / _parts);
 }

@@ -66,7 +66,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         _islands = islands;
         int mark = scratch.Mark;
         _rate = scratch.Take<float>(Math.Max(1, islands.Count));
-        _ranges.Find(graph.Used);
+        _ranges.Find(graph.Used, runner.Workers);
         CollectSag(runner, islands, c, scratch);
         _anyDeep = _deepStacks.Find(islands, graph, c, cold, scratch, _deep.Pointer, _anyDeep);
         float weight = c.Sag(c.Gravity * c.Substep);

@@ -96,7 +96,7 @@ internal sealed unsafe partial class IslandStore : IStageWork
         runner.Run(this, Searches, graph.RowCount < LeastRows ? Searches : 1);
         scratch.Release(mark);
         NumberSlots();
-        _ranges.Find(graph.Used);
+        _ranges.Find(graph.Used, runner.Workers);
         _part = Part.Write;
         runner.Run(this, _ranges.Count, LeastBundles);
     }

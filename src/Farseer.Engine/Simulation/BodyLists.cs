@@ -224,9 +224,9 @@ internal sealed unsafe class BodyLists
                 bodies.Pose[body] = start.Pose;
                 CastOut(bodies, body, QuarantineCause.Forces);
             }
-            else
+            else if (FastList.IsLookedAfter(bodies, body))
             {
-                Fast.Add(bodies, body, start.Pose, start.State, isFree: true);
+                Fast.Add(FastList.Begin(body, start.Pose, start.State, isFree: true));
             }
         }
     }
@@ -246,19 +246,28 @@ internal sealed unsafe class BodyLists
     }
 
     /// <summary>Takes over the solver's displacements.</summary>
-    public void Finish(StageRunner runner, BodyStore bodies)
+    public void Finish(StageRunner runner, BodyStore bodies, Scratch scratch)
     {
-        if (_work.Finish(runner, bodies, _solver.Pointer, SolverCount))
+        int mark = scratch.Mark;
+        FastMotion* starts = scratch.Take<FastMotion>(SolverCount);
+        if (_work.Finish(runner, bodies, _solver.Pointer, SolverCount, starts))
         {
+            byte* marks = _work.Marks;
             for (int i = 0; i < SolverCount; i++)
             {
-                if (_work.Marks[i] != 0 && !FinishBodies.RunMarked(bodies, _solver[i], Fast))
+                if (marks[i] == FinishBodies.MovedFast)
                 {
+                    Fast.Add(starts[i]);
+                }
+                else if (marks[i] != 0)
+                {
+                    FinishBodies.Forget(bodies, _solver[i]);
                     CastOut(bodies, _solver[i], QuarantineCause.Solver);
                 }
             }
         }
 
+        scratch.Release(mark);
         _work.FinishFree(runner, bodies, _free.Pointer, FreeCount);
     }
 

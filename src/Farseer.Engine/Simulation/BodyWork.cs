@@ -55,6 +55,7 @@ internal sealed unsafe class BodyWork : IStageWork
     private readonly Column<BodySorts> _sorts = new Column<BodySorts>();
     private readonly Column<byte> _marks = new Column<byte>();
     private FlightStart* _starts;
+    private FastMotion* _fast;
     private BodyStore _bodies = null!;
     private int* _list;
     private byte* _moves;
@@ -126,8 +127,11 @@ internal sealed unsafe class BodyWork : IStageWork
     }
 
     /// <returns>True if bodies were marked.</returns>
-    public bool Finish(StageRunner runner, BodyStore bodies, int* list, int count) =>
-        Run(runner, bodies, list, count, Part.Finish, 0);
+    public bool Finish(StageRunner runner, BodyStore bodies, int* list, int count, FastMotion* starts)
+    {
+        _fast = starts;
+        return Run(runner, bodies, list, count, Part.Finish, 0);
+    }
 
     public void FinishFree(StageRunner runner, BodyStore bodies, int* list, int count) =>
         Run(runner, bodies, list, count, Part.FinishFree, 0);
@@ -164,7 +168,7 @@ internal sealed unsafe class BodyWork : IStageWork
                 found = FlyFree(list, to - from, marks, _starts + from);
                 break;
             case Part.Finish:
-                found = FinishBodies.Run(_bodies, list, to - from, marks);
+                found = FinishBodies.Run(_bodies, list, to - from, marks, _fast + from);
                 break;
             case Part.FinishFree:
                 FinishFree(list, to - from);

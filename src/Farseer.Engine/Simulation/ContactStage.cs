@@ -160,36 +160,46 @@ internal sealed unsafe class ContactStage : IStageWork
 
     private void UpdateGraph(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
     {
-        _work.UpdateRows(runner, input, graph);
-        BundleOutcome* outcome = _work.Outcomes;
-        foreach (GraphColor color in graph.Used)
+        Count(_work.UpdateRows(runner, input, graph));
+        ColorRanges ranges = _work.Ranges;
+        for (int place = 0; place < ranges.Places; place++)
         {
-            foreach (ContactBundle* bundle in color.Bundles)
+            BundleRuns runs = ranges.At(place, out int first, out int end);
+            for (int i = _work.Notes.Next(first, end); i < end; i = _work.Notes.Next(i + 1, end))
             {
-                ref ContactFates fates = ref outcome->Fates;
-                Count(fates);
-                _struck.Note(input, outcome, bundle->Contact);
-                AnyBounce |= outcome->Bounces;
-                outcome++;
-                DeferAll(input.Contacts, bundle->Contact, fates.Deferred);
-                OfferAll(bundle->Contact, fates.Racing);
-                int leaving = fates.Idle | fates.Dropped;
-                for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
+                while (i >= first + runs.Count)
                 {
-                    if ((leaving & 1) == 0)
-                    {
-                        continue;
-                    }
-
-                    if ((fates.Dropped & (1 << lane)) != 0)
-                    {
-                        _dropped.Add(bundle->Contact[lane]);
-                    }
-                    else
-                    {
-                        _lost.Add(bundle->Contact[lane]);
-                    }
+                    first += runs.Count;
+                    runs.Next();
                 }
+
+                SeeTo(input, runs.Bundles + (i - first), _work.Outcomes + i);
+            }
+        }
+    }
+
+    /// <summary>Notes what follows for the pairs of a bundle that have rows.</summary>
+    private void SeeTo(in ContactUpdateInput input, ContactBundle* bundle, BundleOutcome* outcome)
+    {
+        ref ContactFates fates = ref outcome->Fates;
+        _struck.Note(input, outcome, bundle->Contact);
+        DeferAll(input.Contacts, bundle->Contact, fates.Deferred);
+        OfferAll(bundle->Contact, fates.Racing);
+        int leaving = fates.Idle | fates.Dropped;
+        for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
+        {
+            if ((leaving & 1) == 0)
+            {
+                continue;
+            }
+
+            if ((fates.Dropped & (1 << lane)) != 0)
+            {
+                _dropped.Add(bundle->Contact[lane]);
+            }
+            else
+            {
+                _lost.Add(bundle->Contact[lane]);
             }
         }
     }
@@ -197,13 +207,14 @@ internal sealed unsafe class ContactStage : IStageWork
     private void UpdateIdle(StageRunner runner, in ContactUpdateInput input)
     {
         ContactStore contacts = input.Contacts;
-        _idle.Update(runner, input);
+        Count(_idle.Update(runner, input));
         int* pairs = stackalloc int[ContactBundle.Lanes];
         int next = 0;
-        for (int first = 0; first < _idle.LookedCount; first += ContactBundle.Lanes)
+        int bundles = (_idle.LookedCount + ContactBundle.Lanes - 1) / ContactBundle.Lanes;
+        for (int i = _idle.Notes.Next(0, bundles); i < bundles; i = _idle.Notes.Next(i + 1, bundles))
         {
-            ref ContactFates fates = ref _idle.Outcomes[first / ContactBundle.Lanes].Fates;
-            Count(fates);
+            int first = i * ContactBundle.Lanes;
+            ref ContactFates fates = ref _idle.Outcomes[i].Fates;
             int leaving = fates.Solid | fates.Dropped;
             int lanes = leaving | fates.Deferred | fates.Racing;
             for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
@@ -211,7 +222,7 @@ internal sealed unsafe class ContactStage : IStageWork
                 pairs[lane] = (lanes & 1) != 0 ? contacts.Idle(_idle.Place(first + lane)) : 0;
             }
 
-            _struck.Note(input, _idle.Outcomes + (first / ContactBundle.Lanes), pairs);
+            _struck.Note(input, _idle.Outcomes + i, pairs);
             DeferAll(contacts, pairs, fates.Deferred);
             OfferAll(pairs, fates.Racing);
             for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
@@ -236,8 +247,11 @@ internal sealed unsafe class ContactStage : IStageWork
     {
         while (from < to && contacts.KeepsGaps)
         {
-            int end = Math.Min(to, (from | (ContactBundle.Lanes - 1)) + 1);
-            int parted = _idle.Parted(from / ContactBundle.Lanes) >> (from % ContactBundle.Lanes);
+            int bundle = _idle.NextParted(from / ContactBundle.Lanes, (to + ContactBundle.Lanes - 1) / ContactBundle.Lanes);
+            int first = bundle * ContactBundle.Lanes;
+            from = Math.Max(from, first);
+            int end = Math.Min(to, first + ContactBundle.Lanes);
+            int parted = from < end ? _idle.Parted(bundle) >> (from - first) : 0;
             for (; parted != 0 && from < end; from++, parted >>= 1)
             {
                 if ((parted & 1) != 0)
@@ -274,12 +288,13 @@ internal sealed unsafe class ContactStage : IStageWork
         }
     }
 
-    private void Count(in ContactFates fates)
+    private void Count(in BundleSums sums)
     {
-        _touching += BitSet.CountBits((uint)fates.Touching);
-        _touchingNow += BitSet.CountBits((uint)fates.TouchingNow);
-        AnyHeard |= fates.Heard != 0;
-        _hulls += BitSet.CountBits((uint)fates.Hulls);
+        _touching += sums.Touching;
+        _touchingNow += sums.TouchingNow;
+        _hulls += sums.Hulls;
+        AnyHeard |= sums.AnyHeard;
+        AnyBounce |= sums.AnyBounce;
     }
 
     /// <summary>

@@ -16,9 +16,6 @@ internal unsafe struct BundleOutcome
 
     /// <summary>How deep those that are struck would sink in.</summary>
     public fixed float Sinking[ContactBundle.Lanes];
-
-    /// <summary>A contact of the bundle can bounce.</summary>
-    public bool Bounces;
 }
 
 /// <summary>
@@ -39,6 +36,7 @@ internal sealed unsafe class ContactWork : IStageWork
     private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
     private BundleOutcome* _outcomes;
     private readonly ColorRanges _ranges = new ColorRanges();
+    private readonly BundleNotes _notes = new BundleNotes();
     private ContactUpdateInput _input;
     private ContactSides _sides = null!;
     private ConstraintGraph _graph = null!;
@@ -56,8 +54,14 @@ internal sealed unsafe class ContactWork : IStageWork
     /// <summary>Where pairs pass through that the calling thread works on alone.</summary>
     public PairLanes* Pairs => _pairs.Pointer;
 
-    /// <summary>Outcomes of the last update, in the order of its bundles.</summary>
+    /// <summary>Outcomes of the last update, by the numbers of its bundles.</summary>
     public BundleOutcome* Outcomes => _outcomes;
+
+    /// <summary>The numbers of the bundles of rows.</summary>
+    public ColorRanges Ranges => _ranges;
+
+    /// <summary>Those of them that something follows from.</summary>
+    public BundleNotes Notes => _notes;
 
     /// <summary>Writes the sides of all pieces.</summary>
     public void WriteSides(StageRunner runner, in ContactUpdateInput input, ContactSides sides)
@@ -73,10 +77,10 @@ internal sealed unsafe class ContactWork : IStageWork
     }
 
     /// <summary>Updates the pairs that have rows, colour by colour.</summary>
-    public void UpdateRows(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
+    public BundleSums UpdateRows(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
     {
-        _ranges.Find(graph.Used);
-        Run(runner, input, Part.Rows, _ranges.Count);
+        _ranges.Find(graph.Used, runner.Workers);
+        return Run(runner, input, Part.Rows, _ranges.Count);
     }
 
     /// <summary>Writes the constraints of pairs that have just been given rows, eight at a time, and moves them to their places.</summary>
@@ -87,14 +91,7 @@ internal sealed unsafe class ContactWork : IStageWork
         _gained = gained;
         _gainedCount = count;
         int bundles = (count + ContactBundle.Lanes - 1) / ContactBundle.Lanes;
-        Run(runner, input, Part.Given, bundles);
-        bool bounces = false;
-        for (int i = 0; i < bundles; i++)
-        {
-            bounces |= _outcomes[i].Bounces;
-        }
-
-        return bounces;
+        return Run(runner, input, Part.Given, bundles).AnyBounce;
     }
 
     /// <summary>What the sides and boxes of one piece of a pair are read from is asked for.</summary>
@@ -126,25 +123,28 @@ internal sealed unsafe class ContactWork : IStageWork
                 _sides.Write(input.Shapes, input.Bodies, input.Proxies, input.Moves, from * BitSet.WordBits, end);
                 break;
             case Part.Rows:
-                UpdateRows(input, from, to);
+                UpdateRows(input, worker, from, to);
                 break;
             case Part.Given:
-                FillRows(input, _bundles.Pointer + worker, from, to);
+                FillRows(input, worker, from, to);
                 break;
         }
     }
 
-    private void Run(StageRunner runner, in ContactUpdateInput input, Part part, int count)
+    private BundleSums Run(StageRunner runner, in ContactUpdateInput input, Part part, int count)
     {
         _input = input;
         _part = part;
         _outcomes = input.Scratch.Take<BundleOutcome>(count);
+        _notes.Begin(runner, input.Scratch, count);
         runner.Run(this, count, LeastBundles);
+        return _notes.Total(runner);
     }
 
-    private void UpdateRows(in ContactUpdateInput input, int from, int to)
+    private void UpdateRows(in ContactUpdateInput input, int worker, int from, int to)
     {
         BundleOutcome* outcomes = _outcomes;
+        BundleSums sums = default;
         bool far = Prefetch.IsUseful && input.Shapes.PieceIds.End > MostNear;
         while (from < to)
         {
@@ -168,10 +168,15 @@ internal sealed unsafe class ContactWork : IStageWork
 
                     outcome->Fates = ContactUpdate.UpdateRows(input, bundle);
                     NoteSinking(input.Pairs, outcome);
-                    outcome->Bounces = BounceKernel.Bounces(bundle);
+                    ref ContactFates fates = ref outcome->Fates;
+                    sums.Add(fates);
+                    sums.AnyBounce |= BounceKernel.Bounces(bundle);
+                    _notes.Note((int)(outcome - outcomes), fates.Idle | fates.Dropped | fates.Deferred | fates.Racing | fates.Blows);
                 }
             }
         }
+
+        _notes.Add(worker, sums);
     }
 
     /// <summary>
@@ -188,8 +193,10 @@ internal sealed unsafe class ContactWork : IStageWork
     }
 
     // Two bundles of new rows may write different lanes of the same bundle of a colour: those are different places of memory.
-    private void FillRows(in ContactUpdateInput input, ContactBundle* bundle, int from, int to)
+    private void FillRows(in ContactUpdateInput input, int worker, int from, int to)
     {
+        ContactBundle* bundle = _bundles.Pointer + worker;
+        BundleSums sums = default;
         Column<ContactRecord> records = input.Contacts.Records;
         for (int i = from; i < to; i++)
         {
@@ -202,12 +209,14 @@ internal sealed unsafe class ContactWork : IStageWork
             }
 
             ContactUpdate.FillRows(input, bundle);
-            _outcomes[i].Bounces = BounceKernel.Bounces(bundle);
+            sums.AnyBounce |= BounceKernel.Bounces(bundle);
             for (int lane = 0; lane < count; lane++)
             {
                 ref ContactRecord record = ref records[gained[lane]];
                 ContactRowWriter.MoveLane(bundle, lane, _graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
             }
         }
+
+        _notes.Add(worker, sums);
     }
 }

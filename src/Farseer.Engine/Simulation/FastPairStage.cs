@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
@@ -29,6 +30,7 @@ internal sealed unsafe class FastPairStage : IStageWork
     private ScratchList<ulong> _keys;
     private ScratchList<int> _contacts;
     private Outlook* _found;
+    private Kinds* _kinds;
     private ContactUpdateInput _input;
     private ConstraintGraph _graph = null!;
     private JointStore _joints = null!;
@@ -76,6 +78,7 @@ internal sealed unsafe class FastPairStage : IStageWork
         _struck = struck;
         RadixSort.Sort(input.Scratch, _keys.Pointer, _contacts.Pointer, _contacts.Count);
         _found = input.Scratch.Take<Outlook>(_contacts.Count);
+        _kinds = input.Scratch.Take<Kinds>(_contacts.Count);
         _input = input;
         _graph = graph;
         _joints = joints;
@@ -84,13 +87,14 @@ internal sealed unsafe class FastPairStage : IStageWork
         runner.Run(this, _contacts.Count, LeastPairs);
         for (int i = 0; i < _contacts.Count; i++)
         {
-            if (OfMovers(input, input.Contacts.Records[_contacts[i]]))
+            if ((_kinds[i] & Kinds.Due) != 0)
             {
                 Take(input, graph, i);
-                if (input.Settings.Continuous)
-                {
-                    lone.Offer(_contacts[i]);
-                }
+            }
+
+            if ((_kinds[i] & Kinds.OfMovers) != 0 && input.Settings.Continuous)
+            {
+                lone.Offer(_contacts[i]);
             }
         }
 
@@ -99,8 +103,7 @@ internal sealed unsafe class FastPairStage : IStageWork
         runner.Run(this, _contacts.Count, LeastPairs);
         for (int i = 0; i < _contacts.Count; i++)
         {
-            ref ContactRecord record = ref input.Contacts.Records[_contacts[i]];
-            if (!OfMovers(input, record) && IsLeftToRows(input, graph, joints, record))
+            if ((_kinds[i] & Kinds.Due) != 0 && IsLeftToRows(input, graph, joints, input.Contacts.Records[_contacts[i]]))
             {
                 Take(input, graph, i);
             }
@@ -114,11 +117,17 @@ internal sealed unsafe class FastPairStage : IStageWork
         {
             ref ContactRecord record = ref _input.Contacts.Records[_contacts[i]];
             bool movers = OfMovers(_input, record);
-            _found[i].IsKnown = movers == _ofMovers && (movers || IsLeftToRows(_input, _graph, _joints, record));
-            if (_found[i].IsKnown)
+            ref Outlook found = ref _found[i];
+            found.IsKnown = movers == _ofMovers && (movers || IsLeftToRows(_input, _graph, _joints, record));
+            if (found.IsKnown)
             {
-                Foresee(_input, _graph, record, ref _found[i]);
+                Foresee(_input, _graph, record, ref found);
             }
+
+            // Bodies that are held stay so while rows are given: then a pair that meets nothing does not meet anything either. What rows are not to see to now
+            // they may when another one holds its body.
+            bool due = movers == _ofMovers && (!found.IsKnown || found.Meets || found.FreeA || found.FreeB || IsBeside(_input, record));
+            _kinds[i] = (movers ? Kinds.OfMovers : Kinds.None) | (due ? Kinds.Due : Kinds.None);
         }
     }
 
@@ -152,12 +161,9 @@ internal sealed unsafe class FastPairStage : IStageWork
             Foresee(input, graph, record, ref found);
         }
 
-        bool solid = IsSolid(input, record);
-        bool heard = (record.Flags & ContactFlags.Heard) != 0;
         if (!found.Meets)
         {
-            bool isRefused = heard && (record.Flags & ContactFlags.Vetoed) != 0;
-            if (solid && !isRefused && (FastPairs.IsTied(input, record.BodyA) || FastPairs.IsTied(input, record.BodyB)))
+            if (IsBeside(input, record))
             {
                 GiveBeside(input, graph, contact);
             }
@@ -165,16 +171,24 @@ internal sealed unsafe class FastPairStage : IStageWork
             return;
         }
 
+        bool heard = (record.Flags & ContactFlags.Heard) != 0;
         record.Flags |= ContactFlags.Touching | (heard ? ContactFlags.Due : ContactFlags.None);
         if (heard)
         {
             input.Contacts.Manifolds[contact] = found.Impact.Manifold;
         }
 
-        if (solid)
+        if (IsSolid(input, record))
         {
             Give(input, graph, contact, found.Impact);
         }
+    }
+
+    /// <summary>A pair of a limb that gets a row though it does not meet.</summary>
+    private static bool IsBeside(in ContactUpdateInput input, in ContactRecord record)
+    {
+        bool isRefused = (record.Flags & ContactFlags.Heard) != 0 && (record.Flags & ContactFlags.Vetoed) != 0;
+        return (FastPairs.IsTied(input, record.BodyA) || FastPairs.IsTied(input, record.BodyB)) && !isRefused && IsSolid(input, record);
     }
 
     /// <summary>Looks along the ways of both for their impact.</summary>
@@ -283,6 +297,19 @@ internal sealed unsafe class FastPairStage : IStageWork
         }
 
         return path;
+    }
+
+    /// <summary>What is to be done about a pair.</summary>
+    [Flags]
+    private enum Kinds : byte
+    {
+        None = 0,
+
+        /// <summary>Both sides can move.</summary>
+        OfMovers = 1,
+
+        /// <summary>It may get a row.</summary>
+        Due = 2,
     }
 
     /// <summary>What looking ahead told of a pair.</summary>

@@ -23,10 +23,12 @@ internal sealed unsafe class IdleWork : IStageWork
     private const int BodiesToEnd = 4;
 
     private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
+    private readonly BundleNotes _notes = new BundleNotes();
 
     // In scratch memory, until the end of the narrow phase.
     private BundleOutcome* _outcomes;
-    private Glance* _glances;
+    private byte* _looks;
+    private byte* _parted;
     private int* _looked;
     private ContactUpdateInput _input;
     private Part _part;
@@ -44,11 +46,17 @@ internal sealed unsafe class IdleWork : IStageWork
     /// <summary>Outcomes of the pairs looked at, in bundles of eight, in the order of the idle list.</summary>
     public BundleOutcome* Outcomes => _outcomes;
 
+    /// <summary>Those of these bundles that something follows from.</summary>
+    public BundleNotes Notes => _notes;
+
     /// <summary>Place in the idle list of a pair that was looked at.</summary>
     public int Place(int looked) => _input.Contacts.KeepsGaps ? _looked[looked] : looked;
 
     /// <summary>Of the pairs of a bundle of the idle list those, a bit each, that are forgotten without a look, as their boxes have parted.</summary>
-    public int Parted(int bundle) => _glances[bundle].Parted;
+    public int Parted(int bundle) => _parted[bundle];
+
+    /// <summary>The first bundle of a range of which a pair is, or <paramref name="to"/>.</summary>
+    public int NextParted(int from, int to) => ByteMarks.Next(_parted, from, to);
 
     /// <summary>
     /// Decides whether gaps are kept, before the sides are written: where there are many such pairs and most are of hulls. To know the gaps
@@ -87,20 +95,22 @@ internal sealed unsafe class IdleWork : IStageWork
     /// <summary>Looks at the pairs, eight at a time in a bundle of the worker's own, which has never held an impulse.</summary>
     /// <param name="runner">Who shares the work out.</param>
     /// <param name="input">Columns and numbers of this step; the pairs of the first worker.</param>
-    public void Update(StageRunner runner, in ContactUpdateInput input)
+    /// <returns>What they add up to.</returns>
+    public BundleSums Update(StageRunner runner, in ContactUpdateInput input)
     {
         ContactStore contacts = input.Contacts;
         LookedCount = contacts.IdleCount;
         if (LookedCount == 0)
         {
-            return;
+            return default;
         }
 
         _input = input;
         if (contacts.KeepsGaps)
         {
             int bundles = Bundles(contacts.IdleCount);
-            _glances = input.Scratch.Take<Glance>(bundles);
+            _looks = input.Scratch.Take<byte>(bundles);
+            _parted = input.Scratch.Take<byte>(bundles);
             _looked = input.Scratch.Take<int>(contacts.IdleCount);
             _part = Part.Gaps;
             runner.Run(this, bundles, LeastPasses);
@@ -109,8 +119,10 @@ internal sealed unsafe class IdleWork : IStageWork
 
         _bundles.EnsureCapacity(runner.Workers);
         _outcomes = input.Scratch.Take<BundleOutcome>(Bundles(LookedCount));
+        _notes.Begin(runner, input.Scratch, Bundles(LookedCount));
         _part = Part.Idle;
         runner.Run(this, Bundles(LookedCount), LeastBundles);
+        return _notes.Total(runner);
     }
 
     void IStageWork.Run(int worker, int from, int to)
@@ -126,7 +138,7 @@ internal sealed unsafe class IdleWork : IStageWork
                 PassOver(input, from, to);
                 break;
             case Part.Idle:
-                Look(input, _bundles.Pointer + worker, from, to);
+                Look(input, worker, from, to);
                 break;
         }
     }
@@ -161,8 +173,8 @@ internal sealed unsafe class IdleWork : IStageWork
                 }
             }
 
-            _glances[i].Look = (byte)look;
-            _glances[i].Parted = (byte)parted;
+            _looks[i] = (byte)look;
+            _parted[i] = (byte)parted;
         }
     }
 
@@ -172,7 +184,7 @@ internal sealed unsafe class IdleWork : IStageWork
         for (int i = 0; i < bundles; i++)
         {
             int place = i * ContactBundle.Lanes;
-            for (uint look = _glances[i].Look; look != 0; look &= look - 1)
+            for (uint look = _looks[i]; look != 0; look &= look - 1)
             {
                 *next++ = place + BitSet.LowestBit(look);
             }
@@ -181,8 +193,10 @@ internal sealed unsafe class IdleWork : IStageWork
         LookedCount = (int)(next - _looked);
     }
 
-    private void Look(in ContactUpdateInput input, ContactBundle* bundle, int from, int to)
+    private void Look(in ContactUpdateInput input, int worker, int from, int to)
     {
+        ContactBundle* bundle = _bundles.Pointer + worker;
+        BundleSums sums = default;
         ContactStore contacts = input.Contacts;
         int* places = stackalloc int[ContactBundle.Lanes];
         for (int i = from; i < to; i++)
@@ -204,13 +218,18 @@ internal sealed unsafe class IdleWork : IStageWork
                 }
             }
 
-            _outcomes[i].Fates = ContactUpdate.UpdateIdle(input, bundle);
+            ContactFates fates = ContactUpdate.UpdateIdle(input, bundle);
+            _outcomes[i].Fates = fates;
             ContactWork.NoteSinking(input.Pairs, _outcomes + i);
+            sums.Add(fates);
+            _notes.Note(i, fates.Solid | fates.Dropped | fates.Deferred | fates.Racing | fates.Blows);
             if (contacts.KeepsGaps)
             {
                 IdleGap.Note(input.Pairs, contacts.Gaps, places, count);
             }
         }
+
+        _notes.Add(worker, sums);
     }
 
     /// <summary>What the next bundle of pairs reads is asked for, and the records of the one behind: to wait for them was a twentieth of a step.</summary>
@@ -236,12 +255,5 @@ internal sealed unsafe class IdleWork : IStageWork
         {
             Prefetch.Line(records + contacts.Idle(Place(i)));
         }
-    }
-
-    /// <summary>What a pass over a bundle of the idle list found, a bit a lane.</summary>
-    private struct Glance
-    {
-        public byte Look;
-        public byte Parted;
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Contacts;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
@@ -7,8 +8,8 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Simulation;
 
 /// <summary>
-/// Leaves those of the pairs that were found which are new and pass the filters, in ranges. In a net of joints nearly all pairs that are
-/// found are pairs of neighbours, again in each step.
+/// Leaves those of the pairs that were found which are new and pass the filters, in ranges, and describes these. In a net of joints nearly all pairs that are
+/// found are pairs of neighbours, again in each step. Before that, forgets which boxes were new in the step before.
 /// </summary>
 internal sealed unsafe class PairWork : IStageWork
 {
@@ -18,19 +19,37 @@ internal sealed unsafe class PairWork : IStageWork
     /// <summary>Look-ups ahead for which the map is asked: a table of many pairs lies far away.</summary>
     private const int Ahead = 12;
 
+    /// <summary>Pairs from one that is described to that whose colliders are asked for; to that whose pieces are, twice as many.</summary>
+    private const int Near = 6;
+
     /// <summary>Pairs that are looked up before those of them that are new are judged: their pieces and colliders are asked for meanwhile.</summary>
     private const int Block = 64;
 
+    /// <summary>Boxes that are, some 1 µs.</summary>
+    private const int LeastBoxes = 256;
+
     private byte* _marks;
+    private ContactRecord* _records;
+    private int _first;
+    private Part _part;
     private World _world = null!;
     private PairBuffer _pairs = null!;
 
+    private enum Part
+    {
+        Judge,
+        Describe,
+        Forget,
+    }
+
+    /// <summary>Leaves those of the pairs that are new and pass the filters.</summary>
     public void Run(StageRunner runner, World world, PairBuffer pairs, Scratch scratch)
     {
         int mark = scratch.Mark;
         _marks = scratch.Take<byte>(pairs.Count);
         _world = world;
         _pairs = pairs;
+        _part = Part.Judge;
         runner.Run(this, pairs.Count, LeastPairs);
         ulong* next = pairs.Pointer;
         int count = pairs.Count;
@@ -44,11 +63,57 @@ internal sealed unsafe class PairWork : IStageWork
         scratch.Release(mark);
     }
 
+    /// <summary>Writes the records of some pairs, which all pass.</summary>
+    public void Describe(StageRunner runner, World world, PairBuffer pairs, int first, int count, ContactRecord* records)
+    {
+        _world = world;
+        _pairs = pairs;
+        _first = first;
+        _records = records;
+        _part = Part.Describe;
+        runner.Run(this, count, LeastPairs);
+    }
+
+    /// <summary>The boxes that were new in the last step are new no longer. One may be listed twice, which alters nothing.</summary>
+    public void Forget(StageRunner runner, World world)
+    {
+        _world = world;
+        _part = Part.Forget;
+        runner.Run(this, world.MovedProxies.Count, LeastBoxes);
+    }
+
     void IStageWork.Run(int worker, int from, int to)
     {
-        for (int block = from; block < to; block += Block)
+        switch (_part)
         {
-            Judge(block, Math.Min(block + Block, to));
+            case Part.Judge:
+                for (int block = from; block < to; block += Block)
+                {
+                    Judge(block, Math.Min(block + Block, to));
+                }
+
+                break;
+            case Part.Describe:
+                Describe(from, to);
+                break;
+            case Part.Forget:
+                _world.ForgetMoves(from, to);
+                break;
+        }
+    }
+
+    private void Describe(int from, int to)
+    {
+        ulong* pairs = _pairs.Pointer + _first;
+        for (int i = from; i < to; i++)
+        {
+            if (Prefetch.IsUseful)
+            {
+                _world.AskForColliders(pairs[Math.Min(i + Near, to - 1)]);
+                _world.AskForPieces(pairs[Math.Min(i + (2 * Near), to - 1)]);
+            }
+
+            _records[i] = _world.Describe(pairs[i]);
         }
     }
 

@@ -67,6 +67,7 @@ internal sealed unsafe class SweepWork : IStageWork
             sweep.Reserve(most);
         }
 
+        world.ListImmovable();
         _clear = scratch.Take<byte>(bodies);
         _world = world;
         _dt = dt;

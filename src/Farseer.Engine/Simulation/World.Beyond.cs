@@ -24,7 +24,33 @@ internal sealed partial class World
     /// <summary>The sweep that is to look at what is found.</summary>
     private Continuous.FastBodySweep _seeker = null!;
 
-    bool Continuous.IImpactListener.StaysWithin(int body, in BodyPath way) => _boxes.Hold(Bodies.Pose[body], body, ReachOf(body, way));
+    bool Continuous.IImpactListener.AddsNothing(int body, in BodyPath way)
+    {
+        BodyPose pose = Bodies.Pose[body];
+        BodyReach reach = ReachOf(body, way);
+        if (_boxes.Hold(pose, body, reach))
+        {
+            return true;
+        }
+
+        if (IsBullet(body) || _immovable.Count > MostInARow)
+        {
+            return false;
+        }
+
+        for (int collider = FirstCollider(body); collider >= 0; collider = NextCollider(collider))
+        {
+            for (int piece = Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
+            {
+                if (MeetsUnknown(piece, Around(piece, pose, reach)))
+                {
+                    return false;
+                }
+            }
+        }
+
+        return true;
+    }
 
     void Continuous.IImpactListener.OnWay(Continuous.FastBodySweep sweep, int body, in BodyPath way)
     {
@@ -40,15 +66,39 @@ internal sealed partial class World
         {
             for (int piece = Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
             {
-                Box box = Shapes.TightBox(piece, pose);
-                double swing = reach.Turn * Shapes.Pieces[piece].Reach;
-                SeekPairs(body, piece, Box.FromDouble(
-                    box.MinX + reach.MinX - swing,
-                    box.MinY + reach.MinY - swing,
-                    box.MaxX + reach.MaxX + swing,
-                    box.MaxY + reach.MaxY + swing));
+                SeekPairs(body, piece, Around(piece, pose, reach));
             }
         }
+    }
+
+    /// <summary>A box that holds a piece wherever it gets to.</summary>
+    private Box Around(int piece, in BodyPose pose, in BodyReach reach)
+    {
+        Box box = Shapes.TightBox(piece, pose);
+        double swing = reach.Turn * Shapes.Pieces[piece].Reach;
+        return Box.FromDouble(
+            box.MinX + reach.MinX - swing,
+            box.MinY + reach.MinY - swing,
+            box.MaxX + reach.MaxX + swing,
+            box.MaxY + reach.MaxY + swing);
+    }
+
+    /// <summary>Whether <see cref="SeekPairs"/> would find a pair that is not known, of a body that is no bullet. What cannot move is listed.</summary>
+    private bool MeetsUnknown(int piece, in Box box)
+    {
+        var spread = new SpreadBox(box);
+        for (int first = 0; first < _immovable.Count; first += WideBoxes.Width)
+        {
+            for (uint mask = _immovable.Boxes.Overlaps(first, spread); mask != 0; mask &= mask - 1)
+            {
+                if (!_contacts.Map.Contains(PairBuffer.Pack(piece, _immovable.Proxy(first + WideBoxes.LowestLane(mask)))))
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
     }
 
     /// <summary>How far a way leads from where a body is.</summary>
@@ -96,7 +146,8 @@ internal sealed partial class World
         }
     }
 
-    private void ListImmovable()
+    /// <summary>Lists what cannot move, if it is not listed yet in this step.</summary>
+    internal void ListImmovable()
     {
         if (_immovableListed)
         {

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Continuous;
@@ -21,8 +22,9 @@ internal sealed partial class World : IImpactListener
     private unsafe SweepRoles* _sweepRoles;
     private ScratchList<ulong> _sweepKeys;
 
-    // Where the pairs of each place begin.
+    // Where the pairs of each place begin, and how many one has at most.
     private unsafe int* _sweepFirst;
+    private int _mostSwept;
     private int _sweepNext;
     private bool _sweepGathered;
 
@@ -63,8 +65,7 @@ internal sealed partial class World : IImpactListener
         SweepInput input = BeginSweep(dt, substep);
         FastList fast = _lists.Fast;
         int first = 2 * _contactStage.Lone.Count;
-        int most = FindSweepPlaces(first + fast.Count);
-        byte* clear = _sweepWork.FindClear(_runner, this, fast.Count, most, dt, substep, Scratch);
+        byte* clear = _sweepWork.FindClear(_runner, this, fast.Count, _mostSwept, dt, substep, Scratch);
         int heard = _events.ImpactsHeard;
         for (int i = 0; i < fast.Count; i++)
         {
@@ -84,8 +85,8 @@ internal sealed partial class World : IImpactListener
     }
 
     /// <summary>
-    /// Whether the sweep would leave a fast body as it is. What cannot move is where it is whatever happens to others, so the answer stands; of a body that
-    /// is looked after against others that move it is no.
+    /// Whether the sweep would leave a fast body as it is. What cannot move is where it is whatever happens to others, and pairs with it are found for one body and not for another,
+    /// so the answer stands; of a body that is looked after against others that move it is no.
     /// </summary>
     internal unsafe bool MeetsNothing(FastBodySweep sweep, int position, float dt, float substep)
     {
@@ -106,26 +107,36 @@ internal sealed partial class World : IImpactListener
         return sweep.MeetsNothing(SweepOf(dt, substep), _lists.Fast[position]);
     }
 
-    /// <summary>Finds where the pairs of each place begin.</summary>
-    /// <returns>How many a place has at most.</returns>
-    private unsafe int FindSweepPlaces(int places)
+    /// <summary>
+    /// Puts the pairs in the order of their places, and finds where those of each begin. They were listed in their own order, which those of a place keep.
+    /// </summary>
+    private unsafe void SortSweepPairs(int places)
     {
-        _sweepFirst = Scratch.Take<int>(places + 1);
-        int next = 0;
-        int most = 0;
-        for (int place = 0; place < places; place++)
+        int count = _sweepKeys.Count;
+        _sweepFirst = Scratch.Take<int>(places + 2);
+        int mark = Scratch.Mark;
+        ulong* sorted = Scratch.Take<ulong>(count);
+        Unsafe.InitBlock(_sweepFirst, 0, (uint)(places + 2) * sizeof(int));
+        for (int i = 0; i < count; i++)
         {
-            _sweepFirst[place] = next;
-            while (next < _sweepKeys.Count && (int)(_sweepKeys[next] >> 32) == place)
-            {
-                next++;
-            }
-
-            most = Math.Max(most, next - _sweepFirst[place]);
+            _sweepFirst[(int)(_sweepKeys[i] >> 32) + 2]++;
         }
 
-        _sweepFirst[places] = next;
-        return most;
+        _mostSwept = 0;
+        for (int place = 2; place < places + 2; place++)
+        {
+            _mostSwept = Math.Max(_mostSwept, _sweepFirst[place]);
+            _sweepFirst[place] += _sweepFirst[place - 1];
+        }
+
+        // Filling moves the beginning of each place, which stands one further on till then, to where the next begins.
+        for (int i = 0; i < count; i++)
+        {
+            sorted[_sweepFirst[(int)(_sweepKeys[i] >> 32) + 1]++] = _sweepKeys[i];
+        }
+
+        Unsafe.CopyBlock(_sweepKeys.Pointer, sorted, (uint)count * sizeof(ulong));
+        Scratch.Release(mark);
     }
 
     private bool IsThere(int body)
@@ -231,7 +242,7 @@ internal sealed partial class World : IImpactListener
             }
         }
 
-        RadixSort.Sort(Scratch, _sweepKeys.Pointer, null, _sweepKeys.Count);
+        SortSweepPairs((2 * pairs.Count) + fast.Count);
     }
 
     /// <summary>Marks those of some pairs in which one body is looked after against the other; the first is the first of a word of marks.</summary>

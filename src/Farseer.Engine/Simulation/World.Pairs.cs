@@ -13,6 +13,9 @@ internal sealed partial class World
     /// <summary>New pairs from one that is made to that whose colliders and place in the map are asked for; to that whose pieces are, twice as many.</summary>
     private const int NewPairsAhead = 6;
 
+    /// <summary>New pairs that are described before they are entered: all of a first step at once would take room that no later one needs.</summary>
+    private const int PairsAtOnce = 4096;
+
     private readonly PairBuffer _pairs = new PairBuffer();
     private readonly PairWork _pairWork = new PairWork();
     private readonly PairMap _verdicts = new PairMap();
@@ -85,12 +88,19 @@ internal sealed partial class World
     }
 
     // The marks of the last step have served its pairs and its contacts.
-    private unsafe void ForgetMoves()
+    private void ForgetMoves()
+    {
+        _pairWork.Forget(_runner, this);
+        _movedProxies.Clear();
+    }
+
+    /// <summary>Forgets of some pieces that they had new boxes. Workers do.</summary>
+    internal unsafe void ForgetMoves(int from, int to)
     {
         ProxyInfo* info = Proxies.Info.Pointer;
         Box* fat = Proxies.Fat.Pointer;
         Box* sought = Proxies.Sought.Pointer;
-        for (int i = 0; i < _movedProxies.Count; i++)
+        for (int i = from; i < to; i++)
         {
             int piece = _movedProxies[i];
             info[piece].Flags &= ~ProxyFlags.Moved;
@@ -100,8 +110,6 @@ internal sealed partial class World
                 sought[piece] = _allFound ? fat[piece] : Box.Empty;
             }
         }
-
-        _movedProxies.Clear();
     }
 
     /// <summary>
@@ -147,6 +155,21 @@ internal sealed partial class World
         _pairWork.Run(_runner, this, _pairs, Scratch);
         RadixSort.Sort(Scratch, _pairs.Pointer, null, _pairs.Count);
         _contacts.Expect(_pairs.Count);
+        if (Hooks != null && Hooks.JudgesPairs)
+        {
+            JudgePairs();
+        }
+        else
+        {
+            AddPairs();
+        }
+
+        _allFound = true;
+    }
+
+    /// <summary>Makes the pairs that listeners accept, who may do anything meanwhile.</summary>
+    private void JudgePairs()
+    {
         for (int i = 0; i < _pairs.Count; i++)
         {
             ulong ahead = _pairs[System.Math.Min(i + NewPairsAhead, _pairs.Count - 1)];
@@ -160,8 +183,28 @@ internal sealed partial class World
                 TryCreatePair(_pairs[i]);
             }
         }
+    }
 
-        _allFound = true;
+    /// <summary>Makes the pairs, which have all passed the filters: workers describe some thousand at a time, and one thread enters them.</summary>
+    private unsafe void AddPairs()
+    {
+        int mark = Scratch.Mark;
+        ContactRecord* records = Scratch.Take<ContactRecord>(System.Math.Min(_pairs.Count, PairsAtOnce));
+        for (int first = 0; first < _pairs.Count; first += PairsAtOnce)
+        {
+            int end = System.Math.Min(first + PairsAtOnce, _pairs.Count);
+            _pairWork.Describe(_runner, this, _pairs, first, end - first, records);
+            for (int i = first; i < end; i++)
+            {
+                _contacts.Map.AskForValue(_pairs[System.Math.Min(i + NewPairsAhead, _pairs.Count - 1)]);
+                if (i == 0 || _pairs[i] != _pairs[i - 1])
+                {
+                    AddPair(_pairs[i], records[i - first]);
+                }
+            }
+        }
+
+        Scratch.Release(mark);
     }
 
     /// <summary>All pairs.</summary>
@@ -190,6 +233,20 @@ internal sealed partial class World
 
     private void TryCreatePair(ulong key)
     {
+        ContactRecord record = Describe(key);
+        if (!MayTouch(Shapes.Pieces[record.PieceA], Shapes.Pieces[record.PieceB])
+            || !Accept(Shapes.ColliderOf(record.PieceA), Shapes.ColliderOf(record.PieceB), record.OfSeveral))
+        {
+            NoteRefused(key);
+            return;
+        }
+
+        AddPair(key, record);
+    }
+
+    /// <summary>The record of a pair, the earlier collider first. Workers ask.</summary>
+    internal ContactRecord Describe(ulong key)
+    {
         int a = PairBuffer.Lower(key);
         int b = PairBuffer.Higher(key);
         int colliderA = Shapes.Pieces[a].Collider;
@@ -197,24 +254,20 @@ internal sealed partial class World
         if (Shapes.Colliders[colliderA].Order > Shapes.Colliders[colliderB].Order)
         {
             (a, b) = (b, a);
-            (colliderA, colliderB) = (colliderB, colliderA);
         }
 
-        bool ofSeveral = HasSeveralPieces(colliderA) || HasSeveralPieces(colliderB);
-        if (!MayTouch(Shapes.Pieces[a], Shapes.Pieces[b]) || !Accept(colliderA, colliderB, ofSeveral))
-        {
-            NoteRefused(key);
-            return;
-        }
-
-        var record = new ContactRecord
+        return new ContactRecord
         {
             PieceA = a,
             PieceB = b,
             BodyA = Shapes.Pieces[a].Body,
             BodyB = Shapes.Pieces[b].Body,
-            OfSeveral = ofSeveral,
+            OfSeveral = HasSeveralPieces(colliderA) || HasSeveralPieces(colliderB),
         };
+    }
+
+    private void AddPair(ulong key, in ContactRecord record)
+    {
         int index = _contacts.Create(key, record);
         if (Settings.FreezePairFriction)
         {

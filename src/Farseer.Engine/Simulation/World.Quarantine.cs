@@ -29,7 +29,7 @@ internal sealed partial class World
     private void FinishBodiesOfStep()
     {
         // What was found at the start is isolated already, unless a callback enabled it since.
-        _lists.Finish(_runner, Bodies);
+        _lists.Finish(_runner, Bodies, Scratch);
         if (_lists.OutcastCount > 0)
         {
             BodyLists.StopStatics(Bodies);

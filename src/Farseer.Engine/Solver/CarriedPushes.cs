@@ -51,16 +51,25 @@ internal sealed unsafe class CarriedPushes
         }
 
         _pushes.EnsureCapacity(bodyEnd);
+        CarriedPush* pushes = _pushes.Pointer;
+        int last = -1;
+        float keep = 0;
         for (int body = 0; body < bodyEnd; body++)
         {
+            // Neighbours in number are mostly of one island.
             int island = body < islands.BodyEnd ? islands.Of(body) : -1;
-            float keep = island >= 0 && island < islands.Count && IsHigh(feedForward, islands, island) ? 1 - (LossOfLevels / Levels(islands, island)) : 0;
-            if (keep == 0 || !_carried)
+            if (island != last)
             {
-                _pushes[body] = default;
+                last = island;
+                keep = island >= 0 && island < islands.Count && IsHigh(feedForward, islands, island) ? 1 - (LossOfLevels / Levels(islands, island)) : 0;
             }
 
-            _pushes[body].Keep = keep;
+            if (keep == 0 || !_carried)
+            {
+                pushes[body] = default;
+            }
+
+            pushes[body].Keep = keep;
         }
 
         _carried = true;

@@ -9,10 +9,19 @@ namespace Farseer.Engine.Solver;
 /// <summary>Ends a step: displacements of the solver go into the double poses, states that left their range are caught.</summary>
 internal static unsafe class FinishBodies
 {
-    /// <summary>Moves the bodies of a range of the list, but for those that are out of range or fast: these are marked.</summary>
-    /// <returns>True if there is one.</returns>
+    /// <summary>Marks of bodies.</summary>
+    public const byte OutOfRange = 1;
+    public const byte MovedFast = 2;
+
+    /// <summary>Moves the bodies of a range of the list, but for those that are out of range. These are marked, and those that moved by more than their size.</summary>
+    /// <param name="bodies">The store.</param>
+    /// <param name="list">The range.</param>
+    /// <param name="count">Bodies of it.</param>
+    /// <param name="marks">A mark for each.</param>
+    /// <param name="starts">Where those began that moved fast and are to be looked after.</param>
+    /// <returns>True if one is marked.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static bool Run(BodyStore bodies, int* list, int count, byte* marks)
+    public static bool Run(BodyStore bodies, int* list, int count, byte* marks, FastMotion* starts)
     {
         var columns = new Columns(bodies);
         bool found = false;
@@ -21,10 +30,22 @@ internal static unsafe class FinishBodies
         for (int i = 0; i < count; i++)
         {
             int body = list[i];
-            bool ordinary = IsInRange(columns, body, out double turned) && !IsFast(columns, body, turned);
-            marks[i] = ordinary ? (byte)0 : (byte)1;
-            found |= !ordinary;
-            if (ordinary && Move(columns, body, turned))
+            if (!IsInRange(columns, body, out double turned))
+            {
+                marks[i] = OutOfRange;
+                found = true;
+                continue;
+            }
+
+            bool fast = IsFast(columns, body, turned) && FastList.IsLookedAfter(bodies, body);
+            marks[i] = fast ? MovedFast : (byte)0;
+            if (fast)
+            {
+                starts[i] = FastList.Begin(body, columns.Poses[body], columns.States[body], isFree: false);
+                found = true;
+            }
+
+            if (Move(columns, body, turned))
             {
                 turning[turningCount++] = body;
                 if (turningCount == StableMath.Lanes)
@@ -43,32 +64,8 @@ internal static unsafe class FinishBodies
         return found;
     }
 
-    /// <summary>Ends the step for a marked body.</summary>
-    /// <param name="bodies">The store.</param>
-    /// <param name="body">The body.</param>
-    /// <param name="fast">Where to note it if it moved by more than its size.</param>
-    /// <returns>False if it is out of range: it keeps its pose.</returns>
-    public static bool RunMarked(BodyStore bodies, int body, FastList fast)
-    {
-        var columns = new Columns(bodies);
-        if (!IsInRange(columns, body, out double turned))
-        {
-            Forget(columns, body);
-            return false;
-        }
-
-        if (IsFast(columns, body, turned))
-        {
-            fast.Add(bodies, body, bodies.Pose[body], bodies.State[body], isFree: false);
-        }
-
-        if (Move(columns, body, turned))
-        {
-            UpdateRotor(ref bodies.Pose[body]);
-        }
-
-        return true;
-    }
+    /// <summary>Ends the step for a body that is out of range: it keeps its pose.</summary>
+    public static void Forget(BodyStore bodies, int body) => Forget(new Columns(bodies), body);
 
     public static void ForgetTurn(BodyStore bodies, int body) => ForgetTurn(new Columns(bodies), body);
 
