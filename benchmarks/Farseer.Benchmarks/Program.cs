@@ -40,7 +40,7 @@ switch (args.Length > 0 ? args[0] : "")
         Console.WriteLine("  queries time of rays, boxes and shapes against 100 to 100,000 bodies, ns a query");
         Console.WriteLine("  sleeping time of steps of worlds asleep and awake, and of allowing sleep where nothing rests");
         Console.WriteLine($"  {SceneCommand.Usage}");
-        Console.WriteLine("          whole steps of the performance scenes");
+        Console.WriteLine("          whole steps of the performance scenes, --runs times after a run that warms up");
         Console.WriteLine("  resting time of a step of 1, 5, 10 and 20 boxes at rest");
         Console.WriteLine($"  {SizeSeries.Usage}");
         Console.WriteLine("          ns a body-step from 15 bodies to 1,000,000, or to LARGEST, beside those of 1,000");

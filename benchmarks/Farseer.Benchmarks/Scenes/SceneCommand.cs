@@ -68,7 +68,7 @@ internal static class SceneCommand
 
         using StreamWriter? csv = csvPath is null ? null : new StreamWriter(csvPath);
         csv?.WriteLine(SceneTiming.CsvHeader);
-        output.WriteLine($"{Asset.Name}, {Asset.Lanes} lanes, {Workers(workers)}, {runs} runs; the first step of a run is not timed");
+        output.WriteLine($"{Asset.Name}, {Asset.Lanes} lanes, {Workers(workers)}, {runs} runs after one that warms up; the first step of a run is not timed");
         foreach ((PerformanceScene scene, int size) in chosen)
         {
             var timing = new SceneTiming(scene, size, steps == 0 ? scene.Steps : steps, workers);
