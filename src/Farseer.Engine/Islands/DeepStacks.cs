@@ -55,10 +55,11 @@ internal sealed unsafe class DeepStacks
         return anyDeep || _wereAny;
     }
 
+    /// <summary>An island of so many levels.</summary>
+    public static bool IsHigh(IslandStore islands, int island) => islands.FirstSlot[island + 1] - islands.FirstSlot[island] > ManyLevels;
+
     /// <summary>Room for so many bodies.</summary>
     public void Reserve(int bodyEnd) => _wereDeep.EnsureCapacity(bodyEnd);
-
-    private static bool IsHigh(IslandStore islands, int island) => islands.FirstSlot[island + 1] - islands.FirstSlot[island] > ManyLevels;
 
     private void Judge(IslandStore islands, ConstraintGraph graph, in ContactCoefficients c, bool cold, Scratch scratch, float* deep)
     {
