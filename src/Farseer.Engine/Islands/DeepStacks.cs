@@ -17,7 +17,7 @@ internal sealed unsafe class DeepStacks
     /// Up to so many levels sweeps reach far enough: boxes that begin in each other come to rest within their height. Beyond, deep islands remember their pushes
     /// (<see cref="Solver.CarriedPushes"/>); with fewer levels a tower would rise too high.
     /// </summary>
-    public const int ManyLevels = 16;
+    private const int ManyLevels = 16;
 
     /// <summary>Times the sag that a load explains.</summary>
     private const float Sags = 3f;
@@ -57,6 +57,9 @@ internal sealed unsafe class DeepStacks
 
     /// <summary>An island of so many levels.</summary>
     public static bool IsHigh(IslandStore islands, int island) => islands.FirstSlot[island + 1] - islands.FirstSlot[island] > ManyLevels;
+
+    /// <summary>How far the surfaces of a point are apart before anything has moved in this step, plus the depth of rest.</summary>
+    public static float Separation(ContactPointLanes* point, int lane) => point->Base[lane] + (point->NormalArmB[lane] - point->NormalArmA[lane]);
 
     /// <summary>Room for so many bodies.</summary>
     public void Reserve(int bodyEnd) => _wereDeep.EnsureCapacity(bodyEnd);
@@ -117,8 +120,6 @@ internal sealed unsafe class DeepStacks
             least[slot] = Math.Min(least[slot], excess);
         }
     }
-
-    private static float Separation(ContactPointLanes* point, int lane) => point->Base[lane] + (point->NormalArmB[lane] - point->NormalArmA[lane]);
 
     private void FindWere(IslandStore islands, byte* were)
     {

@@ -122,7 +122,7 @@ internal sealed unsafe class CarriedPushes
     }
 
     private static bool IsHigh(FeedForwardSettings feedForward, IslandStore islands, int island) =>
-        Levels(islands, island) > DeepStacks.ManyLevels && feedForward.IsDeep(island);
+        DeepStacks.IsHigh(islands, island) && feedForward.IsDeep(island);
 
     private static int Levels(IslandStore islands, int island) => islands.FirstSlot[island + 1] - islands.FirstSlot[island];
 }

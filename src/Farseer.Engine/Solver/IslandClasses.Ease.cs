@@ -46,7 +46,7 @@ internal sealed unsafe partial class IslandClasses
 
     private static void Ease(ContactPointLanes* point, int lane, float response)
     {
-        float depth = -(point->Base[lane] + (point->NormalArmB[lane] - point->NormalArmA[lane]));
+        float depth = -DeepStacks.Separation(point, lane);
         if (depth > 0 && point->Normal[lane] > 0)
         {
             point->Feed[lane] = Math.Min(point->Feed[lane], point->Normal[lane] - (response * depth));
