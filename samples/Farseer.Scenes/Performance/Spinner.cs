@@ -40,7 +40,8 @@ public sealed class Spinner : PerformanceScene
         bricks.AttachLoop(bin, points);
         bricks.Friction = 0f;
         Body rod = bricks.RoundedBox(0f, RodHeight, 0.4f, 20f, 0.2f);
-        FixedRevoluteJoint motor = JointFactory.Instance.CreateFixedRevoluteJoint(bricks.Simulator, rod, new Vector2(0f, RodHeight));
+        RevoluteJoint motor = JointFactory.Instance.CreateRevoluteJoint(bricks.Simulator, bin, rod, new Vector2(0f, RodHeight));
+        motor.CollideConnected = false;
         motor.MotorSpeed = 5f;
         motor.MaxMotorTorque = float.MaxValue;
         motor.IsMotorEnabled = true;

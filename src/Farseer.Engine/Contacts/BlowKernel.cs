@@ -18,16 +18,10 @@ internal static unsafe class BlowKernel
 {
     /// <summary>
     /// A response with the arms of the moment, in units of that with the middle's, beyond which a blow keeps the middle's: K does not fit
-    /// any more, and at 2 a pass would not take any of the error off.
+    /// any more, and at 2 a pass would not take any of the error off. Where arms are not turned along further (see <see cref="TurnedArms"/>) it keeps them as well: what the biased
+    /// pass pushes and the relax pass takes back would act at arms so far apart that they leave spin behind. A wall that broke at 200 m/s sent bricks off at 290.
     /// </summary>
     private const float LargestResponse = 1.5f;
-
-    /// <summary>
-    /// Cosine of the turn from the step's middle beyond which a blow keeps the middle's arms as well (54 rad/s at 60 steps a second): what
-    /// the biased pass pushes and the relax pass takes back would act at arms so far apart that they leave spin behind. A wall that
-    /// broke at 200 m/s sent bricks off at 290.
-    /// </summary>
-    private const float LeastCosine = 0.9f;
 
     /// <summary>What the spins of some bundles lack after normal impulses were applied at the arms of the middle.</summary>
     /// <returns>Those of the <paramref name="blows"/> that are some.</returns>
@@ -77,7 +71,7 @@ internal static unsafe class BlowKernel
         Wide b0 = Turn(row->Point0.TangentArmB + lane, row->Point0.NormalArmB + lane, movedB.Cos, Wide.Zero - movedB.Sin);
         Wide a1 = Turn(row->Point1.TangentArmA + lane, row->Point1.NormalArmA + lane, movedA.Cos, Wide.Zero - movedA.Sin);
         Wide b1 = Turn(row->Point1.TangentArmB + lane, row->Point1.NormalArmB + lane, movedB.Cos, Wide.Zero - movedB.Sin);
-        WideMask blow = Fresh(row, lane) & (Wide.Min(movedA.Cos, movedB.Cos) >= Wide.Splat(LeastCosine))
+        WideMask blow = Fresh(row, lane) & (Wide.Min(movedA.Cos, movedB.Cos) >= Wide.Splat(TurnedArms.LeastCosine))
             & Fits(row, lane, Wide.One / Wide.Load(row->K11 + lane), a0, b0)
             & Fits(row, lane, Wide.One / Wide.Load(row->K22 + lane), a1, b1);
         Wide more0 = Wide.Keep(blow, Wide.Load(work->Value0 + lane));
@@ -100,7 +94,7 @@ internal static unsafe class BlowKernel
         Wide b0 = Turn(row->Point0.NormalArmB + lane, row->Point0.TangentArmB + lane, movedB.Cos, movedB.Sin);
         Wide a1 = Turn(row->Point1.NormalArmA + lane, row->Point1.TangentArmA + lane, movedA.Cos, movedA.Sin);
         Wide b1 = Turn(row->Point1.NormalArmB + lane, row->Point1.TangentArmB + lane, movedB.Cos, movedB.Sin);
-        WideMask blow = Fresh(row, lane) & (Wide.Min(movedA.Cos, movedB.Cos) >= Wide.Splat(LeastCosine))
+        WideMask blow = Fresh(row, lane) & (Wide.Min(movedA.Cos, movedB.Cos) >= Wide.Splat(TurnedArms.LeastCosine))
             & Fits(row, lane, ContactKernel.TangentMass(row, &row->Point0, lane), a0 + radiusA, b0 - radiusB)
             & Fits(row, lane, ContactKernel.TangentMass(row, &row->Point1, lane), a1 + radiusA, b1 - radiusB);
         Wide more0 = Wide.Keep(blow, Wide.Load(work->Value0 + lane));

@@ -107,7 +107,7 @@ internal static unsafe class BounceKernel
             BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out WideDelta movedA, out WideDelta movedB);
             ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
             BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
-            ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
+            TurnedArms.NormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
             Wide restitution = Wide.Keep(Wide.Load(wanted + lane) > Wide.Zero, Wide.Load(row->Restitution + lane));
             Wide slow = Wide.Load(bounce->Slow + lane);
             WideMask met = (Met(&bounce->Point0, lane, s0 - rest, v0, slow) | Met(&bounce->Point1, lane, s1 - rest, v1, slow))
@@ -119,7 +119,7 @@ internal static unsafe class BounceKernel
 
             WideVelocity startA = StartOf(motions, row->BodyA + lane, a, Wide.Load(row->MassA + lane) + Wide.Load(row->InertiaA + lane));
             WideVelocity startB = StartOf(motions, row->BodyB + lane, b, Wide.Load(row->MassB + lane) + Wide.Load(row->InertiaB + lane));
-            ContactKernel.TurnedNormalVelocities(row, lane, startA, startB, movedA, movedB, out Wide start0, out Wide start1);
+            TurnedArms.NormalVelocities(row, lane, startA, startB, movedA, movedB, out Wide start0, out Wide start1);
             Wide time0 = Meeting(&bounce->Point0, lane, s0 - rest, v0, v0 - start0, restitution, slow, c, out Wide target0);
             Wide time1 = Meeting(&bounce->Point1, lane, s1 - rest, v1, v1 - start1, restitution, slow, c, out Wide target1);
             Wide time = Wide.Max(time0, time1);
@@ -153,7 +153,7 @@ internal static unsafe class BounceKernel
             BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
             BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out WideDelta movedA, out WideDelta movedB);
             ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
-            ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
+            TurnedArms.NormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
 
             // A point without an impact may still come to push, but not before it touches.
             Wide r0 = v0 + Wide.Select(target0 >= Wide.Zero, Wide.Zero - target0, Wide.Max(s0 - rest, Wide.Zero) * inverseSubstep);
@@ -185,7 +185,7 @@ internal static unsafe class BounceKernel
         {
             BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out WideDelta movedA, out WideDelta movedB);
             BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
-            ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
+            TurnedArms.NormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
             Wide slow = Wide.Zero - Wide.Load(bounce->Slow + lane);
             again |= WideLanes.Bits(
                 ((Wide.Load(bounce->Point0.Target + lane) >= Wide.Zero) & (v0 < slow))

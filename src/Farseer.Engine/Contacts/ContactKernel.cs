@@ -269,15 +269,8 @@ internal static unsafe class ContactKernel
     internal static Wide PointSeparation(
         ContactPointLanes* p, int lane, in WideDelta a, in WideDelta b, Wide moved, out Wide turnedA, out Wide turnedB)
     {
-        Turn(p, lane, a, b, out turnedA, out turnedB);
+        TurnedArms.Normal(p, lane, a, b, out turnedA, out turnedB);
         return (Wide.Load(p->Base + lane) + moved) + (turnedB - turnedA);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Turn(ContactPointLanes* p, int lane, in WideDelta a, in WideDelta b, out Wide turnedA, out Wide turnedB)
-    {
-        turnedB = (b.Cos * Wide.Load(p->NormalArmB + lane)) + (b.Sin * Wide.Load(p->TangentArmB + lane));
-        turnedA = (a.Cos * Wide.Load(p->NormalArmA + lane)) + (a.Sin * Wide.Load(p->TangentArmA + lane));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -294,7 +287,7 @@ internal static unsafe class ContactKernel
     /// With the arms of the middle of the step instead, a body that tips over ends each step with the velocity of half a step
     /// before, off by w² r dt / 2, and its contact lifts and drops within the step. The impulses keep the arms of the
     /// middle: that K and the arms agree is what makes the block solve exact, and over a step the mean of the arms is what counts
-    /// (for a blow see <see cref="BlowKernel"/>).
+    /// (for a blow see <see cref="BlowKernel"/>). How far they may be turned: see <see cref="TurnedArms"/>.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void TurnedNormalVelocities(
@@ -378,8 +371,10 @@ internal static unsafe class ContactKernel
         Wide normal1,
         WideMask active)
     {
-        Turn(&row->Point0, lane, movedA, movedB, out Wide armA0, out Wide armB0);
-        Turn(&row->Point1, lane, movedA, movedB, out Wide armA1, out Wide armB1);
+        WideDelta nearA = TurnedArms.Limited(movedA);
+        WideDelta nearB = TurnedArms.Limited(movedB);
+        TurnedArms.Normal(&row->Point0, lane, nearA, nearB, out Wide armA0, out Wide armB0);
+        TurnedArms.Normal(&row->Point1, lane, nearA, nearB, out Wide armA1, out Wide armB1);
         WithRadii(row, lane, ref armA0, ref armB0);
         WithRadii(row, lane, ref armA1, ref armB1);
         Wide slip = Slip(row, lane, a, b);

@@ -15,12 +15,26 @@ namespace Farseer.Engine.Contacts;
 /// </summary>
 internal static unsafe class ContactStages
 {
-    /// <summary>Velocities, and what the biased pass is to make 0.</summary>
-    [MethodImpl(KernelMethod.Optimized)]
+    /// <summary>Velocities, and what the biased pass is to make 0. Few bodies turn so far that it is to be found again with limited arms.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void AimBiased<TPoints>(
         in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
         where TPoints : struct, IContactPoints
     {
+        if (AimBiased<TPoints, WholeTurns>(rows, row, count, work, bodies, c, anyDeep))
+        {
+            AimBiased<TPoints, LimitedTurns>(rows, row, count, work, bodies, c, anyDeep);
+        }
+    }
+
+    /// <returns>Some bodies have turned beyond the limit, and it was not kept.</returns>
+    [MethodImpl(KernelMethod.Optimized)]
+    private static bool AimBiased<TPoints, TTurns>(
+        in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
+        where TPoints : struct, IContactPoints
+        where TTurns : struct, IArmTurns
+    {
+        Wide least = Wide.One;
         bool two = default(TPoints).AreTwo;
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide biasRate = Wide.Splat(c.BiasRate * ContactCoefficients.MassScale);
@@ -39,6 +53,7 @@ internal static unsafe class ContactStages
             {
                 Gather(row, lane, work, moved, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
                 ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1, two);
+                LimitTurns<TTurns>(ref movedA, ref movedB, ref least);
                 ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
                 Wide lambda1 = two ? Wide.Load(row->Point1.Normal + lane) : Wide.Zero;
@@ -81,6 +96,22 @@ internal static unsafe class ContactStages
                 }
             }
         }
+
+        return WideLanes.Any(TurnedArms.IsBeyond(least));
+    }
+
+    /// <summary>Limits the turns, or finds the cosine of the largest; what is limited is beyond nothing.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void LimitTurns<TTurns>(ref WideDelta movedA, ref WideDelta movedB, ref Wide least)
+        where TTurns : struct, IArmTurns
+    {
+        if (default(TTurns).AreLimited)
+        {
+            movedA = TurnedArms.Limited(movedA);
+            movedB = TurnedArms.Limited(movedB);
+        }
+
+        least = Wide.Min(least, Wide.Min(movedA.Cos, movedB.Cos));
     }
 
     /// <summary>Sunk in as far as is needed, but not as far as is allowed.</summary>
@@ -88,11 +119,25 @@ internal static unsafe class ContactStages
     private static WideMask IsHeld(Wide s, Wide hold) => (s > Wide.Zero) & (s <= hold);
 
     /// <summary>Velocities, turned arms, and what the relax pass is to make 0.</summary>
-    [MethodImpl(KernelMethod.Optimized)]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void AimRelaxed<TPoints>(
         in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c)
         where TPoints : struct, IContactPoints
     {
+        if (AimRelaxed<TPoints, WholeTurns>(rows, row, count, work, bodies, c))
+        {
+            AimRelaxed<TPoints, LimitedTurns>(rows, row, count, work, bodies, c);
+        }
+    }
+
+    /// <returns>Some bodies have turned beyond the limit, and it was not kept.</returns>
+    [MethodImpl(KernelMethod.Optimized)]
+    private static bool AimRelaxed<TPoints, TTurns>(
+        in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c)
+        where TPoints : struct, IContactPoints
+        where TTurns : struct, IArmTurns
+    {
+        Wide least = Wide.One;
         bool two = default(TPoints).AreTwo;
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rest = Wide.Splat(c.Rest);
@@ -106,15 +151,25 @@ internal static unsafe class ContactStages
             {
                 Gather(row, lane, work, moved, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
                 Wide along = ContactKernel.MovedAlong(row, lane, movedA, movedB);
-                Wide gap0 = ContactKernel.PointSeparation(&row->Point0, lane, movedA, movedB, along, out Wide armA, out Wide armB) - rest;
-                armA.Store(work->ArmA0 + lane);
-                armB.Store(work->ArmB0 + lane);
+                Wide gap0 = ContactKernel.PointSeparation(&row->Point0, lane, movedA, movedB, along, out Wide armA0, out Wide armB0) - rest;
+                Wide armA1 = armA0;
+                Wide armB1 = armB0;
+                Wide gap1 = two ? ContactKernel.PointSeparation(&row->Point1, lane, movedA, movedB, along, out armA1, out armB1) - rest : gap0;
+                LimitTurns<TTurns>(ref movedA, ref movedB, ref least);
+                if (default(TTurns).AreLimited)
+                {
+                    // Gaps go by how far the bodies have turned, friction by the arms of the velocities.
+                    TurnedArms.Normal(&row->Point0, lane, movedA, movedB, out armA0, out armB0);
+                    TurnedArms.Normal(&row->Point1, lane, movedA, movedB, out armA1, out armB1);
+                }
+
+                armA0.Store(work->ArmA0 + lane);
+                armB0.Store(work->ArmB0 + lane);
                 ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
                 if (two)
                 {
-                    Wide gap1 = ContactKernel.PointSeparation(&row->Point1, lane, movedA, movedB, along, out armA, out armB) - rest;
-                    armA.Store(work->ArmA1 + lane);
-                    armB.Store(work->ArmB1 + lane);
+                    armA1.Store(work->ArmA1 + lane);
+                    armB1.Store(work->ArmB1 + lane);
                     WideMask flat = Wide.Max(gap0 - gap1, gap1 - gap0) <= level;
                     Wide mean = Wide.Splat(0.5f) * (gap0 + gap1);
                     gap0 = Wide.Select(flat, mean, gap0);
@@ -125,6 +180,8 @@ internal static unsafe class ContactStages
                 (v0 + (Wide.Max(gap0, Wide.Zero) * inverseSubstep)).Store(work->Value0 + lane);
             }
         }
+
+        return WideLanes.Any(TurnedArms.IsBeyond(least));
     }
 
     /// <summary>Velocities, and what is to be 0 for the contacts of deep islands to move apart.</summary>

@@ -129,7 +129,7 @@ internal static unsafe class ReboundKernel
             BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
             BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out WideDelta movedA, out WideDelta movedB);
             ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
-            ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
+            TurnedArms.NormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
             Wide r0 = v0 + Wide.Select(speed0 > Wide.Zero, Wide.Zero - speed0, Wide.Max(s0 - rest, Wide.Zero) * inverseSubstep);
             Wide r1 = v1 + Wide.Select(speed1 > Wide.Zero, Wide.Zero - speed1, Wide.Max(s1 - rest, Wide.Zero) * inverseSubstep);
             ContactKernel.SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);

@@ -55,6 +55,9 @@ internal unsafe struct ActiveJoint
     public bool Overrun;
     public int Class;
 
+    /// <summary>While a tree that others push at is solved: 1 + the row of the limit that was let go.</summary>
+    public int LetGo;
+
     /// <summary>Where a limit that holds in the block is to be by the substep's end.</summary>
     public fixed double Goal[JointRows.Most];
 
@@ -85,6 +88,9 @@ internal unsafe struct ActiveJoint
 
     /// <summary>Response k of a row.</summary>
     public fixed double Response[JointRows.Most];
+
+    /// <summary>Of a soft point: what one of its rows answers to the other.</summary>
+    public double PointCoupling;
 
     /// <summary>Spring: Δλ = -(q·v + κ·(φ + c·u) + k·λ)/(k·(1 + q)), the sum of the substep's λ starting from 0; u is the speed before all loads.</summary>
     public fixed double SpringQ[JointRows.Most];

@@ -92,6 +92,11 @@ internal sealed unsafe partial class JointPass
     /// <summary>In the position correction: a joint that closes a loop takes out its own error.</summary>
     public void Correct(ActiveJoint* joint, JointRows* r, double h)
     {
+        if (r->SoftPoint)
+        {
+            HoldPoint(joint, r);
+        }
+
         if (joint->Role != JointRole.Iterated || r->Hard == 0 || !joint->Ends.Coupled)
         {
             return;

@@ -56,6 +56,11 @@ internal sealed unsafe partial class JointPass
             SetSpring(nodes, joint, r, k, h);
         }
 
+        if (r->SoftPoint)
+        {
+            joint->PointCoupling = Coupling(joint, r, 0, 1);
+        }
+
         if (joint->Role == JointRole.Iterated && r->Hard > 0)
         {
             PrepareBlock(joint, r);
@@ -95,7 +100,7 @@ internal sealed unsafe partial class JointPass
     public void Solve(ActiveJoint* joint, JointRows* r, in JointStep step, bool biased)
     {
         RowEnds.Visit(_view, &joint->Ends);
-        for (int k = r->Hard; k < r->Count; k++)
+        for (int k = r->SoftPoint && SolvePoint(joint, r) ? PointRows : r->Hard; k < r->Count; k++)
         {
             if (!(joint->BlockLimits && r->Type[k] == (byte)RowType.Limit))
             {

@@ -101,6 +101,9 @@ internal unsafe struct JointRows
     /// <summary>Mass by which springs are as stiff as their frequency says; 0: the mass that each row feels.</summary>
     public double SpringMass;
 
+    /// <summary>The first two rows are motors that hold two points together.</summary>
+    public bool SoftPoint;
+
     /// <summary>Rows of the block at the front.</summary>
     public int Hard;
 
@@ -155,6 +158,7 @@ internal unsafe struct JointRows
     {
         Add(type, -1, 0, f.RAY, 1, 0, -f.RBY, f.DX);
         Add(type, 0, -1, -f.RAX, 0, 1, f.RBX, f.DY);
+        SoftPoint = type == RowType.Motor;
     }
 
     /// <summary>φ = sign·(angle of B - angle of A) - offset.</summary>

@@ -232,6 +232,7 @@ internal sealed unsafe partial class JointSolver
         {
             int i = _trees[at];
             _forest.Trees[i].HasRows = false;
+            _forest.Trees[i].Joined = false;
             _forest.Trees[i].Pressed = false;
             _forest.Trees[i].Group = i;
         }
@@ -250,6 +251,7 @@ internal sealed unsafe partial class JointSolver
             if (Iterates(_active.Pointer + i, _rows.Pointer + i))
             {
                 Enlist(_active[i].Ends, i, (uint)i);
+                Join(_active.Pointer + i);
             }
         }
 

@@ -121,6 +121,7 @@ internal sealed unsafe partial class JointSolver
             tree->Refactored = true;
         }
 
+        ForgetLetGo(tree);
         TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
     }
 
@@ -341,11 +342,13 @@ internal sealed unsafe partial class JointSolver
     private void TakeBack(int index, int row)
     {
         ActiveJoint* joint = _active.Pointer + index;
+        joint->LetGo = _forest.Trees[TreeOf(joint->Ends)].Joined ? row + 1 : 0;
         double push = joint->Lambda[row];
         if (push == 0)
         {
             return;
         }
+
 
         JointRows* rows = _rows.Pointer + index;
         TakeBack(joint->Ends.NodeA, rows->A + (row * 3), push);
@@ -404,7 +407,7 @@ internal sealed unsafe partial class JointSolver
     /// <summary>A limit that does not hold is passed within the substep, or is open beyond it and not closing fast enough.</summary>
     private bool IsPassed(ActiveJoint* joint, JointRows* rows, int row, TargetKind kind)
     {
-        if (rows->Type[row] != (byte)RowType.Limit)
+        if (rows->Type[row] != (byte)RowType.Limit || IsJustLetGo(joint, row))
         {
             return false;
         }

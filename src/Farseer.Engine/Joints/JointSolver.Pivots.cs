@@ -115,6 +115,11 @@ internal sealed unsafe partial class JointSolver
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool IsTurnedPast(ActiveJoint* joint, JointRows* rows, int row, double speed, double rounding, TargetKind kind)
     {
+        if (IsJustLetGo(joint, row))
+        {
+            return false;
+        }
+
         double gap = rows->Error[row];
         if (gap > 0 && !IsDisplacement(kind) && speed * _step.Substep > -OutOfReach * gap)
         {

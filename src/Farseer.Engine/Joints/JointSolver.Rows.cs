@@ -130,6 +130,7 @@ internal sealed unsafe partial class JointSolver
         ReadFrame(_active.Pointer + index, out JointFrame frame);
         if (!rows.ErrorsOnly)
         {
+            rows.SoftPoint = false;
             rows.Bias = settings.BiasFactor;
             rows.ArmX = frame.RBX;
             rows.ArmY = frame.RBY;

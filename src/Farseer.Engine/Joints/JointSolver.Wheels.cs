@@ -17,9 +17,6 @@ internal sealed unsafe partial class JointSolver
     /// <summary>A body that fewer touch stays with the doubles of the trees.</summary>
     private const int ManyContacts = 32;
 
-    /// <summary>Times the wanted speed that a motor may give in a substep: see <see cref="IsUnstoppable"/>.</summary>
-    private const double MostSpeeds = 8;
-
     /// <summary>Distance of the hinge from the centre of mass in radii of gyration, squared, that is the rounding of the place.</summary>
     private const double OffCentre = 1e-10;
 
@@ -54,8 +51,7 @@ internal sealed unsafe partial class JointSolver
         TreeNode* node = _forest.Nodes + tree->First;
         TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst;
         JointRows* rows = _rows.Pointer + anchor->Active;
-        if (_step.Touches[node->Body] < ManyContacts || !_forest.IsOnlyJoint(node->Body) || anchor->Rows != 2
-            || IsUnstoppable(ref _active[anchor->Active], node))
+        if (_step.Touches[node->Body] < ManyContacts || !_forest.IsOnlyJoint(node->Body) || anchor->Rows != 2)
         {
             return false;
         }
@@ -68,18 +64,6 @@ internal sealed unsafe partial class JointSolver
         return pivot
             && arm * node->InverseInertia <= OffCentre * node->InverseMass
             && error * node->InverseInertia <= Disturbing * node->InverseMass;
-    }
-
-    /// <summary>
-    /// A motor that could bring its wheel up to many times the wanted speed within a substep: what it jams against a wall has to be solved
-    /// with it. On lanes the rotor of the spinner threw a body at 975 m/s in its 60th step, and the heap at kilometres a second after that,
-    /// without a limit and with one of 10¹² N·m alike (4·10⁵ times); with 10⁸ (39 times) it did not in 180 steps. The drum of the
-    /// tumbler has 2 times. A brake, a motor of speed 0, drives nothing against a wall.
-    /// </summary>
-    private bool IsUnstoppable(ref ActiveJoint active, TreeNode* node)
-    {
-        double speed = (active.Flags & JointFlags.Motor) != 0 ? Math.Abs(active.Settings.MotorSpeed) : 0;
-        return speed > 0 && active.Settings.MotorLimit * _step.Substep * node->InverseInertia > MostSpeeds * speed;
     }
 
     /// <summary>Leaves a contact with a wheel in its lane, if its other body is one of those that move and hang on no tree.</summary>

@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Joints.Lanes;
+using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
@@ -11,6 +12,7 @@ namespace Farseer.Engine.Joints.Loose;
 internal static unsafe class LooseKernel
 {
     private const int LanesOf = DoubleLanes.BundleLanes;
+    private const int PointRows = 2;
 
     /// <summary>One number of the bodies of the lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -44,12 +46,19 @@ internal static unsafe class LooseKernel
             WideDouble inertiaA = WideDouble.Load(bundle->InertiaA);
             WideDouble massB = WideDouble.Load(bundle->MassB);
             WideDouble inertiaB = WideDouble.Load(bundle->InertiaB);
+            if (place->SoftPoint)
+            {
+                LaneSoftRow* first = &DoubleLanes.Shift(rows, lane)->Soft;
+                LaneSoftRow* second = &DoubleLanes.Shift(rows + 1, lane)->Soft;
+                (Form(first->A, second->A, massA, inertiaA) + Form(first->B, second->B, massB, inertiaB)).Store(bundle->PointCoupling);
+            }
+
             for (int k = 0; k < place->Rows; k++)
             {
                 LooseRow* row = DoubleLanes.Shift(rows + k, lane);
                 double* a = row->Soft.A;
                 double* b = row->Soft.B;
-                WideDouble plain = Form(a, massA, inertiaA) + Form(b, massB, inertiaB);
+                WideDouble plain = Form(a, a, massA, inertiaA) + Form(b, b, massB, inertiaB);
                 WideDouble own = Own(a, massA, inertiaA) + Own(b, massB, inertiaB);
                 LaneSweep.ResponseOf(plain, own).Store(row->Soft.Response);
                 if (place->Type[k] == (byte)RowType.Spring)
@@ -104,7 +113,12 @@ internal static unsafe class LooseKernel
             pair.InertiaA = WideDouble.Load(bundle->InertiaA);
             pair.MassB = WideDouble.Load(bundle->MassB);
             pair.InertiaB = WideDouble.Load(bundle->InertiaB);
-            for (int k = 0; k < place->Rows; k++)
+            if (place->SoftPoint)
+            {
+                SolvePoint(bundle, DoubleLanes.Shift(rows, lane), DoubleLanes.Shift(rows + 1, lane), ref pair);
+            }
+
+            for (int k = place->SoftPoint ? PointRows : 0; k < place->Rows; k++)
             {
                 LooseRow* row = DoubleLanes.Shift(rows + k, lane);
                 WideDouble old = WideDouble.Load(row->Soft.Lambda);
@@ -142,6 +156,38 @@ internal static unsafe class LooseKernel
             Scatter(bodies, place->IntoA + lane, pair.A);
             Scatter(bodies, place->IntoB + lane, pair.B);
         }
+    }
+
+    /// <summary>Both rows of a soft point at once; in turn where that asks for more than their bounds.</summary>
+    private static void SolvePoint(LooseBundle* bundle, LooseRow* first, LooseRow* second, ref Pair pair)
+    {
+        LaneSoftRow* p = &first->Soft;
+        LaneSoftRow* q = &second->Soft;
+        WideDouble damping0 = WideDouble.Load(p->Damping);
+        WideDouble damping1 = WideDouble.Load(q->Damping);
+        WideDouble response0 = WideDouble.Load(p->Response);
+        WideDouble response1 = WideDouble.Load(q->Response);
+        WideDouble k0 = response0 + damping0;
+        WideDouble k1 = response1 + damping1;
+        WideDouble k01 = WideDouble.Load(bundle->PointCoupling);
+        WideDouble determinant = (k0 * k1) - (k01 * k01);
+        WideDouble old0 = WideDouble.Load(p->Lambda);
+        WideDouble old1 = WideDouble.Load(q->Lambda);
+        WideDouble v0 = Dot(p->A, pair.A) + Dot(p->B, pair.B);
+        WideDouble off0 = v0 - WideDouble.Load(p->Speed) + (damping0 * old0);
+        WideDouble off1 = Dot(q->A, pair.A) + Dot(q->B, pair.B) - WideDouble.Load(q->Speed) + (damping1 * old1);
+        WideDouble now0 = old0 + (((k01 * off1) - (k1 * off0)) / determinant);
+        WideDouble now1 = old1 + (((k01 * off0) - (k0 * off1)) / determinant);
+        WideDoubleMask answers0 = response0 > WideDouble.Zero;
+        WideDoubleMask answers1 = response1 > WideDouble.Zero;
+        WideDoubleMask both = answers0 & answers1 & (determinant > WideDouble.Splat(SmallMatrix.Lost) * (k0 * k1))
+            & (now0 >= WideDouble.Load(p->Low)) & (now0 <= WideDouble.Load(p->High))
+            & (now1 >= WideDouble.Load(q->Low)) & (now1 <= WideDouble.Load(q->High));
+        WideDouble alone0 = WideDouble.Select(answers0, LaneSweep.Bounded(p, LaneSweep.MotorTo(p, v0, old0)), old0);
+        Give(bundle, first, ref pair, WideDouble.Select(both, now0, alone0));
+        WideDouble v1 = Dot(q->A, pair.A) + Dot(q->B, pair.B);
+        WideDouble alone1 = WideDouble.Select(answers1, LaneSweep.Bounded(q, LaneSweep.MotorTo(q, v1, old1)), old1);
+        Give(bundle, second, ref pair, WideDouble.Select(both, now1, alone1));
     }
 
     /// <summary>J·v.</summary>
@@ -218,12 +264,12 @@ internal static unsafe class LooseKernel
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDouble Form(double* j, WideDouble mass, WideDouble inertia)
+    private static WideDouble Form(double* p, double* q, WideDouble mass, WideDouble inertia)
     {
-        WideDouble x = WideDouble.Load(j);
-        WideDouble y = WideDouble.Load(j + 4);
-        WideDouble w = WideDouble.Load(j + 8);
-        return (x * (mass * x)) + (y * (mass * y)) + (w * (inertia * w));
+        WideDouble x = mass * WideDouble.Load(q);
+        WideDouble y = mass * WideDouble.Load(q + 4);
+        WideDouble w = inertia * WideDouble.Load(q + 8);
+        return (WideDouble.Load(p) * x) + (WideDouble.Load(p + 4) * y) + (WideDouble.Load(p + 8) * w);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -71,6 +71,9 @@ internal unsafe struct LooseBundle
     public fixed double MassB[4];
     public fixed double InertiaB[4];
     public fixed double SpringMass[4];
+
+    /// <summary>Of soft points: what one of the two rows answers to the other.</summary>
+    public fixed double PointCoupling[4];
     public fixed double ArmB[8];
     public fixed double Given[12];
 }
@@ -87,6 +90,9 @@ internal unsafe struct LoosePlace
 
     /// <summary>All rows are limits.</summary>
     public bool OnlyLimits;
+
+    /// <summary>The first two rows are motors that hold two points together.</summary>
+    public bool SoftPoint;
 
     public fixed int Active[4];
 

@@ -151,6 +151,7 @@ internal sealed unsafe partial class LooseSolver
         place->Rows = rows->Count;
         place->Count = count;
         place->OnlyLimits = true;
+        place->SoftPoint = rows->SoftPoint;
         for (int k = 0; k < rows->Count; k++)
         {
             place->Type[k] = rows->Type[k];

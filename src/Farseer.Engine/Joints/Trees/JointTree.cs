@@ -45,6 +45,9 @@ internal struct JointTree
     /// <summary>Rows are iterated against its inverse mass: its bodies' full masses are needed.</summary>
     public bool HasRows;
 
+    /// <summary>Joints that are no part of it push at it.</summary>
+    public bool Joined;
+
     /// <summary>Contacts, or joints that are no part of it, push at it.</summary>
     public bool Tied;
 

@@ -1,0 +1,54 @@
+using Farseer.Engine.Joints.Trees;
+
+namespace Farseer.Engine.Joints;
+
+/// <content>Limits that joints from outside push open.</content>
+internal sealed unsafe partial class JointSolver
+{
+    /// <summary>
+    /// A joint that pushed at a tree found its impulse with the limits that held. Let go by it, the tree answers more, by a thousand times if the push goes past a
+    /// light body's centre, and would be at the other end of its range within the substep. So before that end holds, the joint is asked again. (Held there, the
+    /// joint pushed back with the mass of all that hangs on it, the limit was let go, and so on in each sweep: an arm of 0.1 kg left at a kilometre a second.)
+    /// </summary>
+    private static bool IsJustLetGo(ActiveJoint* joint, int row) => joint->LetGo != 0 && joint->LetGo != row + 1;
+
+    private void ForgetLetGo(JointTree* tree)
+    {
+        if (!tree->Joined)
+        {
+            return;
+        }
+
+        for (int i = tree->First + 1; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            for (int k = 0; k < node->EdgeCount; k++)
+            {
+                _active[_forest.EdgeJoints[node->EdgeFirst + k]].LetGo = 0;
+            }
+        }
+
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
+        {
+            _active[_forest.Anchors[i].Active].LetGo = 0;
+        }
+    }
+
+    /// <summary>Notes the trees that an iterated joint pushes at.</summary>
+    private void Join(ActiveJoint* joint)
+    {
+        if (joint->Role == JointRole.Iterated)
+        {
+            Join(joint->Ends.NodeA);
+            Join(joint->Ends.NodeB);
+        }
+    }
+
+    private void Join(int node)
+    {
+        if (node >= 0)
+        {
+            _forest.Trees[_forest.Nodes[node].Tree].Joined = true;
+        }
+    }
+}
