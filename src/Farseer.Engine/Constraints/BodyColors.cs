@@ -26,7 +26,7 @@ internal sealed class BodyColors
     public const int Count = Masked + 2;
 
     /// <summary>Colours among which a new row draws.</summary>
-    private const int Drawn = 8;
+    public const int Drawn = 8;
 
     private readonly Column<ulong> _masks = new Column<ulong>();
 
@@ -40,11 +40,17 @@ internal sealed class BodyColors
 
     public void EnsureBodies(int capacity) => _masks.EnsureCapacity(capacity);
 
-    public int Choose(int a, int b, bool movesA, bool movesB)
+    /// <param name="a">A body of the row.</param>
+    /// <param name="b">The other.</param>
+    /// <param name="movesA">The first can move.</param>
+    /// <param name="movesB">The second can.</param>
+    /// <param name="preferred">Colours that a row between moving bodies is to draw from if one of them is free.</param>
+    public int Choose(int a, int b, bool movesA, bool movesB, ulong preferred = 0)
     {
         if (movesA && movesB)
         {
-            return Draw(_masks[a] | _masks[b], a, b);
+            ulong taken = _masks[a] | _masks[b];
+            return Draw((preferred & ~taken) != 0 ? taken | ~preferred : taken, a, b);
         }
 
         return LowestClear(movesA ? _masks[a] : _masks[b], Dynamic, Masked, StaticOverflow);

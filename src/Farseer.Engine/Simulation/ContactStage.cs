@@ -65,6 +65,7 @@ internal sealed unsafe class ContactStage : IStageWork
         ContactStore contacts = input.Contacts;
         Scratch scratch = input.Scratch;
         int mark = scratch.Mark;
+        graph.NotePairs(contacts.Count);
         _idle.Begin(input, _hulls, graph.RowCount);
         _work.WriteSides(runner, input, _sides);
         _idle.FindSteps(runner, input);

@@ -14,7 +14,7 @@ namespace Farseer.Box2DFlash.Tests.Behavior;
 public sealed class KindAllocationTests
 {
     /// <summary>Until nearly as many pairs have been near each other at once as ever will: the pool of contacts grows with them.</summary>
-    private const int WarmSteps = 2000;
+    private const int WarmSteps = 4000;
     private const int CountedSteps = 400;
 
     [Fact]

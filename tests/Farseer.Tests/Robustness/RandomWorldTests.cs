@@ -15,10 +15,11 @@ public class RandomWorldTests
     private const double MostShare = 1.5;
 
     /// <summary>
-    /// Of the 300 these exceed it (16 before soft pivots were solved as one). 74: a soft pivot with its anchor five sizes off its body, among limits. 25: a soft slider that was overrun goes back
-    /// with a speed. 30 and 100: joints that contradict each other. The others, of up to forty bodies with as many joints, were not reduced to a cause.
+    /// Of the 300 these exceed it (16 before soft pivots were solved as one; 12 while small worlds drew their colours as large ones do: 31, 38, 159 and 188
+    /// are new, 2 and 153 were over it then). 74: a soft pivot with its anchor five sizes off its body, among limits. 25: a soft slider that was overrun goes
+    /// back with a speed. 30 and 100: joints that contradict each other. The others, of up to forty bodies with as many joints, were not reduced to a cause.
     /// </summary>
-    private const int MostOver = 12;
+    private const int MostOver = 14;
 
     /// <summary>683 a second in seed 30; a soft pivot swung up to 11,300 in seed 79 before. (In a world within its energy a motor may drive a body faster.)</summary>
     private const float Fastest = 700;
