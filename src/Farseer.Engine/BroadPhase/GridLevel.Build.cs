@@ -134,14 +134,7 @@ internal sealed unsafe partial class GridLevel : IStageWork
     private void Run(StageRunner? runner, Part part, int count, int least)
     {
         _part = part;
-        if (runner == null)
-        {
-            ((IStageWork)this).Run(0, 0, count);
-        }
-        else
-        {
-            runner.Run(this, count, least);
-        }
+        StageRunner.Share(runner, this, count, least);
     }
 
     // Finds the cells of a block of boxes, and how many of the block are in each bin.

@@ -32,15 +32,7 @@ internal sealed unsafe partial class LevelGrid
         _gathered = proxies.Scratch.Take<GatherSums>(blocks);
         _proxies = proxies;
         _gathers = true;
-        if (_runner == null)
-        {
-            ((IStageWork)this).Run(0, 0, blocks);
-        }
-        else
-        {
-            _runner.Run(this, blocks, 1);
-        }
-
+        StageRunner.Share(_runner, this, blocks, 1);
         _gathers = false;
         int active = 0;
         int resting = 0;

@@ -201,14 +201,7 @@ internal sealed unsafe partial class LevelGrid : IBroadPhase, IStageWork
     {
         _coarse = coarse;
         _fine = fine;
-        if (_runner == null)
-        {
-            ((IStageWork)this).Run(0, 0, count);
-        }
-        else
-        {
-            _runner.Run(this, count, LeastBoxes);
-        }
+        StageRunner.Share(_runner, this, count, LeastBoxes);
     }
 
     // Who found which pairs changes from run to run: all get the room that one of them needed.

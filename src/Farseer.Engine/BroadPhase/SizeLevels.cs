@@ -65,14 +65,7 @@ internal sealed unsafe class SizeLevels : IStageWork
         _boxes = boxes;
         _members = members;
         Unsafe.InitBlock(_found, 0, (uint)(workers * Buckets * sizeof(SizeBucket)));
-        if (workers == 1)
-        {
-            ((IStageWork)this).Run(0, 0, count);
-        }
-        else
-        {
-            runner!.Run(this, count, LeastBoxes);
-        }
+        StageRunner.Share(workers == 1 ? null : runner, this, count, LeastBoxes);
 
         for (int i = Buckets; i < workers * Buckets; i++)
         {

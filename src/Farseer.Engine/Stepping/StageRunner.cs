@@ -204,6 +204,23 @@ internal sealed partial class StageRunner : IDisposable
         RunBlocks(work, count, blocks, blocks > BlocksAShare * Workers);
     }
 
+    /// <summary>The same where nobody may be there to share it.</summary>
+    /// <param name="runner">Who shares the phase; null: the calling thread does it.</param>
+    /// <param name="work">The phase.</param>
+    /// <param name="count">Its items.</param>
+    /// <param name="least">Items that are worth being done by another thread.</param>
+    public static void Share(StageRunner? runner, IStageWork work, int count, int least)
+    {
+        if (runner == null)
+        {
+            work.Run(0, 0, count);
+        }
+        else
+        {
+            runner.Run(work, count, least);
+        }
+    }
+
     /// <summary>The same for items of which each takes some 100 µs: one a block.</summary>
     public void RunEach(IStageWork work, int count)
     {
