@@ -71,7 +71,7 @@ internal static unsafe class BlowKernel
         Wide b0 = Turn(row->Point0.TangentArmB + lane, row->Point0.NormalArmB + lane, movedB.Cos, Wide.Zero - movedB.Sin);
         Wide a1 = Turn(row->Point1.TangentArmA + lane, row->Point1.NormalArmA + lane, movedA.Cos, Wide.Zero - movedA.Sin);
         Wide b1 = Turn(row->Point1.TangentArmB + lane, row->Point1.NormalArmB + lane, movedB.Cos, Wide.Zero - movedB.Sin);
-        WideMask blow = Fresh(row, lane) & (Wide.Min(movedA.Cos, movedB.Cos) >= Wide.Splat(TurnedArms.LeastCosine))
+        WideMask blow = Fresh(row, lane) & TurnedArms.AreWithin(movedA, movedB)
             & Fits(row, lane, Wide.One / Wide.Load(row->K11 + lane), a0, b0)
             & Fits(row, lane, Wide.One / Wide.Load(row->K22 + lane), a1, b1);
         Wide more0 = Wide.Keep(blow, Wide.Load(work->Value0 + lane));
@@ -94,7 +94,7 @@ internal static unsafe class BlowKernel
         Wide b0 = Turn(row->Point0.NormalArmB + lane, row->Point0.TangentArmB + lane, movedB.Cos, movedB.Sin);
         Wide a1 = Turn(row->Point1.NormalArmA + lane, row->Point1.TangentArmA + lane, movedA.Cos, movedA.Sin);
         Wide b1 = Turn(row->Point1.NormalArmB + lane, row->Point1.TangentArmB + lane, movedB.Cos, movedB.Sin);
-        WideMask blow = Fresh(row, lane) & (Wide.Min(movedA.Cos, movedB.Cos) >= Wide.Splat(TurnedArms.LeastCosine))
+        WideMask blow = Fresh(row, lane) & TurnedArms.AreWithin(movedA, movedB)
             & Fits(row, lane, ContactKernel.TangentMass(row, &row->Point0, lane), a0 + radiusA, b0 - radiusB)
             & Fits(row, lane, ContactKernel.TangentMass(row, &row->Point1, lane), a1 + radiusA, b1 - radiusB);
         Wide more0 = Wide.Keep(blow, Wide.Load(work->Value0 + lane));

@@ -15,7 +15,7 @@ namespace Farseer.Engine.Contacts;
 internal static unsafe class TurnedArms
 {
     /// <summary>Cosine of the largest turn from the step's middle, 0.45 rad: what spins at 54 rad/s at 60 steps a second gets as far.</summary>
-    public const float LeastCosine = 0.9f;
+    private const float LeastCosine = 0.9f;
 
     private const float LargestSine = 0.43588989f;
 
@@ -36,6 +36,10 @@ internal static unsafe class TurnedArms
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WideMask IsBeyond(Wide cos) => cos < Wide.Splat(LeastCosine);
+
+    /// <summary>Lanes where neither body has turned further than that.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideMask AreWithin(in WideDelta a, in WideDelta b) => Wide.Min(a.Cos, b.Cos) >= Wide.Splat(LeastCosine);
 
     /// <summary>How fast separations change, with arms turned along no further than that.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

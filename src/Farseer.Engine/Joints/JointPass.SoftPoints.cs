@@ -9,8 +9,6 @@ namespace Farseer.Engine.Joints;
 /// </content>
 internal sealed unsafe partial class JointPass
 {
-    private const int PointRows = 2;
-
     /// <returns>False if the rows are to be solved in turn.</returns>
     private bool SolvePoint(ActiveJoint* joint, JointRows* r)
     {

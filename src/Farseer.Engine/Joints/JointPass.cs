@@ -100,7 +100,7 @@ internal sealed unsafe partial class JointPass
     public void Solve(ActiveJoint* joint, JointRows* r, in JointStep step, bool biased)
     {
         RowEnds.Visit(_view, &joint->Ends);
-        for (int k = r->SoftPoint && SolvePoint(joint, r) ? PointRows : r->Hard; k < r->Count; k++)
+        for (int k = r->SoftPoint && SolvePoint(joint, r) ? JointRows.OfPoint : r->Hard; k < r->Count; k++)
         {
             if (!(joint->BlockLimits && r->Type[k] == (byte)RowType.Limit))
             {

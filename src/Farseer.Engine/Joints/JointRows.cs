@@ -74,6 +74,9 @@ internal unsafe struct JointRows
 {
     public const int Most = 6;
 
+    /// <summary>Rows that hold two points together.</summary>
+    public const int OfPoint = 2;
+
     public fixed double A[Most * 3];
     public fixed double B[Most * 3];
     public fixed double Error[Most];

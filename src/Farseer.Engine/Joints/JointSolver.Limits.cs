@@ -349,7 +349,6 @@ internal sealed unsafe partial class JointSolver
             return;
         }
 
-
         JointRows* rows = _rows.Pointer + index;
         TakeBack(joint->Ends.NodeA, rows->A + (row * 3), push);
         TakeBack(joint->Ends.NodeB, rows->B + (row * 3), push);

@@ -10,7 +10,6 @@ namespace Farseer.Engine.Joints;
 /// </content>
 internal sealed unsafe partial class JointSolver
 {
-    private const int PointRows = 2;
     private const int LowerRow = 2;
     private const int UpperRow = 3;
 
@@ -67,7 +66,7 @@ internal sealed unsafe partial class JointSolver
     private int WritePivotTargets(TreeNode* node, TargetKind kind, JointTree* tree)
     {
         ActiveJoint* joint = _active.Pointer + node->RowJoint[0];
-        if (node->HardRows < PointRows || joint->Pivot == PivotKind.None || kind == TargetKind.Pull)
+        if (node->HardRows < JointRows.OfPoint || joint->Pivot == PivotKind.None || kind == TargetKind.Pull)
         {
             return 0;
         }
@@ -76,13 +75,13 @@ internal sealed unsafe partial class JointSolver
         {
             node->Target[0] = 0;
             node->Target[1] = 0;
-            return PointRows;
+            return JointRows.OfPoint;
         }
 
         JointRows* rows = _rows.Pointer + node->RowJoint[0];
         node->Target[0] = PointTarget(joint, rows, 0, kind, tree);
         node->Target[1] = PointTarget(joint, rows, 1, kind, tree);
-        return PointRows;
+        return JointRows.OfPoint;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -12,7 +12,6 @@ namespace Farseer.Engine.Joints.Loose;
 internal static unsafe class LooseKernel
 {
     private const int LanesOf = DoubleLanes.BundleLanes;
-    private const int PointRows = 2;
 
     /// <summary>One number of the bodies of the lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -118,7 +117,7 @@ internal static unsafe class LooseKernel
                 SolvePoint(bundle, DoubleLanes.Shift(rows, lane), DoubleLanes.Shift(rows + 1, lane), ref pair);
             }
 
-            for (int k = place->SoftPoint ? PointRows : 0; k < place->Rows; k++)
+            for (int k = place->SoftPoint ? JointRows.OfPoint : 0; k < place->Rows; k++)
             {
                 LooseRow* row = DoubleLanes.Shift(rows + k, lane);
                 WideDouble old = WideDouble.Load(row->Soft.Lambda);
