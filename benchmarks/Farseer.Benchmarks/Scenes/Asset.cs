@@ -1,5 +1,7 @@
 using System;
+#if NETSTANDARD_ASSET
 using System.Numerics;
+#endif
 using System.Reflection;
 using System.Runtime.Versioning;
 using FarseerGames.FarseerPhysics;
@@ -15,8 +17,12 @@ internal static class Asset
     public static string Name { get; } = ShortName(new FrameworkName(
         typeof(PhysicsSimulator).Assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName));
 
-    /// <summary>The net8.0 asset always computes on eight lanes, the other one on as many as <see cref="Vector{T}"/> has.</summary>
-    public static int Lanes => Name.StartsWith(Standard, StringComparison.Ordinal) ? Vector<float>.Count : 8;
+    /// <summary>Lanes of the passes over contacts: sixteen or eight in the net8.0 asset, in the other one as many as <see cref="Vector{T}"/> has.</summary>
+#if NETSTANDARD_ASSET
+    public static int Lanes => Vector<float>.Count;
+#else
+    public static int Lanes => Engine.Numerics.Sixteen.WideLanes.AreThere ? 16 : 8;
+#endif
 
     private static string ShortName(FrameworkName framework) =>
         $"{(framework.Identifier == ".NETStandard" ? Standard : "net")}{framework.Version.ToString(2)}";

@@ -17,7 +17,15 @@ public unsafe class KernelSuite
     private readonly Column<PairLanes> _pairs = new Column<PairLanes>(1);
     private ContactCoefficients _coefficients;
 
-    private BundleRun Rows => new BundleRun(_rows.Pointer, Bundles, _rows.Pointer, isFar: false);
+    /// <summary>Lanes of the vectors that the passes over contacts go by: all that this processor has.</summary>
+#if NETSTANDARD_ASSET
+    public static int[] Widths => [Vector<float>.Count];
+#else
+    public static int[] Widths => Engine.Numerics.Sixteen.WideLanes.AreThere ? [8, 16] : [8];
+#endif
+
+    [ParamsSource(nameof(Widths))]
+    public int Lanes { get; set; }
 
     [GlobalSetup]
     public void Setup()
@@ -30,7 +38,7 @@ public unsafe class KernelSuite
 
         for (int i = 0; i < Contacts; i++)
         {
-            ContactBundle* row = _rows.Pointer + (i / ContactBundle.Lanes);
+            ContactBundle* row = ContactBundle.At(_rows.Pointer, i / ContactBundle.Lanes);
             int lane = i % ContactBundle.Lanes;
             ContactRowWriter.ClearLane(row, lane);
             row->BodyA[lane] = 1 + (2 * i);
@@ -53,19 +61,37 @@ public unsafe class KernelSuite
     }
 
     [Benchmark(OperationsPerInvoke = Contacts)]
-    public void WarmStart() => ContactKernel.WarmStart<ScatterAll, TwoPoints>(Rows, _states.Pointer, _coefficients);
+    public void WarmStart() => Run(ContactPassKind.WarmStart);
 
     [Benchmark(OperationsPerInvoke = Contacts)]
-    public void SolveBiased() => ContactKernel.SolveBiased<ScatterAll, TwoPoints>(Rows, _states.Pointer, _coefficients, anyDeep: false);
+    public void SolveBiased() => Run(ContactPassKind.Biased);
 
     [Benchmark(OperationsPerInvoke = Contacts)]
-    public void Relax() => ContactKernel.Relax<ScatterAll, TwoPoints>(Rows, _states.Pointer, _coefficients, rub: true, first: true);
+    public void Relax() => Run(ContactPassKind.Relax);
 
     [Benchmark(OperationsPerInvoke = PairLanes.Lanes)]
     public int BoxBox() => WideBoxBox.Collide(_pairs.Pointer);
 
     [Benchmark(OperationsPerInvoke = PairLanes.Lanes)]
     public void CircleCircle() => WideCircleCircle.Collide(_pairs.Pointer);
+
+    private void Run(ContactPassKind kind)
+    {
+        var pass = new ContactPass { Kind = kind, States = _states.Pointer, Coefficients = _coefficients, Flag = kind == ContactPassKind.Relax, First = true };
+#if !NETSTANDARD_ASSET
+        if (Lanes == Engine.Contacts.Sixteen.ContactBundle.Lanes)
+        {
+            var first = (Engine.Contacts.Sixteen.ContactBundle*)_rows.Pointer;
+            Engine.Contacts.Sixteen.PassChoice.Run(
+                pass,
+                new Engine.Contacts.Sixteen.BundleRun(first, Bundles / ContactBundle.Beside, first, isFar: false),
+                grounded: false,
+                onePoint: false);
+            return;
+        }
+#endif
+        PassChoice.Run(pass, new BundleRun(_rows.Pointer, Bundles, _rows.Pointer, isFar: false), grounded: false, onePoint: false);
+    }
 
     private static void SetPoint(ContactPointLanes* point, int lane, float arm)
     {

@@ -8,23 +8,6 @@ using System.Runtime.Intrinsics.X86;
 
 namespace Farseer.Engine.Bodies;
 
-/// <summary>Velocities of the bodies of a bundle, one per lane.</summary>
-internal struct WideVelocity
-{
-    public Wide X;
-    public Wide Y;
-    public Wide W;
-}
-
-/// <summary>Displacement and turn since the start of the step.</summary>
-internal struct WideDelta
-{
-    public Wide X;
-    public Wide Y;
-    public Wide Sin;
-    public Wide Cos;
-}
-
 /// <summary>
 /// Moves 16-byte halves of <see cref="BodyState"/> between memory and lanes. Eight loads and eight in-lane shuffles; hardware
 /// gathers were measured 1.7 times slower. Scatter writes the velocity half only.

@@ -30,12 +30,12 @@ internal static unsafe class BlowKernel
     {
         ulong fresh = 0;
         ContactMoved* moved = ContactWork.Moved(work);
-        for (int i = 0; i < count; i++, row++, work++)
+        for (int i = 0; i < count; i++, row = ContactBundle.Next(row), work++)
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 ulong bit = ContactWork.Bit(i, lane);
-                if ((blows & bit) != 0 && WideLanes.Any(Fresh(row, lane)))
+                if ((blows & bit) != 0 && WideLanes.Any(Fresh(row, lane, work)))
                 {
                     fresh |= bit;
                     StrikeLanes(row, lane, work, moved + i, bodies);
@@ -51,7 +51,7 @@ internal static unsafe class BlowKernel
     public static void Rub(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
     {
         ContactMoved* moved = ContactWork.Moved(work);
-        for (int i = 0; i < count; i++, row++, work++)
+        for (int i = 0; i < count; i++, row = ContactBundle.Next(row), work++)
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
@@ -71,7 +71,7 @@ internal static unsafe class BlowKernel
         Wide b0 = Turn(row->Point0.TangentArmB + lane, row->Point0.NormalArmB + lane, movedB.Cos, Wide.Zero - movedB.Sin);
         Wide a1 = Turn(row->Point1.TangentArmA + lane, row->Point1.NormalArmA + lane, movedA.Cos, Wide.Zero - movedA.Sin);
         Wide b1 = Turn(row->Point1.TangentArmB + lane, row->Point1.NormalArmB + lane, movedB.Cos, Wide.Zero - movedB.Sin);
-        WideMask blow = Fresh(row, lane) & TurnedArms.AreWithin(movedA, movedB)
+        WideMask blow = Fresh(row, lane, work) & TurnedArms.AreWithin(movedA, movedB)
             & Fits(row, lane, Wide.One / Wide.Load(row->K11 + lane), a0, b0)
             & Fits(row, lane, Wide.One / Wide.Load(row->K22 + lane), a1, b1);
         Wide more0 = Wide.Keep(blow, Wide.Load(work->Value0 + lane));
@@ -80,8 +80,7 @@ internal static unsafe class BlowKernel
             * (((Wide.Load(row->Point0.TangentArmA + lane) - a0) * more0) + ((Wide.Load(row->Point1.TangentArmA + lane) - a1) * more1));
         Wide spinB = Wide.Load(row->InertiaB + lane)
             * (((b0 - Wide.Load(row->Point0.TangentArmB + lane)) * more0) + ((b1 - Wide.Load(row->Point1.TangentArmB + lane)) * more1));
-        spinA.Store(work->BlowA + lane);
-        spinB.Store(work->BlowB + lane);
+        Store(work, lane, blow, spinA, spinB);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -94,7 +93,7 @@ internal static unsafe class BlowKernel
         Wide b0 = Turn(row->Point0.NormalArmB + lane, row->Point0.TangentArmB + lane, movedB.Cos, movedB.Sin);
         Wide a1 = Turn(row->Point1.NormalArmA + lane, row->Point1.TangentArmA + lane, movedA.Cos, movedA.Sin);
         Wide b1 = Turn(row->Point1.NormalArmB + lane, row->Point1.TangentArmB + lane, movedB.Cos, movedB.Sin);
-        WideMask blow = Fresh(row, lane) & TurnedArms.AreWithin(movedA, movedB)
+        WideMask blow = Fresh(row, lane, work) & TurnedArms.AreWithin(movedA, movedB)
             & Fits(row, lane, ContactKernel.TangentMass(row, &row->Point0, lane), a0 + radiusA, b0 - radiusB)
             & Fits(row, lane, ContactKernel.TangentMass(row, &row->Point1, lane), a1 + radiusA, b1 - radiusB);
         Wide more0 = Wide.Keep(blow, Wide.Load(work->Value0 + lane));
@@ -103,14 +102,22 @@ internal static unsafe class BlowKernel
             * (((a0 - Wide.Load(row->Point0.NormalArmA + lane)) * more0) + ((a1 - Wide.Load(row->Point1.NormalArmA + lane)) * more1));
         Wide spinB = Wide.Load(row->InertiaB + lane)
             * (((Wide.Load(row->Point0.NormalArmB + lane) - b0) * more0) + ((Wide.Load(row->Point1.NormalArmB + lane) - b1) * more1));
-        spinA.Store(work->BlowA + lane);
-        spinB.Store(work->BlowB + lane);
+        Store(work, lane, blow, spinA, spinB);
     }
 
-    /// <summary>Lanes whose contact did not push before this substep.</summary>
+    /// <summary>No lane gets another bit because one beside it is struck.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideMask Fresh(ContactBundle* row, int lane) =>
-        (Wide.Load(row->Point0.PreviousNormal + lane) + Wide.Load(row->Point1.PreviousNormal + lane)) <= Wide.Zero;
+    private static void Store(ContactWork* work, int lane, WideMask blow, Wide spinA, Wide spinB)
+    {
+        Wide.Select(blow, spinA, Wide.Splat(-0f)).Store(work->BlowA + lane);
+        Wide.Select(blow, spinB, Wide.Splat(-0f)).Store(work->BlowB + lane);
+    }
+
+    /// <summary>Lanes that may be struck and whose contact did not push before this substep.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideMask Fresh(ContactBundle* row, int lane, ContactWork* work) =>
+        ((Wide.Load(row->Point0.PreviousNormal + lane) + Wide.Load(row->Point1.PreviousNormal + lane)) <= Wide.Zero)
+            & (Wide.Load(work->MayBlow + lane) > Wide.Zero);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Wide Turn(float* along, float* across, Wide cos, Wide sin) => (cos * Wide.Load(along)) + (sin * Wide.Load(across));

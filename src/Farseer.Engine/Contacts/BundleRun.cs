@@ -7,17 +7,17 @@ namespace Farseer.Engine.Contacts;
 /// <summary>Bundles that lie behind each other, for a pass.</summary>
 internal readonly unsafe struct BundleRun
 {
-    /// <summary>Bundles ahead for which memory is asked.</summary>
-    private const int Ahead = 8;
+    /// <summary>Records ahead for which memory is asked.</summary>
+    private const int Ahead = 4;
 
-    /// <summary>Bundles ahead whose bodies' states are asked for: their numbers have come by then.</summary>
-    private const int StatesAhead = 4;
+    /// <summary>Records ahead whose bodies' states are asked for: their numbers have come by then.</summary>
+    private const int StatesAhead = 2;
 
-    /// <summary>Bytes from what is read of a row that is near to what is asked for: the bundle after next.</summary>
-    private const int Near = 2 * ContactBundle.Bytes;
+    /// <summary>Bytes from what is read of a row that is near to what is asked for: the record behind.</summary>
+    private const int Near = ContactBundle.Bytes;
 
     /// <summary>Up to so many bundles a colour is of a world whose rows all stay near: ten boxes at rest would notice the asking.</summary>
-    private const int Few = 8;
+    private const int Few = 64 / ContactBundle.Lanes;
 
     public readonly ContactBundle* Bundles;
     public readonly int Count;
@@ -48,7 +48,7 @@ internal readonly unsafe struct BundleRun
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void AskForStart(ContactBundle* row, BodyState* bodies, bool two)
     {
-        if (!Prefetch.IsUseful)
+        if (!Prefetch.IsUseful || !ContactBundle.IsFirst(row))
         {
             return;
         }
@@ -91,7 +91,7 @@ internal readonly unsafe struct BundleRun
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void AskForBiased(ContactBundle* row, BodyState* bodies, bool two)
     {
-        if (Prefetch.IsUseful && IsFar)
+        if (Prefetch.IsUseful && IsFar && ContactBundle.IsFirst(row))
         {
             long ahead = DistanceAhead(row);
             AskForBlock(row, ahead, two);
@@ -103,7 +103,7 @@ internal readonly unsafe struct BundleRun
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void AskForRelaxed(ContactBundle* row, BodyState* bodies, bool two)
     {
-        if (Prefetch.IsUseful && IsFar)
+        if (Prefetch.IsUseful && IsFar && ContactBundle.IsFirst(row))
         {
             long ahead = DistanceAhead(row);
             AskForBlock(row, ahead, two);
@@ -163,7 +163,7 @@ internal readonly unsafe struct BundleRun
     private long DistanceAhead(ContactBundle* row)
     {
         ContactBundle* ahead = row + Ahead;
-        long past = ahead - (Bundles + Count);
+        long past = ahead - ContactBundle.At(Bundles, Count);
         ahead = past < 0 ? ahead : Following + past;
         return (byte*)ahead - (byte*)row;
     }
@@ -173,9 +173,9 @@ internal readonly unsafe struct BundleRun
     private void AskForStates(ContactBundle* row, BodyState* bodies)
     {
         ContactBundle* ahead = row + StatesAhead;
-        if (ahead < Bundles + Count)
+        if (ahead < ContactBundle.At(Bundles, Count))
         {
-            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            for (int lane = 0; lane < ContactBundle.LineLanes; lane++)
             {
                 Prefetch.Line(bodies + ahead->BodyA[lane]);
                 Prefetch.Line(bodies + ahead->BodyB[lane]);

@@ -23,11 +23,19 @@ internal unsafe struct ContactBundle
 {
     public const int Lanes = WideLanes.BundleLanes;
 
-    /// <summary>The size of a bundle.</summary>
-    public const int Bytes = 22 * Prefetch.LineBytes;
+    /// <summary>The lanes of a column as it lies in memory: a cache line, of which a bundle is a part.</summary>
+    public const int LineLanes = Prefetch.LineBytes / sizeof(float);
 
-    /// <summary>Bundles from one that is read to the one asked for.</summary>
-    private const int Ahead = 5;
+    /// <summary>The size of a record, which is that of all the bundles side by side in it.</summary>
+    public const int Bytes = 44 * Prefetch.LineBytes;
+
+    /// <summary>Bundles side by side in a record.</summary>
+    public const int Beside = LineLanes / Lanes;
+
+    private const int BytesBeside = Lanes * sizeof(float);
+
+    /// <summary>Records from one that is read to the one asked for.</summary>
+    private const int Ahead = 3;
 
     /// <summary>The bits of <see cref="ContactFlags"/>.</summary>
     public const int FlagBits = 0xFF;
@@ -53,62 +61,62 @@ internal unsafe struct ContactBundle
     /// <summary>Separation of a point that does not exist. Finite also after the division by the substep.</summary>
     public const float NoPoint = 1e30f;
 
-    // The order is that of use: two columns share a cache line, every line of the first part is read in every substep, and the
-    // passes over a large world wait for memory more than for anything else. The size is a whole number of lines.
-    public fixed int BodyA[Lanes];
-    public fixed int BodyB[Lanes];
-    public fixed float NormalX[Lanes];
-    public fixed float NormalY[Lanes];
-    public fixed float MassA[Lanes];
-    public fixed float MassB[Lanes];
-    public fixed float InertiaA[Lanes];
-    public fixed float InertiaB[Lanes];
+    // The order is that of use: every line of the first part is read in every substep, and the passes over a large world wait for memory more than for
+    // anything else.
+    public fixed int BodyA[LineLanes];
+    public fixed int BodyB[LineLanes];
+    public fixed float NormalX[LineLanes];
+    public fixed float NormalY[LineLanes];
+    public fixed float MassA[LineLanes];
+    public fixed float MassB[LineLanes];
+    public fixed float InertiaA[LineLanes];
+    public fixed float InertiaB[LineLanes];
 
     /// <summary>Rounding radii of the pieces: what the normal arms of the surfaces have beyond those of the turning cores.</summary>
-    public fixed float RadiusA[Lanes];
-    public fixed float RadiusB[Lanes];
+    public fixed float RadiusA[LineLanes];
+    public fixed float RadiusB[LineLanes];
 
     public ContactPointLanes Point0;
     public ContactPointLanes Point1;
 
     /// <summary>Normal responses kii = mA + mB + iA·atAi² + iB·atBi². What else follows from masses and arms is found where it is needed.</summary>
-    public fixed float K11[Lanes];
-    public fixed float K22[Lanes];
-    public fixed float Friction[Lanes];
+    public fixed float K11[LineLanes];
+    public fixed float K22[LineLanes];
+    public fixed float Friction[LineLanes];
 
     /// <summary>
     /// <see cref="ContactFlags"/> of the record, so that it is only touched when they change, and above them <see cref="SingleMark"/>,
     /// <see cref="DeepMark"/>, <see cref="BlockMark"/> and the depth at which surfaces are held.
     /// </summary>
-    public fixed int Flags[Lanes];
+    public fixed int Flags[LineLanes];
 
     /// <summary>h/τ of the feed-forward: how fast it follows the impulse.</summary>
-    public fixed float FeedRate[Lanes];
+    public fixed float FeedRate[LineLanes];
 
     /// <summary>η: the share of the load that the feed-forward carries.</summary>
-    public fixed float FeedShare[Lanes];
+    public fixed float FeedShare[LineLanes];
 
     /// <summary>
     /// Combined restitution; 0: the restitution pass skips the contact. Below 0: the restitution, with the other sign, of one that bounces by
     /// Newton's rule, which that pass skips as well: see <see cref="ReboundKernel"/>.
     /// </summary>
-    public fixed float Restitution[Lanes];
+    public fixed float Restitution[LineLanes];
 
     /// <summary>Impulse of the last bounce of the pair in this step, else 0: by the step's end nothing else tells of an impact.</summary>
-    public fixed float Struck[Lanes];
+    public fixed float Struck[LineLanes];
 
     /// <summary>Index of the contact record; -1 in an empty lane.</summary>
-    public fixed int Contact[Lanes];
+    public fixed int Contact[LineLanes];
 
-    public fixed int PieceA[Lanes];
-    public fixed int PieceB[Lanes];
+    public fixed int PieceA[LineLanes];
+    public fixed int PieceB[LineLanes];
 
     /// <summary>Names of the points, which follow them from step to step.</summary>
-    public fixed uint Id0[Lanes];
-    public fixed uint Id1[Lanes];
+    public fixed uint Id0[LineLanes];
+    public fixed uint Id1[LineLanes];
 
     /// <summary>Slot of its island and level: see <c>IslandStore</c>.</summary>
-    public fixed int Slot[Lanes];
+    public fixed int Slot[LineLanes];
 
     /// <summary>Lanes with a mark.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -153,10 +161,30 @@ internal unsafe struct ContactBundle
         return bits;
     }
 
-    /// <summary>Asks for all of a bundle.</summary>
+    /// <summary>The bundle that comes so many behind one.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static ContactBundle* At(ContactBundle* bundle, int steps)
+    {
+        nint place = PlaceOf(bundle) + steps;
+        nint toRecord = ((nint)bundle & -Prefetch.LineBytes) + ((place / Beside) * Bytes);
+        return (ContactBundle*)(toRecord + ((place % Beside) * BytesBeside));
+    }
+
+    /// <summary>The bundle behind one.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static ContactBundle* Next(ContactBundle* bundle) =>
+        Beside == 1 || PlaceOf(bundle) == Beside - 1
+            ? (ContactBundle*)((byte*)bundle + (Bytes - ((Beside - 1) * BytesBeside)))
+            : (ContactBundle*)((byte*)bundle + BytesBeside);
+
+    /// <summary>It is the first of its record.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool IsFirst(ContactBundle* bundle) => Beside == 1 || PlaceOf(bundle) == 0;
+
+    /// <summary>Asks for all of the record of a bundle.</summary>
     public static void AskFor(ContactBundle* bundle)
     {
-        for (int line = 0; line < sizeof(ContactBundle); line += Prefetch.LineBytes)
+        for (int line = 0; line < Bytes; line += Prefetch.LineBytes)
         {
             Prefetch.Line((byte*)bundle + line);
         }
@@ -168,29 +196,33 @@ internal unsafe struct ContactBundle
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void AskAhead(void* column) => Prefetch.Line((ContactBundle*)column + Ahead);
+
+    /// <summary>The place of a bundle in its record, which begins at a line.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static nint PlaceOf(ContactBundle* bundle) => ((nint)bundle & (Prefetch.LineBytes - 1)) / BytesBeside;
 }
 
 /// <summary>One point of each contact of a bundle.</summary>
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct ContactPointLanes
 {
-    public const int Lanes = WideLanes.BundleLanes;
+    private const int LineLanes = ContactBundle.LineLanes;
 
-    public fixed float NormalArmA[Lanes];
-    public fixed float TangentArmA[Lanes];
-    public fixed float NormalArmB[Lanes];
-    public fixed float TangentArmB[Lanes];
+    public fixed float NormalArmA[LineLanes];
+    public fixed float TangentArmA[LineLanes];
+    public fixed float NormalArmB[LineLanes];
+    public fixed float TangentArmB[LineLanes];
 
     /// <summary>Separation plus the depth of rest, less the arms: s' = s + rest by the formula of s.</summary>
-    public fixed float Base[Lanes];
+    public fixed float Base[LineLanes];
 
     /// <summary>Impulses of the present substep (λn, λt) and of the one before, for the extrapolated warm start.</summary>
-    public fixed float Normal[Lanes];
-    public fixed float Tangent[Lanes];
+    public fixed float Normal[LineLanes];
+    public fixed float Tangent[LineLanes];
 
     /// <summary>Feed-forward impulse φ.</summary>
-    public fixed float Feed[Lanes];
+    public fixed float Feed[LineLanes];
 
-    public fixed float PreviousNormal[Lanes];
-    public fixed float PreviousTangent[Lanes];
+    public fixed float PreviousNormal[LineLanes];
+    public fixed float PreviousTangent[LineLanes];
 }

@@ -33,8 +33,8 @@ internal static unsafe class ContactKernel
 
         bool two = default(TPoints).AreTwo;
         Wide fall = Wide.Splat(c.Gravity * c.Substep);
-        ContactBundle* end = rows.Bundles + rows.Count;
-        for (ContactBundle* row = rows.Bundles; row < end; row++)
+        ContactBundle* row = rows.Bundles;
+        for (int left = rows.Count; left > 0; left--, row = ContactBundle.Next(row))
         {
             rows.AskForStart(row, bodies, two);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
@@ -56,15 +56,16 @@ internal static unsafe class ContactKernel
         ContactWork* work = ContactWork.In(memory);
         for (int done = 0; done < rows.Count; done += rows.Stride)
         {
-            ContactBundle* row = rows.Bundles + done;
+            ContactBundle* row = ContactBundle.At(rows.Bundles, done);
             int count = Math.Min(rows.Stride, rows.Count - done);
-            for (int i = 0; i < count; i++)
+            ContactBundle* turned = row;
+            for (int i = 0; i < count; i++, turned = ContactBundle.Next(turned))
             {
-                BodyLanes.TurnVelocities(bodies, row[i].BodyA, work[i].VelocityAX);
-                BodyLanes.TurnVelocities(bodies, row[i].BodyB, work[i].VelocityBX);
+                BodyTurning.TurnVelocities(bodies, turned->BodyA, work[i].VelocityAX);
+                BodyTurning.TurnVelocities(bodies, turned->BodyB, work[i].VelocityBX);
             }
 
-            for (int i = 0; i < count; i++, row++)
+            for (int i = 0; i < count; i++, row = ContactBundle.Next(row))
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
                 {
@@ -114,7 +115,7 @@ internal static unsafe class ContactKernel
         ContactWork* work = ContactWork.In(memory);
         for (int done = 0; done < rows.Count; done += rows.Stride)
         {
-            ContactBundle* some = rows.Bundles + done;
+            ContactBundle* some = ContactBundle.At(rows.Bundles, done);
             int count = Math.Min(rows.Stride, rows.Count - done);
             ContactStages.AimBiased<TPoints>(rows, some, count, work, bodies, c, anyDeep);
 
@@ -143,7 +144,7 @@ internal static unsafe class ContactKernel
         ContactWork* work = ContactWork.In(memory);
         for (int done = 0; done < rows.Count;)
         {
-            ContactBundle* some = rows.Bundles + done;
+            ContactBundle* some = ContactBundle.At(rows.Bundles, done);
             int count = CountDeep(some, Math.Min(rows.Stride, rows.Count - done));
             if (count > 0)
             {
@@ -159,7 +160,7 @@ internal static unsafe class ContactKernel
     /// <summary>How many bundles from the first on have a contact of a deep island.</summary>
     private static int CountDeep(ContactBundle* row, int most)
     {
-        for (int i = 0; i < most; i++, row++)
+        for (int i = 0; i < most; i++, row = ContactBundle.Next(row))
         {
             if (ContactBundle.LanesWith(row, ContactBundle.DeepMark) == 0)
             {
@@ -187,7 +188,7 @@ internal static unsafe class ContactKernel
         ContactWork* work = ContactWork.In(memory);
         for (int done = 0; done < rows.Count; done += rows.Stride)
         {
-            ContactBundle* some = rows.Bundles + done;
+            ContactBundle* some = ContactBundle.At(rows.Bundles, done);
             int count = Math.Min(rows.Stride, rows.Count - done);
             ContactStages.AimRelaxed<TPoints>(rows, some, count, work, bodies, c);
             ulong blows = ContactStages.Push<TPoints>(some, count, work, onlyUnfed: first, feed: true);

@@ -132,13 +132,23 @@ internal static unsafe class ContactRowWriter
         row->Flags[lane] = ContactBundle.SingleMark | ContactBundle.BlockMark;
     }
 
-    /// <summary>A bundle without pairs, to be named and then written.</summary>
+    /// <summary>A bundle without pairs, the first of a record in which there is no other, to be named and then written.</summary>
     public static void ClearForWrite(ContactBundle* row)
     {
-        Unsafe.InitBlock(row, 0, (uint)sizeof(ContactBundle));
+        Unsafe.InitBlock(row, 0, ContactBundle.Bytes);
         for (int lane = 0; lane < ContactBundle.Lanes; lane++)
         {
             Unname(row, lane);
+        }
+    }
+
+    /// <summary>Empties all lanes of all bundles of a record. Those that a colour has no rows for yet may be solved with the others.</summary>
+    /// <param name="first">The first of its bundles.</param>
+    public static void ClearRecord(ContactBundle* first)
+    {
+        for (int lane = 0; lane < ContactBundle.LineLanes; lane++)
+        {
+            ClearLane(first, lane);
         }
     }
 
@@ -174,16 +184,16 @@ internal static unsafe class ContactRowWriter
     }
 
     /// <summary>Fields of a lane.</summary>
-    private static int Columns => sizeof(ContactBundle) / (sizeof(int) * ContactBundle.Lanes);
+    private static int Columns => ContactBundle.Bytes / (sizeof(int) * ContactBundle.LineLanes);
 
-    /// <summary>Moves a contact from one lane to another; every field is a column of four bytes a lane.</summary>
+    /// <summary>Moves a contact from one lane to another; every field is a column of four bytes a lane, one to a line.</summary>
     public static void MoveLane(ContactBundle* source, int sourceLane, ContactBundle* target, int targetLane)
     {
         int* from = (int*)source + sourceLane;
         int* to = (int*)target + targetLane;
         for (int i = 0; i < Columns; i++)
         {
-            to[i * ContactBundle.Lanes] = from[i * ContactBundle.Lanes];
+            to[i * ContactBundle.LineLanes] = from[i * ContactBundle.LineLanes];
         }
     }
 
@@ -194,7 +204,8 @@ internal static unsafe class ContactRowWriter
         int* second = (int*)other + laneOfOther;
         for (int i = 0; i < Columns; i++)
         {
-            (first[i * ContactBundle.Lanes], second[i * ContactBundle.Lanes]) = (second[i * ContactBundle.Lanes], first[i * ContactBundle.Lanes]);
+            int at = i * ContactBundle.LineLanes;
+            (first[at], second[at]) = (second[at], first[at]);
         }
     }
 

@@ -46,7 +46,7 @@ internal static unsafe class ContactStages
         Wide sliding = Wide.Splat(c.Sliding);
         ContactWork* end = work + count;
         ContactMoved* moved = Turn(row, count, work, bodies);
-        for (; work < end; work++, row++, moved++)
+        for (; work < end; work++, row = ContactBundle.Next(row), moved++)
         {
             rows.AskForBiased(row, bodies, two);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
@@ -144,7 +144,7 @@ internal static unsafe class ContactStages
         Wide level = Wide.Splat(c.Level);
         ContactWork* end = work + count;
         ContactMoved* moved = Turn(row, count, work, bodies);
-        for (; work < end; work++, row++, moved++)
+        for (; work < end; work++, row = ContactBundle.Next(row), moved++)
         {
             rows.AskForRelaxed(row, bodies, two);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
@@ -195,7 +195,7 @@ internal static unsafe class ContactStages
         Wide rate = Wide.Splat(recoveryRate);
         ContactWork* end = work + count;
         ContactMoved* moved = Turn(row, count, work, bodies);
-        for (; work < end; work++, row++, moved++)
+        for (; work < end; work++, row = ContactBundle.Next(row), moved++)
         {
             rows.AskForBiased(row, bodies, two);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
@@ -218,7 +218,7 @@ internal static unsafe class ContactStages
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
-        for (int i = 0; i < count; i++, work++, row++)
+        for (int i = 0; i < count; i++, work++, row = ContactBundle.Next(row))
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
@@ -255,7 +255,7 @@ internal static unsafe class ContactStages
     {
         bool two = default(TPoints).AreTwo;
         ulong blows = 0;
-        for (int i = 0; i < count; i++, work++, row++)
+        for (int i = 0; i < count; i++, work++, row = ContactBundle.Next(row))
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
@@ -290,6 +290,7 @@ internal static unsafe class ContactStages
                 }
 
                 blows |= WideLanes.Any(blow) ? ContactWork.Bit(i, lane) : 0;
+                Wide.Keep(blow, Wide.One).Store(work->MayBlow + lane);
                 if (feed)
                 {
                     // Only the load common to both points is fed forward: with each point's own, random piles creep.
@@ -315,7 +316,7 @@ internal static unsafe class ContactStages
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
-        for (int i = 0; i < count; i++, work++, row++)
+        for (int i = 0; i < count; i++, work++, row = ContactBundle.Next(row))
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
@@ -331,7 +332,7 @@ internal static unsafe class ContactStages
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
-        for (int i = 0; i < count; i++, work++, row++)
+        for (int i = 0; i < count; i++, work++, row = ContactBundle.Next(row))
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
@@ -367,7 +368,7 @@ internal static unsafe class ContactStages
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
-        for (int i = 0; i < count; i++, work++, row++)
+        for (int i = 0; i < count; i++, work++, row = ContactBundle.Next(row))
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
@@ -391,10 +392,10 @@ internal static unsafe class ContactStages
         ContactMoved* moved = ContactWork.Moved(work);
         if (MatrixTurn.IsUsed)
         {
-            for (int i = 0; i < count; i++)
+            for (int i = 0; i < count; i++, row = ContactBundle.Next(row))
             {
-                BodyLanes.TurnStates(bodies, row[i].BodyA, work[i].VelocityAX, moved[i].AX);
-                BodyLanes.TurnStates(bodies, row[i].BodyB, work[i].VelocityBX, moved[i].BX);
+                BodyTurning.TurnStates(bodies, row->BodyA, work[i].VelocityAX, moved[i].AX);
+                BodyTurning.TurnStates(bodies, row->BodyB, work[i].VelocityBX, moved[i].BX);
             }
         }
 

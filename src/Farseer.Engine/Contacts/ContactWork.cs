@@ -7,16 +7,19 @@ namespace Farseer.Engine.Contacts;
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct ContactWork
 {
-    /// <summary>Bundles that go through the stages together: 4 and 16 took the same time. A bit a lane of all of them fits an integer.</summary>
+    /// <summary>Bundles that go through the stages together: 4 and 16 took the same time. A bit a vector of all of them fits an integer.</summary>
     public const int MostBundles = 8;
 
     private const int Lanes = ContactBundle.Lanes;
     private const int LineBytes = 64;
 
+    /// <summary>Lanes of the shortest vectors there are.</summary>
+    private const int LeastWidth = 4;
+
     /// <summary>Room for all of them, for what their bodies have moved, and to begin at a line.</summary>
     public const int Bytes = (MostBundles * (Columns + ContactMoved.Columns) * Lanes * sizeof(float)) + LineBytes;
 
-    private const int Columns = 14;
+    private const int Columns = 15;
 
     /// <summary>Velocities of the bodies.</summary>
     public fixed float VelocityAX[Lanes];
@@ -36,7 +39,10 @@ internal unsafe struct ContactWork
     public fixed float Value0[Lanes];
     public fixed float Value1[Lanes];
 
-    /// <summary>Spins by blows, valid only in lanes that have one.</summary>
+    /// <summary>Above 0 where a contact may be struck.</summary>
+    public fixed float MayBlow[Lanes];
+
+    /// <summary>Spins by blows; -0, which changes nothing, in lanes beside those that have one.</summary>
     public fixed float BlowA[Lanes];
     public fixed float BlowB[Lanes];
 
@@ -48,7 +54,7 @@ internal unsafe struct ContactWork
     public static ContactWork* In(byte* memory) => (ContactWork*)(((ulong)memory + (LineBytes - 1)) & ~(ulong)(LineBytes - 1));
 
     /// <summary>The bit of a bundle's lane and of those beside it in a vector.</summary>
-    public static ulong Bit(int bundle, int lane) => 1UL << ((bundle * Lanes) + lane);
+    public static ulong Bit(int bundle, int lane) => 1UL << (((bundle * Lanes) + lane) / LeastWidth);
 }
 
 /// <summary>What the bodies of a bundle have moved: used only where <see cref="Numerics.MatrixTurn.IsUsed"/>.</summary>

@@ -30,7 +30,7 @@ internal readonly struct OnePoint : IContactPoints
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe bool Are(ContactBundle* row, int count)
     {
-        for (ContactBundle* end = row + count; row < end; row++)
+        for (; count > 0; count--, row = ContactBundle.Next(row))
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {

@@ -48,10 +48,10 @@ internal unsafe ref struct BundleRuns
         }
 
         RowExtent* extent = _arena.Extents + _extent;
-        Bundles = extent->Bundles + _skip;
+        Bundles = ContactBundle.At(extent->Bundles, _skip);
         int count = extent->Count - _skip;
         _extent = extent->Next;
-        while (count < _left && _arena.Extents[_extent].Bundles == Bundles + count)
+        while (count < _left && _arena.Extents[_extent].Bundles == ContactBundle.At(Bundles, count))
         {
             count += _arena.Extents[_extent].Count;
             _extent = _arena.Extents[_extent].Next;

@@ -6,13 +6,13 @@ namespace Farseer.Engine.Graph;
 internal unsafe ref struct BundleWalk
 {
     private BundleRuns _runs;
-    private ContactBundle* _end;
+    private int _left;
 
     public BundleWalk(BundleRuns runs)
     {
         _runs = runs;
         Current = null;
-        _end = null;
+        _left = 0;
     }
 
     public ContactBundle* Current { get; private set; }
@@ -21,8 +21,9 @@ internal unsafe ref struct BundleWalk
 
     public bool MoveNext()
     {
-        if (++Current < _end)
+        if (--_left > 0)
         {
+            Current = ContactBundle.Next(Current);
             return true;
         }
 
@@ -32,7 +33,7 @@ internal unsafe ref struct BundleWalk
         }
 
         Current = _runs.Bundles;
-        _end = Current + _runs.Count;
+        _left = _runs.Count;
         return true;
     }
 }

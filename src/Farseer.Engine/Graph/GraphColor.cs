@@ -93,10 +93,10 @@ internal sealed unsafe class GraphColor
             GoOn();
             _inLast++;
             BundleCount++;
-            ContactBundle* bundle = _arena.Extents[_last].Bundles + (_inLast - 1);
-            for (int i = 0; i < WideLanes.BundleLanes; i++)
+            ContactBundle* bundle = ContactBundle.At(_arena.Extents[_last].Bundles, _inLast - 1);
+            if (ContactBundle.IsFirst(bundle))
             {
-                ContactRowWriter.ClearLane(bundle, i);
+                ContactRowWriter.ClearRecord(bundle);
             }
         }
 

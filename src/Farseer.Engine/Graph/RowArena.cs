@@ -29,7 +29,7 @@ internal unsafe struct RowExtent
 /// </summary>
 internal sealed unsafe class RowArena
 {
-    /// <summary>Bundles of the smallest extent, 2.75 KB: most colours of a small world have a row or two.</summary>
+    /// <summary>Bundles of the smallest extent, those of one record, 2.75 KB: most colours of a small world have a row or two.</summary>
     private const int Granule = 1 << GranuleShift;
     private const int GranuleShift = 1;
 
@@ -70,7 +70,7 @@ internal sealed unsafe class RowArena
     public ContactBundle* BundleOf(int row)
     {
         int bundle = row / ContactBundle.Lanes;
-        return _extents.Pointer[bundle >> GranuleShift].Bundles + (bundle & (Granule - 1));
+        return ContactBundle.At(_extents.Pointer[bundle >> GranuleShift].Bundles, bundle & (Granule - 1));
     }
 
     public static int LaneOf(int row) => row % ContactBundle.Lanes;
@@ -154,13 +154,13 @@ internal sealed unsafe class RowArena
     {
         int first = _granules;
         int count = bundles >> GranuleShift;
-        var segment = new Column<ContactBundle>(count << GranuleShift);
+        var segment = new Column<ContactBundle>(count);
         _segments.Add(segment);
         _granules += count;
         _extents.EnsureCapacity(_granules);
         for (int i = 0; i < count; i++)
         {
-            _extents[first + i].Bundles = segment.Pointer + (i << GranuleShift);
+            _extents[first + i].Bundles = segment.Pointer + i;
         }
 
         // From the end, so that what lies first is taken first.

@@ -167,7 +167,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     private void CollectSag(ContactBundle* rows, int count, float* slotSag, in ContactCoefficients c)
     {
         float* sags = stackalloc float[ContactBundle.Lanes];
-        for (ContactBundle* row = rows; count > 0; count--, row++)
+        for (ContactBundle* row = rows; count > 0; count--, row = ContactBundle.Next(row))
         {
             ContactBundle.AskAhead(row->Point0.Normal);
             ContactBundle.AskAhead(row->Point1.Normal);
@@ -213,7 +213,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         float* deeps = _deep.Pointer;
         int* ofSlot = _islands.OfSlot;
         int* firstSlot = _islands.FirstSlot;
-        for (ContactBundle* row = rows; count > 0; count--, row++)
+        for (ContactBundle* row = rows; count > 0; count--, row = ContactBundle.Next(row))
         {
             ContactBundle.AskAhead(row->Slot);
             ContactBundle.AskAhead(row->FeedRate);

@@ -33,7 +33,7 @@ internal sealed unsafe partial class JointSolver
         bool left = false;
         for (int i = 0; i < count; i++)
         {
-            ContactBundle* bundle = bundles + i;
+            ContactBundle* bundle = ContactBundle.At(bundles, i);
             ContactBundle.AskAhead(bundle->BodyA);
             ContactBundle.AskAhead(bundle->Contact);
             ContactBundle.AskAhead(bundle->Point0.Base);
@@ -92,7 +92,7 @@ internal sealed unsafe partial class JointSolver
     {
         for (int i = 0; i < count; i++)
         {
-            ContactBundle* bundle = bundles + i;
+            ContactBundle* bundle = ContactBundle.At(bundles, i);
             for (int lane = 0; lane < ContactBundle.Lanes; lane++)
             {
                 if (bundle->Contact[lane] >= 0 && Exists(&bundle->Point0, lane)

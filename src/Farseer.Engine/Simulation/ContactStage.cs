@@ -174,7 +174,7 @@ internal sealed unsafe class ContactStage : IStageWork
                     runs.Next();
                 }
 
-                SeeTo(input, runs.Bundles + (i - first), _work.Outcomes + i);
+                SeeTo(input, ContactBundle.At(runs.Bundles, i - first), _work.Outcomes + i);
             }
         }
     }

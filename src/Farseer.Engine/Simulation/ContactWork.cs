@@ -152,18 +152,21 @@ internal sealed unsafe class ContactWork : IStageWork
             BundleRuns runs = _ranges.From(from, to, out from);
             while (runs.Next())
             {
-                ContactBundle* last = runs.Bundles + runs.Count - 1;
-                for (ContactBundle* bundle = runs.Bundles; bundle <= last; bundle++, outcome++)
+                ContactBundle* bundle = runs.Bundles;
+                for (int left = runs.Count; left > 0; left--, bundle = ContactBundle.Next(bundle), outcome++)
                 {
-                    ContactBundle* behind = bundle + 1 < last ? bundle + 2 : runs.Following;
-                    if (Prefetch.IsUseful && behind != runs.Bundles)
+                    if (Prefetch.IsUseful && (ContactBundle.IsFirst(bundle) || bundle == runs.Bundles))
                     {
-                        ContactBundle.AskFor(behind);
+                        ContactBundle* behind = left > 2 ? bundle + 1 : runs.Following;
+                        if (behind != runs.Bundles)
+                        {
+                            ContactBundle.AskFor(behind);
+                        }
                     }
 
                     if (far)
                     {
-                        AskForSides(input, bundle < last ? bundle + 1 : runs.Following);
+                        AskForSides(input, left > 1 ? ContactBundle.Next(bundle) : runs.Following);
                     }
 
                     outcome->Fates = ContactUpdate.UpdateRows(input, bundle);

@@ -12,8 +12,8 @@ namespace Farseer.Engine.Solver;
 /// </summary>
 internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
 {
-    /// <summary>Bundles that are worth another worker's while, some 0.5 µs of a pass: a phase of two blocks takes 0.3 µs to share.</summary>
-    private const int LeastBundles = 16;
+    /// <summary>Records that are worth another worker's while, some 0.5 µs of a pass: a phase of two blocks takes 0.3 µs to share.</summary>
+    private const int LeastRecords = 8;
 
     /// <summary>Bundles of a colour of a world whose rows are no longer near, some 8 MB in all colours.</summary>
     private const int MostNear = 384;
@@ -34,21 +34,8 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     private GraphColor[] _colors = new GraphColor[ConstraintGraph.ColorCount];
     private StageColors[] _stageColors = new StageColors[ConstraintGraph.ColorCount];
     private StageRunner _runner = null!;
-    private BodyState* _states;
-    private ContactCoefficients _coefficients;
-    private Pass _pass;
-    private bool _flag;
-    private bool _first;
-    private float _rate;
+    private ContactPass _pass;
     private GraphColor _color = null!;
-
-    private enum Pass
-    {
-        WarmStart,
-        Biased,
-        PushOut,
-        Relax,
-    }
 
     /// <param name="runner">Who shares the passes.</param>
     /// <param name="bodies">The store.</param>
@@ -57,8 +44,8 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     public void Begin(StageRunner runner, BodyStore bodies, in ContactCoefficients coefficients, ReadOnlySpan<GraphColor> colors)
     {
         _runner = runner;
-        _states = bodies.State.Pointer;
-        _coefficients = coefficients;
+        _pass.States = bodies.State.Pointer;
+        _pass.Coefficients = coefficients;
         if (_short.Length < colors.Length)
         {
             _short = new ShortColor[2 * colors.Length];
@@ -72,23 +59,23 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         FindStages(colors);
     }
 
-    public void WarmStart(ReadOnlySpan<GraphColor> colors) => Run(colors, Pass.WarmStart, false);
+    public void WarmStart(ReadOnlySpan<GraphColor> colors) => Run(colors, ContactPassKind.WarmStart, false);
 
-    public void SolveBiased(ReadOnlySpan<GraphColor> colors, bool anyDeep) => Run(colors, Pass.Biased, anyDeep);
+    public void SolveBiased(ReadOnlySpan<GraphColor> colors, bool anyDeep) => Run(colors, ContactPassKind.Biased, anyDeep);
 
     /// <param name="colors">The rows.</param>
     /// <param name="rub">With friction.</param>
     /// <param name="first">The only sweep, or the first, of the substep.</param>
     public void Relax(ReadOnlySpan<GraphColor> colors, bool rub, bool first)
     {
-        _first = first;
-        Run(colors, Pass.Relax, rub);
+        _pass.First = first;
+        Run(colors, ContactPassKind.Relax, rub);
     }
 
     public void PushOut(ReadOnlySpan<GraphColor> colors, float rate)
     {
-        _rate = rate;
-        Run(colors, Pass.PushOut, false);
+        _pass.Rate = rate;
+        Run(colors, ContactPassKind.PushOut, false);
     }
 
     void IStageWork.Run(int worker, int from, int to) => Run(_color, from, to);
@@ -111,14 +98,16 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
             }
             else
             {
-                Run(_colors[i], 0, _colors[i].BundleCount);
+                Run(_colors[i], 0, RecordsOf(_colors[i]));
             }
         }
     }
 
+    /// <summary>Runs the pass over some records of a colour.</summary>
     private void Run(GraphColor color, int from, int to)
     {
-        BundleRuns runs = color.Part(from, to);
+        int first = from * ContactBundle.Beside;
+        BundleRuns runs = color.Part(first, Math.Min(to * ContactBundle.Beside, color.BundleCount));
         bool far = color.BundleCount > MostNear;
         while (runs.Next())
         {
@@ -127,56 +116,30 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         }
     }
 
+    /// <summary>Records of a colour: what is shared, since bundles of one have cache lines in common and may be solved together.</summary>
+    private static int RecordsOf(GraphColor color) => (color.BundleCount + ContactBundle.Beside - 1) / ContactBundle.Beside;
+
     private void Run(in BundleRun rows, bool grounded, bool onePoint)
     {
-        if (grounded)
+#if NET8_0_OR_GREATER
+        if (Numerics.Sixteen.WideLanes.AreThere && rows.Count > 1 && rows.Stride > 1)
         {
-            Run<ScatterMoving>(rows, onePoint);
+            var records = new Contacts.Sixteen.BundleRun(
+                (Contacts.Sixteen.ContactBundle*)rows.Bundles,
+                (rows.Count + ContactBundle.Beside - 1) / ContactBundle.Beside,
+                (Contacts.Sixteen.ContactBundle*)rows.Following,
+                rows.IsFar);
+            Contacts.Sixteen.PassChoice.Run(_pass, records, grounded, onePoint);
+            return;
         }
-        else
-        {
-            Run<ScatterAll>(rows, onePoint);
-        }
+#endif
+        PassChoice.Run(_pass, rows, grounded, onePoint);
     }
 
-    private void Run<TScatter>(in BundleRun rows, bool onePoint)
-        where TScatter : struct, IVelocityScatter
+    private void Run(ReadOnlySpan<GraphColor> colors, ContactPassKind kind, bool flag)
     {
-        if (onePoint)
-        {
-            Run<TScatter, OnePoint>(rows);
-        }
-        else
-        {
-            Run<TScatter, TwoPoints>(rows);
-        }
-    }
-
-    private void Run<TScatter, TPoints>(in BundleRun rows)
-        where TScatter : struct, IVelocityScatter
-        where TPoints : struct, IContactPoints
-    {
-        switch (_pass)
-        {
-            case Pass.WarmStart:
-                ContactKernel.WarmStart<TScatter, TPoints>(rows, _states, _coefficients);
-                break;
-            case Pass.Biased:
-                ContactKernel.SolveBiased<TScatter, TPoints>(rows, _states, _coefficients, _flag);
-                break;
-            case Pass.PushOut:
-                ContactKernel.PushOut<TScatter, TPoints>(rows, _states, _coefficients, _rate);
-                break;
-            case Pass.Relax:
-                ContactKernel.Relax<TScatter, TPoints>(rows, _states, _coefficients, _flag, _first);
-                break;
-        }
-    }
-
-    private void Run(ReadOnlySpan<GraphColor> colors, Pass pass, bool flag)
-    {
-        _pass = pass;
-        _flag = flag;
+        _pass.Kind = kind;
+        _pass.Flag = flag;
         if (colors.Length > 0 && _runner.RunAll(this, _stages))
         {
             return;
@@ -192,7 +155,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
             }
 
             _color = colors[i];
-            _runner.Run(this, _color.BundleCount, _color.IsSequential ? int.MaxValue : LeastBundles);
+            _runner.Run(this, RecordsOf(_color), _color.IsSequential ? int.MaxValue : LeastRecords);
         }
     }
 
@@ -216,12 +179,12 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         {
             GraphColor color = colors[i];
             _colors[i] = color;
-            int blocks = color.IsSequential ? 1 : _runner.BlocksOf(color.BundleCount, LeastBundles);
+            int blocks = color.IsSequential ? 1 : _runner.BlocksOf(RecordsOf(color), LeastRecords);
             any |= blocks > 1;
             if (blocks > 1 || !alone)
             {
                 alone = blocks == 1;
-                _stages.Add(alone ? 1 : color.BundleCount, blocks);
+                _stages.Add(alone ? 1 : RecordsOf(color), blocks);
             }
 
             _stageColors[_stages.Count - 1] = new StageColors { End = i + 1, AreShared = !alone };

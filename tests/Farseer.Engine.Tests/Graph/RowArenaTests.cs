@@ -119,7 +119,7 @@ public sealed unsafe class RowArenaTests
                 {
                     for (int i = 0; i < runs.Count; i++)
                     {
-                        part.Add((IntPtr)(runs.Bundles + i));
+                        part.Add((IntPtr)ContactBundle.At(runs.Bundles, i));
                     }
                 }
 
