@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 
 namespace Farseer.Engine.Bodies;
@@ -23,6 +24,10 @@ internal struct BodyState
     public float DeltaSin;
 
     public float DeltaCos;
+
+    /// <summary>Velocity and what is spare beside it, which is read and written as one.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Vector4* VelocityOf(BodyState* state) => (Vector4*)state;
 }
 
 /// <summary>Pose in double precision: the solver works on differences, so 10^7 m behaves as the origin. 32 bytes.</summary>

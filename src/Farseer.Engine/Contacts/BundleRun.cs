@@ -40,6 +40,9 @@ internal readonly unsafe struct BundleRun
         Stride = isSequential ? 1 : ContactWork.MostBundles;
     }
 
+    /// <summary>Some of the bundles.</summary>
+    public BundleRun Part(int first, int count) => new BundleRun(ContactBundle.At(Bundles, first), count, Following, IsFar, Stride == 1);
+
     /// <summary>
     /// What the warm start reads of a bundle: 17 lines of 22, 12 where contacts have one point. It reads the most for the least work, so it waits for what the
     /// second-level cache does not hold also where rows are near; no line that it does not read, and no loop. Behind the last bundle there may be nothing, so

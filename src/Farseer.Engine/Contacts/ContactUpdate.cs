@@ -293,12 +293,10 @@ internal static unsafe class ContactUpdate
     private static int FindDropped(in ContactUpdateInput input, ContactBundle* row, int lanes)
     {
         int dropped = 0;
-        for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
+        for (; lanes != 0; lanes &= lanes - 1)
         {
-            if ((lanes & 1) != 0 && !Box.Overlap(input.Fat[row->PieceA[lane]], input.Fat[row->PieceB[lane]]))
-            {
-                dropped |= 1 << lane;
-            }
+            int lane = BitSet.LowestBit((ulong)lanes);
+            dropped |= (Box.Overlap(input.Fat[row->PieceA[lane]], input.Fat[row->PieceB[lane]]) ? 0 : 1) << lane;
         }
 
         return dropped;

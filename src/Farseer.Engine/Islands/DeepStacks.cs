@@ -1,6 +1,11 @@
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
 using System;
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Islands;
@@ -75,11 +80,12 @@ internal sealed unsafe class DeepStacks
 
         byte* were = scratch.Take<byte>(Math.Max(1, islands.Count));
         FindWere(islands, were);
+        float* excess = stackalloc float[ContactBundle.Lanes];
         foreach (GraphColor color in graph.Used)
         {
             foreach (ContactBundle* row in color.Bundles)
             {
-                Collect(row, c, least);
+                Collect(row, c, excess, least);
             }
         }
 
@@ -104,22 +110,41 @@ internal sealed unsafe class DeepStacks
     }
 
     /// <summary>The least excess of the rows of each level that touch: one that is not too deep holds its level.</summary>
-    private static void Collect(ContactBundle* row, in ContactCoefficients c, float* least)
+    [MethodImpl(KernelMethod.Optimized)]
+    private static void Collect(ContactBundle* row, in ContactCoefficients c, float* excess, float* least)
     {
+        ContactBundle.AskAhead(row->Point0.NormalArmA);
+        ContactBundle.AskAhead(row->Point0.NormalArmB);
+        ContactBundle.AskAhead(row->Point0.Base);
+        ContactBundle.AskAhead(row->Point1.Base);
+        ContactBundle.AskAhead(row->K11);
+        ContactBundle.AskAhead(row->Slot);
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            Wide separation = Wide.Min(SeparationOf(&row->Point0, lane), SeparationOf(&row->Point1, lane));
+            Wide load = Wide.Max(
+                Wide.Load(row->Point0.Normal + lane) * Wide.Load(row->K11 + lane),
+                Wide.Load(row->Point1.Normal + lane) * Wide.Load(row->K22 + lane));
+            Wide sunk = Wide.Max((Wide.Zero - separation) - (Wide.Splat(Sags) * c.Sag(load)), Wide.Zero);
+
+            // An empty lane has no point.
+            WideMask apart = (separation - Wide.Splat(c.Rest)) > Wide.Zero;
+            Wide.Select(apart, Wide.Splat(float.MaxValue), sunk).Store(excess + lane);
+        }
+
         for (int lane = 0; lane < ContactBundle.Lanes; lane++)
         {
-            float separation = Math.Min(Separation(&row->Point0, lane), Separation(&row->Point1, lane));
-            if (row->Contact[lane] < 0 || separation - c.Rest > 0)
-            {
-                continue;
-            }
-
-            float load = Math.Max(row->Point0.Normal[lane] * row->K11[lane], row->Point1.Normal[lane] * row->K22[lane]);
-            float excess = Math.Max(0, -separation - (Sags * c.Sag(load)));
             int slot = row->Slot[lane];
-            least[slot] = Math.Min(least[slot], excess);
+            if (excess[lane] < least[slot])
+            {
+                least[slot] = excess[lane];
+            }
         }
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Wide SeparationOf(ContactPointLanes* point, int lane) => Wide.Load(point->Base + lane)
+        + (Wide.Load(point->NormalArmB + lane) - Wide.Load(point->NormalArmA + lane));
 
     private void FindWere(IslandStore islands, byte* were)
     {

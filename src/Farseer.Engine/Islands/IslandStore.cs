@@ -37,6 +37,9 @@ internal sealed unsafe partial class IslandStore : IStageWork
 
     // In scratch memory, while the islands are built: the bodies that each of the searches has reached.
     private int* _queue;
+
+    // By body, meanwhile too: the slot of its island at its level, 0 if it does not move.
+    private int* _slotOf;
     private int* _flooded;
     private GraphColor _color = null!;
     private byte* _moves;
@@ -94,11 +97,13 @@ internal sealed unsafe partial class IslandStore : IStageWork
 
         _part = Part.Search;
         runner.Run(this, Searches, graph.RowCount < LeastRows ? Searches : 1);
-        scratch.Release(mark);
         NumberSlots();
+        _slotOf = scratch.Take<int>(bodyEnd + 1);
+        FindSlotsOfBodies();
         _ranges.Find(graph.Used, runner.Workers);
         _part = Part.Write;
         runner.Run(this, _ranges.Count, LeastBundles);
+        scratch.Release(mark);
     }
 
     /// <summary>Makes room for so many bodies and rows.</summary>
@@ -303,8 +308,21 @@ internal sealed unsafe partial class IslandStore : IStageWork
         SlotCount = total;
     }
 
+    private void FindSlotsOfBodies()
+    {
+        int* islandOf = _islandOf.Pointer;
+        int* level = _level.Pointer;
+        int* firstSlot = _firstSlot.Pointer;
+        for (int i = 0; i < _bodyEnd; i++)
+        {
+            _slotOf[i] = _moves[i] != 0 ? firstSlot[islandOf[i]] + Math.Max(0, level[i]) : 0;
+        }
+    }
+
+    /// <summary>As <see cref="WriteLane"/>: of the slots of both bodies the higher one is that of the upper body.</summary>
     private void WriteRows(int from, int to)
     {
+        int* slotOf = _slotOf;
         while (from < to)
         {
             foreach (ContactBundle* row in new BundleWalk(_ranges.From(from, to, out from)))
@@ -313,10 +331,7 @@ internal sealed unsafe partial class IslandStore : IStageWork
                 ContactBundle.AskAhead(row->Slot);
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    if (row->BodyA[lane] != row->BodyB[lane])
-                    {
-                        WriteLane(row, lane, _moves);
-                    }
+                    row->Slot[lane] = Math.Max(slotOf[row->BodyA[lane]], slotOf[row->BodyB[lane]]);
                 }
             }
         }

@@ -186,10 +186,18 @@ internal sealed unsafe class StruckPairs : IStageWork
             {
                 ContactBundle.AskAhead(bundle->BodyA);
                 ContactBundle.AskAhead(bundle->Flags);
-                int single = ContactBundle.LanesWith(bundle, ContactBundle.SingleMark);
-                for (int lane = 0; single != 0; lane++, single >>= 1)
+
+                // Who is thrown cannot be foreseen: with a branch for each lane this walk took twice as long.
+                int thrown = 0;
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    if ((single & 1) == 0 || throws[bundle->BodyA[lane]] + throws[bundle->BodyB[lane]] == 0)
+                    thrown |= (throws[bundle->BodyA[lane]] + throws[bundle->BodyB[lane]] > 0 ? 1 : 0) << lane;
+                }
+
+                thrown &= ContactBundle.LanesWith(bundle, ContactBundle.SingleMark);
+                for (int lane = 0; thrown != 0; lane++, thrown >>= 1)
+                {
+                    if ((thrown & 1) == 0)
                     {
                         continue;
                     }

@@ -200,7 +200,7 @@ internal sealed partial class World
         input.Islands = _islands;
         input.List = _lists.Solver;
         input.PaddedCount = _lists.PaddedSolverCount;
-        input.Saved = Scratch.Take<Vector3>(SolverUnits.MostListed(_lists.SolverCount, _graph.Groups.Count));
+        input.Saved = Scratch.Take<Vector4>(SolverUnits.MostListed(_lists.SolverCount, _graph.Groups.Count));
         input.Pushes = _carriedPushes.Begin(anyDeep, _feedForward, _islands, Bodies.Ids.End);
         input.Substeps = _substeps;
         input.Substep = substep;

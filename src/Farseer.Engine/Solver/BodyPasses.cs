@@ -13,7 +13,7 @@ internal sealed unsafe class BodyPasses : IStageWork
     private const int LeastBundles = 32;
 
     private StageRunner _runner = null!;
-    private Vector3* _saved;
+    private Vector4* _saved;
     private CarriedPush* _pushes;
     private BodyState* _states;
     private BodyMotion* _motions;
@@ -88,8 +88,7 @@ internal sealed unsafe class BodyPasses : IStageWork
             case Pass.Save:
                 for (int i = first; i < end; i++)
                 {
-                    BodyState* state = _states + _list[i];
-                    _saved[i] = new Vector3(state->LinearVelocity, state->AngularVelocity);
+                    _saved[i] = *BodyState.VelocityOf(_states + _list[i]);
                 }
 
                 break;
@@ -108,9 +107,7 @@ internal sealed unsafe class BodyPasses : IStageWork
             case Pass.Restore:
                 for (int i = first; i < end; i++)
                 {
-                    BodyState* state = _states + _list[i];
-                    state->LinearVelocity = new Vector2(_saved[i].X, _saved[i].Y);
-                    state->AngularVelocity = _saved[i].Z;
+                    *BodyState.VelocityOf(_states + _list[i]) = _saved[i];
                 }
 
                 break;

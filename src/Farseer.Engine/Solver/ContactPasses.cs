@@ -18,24 +18,28 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     /// <summary>Bundles of a colour of a world whose rows are no longer near, some 8 MB in all colours.</summary>
     private const int MostNear = 384;
 
-    /// <summary>
-    /// Colours of up to so many bundles, all behind each other, are looked up once for all passes: in a small world the way to the rows took as
-    /// long as some of the passes over them. Far below what is shared.
-    /// </summary>
+    /// <summary>Runs of each colour that there is room for from the start: most have one to three, and a world that settles is not to allocate.</summary>
+    private const int FirstRuns = 8;
+
+    /// <summary>Bundles of a colour that nobody is asked to share.</summary>
     private const int MostShort = 8;
 
-    private ShortColor[] _short = new ShortColor[ConstraintGraph.ColorCount];
+    /// <summary>
+    /// Where the rows of all colours are, looked up once for all passes: in a small world the way to the rows took as long as some of the passes over them,
+    /// in large ones a hundredth of a step.
+    /// </summary>
+    private KnownRun[] _runs = new KnownRun[FirstRuns * ConstraintGraph.ColorCount];
+    private int[] _firstRun = new int[ConstraintGraph.ColorCount + 1];
 
     /// <summary>
     /// The phases of a pass: a colour that is shared, or some in a row that are not worth it, which one worker does. For each phase the first
     /// colour that is behind it, and whether it is one of these.
     /// </summary>
     private readonly StageList _stages = new StageList();
-    private GraphColor[] _colors = new GraphColor[ConstraintGraph.ColorCount];
     private StageColors[] _stageColors = new StageColors[ConstraintGraph.ColorCount];
     private StageRunner _runner = null!;
     private ContactPass _pass;
-    private GraphColor _color = null!;
+    private int _color;
 
     /// <param name="runner">Who shares the passes.</param>
     /// <param name="bodies">The store.</param>
@@ -46,16 +50,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         _runner = runner;
         _pass.States = bodies.State.Pointer;
         _pass.Coefficients = coefficients;
-        if (_short.Length < colors.Length)
-        {
-            _short = new ShortColor[2 * colors.Length];
-        }
-
-        for (int i = 0; i < colors.Length; i++)
-        {
-            _short[i] = new ShortColor(colors[i]);
-        }
-
+        FindRuns(colors);
         FindStages(colors);
     }
 
@@ -85,34 +80,43 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         StageColors colors = _stageColors[stage];
         if (colors.AreShared)
         {
-            Run(_colors[colors.End - 1], from, to);
+            Run(colors.End - 1, from, to);
             return;
         }
 
         for (int i = stage == 0 ? 0 : _stageColors[stage - 1].End; i < colors.End; i++)
         {
-            ref readonly ShortColor found = ref _short[i];
-            if (found.Rows.Count > 0)
-            {
-                Run(found.Rows, found.IsGrounded, found.HasOnePoint);
-            }
-            else
-            {
-                Run(_colors[i], 0, RecordsOf(_colors[i]));
-            }
+            RunWhole(i);
+        }
+    }
+
+    /// <summary>Runs the pass over a colour.</summary>
+    private void RunWhole(int color)
+    {
+        for (int i = _firstRun[color]; i < _firstRun[color + 1]; i++)
+        {
+            ref readonly KnownRun run = ref _runs[i];
+            Run(run.Rows, run.IsGrounded, run.HasOnePoint);
         }
     }
 
     /// <summary>Runs the pass over some records of a colour.</summary>
-    private void Run(GraphColor color, int from, int to)
+    private void Run(int color, int from, int to)
     {
         int first = from * ContactBundle.Beside;
-        BundleRuns runs = color.Part(first, Math.Min(to * ContactBundle.Beside, color.BundleCount));
-        bool far = color.BundleCount > MostNear;
-        while (runs.Next())
+        int end = to * ContactBundle.Beside;
+        for (int i = _firstRun[color]; i < _firstRun[color + 1] && end > 0; i++)
         {
-            var rows = new BundleRun(runs.Bundles, runs.Count, runs.Following, far, color.IsSequential);
-            Run(rows, color.IsGrounded, OnePoint.Are(rows.Bundles, rows.Count));
+            ref readonly KnownRun run = ref _runs[i];
+            int count = run.Rows.Count;
+            if (first < count)
+            {
+                int skipped = Math.Max(0, first);
+                Run(run.Rows.Part(skipped, Math.Min(end, count) - skipped), run.IsGrounded, run.HasOnePoint);
+            }
+
+            first -= count;
+            end -= count;
         }
     }
 
@@ -147,16 +151,49 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
 
         for (int i = 0; i < colors.Length; i++)
         {
-            ref readonly ShortColor found = ref _short[i];
-            if (found.Rows.Count > 0)
+            GraphColor color = colors[i];
+            if (color.IsSequential || color.BundleCount <= MostShort)
             {
-                Run(found.Rows, found.IsGrounded, found.HasOnePoint);
+                RunWhole(i);
                 continue;
             }
 
-            _color = colors[i];
-            _runner.Run(this, RecordsOf(_color), _color.IsSequential ? int.MaxValue : LeastRecords);
+            _color = i;
+            _runner.Run(this, RecordsOf(color), LeastRecords);
         }
+    }
+
+    private void FindRuns(ReadOnlySpan<GraphColor> colors)
+    {
+        if (_firstRun.Length <= colors.Length)
+        {
+            _firstRun = new int[(2 * colors.Length) + 1];
+        }
+
+        int count = 0;
+        for (int i = 0; i < colors.Length; i++)
+        {
+            GraphColor color = colors[i];
+            bool far = color.BundleCount > MostNear;
+            _firstRun[i] = count;
+            BundleRuns runs = color.Runs;
+            while (runs.Next())
+            {
+                if (count == _runs.Length)
+                {
+                    Array.Resize(ref _runs, 2 * count);
+                }
+
+                _runs[count++] = new KnownRun
+                {
+                    Rows = new BundleRun(runs.Bundles, runs.Count, runs.Following, far, color.IsSequential),
+                    IsGrounded = color.IsGrounded,
+                    HasOnePoint = OnePoint.Are(runs.Bundles, runs.Count),
+                };
+            }
+        }
+
+        _firstRun[colors.Length] = count;
     }
 
     private void FindStages(ReadOnlySpan<GraphColor> colors)
@@ -166,9 +203,8 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
             return;
         }
 
-        if (_colors.Length < colors.Length)
+        if (_stageColors.Length < colors.Length)
         {
-            _colors = new GraphColor[2 * colors.Length];
             _stageColors = new StageColors[2 * colors.Length];
         }
 
@@ -178,7 +214,6 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         for (int i = 0; i < colors.Length; i++)
         {
             GraphColor color = colors[i];
-            _colors[i] = color;
             int blocks = color.IsSequential ? 1 : _runner.BlocksOf(RecordsOf(color), LeastRecords);
             any |= blocks > 1;
             if (blocks > 1 || !alone)
@@ -202,29 +237,10 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         public bool AreShared;
     }
 
-    /// <summary>Where the rows of a colour of few bundles are; no rows: it is not one, or they lie apart.</summary>
-    private readonly struct ShortColor
+    private struct KnownRun
     {
-        public readonly BundleRun Rows;
-        public readonly bool IsGrounded;
-        public readonly bool HasOnePoint;
-
-        public ShortColor(GraphColor color)
-        {
-            Rows = default;
-            IsGrounded = color.IsGrounded;
-            HasOnePoint = false;
-            if (color.BundleCount > MostShort)
-            {
-                return;
-            }
-
-            BundleRuns runs = color.Runs;
-            if (runs.Next() && runs.Count == color.BundleCount)
-            {
-                Rows = new BundleRun(runs.Bundles, runs.Count, runs.Following, isFar: false, color.IsSequential);
-                HasOnePoint = OnePoint.Are(runs.Bundles, runs.Count);
-            }
-        }
+        public BundleRun Rows;
+        public bool IsGrounded;
+        public bool HasOnePoint;
     }
 }

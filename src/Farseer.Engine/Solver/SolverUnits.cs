@@ -28,7 +28,7 @@ internal sealed unsafe class SolverUnits : IStageWork
     private SubstepSolver[] _solvers = Array.Empty<SubstepSolver>();
     private int _count;
     private BodyStore _bodies = null!;
-    private Vector3* _saved;
+    private Vector4* _saved;
     private CarriedPush* _pushes;
     private int _rowCount;
     private int _substeps;

@@ -30,7 +30,7 @@ internal unsafe ref struct SolverInput
     public int PaddedCount;
 
     /// <summary>Room for the velocities of the list, of all its places.</summary>
-    public Vector3* Saved;
+    public Vector4* Saved;
 
     /// <summary>What deep islands of many levels carry on of their pushes, by body; null: nothing.</summary>
     public CarriedPush* Pushes;
