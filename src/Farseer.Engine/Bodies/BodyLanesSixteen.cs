@@ -52,11 +52,7 @@ internal static unsafe class BodyLanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void ScatterVelocity(BodyState* bodies, int* index, in WideVelocity v)
     {
-        Wide r0 = v.X;
-        Wide r1 = v.Y;
-        Wide r2 = v.W;
-        Wide r3 = Wide.Zero;
-        WideLanes.Transpose(ref r0, ref r1, ref r2, ref r3);
+        Turn(v, out Wide r0, out Wide r1, out Wide r2, out Wide r3);
         Store(bodies, index, r0);
         Store(bodies, index + 1, r1);
         Store(bodies, index + 2, r2);
@@ -83,11 +79,7 @@ internal static unsafe class BodyLanes
             return;
         }
 
-        Wide r0 = v.X;
-        Wide r1 = v.Y;
-        Wide r2 = v.W;
-        Wide r3 = Wide.Zero;
-        WideLanes.Transpose(ref r0, ref r1, ref r2, ref r3);
+        Turn(v, out Wide r0, out Wide r1, out Wide r2, out Wide r3);
         StoreSome(bodies, index, r0, lanes);
         StoreSome(bodies, index + 1, r1, lanes >> 1);
         StoreSome(bodies, index + 2, r2, lanes >> 2);
@@ -130,6 +122,17 @@ internal static unsafe class BodyLanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Wide Pair(BodyState* bodies, int low, int high) => Avx512F.InsertVector256(
         Vector256.Load(Record(bodies, low)).ToVector512Unsafe(), Vector256.Load(Record(bodies, high)), 1);
+
+    /// <summary>Velocities as they lie in memory, those of every fourth body side by side.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Turn(in WideVelocity v, out Wide r0, out Wide r1, out Wide r2, out Wide r3)
+    {
+        r0 = v.X;
+        r1 = v.Y;
+        r2 = v.W;
+        r3 = Wide.Zero;
+        WideLanes.Transpose(ref r0, ref r1, ref r2, ref r3);
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Store(BodyState* bodies, int* index, Wide r)
