@@ -40,7 +40,7 @@ public unsafe class KernelSuite
         {
             ContactBundle* row = ContactBundle.At(_rows.Pointer, i / ContactBundle.Lanes);
             int lane = i % ContactBundle.Lanes;
-            ContactRowWriter.ClearLane(row, lane);
+            ContactLanes.ClearLane(row, lane);
             row->BodyA[lane] = 1 + (2 * i);
             row->BodyB[lane] = 2 + (2 * i);
             row->NormalY[lane] = 1;

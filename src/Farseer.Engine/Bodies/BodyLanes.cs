@@ -14,6 +14,8 @@ namespace Farseer.Engine.Bodies;
 /// </summary>
 internal static unsafe partial class BodyLanes
 {
+    private const int LineFloats = Prefetch.LineBytes / sizeof(float);
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void GatherVelocity(BodyState* bodies, int* index, out WideVelocity v)
     {
@@ -189,7 +191,7 @@ internal static unsafe partial class BodyLanes
     }
 
     /// <summary>
-    /// Reads whole records of 16 floats, and writes lane vectors <see cref="WideLanes.BundleLanes"/> floats apart. The places of the
+    /// Reads whole records of 16 floats, and writes lane vectors a line apart. The places of the
     /// records are worked out once for all four quarters.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -214,10 +216,10 @@ internal static unsafe partial class BodyLanes
                 Vector256<float> r3 = Vector256.Create(Vector128.Load(p3 + i), Vector128.Load(p7 + i));
                 WideLanes.Transpose(ref r0, ref r1, ref r2, ref r3);
                 r0.Store(target);
-                r1.Store(target + 8);
-                r2.Store(target + 16);
-                r3.Store(target + 24);
-                target += 32;
+                r1.Store(target + LineFloats);
+                r2.Store(target + (2 * LineFloats));
+                r3.Store(target + (3 * LineFloats));
+                target += 4 * LineFloats;
             }
 
             return;
@@ -225,7 +227,7 @@ internal static unsafe partial class BodyLanes
 #endif
         for (int i = 0; i < 16; i += 4)
         {
-            TurnRecords(records + i, index, 16, target + (i * WideLanes.BundleLanes), WideLanes.BundleLanes);
+            TurnRecords(records + i, index, 16, target + (i * LineFloats), LineFloats);
         }
     }
 
@@ -288,22 +290,9 @@ internal static unsafe partial class BodyLanes
     private static void GatherOffsetByElement(BodyPose* poses, int* a, int* b, out Wide x, out Wide y)
     {
         FourColumns turned;
-        StoreOffsets(poses, a, b, (float*)&turned.A, (float*)&turned.B);
+        BodyTurning.StoreOffsets(poses, a, b, (float*)&turned.A, (float*)&turned.B);
         x = turned.A;
         y = turned.B;
-    }
-
-    /// <summary>As <see cref="GatherOffset"/>, one by one, to be read later.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void StoreOffsets(BodyPose* poses, int* a, int* b, float* x, float* y)
-    {
-        for (int i = 0; i < Wide.Count; i++)
-        {
-            BodyPose* from = poses + a[i];
-            BodyPose* to = poses + b[i];
-            x[i] = (float)(to->X - from->X);
-            y[i] = (float)(to->Y - from->Y);
-        }
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]

@@ -70,6 +70,30 @@ internal static unsafe class BodyLanes
         }
     }
 
+    /// <summary>Reads whole records of 16 floats, a line each, and writes lane vectors.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void GatherRecords(float* records, int* index, float* target)
+    {
+        Quarters(records, index, out Wide a0, out Wide a1, out Wide a2, out Wide a3);
+        Quarters(records, index + 1, out Wide b0, out Wide b1, out Wide b2, out Wide b3);
+        Quarters(records, index + 2, out Wide c0, out Wide c1, out Wide c2, out Wide c3);
+        Quarters(records, index + 3, out Wide d0, out Wide d1, out Wide d2, out Wide d3);
+        StoreColumns(a0, b0, c0, d0, target);
+        StoreColumns(a1, b1, c1, d1, target + (4 * Wide.Count));
+        StoreColumns(a2, b2, c2, d2, target + (8 * Wide.Count));
+        StoreColumns(a3, b3, c3, d3, target + (12 * Wide.Count));
+    }
+
+    /// <summary>Centres of the bodies B less those of the bodies A, subtracted in double and rounded once.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void GatherOffset(BodyPose* poses, int* a, int* b, out Wide x, out Wide y)
+    {
+        Wide even = Offsets(poses, a, b);
+        Wide odd = Offsets(poses, a + 2, b + 2);
+        x = Avx512F.Shuffle(even, odd, 0x88);
+        y = Avx512F.Shuffle(even, odd, 0xDD);
+    }
+
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static void ScatterLanes(BodyState* bodies, int* index, in WideVelocity v, int lanes)
     {
@@ -165,6 +189,47 @@ internal static unsafe class BodyLanes
         {
             Avx512F.ExtractVector128(r, 3).Store(Record(bodies, index[12]));
         }
+    }
+
+    /// <summary>Of every fourth record, a line each, the four quarters side by side.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Quarters(float* records, int* index, out Wide q0, out Wide q1, out Wide q2, out Wide q3)
+    {
+        q0 = Wide.Load(records + ((nint)index[0] * Wide.Count));
+        q1 = Wide.Load(records + ((nint)index[4] * Wide.Count));
+        q2 = Wide.Load(records + ((nint)index[8] * Wide.Count));
+        q3 = Wide.Load(records + ((nint)index[12] * Wide.Count));
+        WideLanes.TransposeQuarters(ref q0, ref q1, ref q2, ref q3);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void StoreColumns(Wide r0, Wide r1, Wide r2, Wide r3, float* target)
+    {
+        WideLanes.Transpose(ref r0, ref r1, ref r2, ref r3);
+        r0.Store(target);
+        r1.Store(target + Wide.Count);
+        r2.Store(target + (2 * Wide.Count));
+        r3.Store(target + (3 * Wide.Count));
+    }
+
+    /// <summary>x and y of two pairs in each quarter.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Wide Offsets(BodyPose* poses, int* a, int* b)
+    {
+        Vector512<double> low = Centres(poses, b[0], b[1], b[4], b[5]) - Centres(poses, a[0], a[1], a[4], a[5]);
+        Vector512<double> high = Centres(poses, b[8], b[9], b[12], b[13]) - Centres(poses, a[8], a[9], a[12], a[13]);
+        return Avx512F.InsertVector256(
+            Avx512F.ConvertToVector256Single(low).ToVector512Unsafe(), Avx512F.ConvertToVector256Single(high), 1);
+    }
+
+    // A pose begins with x and y.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> Centres(BodyPose* poses, int first, int second, int third, int fourth)
+    {
+        Vector512<double> r = Vector128.Load((double*)(poses + first)).ToVector256Unsafe().ToVector512Unsafe();
+        r = Avx512F.InsertVector128(r.AsSingle(), Vector128.Load((float*)(poses + second)), 1).AsDouble();
+        r = Avx512F.InsertVector128(r.AsSingle(), Vector128.Load((float*)(poses + third)), 2).AsDouble();
+        return Avx512F.InsertVector128(r.AsSingle(), Vector128.Load((float*)(poses + fourth)), 3).AsDouble();
     }
 
     // An index is never negative; unsigned it needs no widening.

@@ -40,4 +40,17 @@ internal static unsafe class BodyTurning
                 WideLanes.BundleLanes);
         }
     }
+
+    /// <summary>As <see cref="BodyLanes.GatherOffset"/>, one by one, to be read later.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void StoreOffsets(BodyPose* poses, int* a, int* b, float* x, float* y)
+    {
+        for (int i = 0; i < Wide.Count; i++)
+        {
+            BodyPose* from = poses + a[i];
+            BodyPose* to = poses + b[i];
+            x[i] = (float)(to->X - from->X);
+            y[i] = (float)(to->Y - from->Y);
+        }
+    }
 }

@@ -1,9 +1,4 @@
 using System;
-using System.Runtime.CompilerServices;
-using Farseer.Engine.Numerics;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.Bodies;
 
@@ -15,15 +10,15 @@ namespace Farseer.Engine.Bodies;
 internal static unsafe class Foresight
 {
     /// <summary>A body that turns faster meets others anywhere; it is not foreseen further than this, radians.</summary>
-    private const float LargestLead = 0.5f;
+    public const float LargestLead = 0.5f;
 
     // 1/n! of the series: up to the largest lead they are the functions to rounding.
-    private const float SineThird = 1f / 6;
-    private const float SineFifth = 1f / 120;
-    private const float SineSeventh = 1f / 5040;
-    private const float CosineFourth = 1f / 24;
-    private const float CosineSixth = 1f / 720;
-    private const float CosineEighth = 1f / 40320;
+    public const float SineThird = 1f / 6;
+    public const float SineFifth = 1f / 120;
+    public const float SineSeventh = 1f / 5040;
+    public const float CosineFourth = 1f / 24;
+    public const float CosineSixth = 1f / 720;
+    public const float CosineEighth = 1f / 40320;
 
     /// <summary>Puts the bodies of the list half a step before their middle.</summary>
     public static void Begin(BodyStore bodies, int* list, int count, float dt)
@@ -42,17 +37,5 @@ internal static unsafe class Foresight
             state->DeltaSin = -lead * (1 - (square * (SineThird - (square * (SineFifth - (square * SineSeventh))))));
             state->DeltaCos = 1 - (square * (0.5f - (square * (CosineFourth - (square * (CosineSixth - (square * CosineEighth)))))));
         }
-    }
-
-    /// <summary>Sine and cosine of the turn from the start of the step to its middle, for bodies with the given spin.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Turn(Wide spin, float dt, out Wide sin, out Wide cos)
-    {
-        Wide lead = Wide.Max(Wide.Splat(-LargestLead), Wide.Min(Wide.Splat(LargestLead), Wide.Splat(0.5f * dt) * spin));
-        Wide square = lead * lead;
-        Wide one = Wide.One;
-        sin = lead * (one - (square * (Wide.Splat(SineThird) - (square * (Wide.Splat(SineFifth) - (square * Wide.Splat(SineSeventh)))))));
-        cos = one - (square * (Wide.Splat(0.5f) - (square * (Wide.Splat(CosineFourth)
-            - (square * (Wide.Splat(CosineSixth) - (square * Wide.Splat(CosineEighth))))))));
     }
 }

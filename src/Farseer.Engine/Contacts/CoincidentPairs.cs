@@ -20,17 +20,17 @@ internal static unsafe class CoincidentPairs
 
     /// <summary>Gives the lanes whose bodies have the same centre an offset.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Part(PairLanes* pairs, ContactBundle* row, int first, int lanes)
+    public static void Part(PairLanes* pairs, int* bodyA, int* bodyB, int first, int lanes)
     {
         for (int lane = first; lanes != 0; lane++, lanes >>= 1)
         {
-            if ((lanes & 1) == 0 || row->BodyA[lane] == row->BodyB[lane])
+            if ((lanes & 1) == 0 || bodyA[lane] == bodyB[lane])
             {
                 continue;
             }
 
-            Seed(row->BodyA[lane], out double ax, out double ay);
-            Seed(row->BodyB[lane], out double bx, out double by);
+            Seed(bodyA[lane], out double ax, out double ay);
+            Seed(bodyB[lane], out double bx, out double by);
             double x = bx - ax;
             double y = by - ay;
             double hair = Share * Math.Min(pairs->A.Extent[lane], pairs->B.Extent[lane]) / Math.Sqrt((x * x) + (y * y));

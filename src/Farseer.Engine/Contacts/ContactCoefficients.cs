@@ -1,8 +1,3 @@
-using Farseer.Engine.Numerics;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Farseer.Engine.Contacts;
 
 /// <summary>Constants of one substep, the same for every contact.</summary>
@@ -47,8 +42,8 @@ internal readonly struct ContactCoefficients
     private const float LevelShare = 1e-3f;
 
     /// <summary>Rest 1 - η of the static load that the feed-forward leaves: 10 times less sag. 0 lets pyramids creep.</summary>
-    private const float FeedRest = 0.1f;
-    private const float SmallestFeedRest = 1e-4f;
+    public const float FeedRest = 0.1f;
+    public const float SmallestFeedRest = 1e-4f;
 
     /// <summary>
     /// Size in units of the fall g·h² from which on a piece is large: the sag is in proportion to g·h² whatever the size, so for
@@ -79,7 +74,7 @@ internal readonly struct ContactCoefficients
         float substep, float gravity, float rest, float bounceThreshold, float coarseness = 1f, float recovery = 0f)
     {
         // Without gravity nothing sinks; a finite number keeps lanes without a piece, of size 0, at 0.
-        _smallness = System.Math.Min(coarseness / (LargeSize * gravity * substep * substep), float.MaxValue);
+        Smallness = System.Math.Min(coarseness / (LargeSize * gravity * substep * substep), float.MaxValue);
         Gravity = gravity;
         RiseTaken = gravity > 0 ? Extrapolation : WeightlessRise;
         FallTaken = gravity > 0 ? Extrapolation : WeightlessFall;
@@ -91,7 +86,8 @@ internal readonly struct ContactCoefficients
         BiasRate = RecoveryShare * (1f / System.Math.Max(substep, recovery));
     }
 
-    private readonly float _smallness;
+    /// <summary>1/length: the share of the rest that a piece of some size has is the size times that, at most 1.</summary>
+    public float Smallness { get; }
 
     /// <summary>h, seconds.</summary>
     public float Substep { get; }
@@ -131,19 +127,12 @@ internal readonly struct ContactCoefficients
 
     public static float ImpulseScale => 1f / (1f + Product);
 
-    /// <summary>η for a contact whose smaller piece has the size <paramref name="size"/>.</summary>
-    public Wide FeedShare(Wide size)
-    {
-        Wide share = Wide.Min(size * Wide.Splat(_smallness), Wide.One);
-        return Wide.One - Wide.Max(Wide.Splat(FeedRest) * share, Wide.Splat(SmallestFeedRest));
-    }
-
     /// <summary>1 - η for a contact whose smaller piece has the size <paramref name="size"/>.</summary>
-    public float FeedRestOf(float size) => System.Math.Max(FeedRest * System.Math.Min(size * _smallness, 1f), SmallestFeedRest);
+    public float FeedRestOf(float size) => System.Math.Max(FeedRest * System.Math.Min(size * Smallness, 1f), SmallestFeedRest);
+
+    /// <summary>1/(ωh)².</summary>
+    public const float SagShare = 1f / (AngularStep * AngularStep);
 
     /// <summary>Static sag per unit of speed held up, λ·k: s = λ·k·h/(ωh)².</summary>
-    public float Sag(float load) => load * Substep * (1f / (AngularStep * AngularStep));
-
-    /// <summary>The same on lanes.</summary>
-    public Wide Sag(Wide load) => load * Wide.Splat(Substep) * Wide.Splat(1f / (AngularStep * AngularStep));
+    public float Sag(float load) => load * Substep * SagShare;
 }

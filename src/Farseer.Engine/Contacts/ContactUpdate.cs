@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.NarrowPhase;
@@ -46,34 +47,52 @@ internal unsafe struct ContactUpdateInput
     public ContactCoefficients Coefficients;
 }
 
-/// <summary>What is to become of the pairs of a bundle after their update, a bit for each lane.</summary>
+/// <summary>What is to become of the pairs of a bundle, or of two side by side, after their update, a bit for each lane.</summary>
 internal struct ContactFates
 {
     /// <summary>The boxes came apart: the pair is forgotten.</summary>
-    public byte Dropped;
+    public ushort Dropped;
 
     /// <summary>Has points and gives impulses: belongs into the graph.</summary>
-    public byte Solid;
+    public ushort Solid;
 
     /// <summary>Those of the other pairs, which do not.</summary>
-    public byte Idle;
-    public byte Touching;
+    public ushort Idle;
+    public ushort Touching;
 
     /// <summary>Touches now and did not before.</summary>
-    public byte TouchingNow;
-    public byte Heard;
+    public ushort TouchingNow;
+    public ushort Heard;
 
     /// <summary>Gives impulses and will be struck: see <see cref="PairStage.BlowShare"/>.</summary>
-    public byte Blows;
+    public ushort Blows;
 
     /// <summary>Those that the kernel of hulls does, which takes several times as long as that of boxes or circles.</summary>
-    public byte Hulls;
+    public ushort Hulls;
 
     /// <summary>Those of the idle pairs of which the impact, if there is one, must be looked for along the way.</summary>
-    public byte Deferred;
+    public ushort Deferred;
 
     /// <summary>Those that touch and of which one moves fast past the other; both can move.</summary>
-    public byte Racing;
+    public ushort Racing;
+
+    /// <summary>Those that have rows of which something follows.</summary>
+    public readonly int Follows => Idle | Dropped | Deferred | Racing | Blows;
+
+    /// <summary>Of the pairs of two bundles side by side those of one of them.</summary>
+    public readonly ContactFates OfBundle(int bundle) => new ContactFates
+    {
+        Dropped = (ushort)PairBits.Of(Dropped, bundle),
+        Solid = (ushort)PairBits.Of(Solid, bundle),
+        Idle = (ushort)PairBits.Of(Idle, bundle),
+        Touching = (ushort)PairBits.Of(Touching, bundle),
+        TouchingNow = (ushort)PairBits.Of(TouchingNow, bundle),
+        Heard = (ushort)PairBits.Of(Heard, bundle),
+        Blows = (ushort)PairBits.Of(Blows, bundle),
+        Hulls = (ushort)PairBits.Of(Hulls, bundle),
+        Deferred = (ushort)PairBits.Of(Deferred, bundle),
+        Racing = (ushort)PairBits.Of(Racing, bundle),
+    };
 }
 
 /// <summary>
@@ -83,20 +102,44 @@ internal struct ContactFates
 internal static unsafe class ContactUpdate
 {
     /// <summary>Updates the pairs of a bundle of the graph and rewrites their constraints.</summary>
-    public static ContactFates UpdateRows(in ContactUpdateInput input, ContactBundle* row)
+    public static void UpdateRows(in ContactUpdateInput input, ContactBundle* row, out ContactFates fates)
     {
-        PairBits bits = PairStage.Load(input, row);
-        ContactFates fates = Update(input, row, bits, isNew: false);
+        Update(input, row, isNew: false, out fates);
         ContactRowWriter.Write(input, row);
-        return fates;
     }
 
-    /// <summary>Updates pairs without rows.</summary>
-    public static ContactFates UpdateIdle(in ContactUpdateInput input, ContactBundle* row)
+#if NET8_0_OR_GREATER
+    /// <summary>Updates the pairs of both bundles of a record, sixteen lanes at a time but for what only some of them need.</summary>
+    /// <param name="input">Columns and numbers of this step.</param>
+    /// <param name="row">The first of the bundles.</param>
+    /// <param name="fates">What is to become of the pairs of both, those of the second in the upper bits.</param>
+    public static void UpdateRecord(in ContactUpdateInput input, ContactBundle* row, out ContactFates fates)
     {
-        PairBits bits = PairStage.Load(input, row);
-        return Update(input, row, bits, isNew: true);
+        var record = (Sixteen.ContactBundle*)row;
+        PairBits bits = Sixteen.PairStage.Load(input, record);
+        int dropped = FindDropped(input, row, bits);
+        int fast = bits.Fast & bits.Exists & ~dropped;
+        SweepBits sweep = fast == 0 ? default : LookBoth(input, fast);
+        int left = bits.Exists;
+        if ((bits.Boxes & left) != 0)
+        {
+            left &= ~bits.Boxes | NarrowPhase.Sixteen.WideBoxBox.Collide(input.Pairs);
+        }
+
+        if (left != 0)
+        {
+            PairManifolds.CollideOthers(input, row, bits.OfBundle(0), left & PairBits.OneBundle);
+            PairManifolds.CollideOthers(Beside(input), ContactBundle.Next(row), bits.OfBundle(1), left >> ContactBundle.Lanes);
+        }
+
+        TouchBits touch = Sixteen.PairStage.Touch(input, record);
+        Decide(input, row, bits, dropped, fast, sweep, ref touch, isNew: false, out fates);
+        Sixteen.ContactRowWriter.Write(input, record);
     }
+#endif
+
+    /// <summary>Updates pairs without rows.</summary>
+    public static void UpdateIdle(in ContactUpdateInput input, ContactBundle* row, out ContactFates fates) => Update(input, row, isNew: true, out fates);
 
     /// <summary>
     /// Looks again at pairs without rows beside a body that is struck in this step, as far as it may be thrown.
@@ -111,8 +154,8 @@ internal static unsafe class ContactUpdate
             return 0;
         }
 
-        PairStage.Widen(input, row);
-        PairStage.Collide(input, row, bits);
+        PairManifolds.Widen(input, row);
+        PairManifolds.Collide(input, row, bits);
         TouchBits touch = PairStage.Touch(input, row);
         lanes &= touch.Hit;
         GlancingContact.Drop(input, row, lanes, ref touch);
@@ -126,13 +169,13 @@ internal static unsafe class ContactUpdate
     public static void FillRows(in ContactUpdateInput input, ContactBundle* row)
     {
         PairBits bits = PairStage.Load(input, row);
-        PairStage.Widen(input, row);
+        PairManifolds.Widen(input, row);
         if ((bits.Fast & bits.Exists) != 0)
         {
             FastPairs.Look(input);
         }
 
-        PairStage.Collide(input, row, bits);
+        PairManifolds.Collide(input, row, bits);
         PairStage.Touch(input, row);
         ContactRowWriter.Write(input, row);
     }
@@ -155,7 +198,7 @@ internal static unsafe class ContactUpdate
     {
         PairBits bits = PairStage.Load(input, row);
         FastPairs.Look(input);
-        PairStage.Collide(input, row, bits);
+        PairManifolds.Collide(input, row, bits);
         TouchBits touch = PairStage.Touch(input, row);
         if ((touch.Hit & ~touch.Touching & 1) == 0)
         {
@@ -185,22 +228,51 @@ internal static unsafe class ContactUpdate
         return mix == RestitutionMix.Maximum ? Math.Max(a, b) : 0.5 * (a + b);
     }
 
+    /// <summary>The narrow phase of the pairs of a bundle.</summary>
+    /// <param name="input">Columns and numbers of this step.</param>
+    /// <param name="row">Names the pairs and their flags.</param>
+    /// <param name="isNew">The pairs have no rows.</param>
+    /// <param name="fates">What is to become of them.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Update(in ContactUpdateInput input, ContactBundle* row, bool isNew, out ContactFates fates)
+    {
+        PairBits bits = PairStage.Load(input, row);
+        int dropped = FindDropped(input, row, bits);
+        int fast = bits.Fast & bits.Exists & ~dropped;
+        SweepBits sweep = fast == 0 ? default : FastPairs.Look(input);
+        PairManifolds.Collide(input, row, bits);
+        TouchBits touch = PairStage.Touch(input, row);
+        Decide(input, row, bits, dropped, fast, sweep, ref touch, isNew, out fates);
+    }
+
+    /// <summary>
+    /// What is to become of the pairs of a bundle, or of two side by side. Bits of many fields are never handed over by value: a copy, which reads several of
+    /// them at once, waits for those just written one by one.
+    /// </summary>
     /// <param name="input">Columns and numbers of this step.</param>
     /// <param name="row">Names the pairs and their flags.</param>
     /// <param name="bits">What the sides are.</param>
+    /// <param name="dropped">Pairs whose boxes came apart.</param>
+    /// <param name="fast">Others of which a body is fast.</param>
+    /// <param name="sweep">Where these go.</param>
+    /// <param name="touch">What the manifolds say.</param>
     /// <param name="isNew">The pairs have no rows.</param>
-    private static ContactFates Update(in ContactUpdateInput input, ContactBundle* row, in PairBits bits, bool isNew)
+    /// <param name="fates">The fates.</param>
+    private static void Decide(
+        in ContactUpdateInput input,
+        ContactBundle* row,
+        in PairBits bits,
+        int dropped,
+        int fast,
+        in SweepBits sweep,
+        ref TouchBits touch,
+        bool isNew,
+        out ContactFates fates)
     {
-        ContactFates fates;
-        int dropped = (bits.NewBox & bits.Exists) == 0 ? 0 : FindDropped(input, row, bits.NewBox & bits.Exists);
-        fates.Dropped = (byte)dropped;
-        int fast = bits.Fast & bits.Exists & ~dropped;
-        SweepBits sweep = fast == 0 ? default : FastPairs.Look(input);
-        PairStage.Collide(input, row, bits);
-        TouchBits touch = PairStage.Touch(input, row);
+        fates.Dropped = (ushort)dropped;
         int racing = 0;
-        fates.Deferred = (byte)(fast == 0 ? 0 : FastPairs.Defer(input, row, fast, sweep, ref touch, out racing));
-        fates.Racing = (byte)racing;
+        fates.Deferred = (ushort)(fast == 0 ? 0 : FastPairs.Defer(input, row, fast, sweep, ref touch, out racing));
+        fates.Racing = (ushort)racing;
 
         int fresh = bits.Solid & touch.Hit & bits.Exists & ~dropped;
         if (isNew && fresh != 0)
@@ -212,14 +284,14 @@ internal static unsafe class ContactUpdate
         int touching = touch.Touching;
         int due = bits.Heard == 0 ? 0 : FindDue(input, row, bits, touching, hit);
         int solid = bits.Solid & hit & bits.Exists & ~dropped & ~FindRefused(row, bits, due);
-        fates.Solid = (byte)solid;
-        fates.Idle = (byte)(bits.Exists & ~solid & ~dropped);
-        fates.Blows = (byte)(solid & touch.Blows);
+        fates.Solid = (ushort)solid;
+        fates.Idle = (ushort)(bits.Exists & ~solid & ~dropped);
+        fates.Blows = (ushort)(solid & touch.Blows);
         touching = ((touching & ~dropped) | (touch.Touched & dropped)) & bits.Exists;
-        fates.Touching = (byte)touching;
-        fates.TouchingNow = (byte)(touching & ~touch.Touched);
-        fates.Heard = (byte)(bits.Heard & bits.Exists);
-        fates.Hulls = (byte)(bits.Hulls & ~bits.Boxes & bits.Exists);
+        fates.Touching = (ushort)touching;
+        fates.TouchingNow = (ushort)(touching & ~touch.Touched);
+        fates.Heard = (ushort)(bits.Heard & bits.Exists);
+        fates.Hulls = (ushort)(bits.Hulls & ~bits.Boxes & bits.Exists);
         // Flags hardly ever change, and each record is a cache line of its own: they are visited only if something is new.
         int news = bits.Exists & ~dropped & (~touch.Same | bits.Heard);
         for (int lane = 0; news != 0; lane++, news >>= 1)
@@ -236,7 +308,7 @@ internal static unsafe class ContactUpdate
                 | ((due & bit) != 0 ? ContactFlags.Due : ContactFlags.None);
             if ((int)flags != (row->Flags[lane] & ContactBundle.FlagBits))
             {
-                ContactRowWriter.SetFlags(row, lane, flags);
+                ContactLanes.SetFlags(row, lane, flags);
                 input.Contacts.Records[row->Contact[lane]].Flags = flags;
             }
 
@@ -245,8 +317,6 @@ internal static unsafe class ContactUpdate
                 input.Contacts.Manifolds[row->Contact[lane]] = PairLanes.Read(input.Pairs, lane);
             }
         }
-
-        return fates;
     }
 
     /// <summary>The pairs whose listeners are to be told: see <see cref="ContactFlags.Due"/>.</summary>
@@ -265,7 +335,7 @@ internal static unsafe class ContactUpdate
             // An impulse of the last step that its listeners were told of then is no news.
             bool wasDue = ((ContactFlags)row->Flags[lane] & ContactFlags.Due) != 0;
             bool struck = row->Struck[lane] > 0 || row->Point0.Normal[lane] > 0 || row->Point1.Normal[lane] > 0;
-            if ((struck && !wasDue) || PairStage.WillTouch(input, lane, wasDue ? input.Settings.AllowedPenetration : 0, horizon))
+            if ((struck && !wasDue) || PairManifolds.WillTouch(input, lane, wasDue ? input.Settings.AllowedPenetration : 0, horizon))
             {
                 due |= 1 << lane;
             }
@@ -290,9 +360,11 @@ internal static unsafe class ContactUpdate
         return refused;
     }
 
-    private static int FindDropped(in ContactUpdateInput input, ContactBundle* row, int lanes)
+    /// <summary>The pairs whose fat boxes are new and have parted.</summary>
+    private static int FindDropped(in ContactUpdateInput input, ContactBundle* row, in PairBits bits)
     {
         int dropped = 0;
+        int lanes = bits.NewBox & bits.Exists;
         for (; lanes != 0; lanes &= lanes - 1)
         {
             int lane = BitSet.LowestBit((ulong)lanes);
@@ -301,4 +373,26 @@ internal static unsafe class ContactUpdate
 
         return dropped;
     }
+
+#if NET8_0_OR_GREATER
+    /// <summary>Looks where the pairs of both bundles of a record go, of each only if one of its own is fast.</summary>
+    private static SweepBits LookBoth(in ContactUpdateInput input, int fast)
+    {
+        SweepBits sweep = (fast & PairBits.OneBundle) != 0 ? FastPairs.Look(input) : default;
+        if (PairBits.Of(fast, 1) != 0)
+        {
+            sweep.AddBeside(FastPairs.Look(Beside(input)), ContactBundle.Lanes);
+        }
+
+        return sweep;
+    }
+
+    /// <summary>The same input for the pairs of the second bundle of a record.</summary>
+    private static ContactUpdateInput Beside(in ContactUpdateInput input)
+    {
+        ContactUpdateInput beside = input;
+        beside.Pairs = PairLanes.Beside(input.Pairs);
+        return beside;
+    }
+#endif
 }

@@ -1,11 +1,13 @@
 using System;
+using Farseer.Engine.Contacts;
 
 namespace Farseer.Engine.Graph;
 
 /// <summary>
 /// The bundles of several colours numbered one after the other: a phase that does not care for colours is then one range for the workers,
 /// and not one a colour. The first parts of all colours come first, then their second ones, a part for each worker: so a worker begins with
-/// the rows that are its own in the passes, where each colour is cut by itself, and they stay in its cache.
+/// the rows that are its own in the passes, where each colour is cut by itself, and they stay in its cache. Each part begins with a record and with a number
+/// that is a whole number of records: where a colour ends in the middle of one, the number of the bundle that is not there is left out.
 /// </summary>
 internal sealed class ColorRanges
 {
@@ -14,7 +16,7 @@ internal sealed class ColorRanges
     private int _colorCount;
     private int _parts = 1;
 
-    /// <summary>Bundles in all.</summary>
+    /// <summary>Numbers in all.</summary>
     public int Count { get; private set; }
 
     /// <summary>Takes the colours as they are; valid until a row is added or removed.</summary>
@@ -45,7 +47,7 @@ internal sealed class ColorRanges
             for (int i = 0; i < colors.Length; i++)
             {
                 _first[(part * colors.Length) + i] = Count;
-                Count += Start(i, part + 1) - Start(i, part);
+                Count += Whole(Start(i, part + 1) - Start(i, part));
             }
         }
 
@@ -67,8 +69,9 @@ internal sealed class ColorRanges
         }
 
         end = Math.Min(to, _first[place + 1]);
-        int shift = Start(place % _colorCount, place / _colorCount) - _first[place];
-        return _colors[place % _colorCount].Part(from + shift, end + shift);
+        int color = place % _colorCount;
+        int shift = Start(color, place / _colorCount) - _first[place];
+        return _colors[color].Part(from + shift, Math.Min(end + shift, _colors[color].BundleCount));
     }
 
     /// <summary>The numbers of the bundles of a part of a colour. In the order of the colours, and of the parts of each, the bundles are in an order that no number of workers changes.</summary>
@@ -81,13 +84,28 @@ internal sealed class ColorRanges
         int color = place / _parts;
         int part = place % _parts;
         from = _first[(part * _colorCount) + color];
-        to = _first[(part * _colorCount) + color + 1];
-        return _colors[color].Part(Start(color, part), Start(color, part + 1));
+        int start = Start(color, part);
+        int end = Start(color, part + 1);
+        to = from + (end - start);
+        return _colors[color].Part(start, end);
     }
 
     /// <summary>Parts of all colours.</summary>
     public int Places => _parts * _colorCount;
 
     /// <summary>Where a part of a colour begins.</summary>
-    private int Start(int color, int part) => (int)((long)_colors[color].BundleCount * part / _parts);
+    private int Start(int color, int part)
+    {
+        int bundles = _colors[color].BundleCount;
+        if (part == 0 || part == _parts)
+        {
+            return part == 0 ? 0 : bundles;
+        }
+
+        long records = Whole(bundles) / ContactBundle.Beside;
+        return Math.Min((int)(records * part / _parts) * ContactBundle.Beside, bundles);
+    }
+
+    /// <summary>The bundles of as many whole records.</summary>
+    private static int Whole(int bundles) => (bundles + ContactBundle.Beside - 1) / ContactBundle.Beside * ContactBundle.Beside;
 }

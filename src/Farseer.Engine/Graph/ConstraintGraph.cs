@@ -128,7 +128,7 @@ internal sealed unsafe class ConstraintGraph
         GraphColor rows = _colors[group][color];
         _usedChanged |= rows.RowCount == 0;
         int row = rows.AddRow();
-        ContactRowWriter.Name(_arena.BundleOf(row), RowArena.LaneOf(row), contact, record);
+        ContactLanes.Name(_arena.BundleOf(row), RowArena.LaneOf(row), contact, record);
         record.Color = (sbyte)color;
         record.Group = (byte)group;
         record.Row = row;
@@ -213,7 +213,7 @@ internal sealed unsafe class ConstraintGraph
         ContactBundle* otherBundle = _arena.BundleOf(other);
         int lane = RowArena.LaneOf(row);
         int otherLane = RowArena.LaneOf(other);
-        ContactRowWriter.ExchangeLanes(bundle, lane, otherBundle, otherLane);
+        ContactLanes.ExchangeLanes(bundle, lane, otherBundle, otherLane);
         records[bundle->Contact[lane]].Row = row;
         records[otherBundle->Contact[otherLane]].Row = other;
     }
@@ -323,7 +323,7 @@ internal sealed unsafe class ConstraintGraph
     }
 
     private void Move(int from, int to) =>
-        ContactRowWriter.MoveLane(_arena.BundleOf(from), RowArena.LaneOf(from), _arena.BundleOf(to), RowArena.LaneOf(to));
+        ContactLanes.MoveLane(_arena.BundleOf(from), RowArena.LaneOf(from), _arena.BundleOf(to), RowArena.LaneOf(to));
 
     private void Note(in ContactRecord record, int contact)
     {

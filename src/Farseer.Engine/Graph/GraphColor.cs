@@ -96,7 +96,7 @@ internal sealed unsafe class GraphColor
             ContactBundle* bundle = ContactBundle.At(_arena.Extents[_last].Bundles, _inLast - 1);
             if (ContactBundle.IsFirst(bundle))
             {
-                ContactRowWriter.ClearRecord(bundle);
+                ContactLanes.ClearRecord(bundle);
             }
         }
 
@@ -114,11 +114,11 @@ internal sealed unsafe class GraphColor
         if (row != last)
         {
             ContactBundle* bundle = _arena.BundleOf(row);
-            ContactRowWriter.MoveLane(end, RowArena.LaneOf(last), bundle, RowArena.LaneOf(row));
+            ContactLanes.MoveLane(end, RowArena.LaneOf(last), bundle, RowArena.LaneOf(row));
             moved = bundle->Contact[RowArena.LaneOf(row)];
         }
 
-        ContactRowWriter.ClearLane(end, RowArena.LaneOf(last));
+        ContactLanes.ClearLane(end, RowArena.LaneOf(last));
         RowCount--;
         if (RowCount % _lanesUsed == 0)
         {

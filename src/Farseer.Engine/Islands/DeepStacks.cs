@@ -125,7 +125,7 @@ internal sealed unsafe class DeepStacks
             Wide load = Wide.Max(
                 Wide.Load(row->Point0.Normal + lane) * Wide.Load(row->K11 + lane),
                 Wide.Load(row->Point1.Normal + lane) * Wide.Load(row->K22 + lane));
-            Wide sunk = Wide.Max((Wide.Zero - separation) - (Wide.Splat(Sags) * c.Sag(load)), Wide.Zero);
+            Wide sunk = Wide.Max((Wide.Zero - separation) - (Wide.Splat(Sags) * WideCoefficients.Sag(c, load)), Wide.Zero);
 
             // An empty lane has no point.
             WideMask apart = (separation - Wide.Splat(c.Rest)) > Wide.Zero;

@@ -180,7 +180,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
                 Wide load = Wide.Max(
                     Wide.Load(row->Point0.Normal + lane) * Wide.Load(row->K11 + lane),
                     Wide.Load(row->Point1.Normal + lane) * Wide.Load(row->K22 + lane));
-                c.Sag(load).Store(sags + lane);
+                WideCoefficients.Sag(c, load).Store(sags + lane);
                 deep |= WideLanes.Bits(ContactBundle.Has(row, lane, ContactBundle.DeepMark)) << lane;
             }
 

@@ -7,80 +7,37 @@ using System.Runtime.Intrinsics;
 
 namespace Farseer.Engine.NarrowPhase;
 
-/// <summary>What a side of a pair is and may do.</summary>
-[System.Flags]
-internal enum SideFlags : int
-{
-    None = 0,
-
-    /// <summary>Not set in the side that empty lanes point at.</summary>
-    Exists = 1,
-
-    /// <summary>The collider takes part in the response.</summary>
-    Responds = 2,
-
-    /// <summary>The solver may move the body.</summary>
-    Moves = 4,
-
-    /// <summary>Gravity acts on the body.</summary>
-    Pulled = 8,
-
-    /// <summary>A listener wants to hear of the collider.</summary>
-    Heard = 16,
-
-    /// <summary>A box that the box kernel can do.</summary>
-    Box = 32,
-
-    /// <summary>A circle.</summary>
-    Circle = 64,
-
-    /// <summary>The fat box is new in this step.</summary>
-    NewBox = 128,
-
-    /// <summary>The body turns with its spin; a static one with a spin only drags along what it touches.</summary>
-    Turns = 256,
-
-    /// <summary>The body is foreseen to move by more than its own size in this step.</summary>
-    Fast = 512,
-
-    /// <summary>A hull without seams, of two to <see cref="HullLanes.MostCorners"/> corners: the kernels of hulls can do it.</summary>
-    Hull = 1024,
-
-    /// <summary>A box whose own axes are not those of its body.</summary>
-    Tilted = 2048,
-}
-
 /// <summary>One side of each pair of a bundle: shape, motion and material, as the record it was gathered from has them.</summary>
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct SideLanes
 {
-    public const int Lanes = WideLanes.BundleLanes;
+    private const int LineLanes = PairLanes.LineLanes;
 
     /// <summary>Centre of a box or circle from its body's, in world axes.</summary>
-    public fixed float X[Lanes];
-    public fixed float Y[Lanes];
+    public fixed float X[LineLanes];
+    public fixed float Y[LineLanes];
 
     /// <summary>Direction of a box's own x axis in world axes; of other pieces that of their body.</summary>
-    public fixed float Cos[Lanes];
-    public fixed float Sin[Lanes];
+    public fixed float Cos[LineLanes];
+    public fixed float Sin[LineLanes];
 
     /// <summary>Half sides of a box; of other pieces the first is the rounding radius (of a circle all there is).</summary>
-    public fixed float HalfX[Lanes];
-    public fixed float HalfY[Lanes];
-    public fixed float Extent[Lanes];
-    public fixed float Reach[Lanes];
+    public fixed float HalfX[LineLanes];
+    public fixed float HalfY[LineLanes];
+    public fixed float Extent[LineLanes];
+    public fixed float Reach[LineLanes];
 
-    public fixed float VelocityX[Lanes];
-    public fixed float VelocityY[Lanes];
-    public fixed float AngularVelocity[Lanes];
+    public fixed float VelocityX[LineLanes];
+    public fixed float VelocityY[LineLanes];
+    public fixed float AngularVelocity[LineLanes];
 
     /// <summary><see cref="SideFlags"/>.</summary>
-    public fixed int Flags[Lanes];
+    public fixed int Flags[LineLanes];
 
-    public fixed float InverseMass[Lanes];
-    public fixed float InverseInertia[Lanes];
-    public fixed float Friction[Lanes];
-    public fixed float Restitution[Lanes];
+    public fixed float InverseMass[LineLanes];
+    public fixed float InverseInertia[LineLanes];
+    public fixed float Friction[LineLanes];
+    public fixed float Restitution[LineLanes];
 
     /// <summary>Rounding radii: a box has none, and its half sides where others have theirs.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -95,31 +52,34 @@ internal unsafe struct SideLanes
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct PointLanes
 {
-    public const int Lanes = WideLanes.BundleLanes;
+    private const int LineLanes = PairLanes.LineLanes;
 
-    public fixed float X[Lanes];
-    public fixed float Y[Lanes];
-    public fixed float Separation[Lanes];
-    public fixed uint Id[Lanes];
+    public fixed float X[LineLanes];
+    public fixed float Y[LineLanes];
+    public fixed float Separation[LineLanes];
+    public fixed uint Id[LineLanes];
 
     /// <summary>-1: a corner of A, which goes along with A while B passes by; 1: a corner of B; 0: not known.</summary>
-    public fixed float Owner[Lanes];
+    public fixed float Owner[LineLanes];
 
     /// <summary>Arms an = r·n and at = r×n from the centres of both bodies.</summary>
-    public fixed float NormalArmA[Lanes];
-    public fixed float TangentArmA[Lanes];
-    public fixed float NormalArmB[Lanes];
-    public fixed float TangentArmB[Lanes];
+    public fixed float NormalArmA[LineLanes];
+    public fixed float TangentArmA[LineLanes];
+    public fixed float NormalArmB[LineLanes];
+    public fixed float TangentArmB[LineLanes];
 }
 
 /// <summary>
-/// Eight pairs side by side on their way through the narrow phase: each stage reads what it needs at the point of use and
-/// writes its result, so no stage holds more than a few vectors. It stays in the first-level cache.
+/// Pairs side by side on their way through the narrow phase: each stage reads what it needs at the point of use and writes its result, so no stage holds
+/// more than a few vectors. It stays in the first-level cache. Stages of eight lanes and of sixteen work on the same columns: see <see cref="Beside"/>.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct PairLanes
 {
     public const int Lanes = WideLanes.BundleLanes;
+
+    /// <summary>The lanes of a column as it lies in memory, as in a record of rows: the pairs of two bundles side by side.</summary>
+    public const int LineLanes = Prefetch.LineBytes / sizeof(float);
 
     /// <summary>The gap of a pair of which none was found.</summary>
     public const float UnknownGap = float.MinValue;
@@ -128,35 +88,41 @@ internal unsafe struct PairLanes
     public SideLanes B;
 
     /// <summary>Centre of body B minus centre of body A.</summary>
-    public fixed float OffsetX[Lanes];
-    public fixed float OffsetY[Lanes];
+    public fixed float OffsetX[LineLanes];
+    public fixed float OffsetY[LineLanes];
 
     /// <summary>Points farther apart than this are left out.</summary>
-    public fixed float Margin[Lanes];
+    public fixed float Margin[LineLanes];
 
-    public fixed float NormalX[Lanes];
-    public fixed float NormalY[Lanes];
+    public fixed float NormalX[LineLanes];
+    public fixed float NormalY[LineLanes];
 
     /// <summary>-1: the normal is that of a face of A and turns with it; 1: that of a face of B; 0: not known.</summary>
-    public fixed float NormalOwner[Lanes];
+    public fixed float NormalOwner[LineLanes];
 
     /// <summary>0, 1 or 2 points.</summary>
-    public fixed float Count[Lanes];
+    public fixed float Count[LineLanes];
 
     /// <summary>Separation along the axis that separates the pieces, or a number that says nothing; what counts is what is more than the margin.</summary>
-    public fixed float Gap[Lanes];
+    public fixed float Gap[LineLanes];
 
     /// <summary>-1: that axis turns with A; 1: with B; 0: it leads from one centre to the other.</summary>
-    public fixed float GapOwner[Lanes];
+    public fixed float GapOwner[LineLanes];
 
     public PointLanes Point0;
     public PointLanes Point1;
 
     /// <summary>How deep the pair would be at the end of the step with the velocities of its start; known of those that touch.</summary>
-    public fixed float Sinking[Lanes];
+    public fixed float Sinking[LineLanes];
 
     /// <summary>Corners of the pieces, gathered only for pairs that need them.</summary>
     public HullPairLanes Hulls;
+
+    /// <summary>The hulls of pairs beside others begin as far behind those of the others as all their columns do.</summary>
+    private fixed float _room[LineLanes];
+
+    /// <summary>The pairs beside some: those of the second bundle of a record.</summary>
+    public static PairLanes* Beside(PairLanes* pairs) => (PairLanes*)((float*)pairs + Lanes);
 
     public static void Write(PairLanes* pairs, int lane, in Manifold manifold)
     {

@@ -14,7 +14,7 @@ internal static unsafe class WideBoxBox
     public static int Collide(PairLanes* pairs)
     {
         int corners = 0;
-        for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
+        for (int lane = 0; lane < WideLanes.BundleLanes; lane += Wide.Count)
         {
             corners |= WideLanes.Bits(Collide(pairs, lane)) << lane;
         }

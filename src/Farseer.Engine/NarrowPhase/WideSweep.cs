@@ -17,6 +17,16 @@ internal struct SweepBits
 
     /// <summary>Contacts can move both.</summary>
     public int BothMove;
+
+    /// <summary>Adds those of pairs beside these.</summary>
+    /// <param name="beside">What they do.</param>
+    /// <param name="lane">The lane of the first of them.</param>
+    public void AddBeside(in SweepBits beside, int lane)
+    {
+        Fast |= beside.Fast << lane;
+        Meets |= beside.Meets << lane;
+        BothMove |= beside.BothMove << lane;
+    }
 }
 
 /// <summary>

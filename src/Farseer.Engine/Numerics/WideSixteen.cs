@@ -37,6 +37,9 @@ internal static unsafe class WideLanes
         public static Wide Min(Wide a, Wide b) => Avx512F.Min(a, b);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Wide Sqrt(Wide a) => Vector512.Sqrt(a);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Abs(Wide a) => Vector512.Abs(a);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -73,6 +76,15 @@ internal static unsafe class WideLanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Bits(WideMask mask) => (int)Vector512.ExtractMostSignificantBits(mask);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Bits(WideMask a, WideMask b, WideMask c, WideMask d, out int bitsA, out int bitsB, out int bitsC, out int bitsD)
+    {
+        bitsA = Bits(a);
+        bitsB = Bits(b);
+        bitsC = Bits(c);
+        bitsD = Bits(d);
+    }
+
     /// <summary>Transposes the 4x4 blocks of each 128 bits; its own inverse.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Transpose(ref Wide r0, ref Wide r1, ref Wide r2, ref Wide r3)
@@ -85,6 +97,20 @@ internal static unsafe class WideLanes
         r1 = Avx512F.Shuffle(t0, t2, 0xEE);
         r2 = Avx512F.Shuffle(t1, t3, 0x44);
         r3 = Avx512F.Shuffle(t1, t3, 0xEE);
+    }
+
+    /// <summary>The same of blocks of 128 bits: what four vectors have in each quarter is put into one.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void TransposeQuarters(ref Wide r0, ref Wide r1, ref Wide r2, ref Wide r3)
+    {
+        Wide t0 = Avx512F.Shuffle4x128(r0, r1, 0x44);
+        Wide t1 = Avx512F.Shuffle4x128(r0, r1, 0xEE);
+        Wide t2 = Avx512F.Shuffle4x128(r2, r3, 0x44);
+        Wide t3 = Avx512F.Shuffle4x128(r2, r3, 0xEE);
+        r0 = Avx512F.Shuffle4x128(t0, t2, 0x88);
+        r1 = Avx512F.Shuffle4x128(t0, t2, 0xDD);
+        r2 = Avx512F.Shuffle4x128(t1, t3, 0x88);
+        r3 = Avx512F.Shuffle4x128(t1, t3, 0xDD);
     }
 }
 #endif

@@ -371,7 +371,7 @@ internal sealed unsafe class ContactEvents
             record.Flags &= ~ContactFlags.Vetoed;
             if (record.Color >= 0)
             {
-                ContactRowWriter.SetFlags(graph.BundleOf(record.Row), RowArena.LaneOf(record.Row), record.Flags);
+                ContactLanes.SetFlags(graph.BundleOf(record.Row), RowArena.LaneOf(record.Row), record.Flags);
             }
         }
     }

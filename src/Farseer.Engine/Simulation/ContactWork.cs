@@ -80,7 +80,7 @@ internal sealed unsafe class ContactWork : IStageWork
     public BundleSums UpdateRows(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
     {
         _ranges.Find(graph.Used, runner.Workers);
-        return Run(runner, input, Part.Rows, _ranges.Count);
+        return Run(runner, input, Part.Rows, _ranges.Count, ContactBundle.Beside);
     }
 
     /// <summary>Writes the constraints of pairs that have just been given rows, eight at a time, and moves them to their places.</summary>
@@ -91,7 +91,7 @@ internal sealed unsafe class ContactWork : IStageWork
         _gained = gained;
         _gainedCount = count;
         int bundles = (count + ContactBundle.Lanes - 1) / ContactBundle.Lanes;
-        return Run(runner, input, Part.Given, bundles).AnyBounce;
+        return Run(runner, input, Part.Given, bundles, 1).AnyBounce;
     }
 
     /// <summary>What the sides and boxes of one piece of a pair are read from is asked for.</summary>
@@ -103,10 +103,11 @@ internal sealed unsafe class ContactWork : IStageWork
         Prefetch.Line(input.Fat + piece);
     }
 
-    /// <summary>Keeps how deep those of a bundle that are struck would sink in.</summary>
-    public static void NoteSinking(PairLanes* pairs, BundleOutcome* outcome)
+    /// <summary>Keeps what is to become of the pairs of a bundle of which something follows, and how deep those that are struck would sink in.</summary>
+    public static void Keep(PairLanes* pairs, BundleOutcome* outcome, in ContactFates fates)
     {
-        for (int lane = 0, blows = outcome->Fates.Blows; blows != 0; lane++, blows >>= 1)
+        outcome->Fates = fates;
+        for (int lane = 0, blows = fates.Blows; blows != 0; lane++, blows >>= 1)
         {
             outcome->Sinking[lane] = pairs->Sinking[lane];
         }
@@ -123,7 +124,7 @@ internal sealed unsafe class ContactWork : IStageWork
                 _sides.Write(input.Shapes, input.Bodies, input.Proxies, input.Moves, from * BitSet.WordBits, end);
                 break;
             case Part.Rows:
-                UpdateRows(input, worker, from, to);
+                UpdateRows(input, worker, from * ContactBundle.Beside, to * ContactBundle.Beside);
                 break;
             case Part.Given:
                 FillRows(input, worker, from, to);
@@ -131,64 +132,127 @@ internal sealed unsafe class ContactWork : IStageWork
         }
     }
 
-    private BundleSums Run(StageRunner runner, in ContactUpdateInput input, Part part, int count)
+    /// <param name="runner">Who shares the work out.</param>
+    /// <param name="input">Columns and numbers of this step.</param>
+    /// <param name="part">What is to be done.</param>
+    /// <param name="count">Bundles.</param>
+    /// <param name="together">How many of them no two workers may share.</param>
+    private BundleSums Run(StageRunner runner, in ContactUpdateInput input, Part part, int count, int together)
     {
         _input = input;
         _part = part;
         _outcomes = input.Scratch.Take<BundleOutcome>(count);
         _notes.Begin(runner, input.Scratch, count);
-        runner.Run(this, count, LeastBundles);
+        runner.Run(this, count / together, LeastBundles / together);
         return _notes.Total(runner);
     }
 
     private void UpdateRows(in ContactUpdateInput input, int worker, int from, int to)
     {
-        BundleOutcome* outcomes = _outcomes;
         BundleSums sums = default;
-        bool far = Prefetch.IsUseful && input.Shapes.PieceIds.End > MostNear;
         while (from < to)
         {
-            BundleOutcome* outcome = outcomes + from;
+            int number = from;
             BundleRuns runs = _ranges.From(from, to, out from);
             while (runs.Next())
             {
-                ContactBundle* bundle = runs.Bundles;
-                for (int left = runs.Count; left > 0; left--, bundle = ContactBundle.Next(bundle), outcome++)
+#if NET8_0_OR_GREATER
+                if (Numerics.Sixteen.WideLanes.AreThere && runs.Count > 1)
                 {
-                    if (Prefetch.IsUseful && (ContactBundle.IsFirst(bundle) || bundle == runs.Bundles))
-                    {
-                        ContactBundle* behind = left > 2 ? bundle + 1 : runs.Following;
-                        if (behind != runs.Bundles)
-                        {
-                            ContactBundle.AskFor(behind);
-                        }
-                    }
-
-                    if (far)
-                    {
-                        AskForSides(input, left > 1 ? ContactBundle.Next(bundle) : runs.Following);
-                    }
-
-                    outcome->Fates = ContactUpdate.UpdateRows(input, bundle);
-                    NoteSinking(input.Pairs, outcome);
-                    ref ContactFates fates = ref outcome->Fates;
-                    sums.Add(fates);
-                    sums.AnyBounce |= BounceKernel.Bounces(bundle);
-                    _notes.Note((int)(outcome - outcomes), fates.Idle | fates.Dropped | fates.Deferred | fates.Racing | fates.Blows);
+                    UpdateRecords(input, runs, number, ref sums);
                 }
+                else
+#endif
+                {
+                    UpdateBundles(input, runs, number, ref sums);
+                }
+
+                number += runs.Count;
             }
         }
 
         _notes.Add(worker, sums);
     }
 
+    /// <summary>Updates the pairs of bundles that lie behind each other.</summary>
+    private void UpdateBundles(in ContactUpdateInput input, in BundleRuns runs, int number, ref BundleSums sums)
+    {
+        bool far = AreSidesFar(input);
+        ContactBundle* bundle = runs.Bundles;
+        for (int left = runs.Count; left > 0; left--, bundle = ContactBundle.Next(bundle), number++)
+        {
+            if (Prefetch.IsUseful && ContactBundle.IsFirst(bundle))
+            {
+                ContactBundle* behind = left > ContactBundle.Beside ? bundle + 1 : runs.Following;
+                if (behind != runs.Bundles)
+                {
+                    ContactBundle.AskFor(behind);
+                }
+            }
+
+            if (far)
+            {
+                AskForSides(input, left > 1 ? ContactBundle.Next(bundle) : runs.Following, ContactBundle.Lanes);
+            }
+
+            ContactUpdate.UpdateRows(input, bundle, out ContactFates fates);
+            sums.Add(fates);
+            sums.AnyBounce |= BounceKernel.Bounces(bundle);
+            int follows = fates.Follows;
+            _notes.Note(number, follows);
+            if (follows != 0)
+            {
+                Keep(input.Pairs, _outcomes + number, fates);
+            }
+        }
+    }
+
+#if NET8_0_OR_GREATER
+    /// <summary>The same with both bundles of a record at a time. Beside the last one of a colour there may be none: the pairs of empty lanes do not exist.</summary>
+    private void UpdateRecords(in ContactUpdateInput input, in BundleRuns runs, int number, ref BundleSums sums)
+    {
+        bool far = AreSidesFar(input);
+        ContactBundle* bundle = runs.Bundles;
+        for (int left = runs.Count; left > 0; left -= ContactBundle.Beside, bundle++, number += ContactBundle.Beside)
+        {
+            // What the next record names is asked for while this one is looked at, so the record itself one earlier.
+            ContactBundle* next = left > ContactBundle.Beside ? bundle + 1 : runs.Following;
+            if (next != runs.Bundles)
+            {
+                ContactBundle* nextButOne = left > ContactBundle.Beside && left <= 2 * ContactBundle.Beside ? runs.Following : next + 1;
+                ContactBundle.AskFor(far ? nextButOne : next);
+            }
+
+            if (far)
+            {
+                AskForSides(input, next, ContactBundle.LineLanes);
+            }
+
+            ContactUpdate.UpdateRecord(input, bundle, out ContactFates fates);
+            sums.Add(fates);
+            sums.AnyBounce |= BounceKernel.Bounces(bundle) || BounceKernel.Bounces(ContactBundle.Next(bundle));
+            int follows = fates.Follows;
+            _notes.Note(number, PairBits.Of(follows, 0));
+            _notes.Note(number + 1, PairBits.Of(follows, 1));
+            if (follows != 0)
+            {
+                Keep(input.Pairs, _outcomes + number, fates.OfBundle(0));
+                Keep(PairLanes.Beside(input.Pairs), _outcomes + number + 1, fates.OfBundle(1));
+            }
+        }
+    }
+#endif
+
+    /// <summary>The sides are to be asked for.</summary>
+    private static bool AreSidesFar(in ContactUpdateInput input) => Prefetch.IsUseful && input.Shapes.PieceIds.End > MostNear;
+
     /// <summary>
-    /// The sides of a bundle's pieces are asked for. Poses and boxes are read a little later, by instructions that can wait for them: to ask for these too
+    /// The sides of the pieces of a bundle, or of two side by side, are asked for. Poses and boxes are read a little later, by instructions that can wait for them: to ask for these too
     /// took longer than it saved.
     /// </summary>
-    private static void AskForSides(in ContactUpdateInput input, ContactBundle* bundle)
+    private static void AskForSides(in ContactUpdateInput input, ContactBundle* bundle, int lanes)
     {
-        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        for (int lane = 0; lane < lanes; lane++)
         {
             Prefetch.Line(input.Sides + bundle->PieceA[lane]);
             Prefetch.Line(input.Sides + bundle->PieceB[lane]);
@@ -205,10 +269,10 @@ internal sealed unsafe class ContactWork : IStageWork
         {
             int* gained = _gained + (i * ContactBundle.Lanes);
             int count = Math.Min(ContactBundle.Lanes, _gainedCount - (i * ContactBundle.Lanes));
-            ContactRowWriter.ClearForWrite(bundle);
+            ContactLanes.ClearForWrite(bundle);
             for (int lane = 0; lane < count; lane++)
             {
-                ContactRowWriter.Name(bundle, lane, gained[lane], records[gained[lane]]);
+                ContactLanes.Name(bundle, lane, gained[lane], records[gained[lane]]);
             }
 
             ContactUpdate.FillRows(input, bundle);
@@ -216,7 +280,7 @@ internal sealed unsafe class ContactWork : IStageWork
             for (int lane = 0; lane < count; lane++)
             {
                 ref ContactRecord record = ref records[gained[lane]];
-                ContactRowWriter.MoveLane(bundle, lane, _graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
+                ContactLanes.MoveLane(bundle, lane, _graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
             }
         }
 

@@ -255,8 +255,8 @@ internal sealed unsafe class FastPairStage : IStageWork
     private ContactBundle* Clear(in ContactUpdateInput input, int contact)
     {
         ContactBundle* bundle = _bundle.Pointer;
-        ContactRowWriter.ClearForWrite(bundle);
-        ContactRowWriter.Name(bundle, 0, contact, input.Contacts.Records[contact]);
+        ContactLanes.ClearForWrite(bundle);
+        ContactLanes.Name(bundle, 0, contact, input.Contacts.Records[contact]);
         return bundle;
     }
 
@@ -268,7 +268,7 @@ internal sealed unsafe class FastPairStage : IStageWork
         input.Contacts.RemoveIdle(contact);
         graph.Add(contact, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
         AnyBounce = AnyBounce || bundle->Restitution[0] > 0;
-        ContactRowWriter.MoveLane(bundle, 0, graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
+        ContactLanes.MoveLane(bundle, 0, graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
     }
 
     private static bool IsFree(in ContactUpdateInput input, ConstraintGraph graph, int body) =>

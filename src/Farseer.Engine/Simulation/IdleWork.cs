@@ -210,19 +210,23 @@ internal sealed unsafe class IdleWork : IStageWork
                 {
                     places[lane] = Place(first + lane);
                     int index = contacts.Idle(places[lane]);
-                    ContactRowWriter.Name(bundle, lane, index, contacts.Records[index]);
+                    ContactLanes.Name(bundle, lane, index, contacts.Records[index]);
                 }
                 else
                 {
-                    ContactRowWriter.Unname(bundle, lane);
+                    ContactLanes.Unname(bundle, lane);
                 }
             }
 
-            ContactFates fates = ContactUpdate.UpdateIdle(input, bundle);
-            _outcomes[i].Fates = fates;
-            ContactWork.NoteSinking(input.Pairs, _outcomes + i);
+            ContactUpdate.UpdateIdle(input, bundle, out ContactFates fates);
+            int follows = fates.Solid | fates.Dropped | fates.Deferred | fates.Racing | fates.Blows;
             sums.Add(fates);
-            _notes.Note(i, fates.Solid | fates.Dropped | fates.Deferred | fates.Racing | fates.Blows);
+            _notes.Note(i, follows);
+            if (follows != 0)
+            {
+                ContactWork.Keep(input.Pairs, _outcomes + i, fates);
+            }
+
             if (contacts.KeepsGaps)
             {
                 IdleGap.Note(input.Pairs, contacts.Gaps, places, count);

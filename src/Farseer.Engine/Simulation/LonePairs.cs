@@ -80,7 +80,7 @@ internal sealed unsafe class LonePairs
         ref ContactRecord record = ref contacts.Records[_pairs[position].Contact];
         if (record.PieceA >= 0 && record.Color >= 0)
         {
-            ContactRowWriter.NoteImpacts(graph.BundleOf(record.Row), RowArena.LaneOf(record.Row), (float)given.Normal);
+            ContactLanes.NoteImpacts(graph.BundleOf(record.Row), RowArena.LaneOf(record.Row), (float)given.Normal);
         }
     }
 

@@ -161,7 +161,7 @@ internal sealed unsafe class StruckPairs : IStageWork
             if (throws[record->BodyA] + throws[record->BodyB] > 0 && record->IsIdle
                 && ((flags[record->BodyA] | flags[record->BodyB]) & BodyFlags.Asleep) == 0)
             {
-                ContactRowWriter.Name(bundle, filled++, i, *record);
+                ContactLanes.Name(bundle, filled++, i, *record);
                 if (filled == ContactBundle.Lanes)
                 {
                     Look(input, bundle, filled);
@@ -204,10 +204,10 @@ internal sealed unsafe class StruckPairs : IStageWork
 
                     if (filled == 0)
                     {
-                        ContactRowWriter.ClearForWrite(rewritten);
+                        ContactLanes.ClearForWrite(rewritten);
                     }
 
-                    ContactRowWriter.MoveLane(bundle, lane, rewritten, filled++);
+                    ContactLanes.MoveLane(bundle, lane, rewritten, filled++);
                     if (filled == ContactBundle.Lanes)
                     {
                         Rewrite(input, rewritten, filled);
@@ -231,7 +231,7 @@ internal sealed unsafe class StruckPairs : IStageWork
             if (input.Pairs->Count[lane] > 1)
             {
                 ref ContactRecord record = ref input.Contacts.Records[bundle->Contact[lane]];
-                ContactRowWriter.MoveLane(bundle, lane, _graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
+                ContactLanes.MoveLane(bundle, lane, _graph.BundleOf(record.Row), RowArena.LaneOf(record.Row));
             }
         }
     }
@@ -240,7 +240,7 @@ internal sealed unsafe class StruckPairs : IStageWork
     {
         for (int lane = filled; lane < ContactBundle.Lanes; lane++)
         {
-            ContactRowWriter.Unname(bundle, lane);
+            ContactLanes.Unname(bundle, lane);
         }
 
         int found = ContactUpdate.FindStruck(input, bundle);

@@ -70,7 +70,7 @@ internal sealed unsafe partial class IslandClasses
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    ContactRowWriter.Scale(bundle, lane, factor);
+                    ContactLanes.Scale(bundle, lane, factor);
                 }
             }
         }

@@ -259,8 +259,8 @@ internal sealed unsafe partial class IslandClasses
             ref Loan loan = ref _loans[i];
             ContactBundle* bundle = _graph.BundleOf(loan.Place);
             int lane = RowArena.LaneOf(loan.Place);
-            ContactRowWriter.Scale(bundle, lane, 1 << loan.Class);
-            ContactRowWriter.MoveLane(bundle, lane, loan.Home, loan.Lane);
+            ContactLanes.Scale(bundle, lane, 1 << loan.Class);
+            ContactLanes.MoveLane(bundle, lane, loan.Home, loan.Lane);
         }
 
         for (int index = 1; index < Count; index++)
@@ -285,9 +285,9 @@ internal sealed unsafe partial class IslandClasses
         int place = target.AddRow();
         ContactBundle* copy = _graph.BundleOf(place);
         int to = RowArena.LaneOf(place);
-        ContactRowWriter.MoveLane(bundle, lane, copy, to);
-        ContactRowWriter.Mute(bundle, lane);
-        ContactRowWriter.Scale(copy, to, share);
+        ContactLanes.MoveLane(bundle, lane, copy, to);
+        ContactLanes.Mute(bundle, lane);
+        ContactLanes.Scale(copy, to, share);
 
         ShortenPace(copy, to, share);
         _rowCounts[index]++;

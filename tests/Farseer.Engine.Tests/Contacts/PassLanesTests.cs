@@ -43,19 +43,6 @@ public sealed unsafe class PassLanesTests
             eight.AssertSame(sixteen, $"seed {seed}, pass {kind}", kind == PushOut);
         }
     }).QuickCheckThrowOnFailure();
-
-    /// <summary>A fact on processors with vectors of sixteen lanes.</summary>
-    [AttributeUsage(AttributeTargets.Method)]
-    private sealed class SixteenLanesFactAttribute : FactAttribute
-    {
-        public SixteenLanesFactAttribute()
-        {
-            if (!Engine.Numerics.Sixteen.WideLanes.AreThere)
-            {
-                Skip = "This processor has no vectors of sixteen lanes.";
-            }
-        }
-    }
 #endif
 
     [Fact]
@@ -107,7 +94,7 @@ public sealed unsafe class PassLanesTests
             _records = new Column<ContactBundle>((_bundles / ContactBundle.Beside) + 1);
             for (int i = 0; i < _records.Capacity; i++)
             {
-                ContactRowWriter.ClearRecord(_records.Pointer + i);
+                ContactLanes.ClearRecord(_records.Pointer + i);
             }
 
             _states = new Column<BodyState>((2 * _count) + 1);
