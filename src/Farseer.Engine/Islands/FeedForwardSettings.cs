@@ -28,6 +28,9 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     /// <summary>Safely below the square of a time that is as short as it may be, (0.05 s / 16)².</summary>
     private const float ShortSquare = 9.7e-6f;
 
+    /// <summary>What a bound is taken by, so that no rounding lets something pass that the quotients would not.</summary>
+    private const float NearlyAll = 0.999f;
+
     /// <summary>
     /// The same in substeps, for each time that a contact holds the weight of its lighter body. Under a load of R times its own weight
     /// a box damps the mode by 1/√R only, for the passes give the load R times less than it gives the box; a feed-forward quicker than
@@ -48,6 +51,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     private int _slots;
     private bool _writes;
     private bool _anyDeep;
+    private bool _isOneForAll;
 
     /// <summary>Whether an island is pushed apart in this step.</summary>
     public bool IsDeep(int island) => _deep[island] > 0;
@@ -69,36 +73,56 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         _ranges.Find(graph.Used, runner.Workers);
         CollectSag(runner, islands, c, scratch);
         _anyDeep = _deepStacks.Find(islands, graph, c, cold, scratch, _deep.Pointer, _anyDeep);
-        float weight = c.Sag(c.Gravity * c.Substep);
-        float* sags = _sags;
-        float* rates = _rate;
-        int slot = islands.FirstSlot[0];
-        for (int i = 0; i < islands.Count; i++)
-        {
-            float sag = 0;
-            float largest = 0;
-            for (int end = islands.FirstSlot[i + 1]; slot < end; slot++)
-            {
-                sag += sags[slot];
-                largest = Math.Max(largest, sags[slot]);
-            }
-
-            float time = LongestTime;
-            if (c.Gravity > 0)
-            {
-                time = SlowestTime(sag / c.Gravity);
-                float weights = largest / weight;
-                time = Math.Max(time, LoadFactor * weights * c.Substep);
-            }
-
-            rates[i] = Math.Min(1f, c.Substep / time);
-        }
-
+        _isOneForAll = FindRates(islands, c) && !_anyDeep;
         _writes = true;
         runner.Run(this, _ranges.Count, LeastBundles);
         scratch.Release(mark);
         return _anyDeep;
     }
+
+    /// <summary>The rate of each island, from the sags of its levels.</summary>
+    /// <returns>True if all have the same.</returns>
+    private bool FindRates(IslandStore islands, in ContactCoefficients c)
+    {
+        float weight = c.Sag(c.Gravity * c.Substep);
+        float* sags = _sags;
+        float* rates = _rate;
+        int* firstSlot = islands.FirstSlot;
+        float fastest = Math.Min(1f, c.Substep / ShortestTime);
+
+        // Single bodies and low stacks have the shortest time of all: to know that takes no quotient.
+        float shortSag = NearlyAll * ShortSquare * c.Gravity;
+        float shortLoad = NearlyAll * ShortestTime / (LoadFactor * c.Substep) * weight;
+        bool same = true;
+        int slot = firstSlot[0];
+        for (int i = 0; i < islands.Count; i++)
+        {
+            float sag = 0;
+            float largest = 0;
+            for (int end = firstSlot[i + 1]; slot < end; slot++)
+            {
+                sag += sags[slot];
+                largest = Math.Max(largest, sags[slot]);
+            }
+
+            if (sag < shortSag && largest < shortLoad)
+            {
+                rates[i] = fastest;
+            }
+            else
+            {
+                rates[i] = Math.Min(1f, c.Substep / TimeOf(sag, largest / weight, c));
+            }
+
+            same &= rates[i] == rates[0];
+        }
+
+        return same;
+    }
+
+    /// <summary>The time constant of an island, s.</summary>
+    private static float TimeOf(float sag, float weights, in ContactCoefficients c) =>
+        c.Gravity > 0 ? Math.Max(SlowestTime(sag / c.Gravity), LoadFactor * weights * c.Substep) : LongestTime;
 
     void IStageWork.Run(int worker, int from, int to)
     {
@@ -139,16 +163,9 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         _slots = islands.SlotCount;
         int workers = runner.IsShared(_ranges.Count, LeastBundles) ? runner.Workers : 1;
         _sags = scratch.Take<float>(Math.Max(1, workers * _slots));
-        for (int i = 0; i < workers * _slots; i++)
-        {
-            _sags[i] = 0;
-        }
-
+        new Span<float>(_sags, workers * _slots).Clear();
         _deep.EnsureCapacity(islands.Count);
-        for (int i = 0; i < islands.Count; i++)
-        {
-            _deep[i] = 0;
-        }
+        new Span<float>(_deep.Pointer, islands.Count).Clear();
 
         _coefficients = c;
         _writes = false;
@@ -205,10 +222,16 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         }
     }
 
-    /// <summary>Most bundles are of one island: their columns are written in one go.</summary>
+    /// <summary>Most bundles are of one island, or all islands alike: their columns are written in one go.</summary>
     [MethodImpl(KernelMethod.Optimized)]
     private void WriteRows(ContactBundle* rows, int count)
     {
+        if (_isOneForAll)
+        {
+            WriteAll(rows, count);
+            return;
+        }
+
         float* rates = _rate;
         float* deeps = _deep.Pointer;
         int* ofSlot = _islands.OfSlot;
@@ -236,6 +259,22 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
                 int island = ofSlot[row->Slot[lane]];
                 row->FeedRate[lane] = rates[island];
                 row->Flags[lane] = (row->Flags[lane] & ~ContactBundle.DeepMark) | (deeps[island] > 0 ? ContactBundle.DeepMark : 0);
+            }
+        }
+    }
+
+    /// <summary>None is deep, and all have one rate.</summary>
+    private void WriteAll(ContactBundle* rows, int count)
+    {
+        Wide rate = Wide.Splat(_rate[0]);
+        for (ContactBundle* row = rows; count > 0; count--, row = ContactBundle.Next(row))
+        {
+            ContactBundle.AskAhead(row->FeedRate);
+            ContactBundle.AskAhead(row->Flags);
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+            {
+                rate.Store(row->FeedRate + lane);
+                ContactBundle.Mark(row, lane, ~WideLanes.AllSet, ContactBundle.DeepMark);
             }
         }
     }

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using System.Runtime.ExceptionServices;
 using System.Threading;
 
@@ -198,10 +199,18 @@ internal sealed partial class StageRunner : IDisposable
     /// <param name="work">The phase.</param>
     /// <param name="count">Its items.</param>
     /// <param name="least">Items that are worth being done by another thread.</param>
+    /// <remarks>Who calls it knows which class its work is, so in a step of one thread that is a plain call: looking it up at one place for all took 1.4 % of a step with 20 boxes.</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Run(IStageWork work, int count, int least)
     {
-        int blocks = BlocksOf(count, least);
-        RunBlocks(work, count, blocks, blocks > BlocksAShare * Workers);
+        if (_isOpen)
+        {
+            RunShared(work, count, least);
+        }
+        else if (count > 0)
+        {
+            work.Run(0, 0, count);
+        }
     }
 
     /// <summary>The same where nobody may be there to share it.</summary>
@@ -226,6 +235,12 @@ internal sealed partial class StageRunner : IDisposable
     {
         Call();
         RunBlocks(work, count, Math.Min(count, MostBlocks), isLong: true);
+    }
+
+    private void RunShared(IStageWork work, int count, int least)
+    {
+        int blocks = BlocksOf(count, least);
+        RunBlocks(work, count, blocks, blocks > BlocksAShare * Workers);
     }
 
     /// <param name="work">The phase.</param>
