@@ -69,11 +69,7 @@ public partial class PhysicsSimulator
         _controllers.Remove(controller, nameof(controller));
     }
 
-    private void TakeOut(Spring spring)
-    {
-        spring.Memory.WakeEnds();
-        SpringList.TakeOut(spring);
-    }
+    private static void LetGo(Spring spring) => spring.Memory.LetGo();
 
     private void TakeInControls()
     {

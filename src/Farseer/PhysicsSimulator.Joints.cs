@@ -88,14 +88,13 @@ public partial class PhysicsSimulator
         _jointBodiesChanged = true;
     }
 
-    private void TakeOut(Joint joint)
-    {
-        _jointRelay.Written.Remove(joint);
-        JointList.TakeOut(joint);
-    }
-
     private void LetGo(Joint joint)
     {
+        if (joint.IsUserWritten)
+        {
+            _jointRelay.Written.Remove(joint);
+        }
+
         Detach(joint);
         joint.Link.LetGo();
     }
@@ -117,17 +116,8 @@ public partial class PhysicsSimulator
             }
         }
 
-        int count = _jointsDisposed.Count;
-        for (int i = 0; i < count; i++)
-        {
-            if (ReferenceEquals(_jointsDisposed[i].Simulator, this))
-            {
-                _joints.Drop(_jointsDisposed[i]);
-            }
-        }
-
-        _jointsDisposed.RemoveRange(0, count);
-        count = _jointsChanged.Count;
+        _joints.Drop(_jointsDisposed);
+        int count = _jointsChanged.Count;
         for (int i = 0; i < count; i++)
         {
             (Joint joint, Body taken) = _jointsChanged[i];

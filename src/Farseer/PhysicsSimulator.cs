@@ -49,9 +49,9 @@ public partial class PhysicsSimulator : IDisposable
         JointList = new JointList { Owner = this };
         ControllerList = new ControllerList { Owner = this };
         SpringList = new SpringList { Owner = this };
-        _joints = new ItemQueue<Joint>(this, JointList, TakeIn, TakeOut, LetGo);
-        _controllers = new ItemQueue<Controller>(this, ControllerList, ControllerList.TakeIn, ControllerList.TakeOut);
-        _springs = new ItemQueue<Spring>(this, SpringList, SpringList.TakeIn, TakeOut);
+        _joints = new ItemQueue<Joint>(this, JointList, TakeIn, JointList.TakeOut, () => JointList.Removed is not null, LetGo);
+        _controllers = new ItemQueue<Controller>(this, ControllerList, ControllerList.TakeIn, ControllerList.TakeOut, () => ControllerList.Removed is not null);
+        _springs = new ItemQueue<Spring>(this, SpringList, SpringList.TakeIn, SpringList.TakeOut, () => SpringList.Removed is not null, LetGo);
         InactivityController = new InactivityController(this);
         _controllers.Add(InactivityController, nameof(InactivityController));
         World.Hooks = _relay;

@@ -114,8 +114,15 @@ internal struct JointLink
     /// <summary>Next joint at the same body, times two plus the side (0 A, 1 B); -1 ends the list.</summary>
     public int NextA;
     public int NextB;
+
+    /// <summary>The one before it in the same way; -1 begins the list.</summary>
+    public int PreviousA;
+    public int PreviousB;
     public int Order;
     public JointKind Kind;
+
+    /// <summary>It counts as a tie of its bodies.</summary>
+    public bool Ties;
 }
 
 /// <summary>What a joint did in the last step.</summary>

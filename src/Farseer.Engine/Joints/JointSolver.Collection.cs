@@ -135,6 +135,7 @@ internal sealed unsafe partial class JointSolver
             if (Math.Abs(state.Error) > breakpoint || force > _active[i].Settings.BreakForce)
             {
                 _store.Flags[joint] &= ~JointFlags.Enabled;
+                _store.NoteTie(joint);
                 _store.Changed = true;
                 _broken[BrokenCount++] = joint;
             }

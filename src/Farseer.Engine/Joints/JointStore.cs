@@ -8,6 +8,7 @@ internal sealed class JointStore
     private readonly ColumnSet _set = new ColumnSet();
     private readonly Column<int> _first = new Column<int>();
     private readonly Column<int> _degree = new Column<int>();
+    private readonly Column<int> _ties = new Column<int>();
     private int _bodies;
     private int _order;
 
@@ -49,11 +50,7 @@ internal sealed class JointStore
     /// <summary>First joint of a body, times two plus the side; -1: none.</summary>
     public int First(int body) => body < _bodies ? _first[body] : -1;
 
-    public int Next(int entry)
-    {
-        ref JointLink link = ref Links[entry >> 1];
-        return (entry & 1) == 0 ? link.NextA : link.NextB;
-    }
+    public int Next(int entry) => NextOf(entry);
 
     public Handle Add(JointKind kind, int bodyA, int bodyB, in JointSettings settings, JointFlags flags)
     {
@@ -65,20 +62,12 @@ internal sealed class JointStore
         Flags[joint] = flags | JointFlags.Alive;
         States[joint] = default;
         Ranges[joint] = default;
-        Links[joint] = new JointLink
-        {
-            BodyA = bodyA,
-            BodyB = bodyB,
-            NextA = _first[bodyA],
-            NextB = -1,
-            Order = _order++,
-            Kind = kind,
-        };
-        _first[bodyA] = joint * 2;
-        Links[joint].NextB = _first[bodyB];
-        _first[bodyB] = (joint * 2) + 1;
+        Links[joint] = new JointLink { BodyA = bodyA, BodyB = bodyB, Order = _order++, Kind = kind };
+        Link(bodyA, joint * 2);
+        Link(bodyB, (joint * 2) + 1);
         _degree[bodyA]++;
         _degree[bodyB]++;
+        NoteTie(joint);
         Changed = true;
         return handle;
     }
@@ -92,6 +81,7 @@ internal sealed class JointStore
         _degree[link.BodyA]--;
         _degree[link.BodyB]--;
         Flags[joint] = JointFlags.None;
+        NoteTie(joint);
         Ids.Return(handle);
         Changed = true;
     }
@@ -121,17 +111,19 @@ internal sealed class JointStore
         && !(Settings[joint].Softness > 0);
 
     /// <summary>True if a body has such a joint.</summary>
-    public bool IsTied(int body)
-    {
-        for (int entry = First(body); entry >= 0; entry = Next(entry))
-        {
-            if (IsTie(entry >> 1))
-            {
-                return true;
-            }
-        }
+    public bool IsTied(int body) => body < _bodies && _ties[body] > 0;
 
-        return false;
+    /// <summary>The flags or settings of a joint have changed: whether it ties its bodies is found out anew.</summary>
+    public void NoteTie(int joint)
+    {
+        ref JointLink link = ref Links[joint];
+        bool ties = IsTie(joint);
+        if (ties != link.Ties)
+        {
+            link.Ties = ties;
+            _ties[link.BodyA] += ties ? 1 : -1;
+            _ties[link.BodyB] += ties ? 1 : -1;
+        }
     }
 
     /// <summary>The other body of an entry of a body's list.</summary>
@@ -141,35 +133,58 @@ internal sealed class JointStore
     {
         _first.EnsureCapacity(end);
         _degree.EnsureCapacity(end);
+        _ties.EnsureCapacity(end);
         for (; _bodies < end; _bodies++)
         {
             _first[_bodies] = -1;
             _degree[_bodies] = 0;
+            _ties[_bodies] = 0;
         }
     }
 
+    /// <summary>An entry becomes the first of a body's list.</summary>
+    private void Link(int body, int entry)
+    {
+        int next = _first[body];
+        NextOf(entry) = next;
+        PreviousOf(entry) = -1;
+        if (next >= 0)
+        {
+            PreviousOf(next) = entry;
+        }
+
+        _first[body] = entry;
+    }
+
+    /// <summary>Both ways: the frame of the world has an entry of each joint with a fixed point, and those before one would be walked over.</summary>
     private void Unlink(int body, int entry)
     {
-        int next = Next(entry);
-        if (_first[body] == entry)
+        int next = NextOf(entry);
+        int previous = PreviousOf(entry);
+        if (previous < 0)
         {
             _first[body] = next;
-            return;
-        }
-
-        int at = _first[body];
-        while (Next(at) != entry)
-        {
-            at = Next(at);
-        }
-
-        if ((at & 1) == 0)
-        {
-            Links[at >> 1].NextA = next;
         }
         else
         {
-            Links[at >> 1].NextB = next;
+            NextOf(previous) = next;
         }
+
+        if (next >= 0)
+        {
+            PreviousOf(next) = previous;
+        }
+    }
+
+    private ref int NextOf(int entry)
+    {
+        ref JointLink link = ref Links[entry >> 1];
+        return ref (entry & 1) == 0 ? ref link.NextA : ref link.NextB;
+    }
+
+    private ref int PreviousOf(int entry)
+    {
+        ref JointLink link = ref Links[entry >> 1];
+        return ref (entry & 1) == 0 ? ref link.PreviousA : ref link.PreviousB;
     }
 }

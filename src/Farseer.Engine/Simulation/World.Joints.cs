@@ -87,6 +87,7 @@ internal sealed partial class World
         Joints.Settings[joint.Index] = settings;
         Joints.Flags[joint.Index] = flags | JointFlags.Alive;
         Joints.NoteEdit();
+        Joints.NoteTie(joint.Index);
         NoteTies(Joints.Links[joint.Index].BodyA);
         NoteTies(Joints.Links[joint.Index].BodyB);
         if (((before ^ flags) & JointFlags.Enabled) != 0)

@@ -13,7 +13,8 @@ internal sealed class ItemQueue<T>
     private readonly PhysicsSimulator _owner;
     private readonly List<T> _list;
     private readonly Action<T> _takeIn;
-    private readonly Action<T> _takeOut;
+    private readonly Action<T> _unlist;
+    private readonly Func<bool> _isHeard;
     private readonly Action<T>? _letGo;
     private readonly List<T> _in = new List<T>();
     private readonly List<T> _out = new List<T>();
@@ -21,14 +22,16 @@ internal sealed class ItemQueue<T>
     /// <param name="owner">The simulator.</param>
     /// <param name="list">Its list of the items, the users' view.</param>
     /// <param name="takeIn">Adds to the list and tells of it.</param>
-    /// <param name="takeOut">Removes from the list and tells of it.</param>
+    /// <param name="unlist">Removes from the list and tells of it.</param>
+    /// <param name="isHeard">Whether somebody is told of what leaves the list.</param>
     /// <param name="letGo">Frees what the item holds, while it still belongs to the simulator; or null.</param>
-    public ItemQueue(PhysicsSimulator owner, List<T> list, Action<T> takeIn, Action<T> takeOut, Action<T>? letGo = null)
+    public ItemQueue(PhysicsSimulator owner, List<T> list, Action<T> takeIn, Action<T> unlist, Func<bool> isHeard, Action<T>? letGo = null)
     {
         _owner = owner;
         _list = list;
         _takeIn = takeIn;
-        _takeOut = takeOut;
+        _unlist = unlist;
+        _isHeard = isHeard;
         _letGo = letGo;
     }
 
@@ -105,23 +108,35 @@ internal sealed class ItemQueue<T>
     }
 
     /// <summary>Takes out what waited when the update began.</summary>
-    public void TakeOut()
+    public void TakeOut() => Drop(_out);
+
+    /// <summary>Lets those go that are to leave or are disposed, of items that are in the list or wait; tells of those that were in the list.</summary>
+    /// <param name="leaving">The items, removed from here as well. What handlers add to it stays.</param>
+    public void Drop(List<T> leaving)
     {
-        int count = _out.Count;
+        int count = leaving.Count;
+        bool unlist = _isHeard() || !ListRoom.AreMany(count);
         for (int i = 0; i < count; i++)
         {
-            if (_out[i].Membership == Membership.RemoveQueued)
+            T item = leaving[i];
+            if (ReferenceEquals(item.Simulator, _owner) && (item.Membership == Membership.RemoveQueued || item.IsDisposed))
             {
-                Drop(_out[i]);
+                Drop(item, unlist);
             }
         }
 
-        _out.RemoveRange(0, count);
+        leaving.RemoveRange(0, count);
+        if (!unlist)
+        {
+            UnlistAll();
+        }
     }
 
     /// <summary>Lets every item check what it needs, and sweeps out those that are disposed.</summary>
     public void Sweep(EventRelay relay)
     {
+        bool unlist = _isHeard();
+        bool any = false;
         for (int i = 0; i < _list.Count; i++)
         {
             T item = _list[i];
@@ -139,9 +154,15 @@ internal sealed class ItemQueue<T>
 
             if (item.IsDisposed && i < _list.Count && ReferenceEquals(_list[i], item))
             {
-                Drop(item);
-                i--;
+                any = true;
+                Drop(item, unlist);
+                i -= unlist ? 1 : 0;
             }
+        }
+
+        if (any && !unlist)
+        {
+            UnlistAll();
         }
     }
 
@@ -152,16 +173,18 @@ internal sealed class ItemQueue<T>
         Forget(_list);
     }
 
-    /// <summary>Lets an item go that is in the list or waits; tells of it if it was in the list.</summary>
-    public void Drop(T item)
+    private void Drop(T item, bool unlist)
     {
-        bool isIn = item.Membership != Membership.AddQueued;
+        unlist &= item.Membership != Membership.AddQueued;
         Forget(item);
-        if (isIn)
+        if (unlist)
         {
-            _takeOut(item);
+            _unlist(item);
         }
     }
+
+    /// <summary>Removes what has been let go in one walk over the list.</summary>
+    private void UnlistAll() => _list.RemoveAll(static item => item.Membership == Membership.None);
 
     private void Forget(T item)
     {

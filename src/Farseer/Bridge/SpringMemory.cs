@@ -22,6 +22,14 @@ internal sealed class SpringMemory
         world.ApplySpring(def);
     }
 
+    /// <summary>The spring leaves: what it held wakes, and wakes again if it comes back.</summary>
+    public void LetGo()
+    {
+        WakeEnds();
+        _world = null;
+        _def = default;
+    }
+
     public void WakeEnds()
     {
         if (_world is { AsleepCount: > 0 } world)

@@ -6,6 +6,8 @@ using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Joints;
+using FarseerGames.FarseerPhysics.Dynamics.Springs;
 using FarseerGames.FarseerPhysics.Factories;
 using Xunit;
 
@@ -161,6 +163,110 @@ public class MembershipTests
         // Some 0.05 s. One after the other, each looked for from the start, they took over 10 s.
         Assert.InRange(clock.Elapsed.TotalSeconds, 0, 5);
         Assert.Equal([first], simulator.BodyList);
+    }
+
+    [Theory]
+    [InlineData(false, false)]
+    [InlineData(false, true)]
+    [InlineData(true, false)]
+    [InlineData(true, true)]
+    public void Remove_OfManyJointsOrSpringsLastFirst_TakesNoLongerThanTheyAreMany(bool springs, bool disposed)
+    {
+        const int Count = 100_000;
+        var simulator = new PhysicsSimulator();
+        Body body = BodyFactory.Instance.CreateCircleBody(simulator, 1, 1);
+        for (int i = 0; i < Count; i++)
+        {
+            if (springs)
+            {
+                simulator.Add(new FixedLinearSpring(body, Vector2.Zero, Vector2.UnitX, 0, 0));
+            }
+            else
+            {
+                simulator.Add(new FixedAngleJoint(body) { Enabled = false });
+            }
+        }
+
+        simulator.Update(0.01f);
+        object first = springs ? simulator.SpringList[0] : simulator.JointList[0];
+        for (int i = Count - 1; i > 0; i--)
+        {
+            if (springs && disposed)
+            {
+                simulator.SpringList[i].Dispose();
+            }
+            else if (springs)
+            {
+                simulator.Remove(simulator.SpringList[i]);
+            }
+            else if (disposed)
+            {
+                simulator.JointList[i].Dispose();
+            }
+            else
+            {
+                simulator.Remove(simulator.JointList[i]);
+            }
+        }
+
+        var clock = Stopwatch.StartNew();
+        simulator.Update(0.01f);
+
+        // Some 0.05 s. One after the other, each looked for from the start, they took over 5 s.
+        Assert.InRange(clock.Elapsed.TotalSeconds, 0, 2.5);
+        Assert.Equal<object>([first], springs ? simulator.SpringList : simulator.JointList);
+    }
+
+    [Theory]
+    [InlineData(false, false)]
+    [InlineData(false, true)]
+    [InlineData(true, false)]
+    [InlineData(true, true)]
+    public void Remove_OfEveryOtherJoint_LeavesTheOthersInOrder_WhetherSomebodyListensOrNot(bool heard, bool disposed)
+    {
+        var simulator = new PhysicsSimulator();
+        Body body = BodyFactory.Instance.CreateCircleBody(simulator, 1, 1);
+        var joints = new List<FixedAngleJoint>();
+        var told = new List<int>();
+        for (int i = 0; i < 40; i++)
+        {
+            joints.Add(new FixedAngleJoint(body));
+            simulator.Add(joints[i]);
+        }
+
+        simulator.Update(0.01f);
+        if (heard)
+        {
+            simulator.JointList.Removed += joint =>
+            {
+                Assert.DoesNotContain(joint, simulator.JointList);
+                told.Add(joints.IndexOf((FixedAngleJoint)joint));
+            };
+        }
+
+        for (int i = 0; i < 40; i += 2)
+        {
+            if (disposed)
+            {
+                joints[i].Dispose();
+            }
+            else
+            {
+                simulator.Remove(joints[i]);
+            }
+        }
+
+        simulator.Update(0.01f);
+        Assert.Equal(joints.Where((_, i) => i % 2 == 1), simulator.JointList);
+        Assert.Equal(heard ? Enumerable.Range(0, 20).Select(i => 2 * i) : [], told);
+
+        // What left can come back, and leave again.
+        if (!disposed)
+        {
+            simulator.Add(joints[0]);
+            simulator.Update(0.01f);
+            Assert.Same(joints[0], simulator.JointList[20]);
+        }
     }
 
     [Theory]

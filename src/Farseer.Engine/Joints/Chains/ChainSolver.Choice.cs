@@ -38,6 +38,7 @@ internal sealed unsafe partial class ChainSolver
             }
         }
 
+        MakeRoom();
         int numbers = 0;
         int places = 0;
         for (int i = 0; i < forest.TreeCount; i++)
@@ -236,12 +237,38 @@ internal sealed unsafe partial class ChainSolver
 
     private static int RoomOf(int bodies) => ((Lead + ((int)ChainColumn.Count * StrideOf(bodies))) | (Lead - 1)) + 1;
 
+    /// <summary>For all chains at once: grown chain by chain, the columns of many pendulums would be moved dozens of times.</summary>
+    private void MakeRoom()
+    {
+        int numbers = 0;
+        int places = 0;
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            if (_forest.Trees[i].IsChain)
+            {
+                int bodies = BodiesOf(_forest.Trees + i);
+                numbers += RoomOf(bodies);
+                places += PlacesOf(bodies);
+            }
+        }
+
+        _numbers.EnsureCapacity(numbers);
+        _places.EnsureCapacity(places);
+    }
+
+    private static int FrontOf(JointTree* tree) => tree->AnchorEnd - tree->AnchorFirst > 1 ? 1 : 0;
+
+    /// <summary>Of a chain, with what cannot move before its first body.</summary>
+    private static int BodiesOf(JointTree* tree) => tree->End - tree->First + FrontOf(tree);
+
+    private static int PlacesOf(int bodies) => bodies + 1;
+
     private void SetUp(Chain* chain, int index, ref int numbers, ref int places)
     {
         JointTree* tree = _forest.Trees + index;
         int anchors = tree->AnchorEnd - tree->AnchorFirst;
-        int front = anchors > 1 ? 1 : 0;
-        int bodies = tree->End - tree->First + front;
+        int front = FrontOf(tree);
+        int bodies = BodiesOf(tree);
         *chain = default;
         chain->Tree = index;
         chain->Front = front;
@@ -252,9 +279,7 @@ internal sealed unsafe partial class ChainSolver
         chain->First = numbers + Lead;
         chain->PlaceFirst = places;
         numbers += RoomOf(bodies);
-        places += bodies + 1;
-        _numbers.EnsureCapacity(numbers);
-        _places.EnsureCapacity(places);
+        places += PlacesOf(bodies);
         ClearNumbers(chain);
         SetPlaces(chain, tree);
     }
