@@ -30,6 +30,7 @@ public static class SceneLibrary
         new CirclePile(),
         new Projectiles(),
         new LinearAndAngularSprings(),
+        new WeighingPan(),
         new FixedJoints(),
         new DynamicAngleJoints(),
         new GearTrain(),

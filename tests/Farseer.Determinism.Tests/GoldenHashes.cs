@@ -18,7 +18,7 @@ internal static class GoldenHashes
 
     public static IReadOnlyList<string> Scenes { get; } =
     [
-        "dominoes", "gears", "circle-pile", "falling-stack", "chain-terrain", "springs", "joint-kinds", "force-kinds",
+        "dominoes", "gears", "circle-pile", "falling-stack", "chain-terrain", "springs", "joint-kinds", "force-kinds", "weighing-pan",
     ];
 
     public static IReadOnlyList<string> Read() => [.. File.ReadAllLines(_file).Where(l => l.Length > 0 && l[0] != '#')];

@@ -14,6 +14,12 @@ internal sealed class BodyColors
     /// <summary>Colours of rows between two bodies that can move.</summary>
     public const int Dynamic = 40;
 
+    /// <summary>
+    /// The first of the last of these, which are for rows of a body that outweighs the other by far: it may have many rows of one of them, the light one has one. A drum with a
+    /// hundred contacts had thirty colours of one row, and for the others none.
+    /// </summary>
+    public const int FirstShared = 36;
+
     /// <summary>All colours but the overflows; bits of the masks.</summary>
     public const int Masked = 63;
 
@@ -28,6 +34,10 @@ internal sealed class BodyColors
     /// <summary>Colours among which a new row draws.</summary>
     public const int Drawn = 8;
 
+    /// <summary>In a mask: the colours that are shared, and whether the body is the heavy one of a row of them. Who is that is not the light one of another.</summary>
+    private const ulong SharedColors = (1UL << Dynamic) - (1UL << FirstShared);
+    private const ulong IsHeavy = 1UL << Masked;
+
     private readonly Column<ulong> _masks = new Column<ulong>();
 
     /// <summary>The colours in the order of solving: moving pairs, their overflow, ground pairs, their overflow.</summary>
@@ -37,6 +47,9 @@ internal sealed class BodyColors
 
     /// <summary>One body of each row of the colour cannot move, and several rows may share it.</summary>
     public static bool IsGrounded(int color) => color >= Dynamic && color != DynamicOverflow;
+
+    /// <summary>Rows of the colour may share the heavier of their bodies.</summary>
+    public static bool IsShared(int color) => color is >= FirstShared and < Dynamic;
 
     public void EnsureBodies(int capacity) => _masks.EnsureCapacity(capacity);
 
@@ -55,6 +68,28 @@ internal sealed class BodyColors
 
         return LowestClear(movesA ? _masks[a] : _masks[b], Dynamic, Masked, StaticOverflow);
     }
+
+    /// <summary>A shared colour for a row of two bodies that can move.</summary>
+    /// <param name="light">The body that has no other row of it.</param>
+    /// <param name="heavy">The one that may, and is not to be marked with it.</param>
+    /// <returns>The colour, or -1: there is none.</returns>
+    public int ChooseShared(int light, int heavy)
+    {
+        if ((_masks[light] & IsHeavy) != 0 || (_masks[heavy] & SharedColors) != 0)
+        {
+            return -1;
+        }
+
+        int color = LowestClear(_masks[light], FirstShared, Dynamic, -1);
+        _masks[heavy] |= color >= 0 ? IsHeavy : 0;
+        return color;
+    }
+
+    /// <summary>A body is marked with a colour.</summary>
+    public bool Has(int body, int color) => (_masks[body] & (1UL << color)) != 0;
+
+    /// <summary>A body has no rows any more.</summary>
+    public void Clear(int body) => _masks[body] = 0;
 
     public void Mark(int body, int color, bool moves)
     {
@@ -88,7 +123,7 @@ internal sealed class BodyColors
             }
         }
 
-        return LowestClear(mask, Drawn, Dynamic, DynamicOverflow);
+        return LowestClear(mask, Drawn, FirstShared, DynamicOverflow);
     }
 
     private static int LowestClear(ulong mask, int from, int to, int overflow)

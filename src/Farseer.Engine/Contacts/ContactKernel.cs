@@ -40,7 +40,8 @@ internal static unsafe class ContactKernel
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
-                ApplyStart<TScatter, TPoints>(row, lane, bodies, c, fall, ref a, ref b);
+                ApplyStart<TPoints>(row, lane, c, fall, ref a, ref b);
+                StoreVelocities<TScatter>(row, lane, bodies, a, b);
             }
         }
     }
@@ -70,16 +71,16 @@ internal static unsafe class ContactKernel
                 for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
                 {
                     ContactStages.Take(work + i, lane, out WideVelocity a, out WideVelocity b);
-                    ApplyStart<TScatter, TPoints>(row, lane, bodies, c, fall, ref a, ref b);
+                    ApplyStart<TPoints>(row, lane, c, fall, ref a, ref b);
+                    StoreVelocities<TScatter>(row, lane, bodies, a, b);
                 }
             }
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void ApplyStart<TScatter, TPoints>(
-        ContactBundle* row, int lane, BodyState* bodies, in ContactCoefficients c, Wide fall, ref WideVelocity a, ref WideVelocity b)
-        where TScatter : struct, IVelocityScatter
+    internal static void ApplyStart<TPoints>(
+        ContactBundle* row, int lane, in ContactCoefficients c, Wide fall, ref WideVelocity a, ref WideVelocity b)
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
@@ -96,7 +97,6 @@ internal static unsafe class ContactKernel
 
         ApplyNormal(row, lane, ref a, ref b, normal0, normal1, two);
         ApplyTangent(row, lane, ref a, ref b, tangent0, tangent1, two);
-        StoreVelocities<TScatter>(row, lane, bodies, a, b);
     }
 
     /// <summary>

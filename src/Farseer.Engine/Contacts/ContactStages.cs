@@ -372,14 +372,7 @@ internal static unsafe class ContactStages
         {
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
-                Take(work, lane, out WideVelocity a, out WideVelocity b);
-                Wide rub1 = two ? Wide.Load(work->Value1 + lane) : Wide.Zero;
-                ContactKernel.ApplyTangent(row, lane, ref a, ref b, Wide.Load(work->Value0 + lane), rub1, two);
-                if ((blows & ContactWork.Bit(i, lane)) != 0)
-                {
-                    AddBlow(work, lane, ref a, ref b);
-                }
-
+                TakeRubbed(row, lane, work, (blows & ContactWork.Bit(i, lane)) != 0, out WideVelocity a, out WideVelocity b, two);
                 ContactKernel.StoreVelocities<TScatter>(row, lane, bodies, a, b);
             }
         }
@@ -454,7 +447,7 @@ internal static unsafe class ContactStages
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Keep(ContactWork* work, int lane, in WideVelocity a, in WideVelocity b)
+    internal static void Keep(ContactWork* work, int lane, in WideVelocity a, in WideVelocity b)
     {
         a.X.Store(work->VelocityAX + lane);
         a.Y.Store(work->VelocityAY + lane);
@@ -476,12 +469,25 @@ internal static unsafe class ContactStages
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void TakePushed(
+    internal static void TakePushed(
         ContactBundle* row, int lane, ContactWork* work, bool isBlow, out WideVelocity a, out WideVelocity b, bool two)
     {
         Take(work, lane, out a, out b);
         Wide push1 = two ? Wide.Load(work->Value1 + lane) : Wide.Zero;
         ContactKernel.ApplyNormal(row, lane, ref a, ref b, Wide.Load(work->Value0 + lane), push1, two);
+        if (isBlow)
+        {
+            AddBlow(work, lane, ref a, ref b);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void TakeRubbed(
+        ContactBundle* row, int lane, ContactWork* work, bool isBlow, out WideVelocity a, out WideVelocity b, bool two)
+    {
+        Take(work, lane, out a, out b);
+        Wide rub1 = two ? Wide.Load(work->Value1 + lane) : Wide.Zero;
+        ContactKernel.ApplyTangent(row, lane, ref a, ref b, Wide.Load(work->Value0 + lane), rub1, two);
         if (isBlow)
         {
             AddBlow(work, lane, ref a, ref b);

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Farseer.Engine.Bodies;
 using Farseer.Engine.Constraints;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Storage;
@@ -33,6 +34,13 @@ internal sealed unsafe class ConstraintGraph
     /// </summary>
     private const int FirstRows = 2;
 
+    /// <summary>
+    /// What a body at least answers an impulse with, in units of what a heavy one answers it with: eight rows side by side on that one then find it wrong by a ninth at most.
+    /// A drum or a rotor answers with thousandths.
+    /// </summary>
+    private const float HeavyRatio = 64f;
+    private const int NoBody = -1;
+
     private readonly Column<GraphChange> _changes = new Column<GraphChange>();
     private readonly BodyColors _bodies = new BodyColors();
     private readonly RowArena _arena = new RowArena();
@@ -48,6 +56,8 @@ internal sealed unsafe class ConstraintGraph
     private int _usedCount;
     private bool _usedChanged;
     private bool _isSmall;
+    private BodyStore? _store;
+    private int _sharedRows;
 
     public ConstraintGraph()
     {
@@ -115,6 +125,9 @@ internal sealed unsafe class ConstraintGraph
         Groups.EnsureBodies(capacity);
     }
 
+    /// <summary>Says where the masses are; before, none outweighs another.</summary>
+    public void Weigh(BodyStore bodies) => _store = bodies;
+
     /// <summary>Says how many pairs the world has.</summary>
     public void NotePairs(int count) => _isSmall = count <= FewPairs;
 
@@ -124,6 +137,7 @@ internal sealed unsafe class ConstraintGraph
     public void Add(int contact, ref ContactRecord record, bool movesA, bool movesB)
     {
         int color = _bodies.Choose(record.BodyA, record.BodyB, movesA, movesB, _isSmall && RowCount >= FirstRows ? ColorsToFill() : 0);
+        int heavy = movesA && movesB && color >= BodyColors.Drawn ? TryShare(record, ref color) : NoBody;
         int group = Groups.Choose(record.BodyA, record.BodyB, movesA, movesB, _degree[record.BodyA], _degree[record.BodyB]);
         GraphColor rows = _colors[group][color];
         _usedChanged |= rows.RowCount == 0;
@@ -132,8 +146,8 @@ internal sealed unsafe class ConstraintGraph
         record.Color = (sbyte)color;
         record.Group = (byte)group;
         record.Row = row;
-        Mark(record.BodyA, color, movesA);
-        Mark(record.BodyB, color, movesB);
+        Mark(record.BodyA, color, movesA && record.BodyA != heavy);
+        Mark(record.BodyB, color, movesB && record.BodyB != heavy);
         RowCount++;
         NewRows++;
         Note(record, contact);
@@ -148,6 +162,7 @@ internal sealed unsafe class ConstraintGraph
         record.Color = -1;
         record.Group = 0;
         RowCount--;
+        _sharedRows -= BodyColors.IsShared(color) ? 1 : 0;
         Note(record, GraphChange.Gone);
     }
 
@@ -201,6 +216,40 @@ internal sealed unsafe class ConstraintGraph
         _usedChanged = true;
     }
 
+    /// <summary>
+    /// Gives rows that may no longer be solved side by side a colour of their own: those that bounce, whose impacts have an order, and those of bodies whose masses are others now.
+    /// </summary>
+    public void RecallShared(Column<ContactRecord> records)
+    {
+        if (_sharedRows == 0)
+        {
+            return;
+        }
+
+        _moving.Clear();
+        for (int color = BodyColors.FirstShared; color < BodyColors.Dynamic; color++)
+        {
+            for (int i = 0; i < _colors.Count; i++)
+            {
+                foreach (ContactBundle* bundle in _colors[i][color].Bundles)
+                {
+                    for (int lane = 0; lane < ContactBundle.Lanes && bundle->Contact[lane] >= 0; lane++)
+                    {
+                        if (bundle->Restitution[lane] != 0 || !IsStillHeavy(bundle->BodyA[lane], bundle->BodyB[lane], color))
+                        {
+                            _moving.Add(bundle->Contact[lane]);
+                        }
+                    }
+                }
+            }
+        }
+
+        for (int i = 0; i < _moving.Count; i++)
+        {
+            Recall(ref records[_moving[i]], records);
+        }
+    }
+
     /// <summary>Lets two rows of a colour change places.</summary>
     public void Exchange(int row, int other, Column<ContactRecord> records)
     {
@@ -247,6 +296,56 @@ internal sealed unsafe class ConstraintGraph
     {
         Changed = false;
         ChangeCount = 0;
+    }
+
+    /// <summary>Gives a row whose bodies can both move a shared colour if one of them is heavy enough.</summary>
+    /// <returns>That one.</returns>
+    private int TryShare(in ContactRecord record, ref int color)
+    {
+        int heavy = Heavier(record.BodyA, record.BodyB);
+        int shared = heavy == NoBody ? -1 : _bodies.ChooseShared(heavy == record.BodyA ? record.BodyB : record.BodyA, heavy);
+        if (shared < 0)
+        {
+            return NoBody;
+        }
+
+        color = shared;
+        _sharedRows++;
+        return heavy;
+    }
+
+    /// <summary>The body that outweighs the other by far, whatever part of it is met.</summary>
+    private int Heavier(int a, int b) => _store == null ? NoBody : Outweighs(_store, a, b) ? a : Outweighs(_store, b, a) ? b : NoBody;
+
+    /// <summary>The one that is heavy now is so since the row came: the other has its colour.</summary>
+    private bool IsStillHeavy(int a, int b, int color)
+    {
+        int heavy = Heavier(a, b);
+        return heavy != NoBody && !_bodies.Has(heavy, color);
+    }
+
+    private static bool Outweighs(BodyStore bodies, int heavy, int light)
+    {
+        float reach = bodies.Size[heavy].Reach;
+        float answer = bodies.Mass[heavy].InverseMass + (bodies.Mass[heavy].InverseInertia * reach * reach);
+        return HeavyRatio * answer <= bodies.Mass[light].InverseMass;
+    }
+
+    private void Recall(ref ContactRecord record, Column<ContactRecord> records)
+    {
+        int shared = record.Color;
+        _bodies.Unmark(record.BodyA, shared);
+        _bodies.Unmark(record.BodyB, shared);
+        int color = _bodies.Choose(record.BodyA, record.BodyB, movesA: true, movesB: true);
+        _bodies.Mark(record.BodyA, color, moves: true);
+        _bodies.Mark(record.BodyB, color, moves: true);
+        int row = _colors[record.Group][color].AddRow();
+        Move(record.Row, row);
+        TakeOut(_colors[record.Group][shared], record.Row, records);
+        record.Color = (sbyte)color;
+        record.Row = row;
+        _usedChanged = true;
+        _sharedRows--;
     }
 
     /// <summary>The colours that a row can join without another bundle.</summary>
@@ -315,7 +414,7 @@ internal sealed unsafe class ConstraintGraph
         for (int i = 0; i < ColorCount; i++)
         {
             int color = BodyColors.InOrder(i);
-            colors[color] = new GraphColor(_arena, color >= BodyColors.Masked, BodyColors.IsGrounded(color), i, group);
+            colors[color] = new GraphColor(_arena, color >= BodyColors.Masked, BodyColors.IsGrounded(color), i, group, BodyColors.IsShared(color));
         }
 
         colors[Dormant] = new GraphColor(_arena);
@@ -382,6 +481,7 @@ internal sealed unsafe class ConstraintGraph
         if (--_degree[body] == 0)
         {
             Groups.Put(body, 0);
+            _bodies.Clear(body);
         }
     }
 }

@@ -19,17 +19,22 @@ internal sealed unsafe class GraphColor
     /// <param name="grounded">True for a colour of contacts with the ground.</param>
     /// <param name="place">Its place in the order of solving.</param>
     /// <param name="group">The group that its rows are of.</param>
-    public GraphColor(RowArena arena, bool sequential = false, bool grounded = false, int place = -1, int group = 0)
+    /// <param name="shared">True for a colour whose rows may share the heavier of their bodies.</param>
+    public GraphColor(RowArena arena, bool sequential = false, bool grounded = false, int place = -1, int group = 0, bool shared = false)
     {
         _arena = arena;
         _lanesUsed = sequential ? 1 : WideLanes.BundleLanes;
         IsGrounded = grounded;
+        IsShared = shared;
         Place = place;
         Group = group;
     }
 
     /// <summary>One body of each contact does not move, and several contacts may share it.</summary>
     public bool IsGrounded { get; }
+
+    /// <summary>Its contacts may have the heavier of their bodies in common, and are solved a bundle at a time: see <see cref="SharedKernel"/>.</summary>
+    public bool IsShared { get; }
 
     /// <summary>Its place in the order of solving, which the same colour of another group shares; -1: none.</summary>
     public int Place { get; }
@@ -41,6 +46,9 @@ internal sealed unsafe class GraphColor
 
     /// <summary>Its contacts may share bodies and are solved one after the other.</summary>
     public bool IsSequential => _lanesUsed == 1;
+
+    /// <summary>Contacts of it may have a body that moves in common: one worker does all of them, in their order.</summary>
+    public bool HasOrder => IsSequential || IsShared;
 
     /// <summary>Bundles that have rows: asked for in every pass, so it is counted along.</summary>
     public int BundleCount { get; private set; }

@@ -11,7 +11,7 @@ namespace Farseer.Engine.Graph;
 /// touches a body, the other worker had touched it last in 13,600 cases; in the order of bodies in 880.
 /// </summary>
 /// <remarks>
-/// Passes come to the same bits in any order, since rows of a colour share no body; those that may, of the overflow, stay as they are. Bounces and fast pairs
+/// Passes come to the same bits in any order, since rows of a colour share no body; those that may, of heavy bodies and of the overflow, stay as they are. Bounces and fast pairs
 /// are taken in the order of the rows, so where there are such a run is another one than without, but the same for any number of workers.
 /// </remarks>
 internal sealed unsafe class RowOrder : IStageWork
@@ -78,7 +78,7 @@ internal sealed unsafe class RowOrder : IStageWork
         ReadOnlySpan<GraphColor> colors = _graph.Used;
         for (int i = from; i < to; i++)
         {
-            if (!colors[i].IsSequential)
+            if (!colors[i].HasOrder)
             {
                 Sort(colors[i], _contactOf + (worker * _bodyEnd), _rows + _firstRow[i]);
             }

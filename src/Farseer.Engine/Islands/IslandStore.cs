@@ -90,9 +90,9 @@ internal sealed unsafe partial class IslandStore : IStageWork
         _part = Part.List;
         foreach (GraphColor color in graph.Used)
         {
-            // Rows at the ground may share it, and those of the overflow any body.
+            // Rows at the ground may share it, those of a heavy body may share that, and those of the overflow any body.
             _color = color;
-            runner.Run(this, color.BundleCount, color.IsGrounded || color.IsSequential ? int.MaxValue : LeastBundles);
+            runner.Run(this, color.BundleCount, color.IsGrounded || color.HasOrder ? int.MaxValue : LeastBundles);
         }
 
         _part = Part.Search;

@@ -64,6 +64,7 @@ internal sealed partial class World
 
         Profile.End(StepStage.Forces);
 
+        _graph.RecallShared(_contacts.Records);
         Solve(dt, anyDeep, contacts.Coefficients);
         _contactStage.Lone.PutBack(_contacts, _graph);
         Profile.End(StepStage.Solve);

@@ -49,6 +49,7 @@ internal sealed partial class World
         // Body 0 is the dummy that empty lanes point at; it never moves and has no mass.
         Bodies.Ids.Take();
         EnsureBodies(1);
+        _graph.Weigh(Bodies);
         Bodies.State[0] = new BodyState { DeltaCos = 1 };
         Bodies.Pose[0] = new BodyPose { Cos = 1 };
         Bodies.Drive[0].Keep(1, 1);

@@ -8,7 +8,7 @@ namespace Farseer.Engine.Solver;
 
 /// <summary>
 /// The passes over the contact rows, colour by colour: the rows of one colour share no body that moves, so they are cut into ranges for
-/// the workers. Rows of the overflow may share bodies and are done by one.
+/// the workers. Rows of a heavy body and of the overflow may share bodies and are done by one.
 /// </summary>
 internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
 {
@@ -96,7 +96,14 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         for (int i = _firstRun[color]; i < _firstRun[color + 1]; i++)
         {
             ref readonly KnownRun run = ref _runs[i];
-            Run(run.Rows, run.IsGrounded, run.HasOnePoint);
+            if (run.IsShared)
+            {
+                SharedKernel.Run(_pass, run.Rows);
+            }
+            else
+            {
+                Run(run.Rows, run.IsGrounded, run.HasOnePoint);
+            }
         }
     }
 
@@ -152,7 +159,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         for (int i = 0; i < colors.Length; i++)
         {
             GraphColor color = colors[i];
-            if (color.IsSequential || color.BundleCount <= MostShort)
+            if (color.HasOrder || color.BundleCount <= MostShort)
             {
                 RunWhole(i);
                 continue;
@@ -189,6 +196,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
                     Rows = new BundleRun(runs.Bundles, runs.Count, runs.Following, far, color.IsSequential),
                     IsGrounded = color.IsGrounded,
                     HasOnePoint = OnePoint.Are(runs.Bundles, runs.Count),
+                    IsShared = color.IsShared,
                 };
             }
         }
@@ -214,7 +222,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         for (int i = 0; i < colors.Length; i++)
         {
             GraphColor color = colors[i];
-            int blocks = color.IsSequential ? 1 : _runner.BlocksOf(RecordsOf(color), LeastRecords);
+            int blocks = color.HasOrder ? 1 : _runner.BlocksOf(RecordsOf(color), LeastRecords);
             any |= blocks > 1;
             if (blocks > 1 || !alone)
             {
@@ -242,5 +250,6 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         public BundleRun Rows;
         public bool IsGrounded;
         public bool HasOnePoint;
+        public bool IsShared;
     }
 }

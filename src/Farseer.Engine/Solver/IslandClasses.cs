@@ -437,7 +437,7 @@ internal sealed unsafe partial class IslandClasses
 
     /// <summary>The class's own copy of a colour, empty.</summary>
     private GraphColor Take(int index, GraphColor source) =>
-        _pool[index][source.Place] ??= new GraphColor(_graph.Arena, source.IsSequential, source.IsGrounded, source.Place);
+        _pool[index][source.Place] ??= new GraphColor(_graph.Arena, source.IsSequential, source.IsGrounded, source.Place, shared: source.IsShared);
 
     private struct Loan
     {
