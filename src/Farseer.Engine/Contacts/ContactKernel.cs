@@ -70,7 +70,7 @@ internal static unsafe class ContactKernel
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
                 {
-                    ContactStages.Take(work + i, lane, out WideVelocity a, out WideVelocity b);
+                    ContactWork.Take(work + i, lane, out WideVelocity a, out WideVelocity b);
                     ApplyStart<TPoints>(row, lane, c, fall, ref a, ref b);
                     StoreVelocities<TScatter>(row, lane, bodies, a, b);
                 }

@@ -337,7 +337,7 @@ internal static unsafe class ContactStages
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 TakePushed(row, lane, work, (blows & ContactWork.Bit(i, lane)) != 0, out WideVelocity a, out WideVelocity b, two);
-                Keep(work, lane, a, b);
+                ContactWork.Keep(work, lane, a, b);
                 Wide slip = ContactKernel.Slip(row, lane, a, b);
                 Wide armA0 = Wide.Load(work->ArmA0 + lane);
                 Wide armB0 = Wide.Load(work->ArmB0 + lane);
@@ -435,7 +435,7 @@ internal static unsafe class ContactStages
     {
         if (MatrixTurn.IsUsed)
         {
-            Take(work, lane, out a, out b);
+            ContactWork.Take(work, lane, out a, out b);
             movedA = Delta(moved->AX + lane);
             movedB = Delta(moved->BX + lane);
             return;
@@ -443,36 +443,14 @@ internal static unsafe class ContactStages
 
         BodyLanes.GatherState(bodies, row->BodyA + lane, out a, out movedA);
         BodyLanes.GatherState(bodies, row->BodyB + lane, out b, out movedB);
-        Keep(work, lane, a, b);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void Keep(ContactWork* work, int lane, in WideVelocity a, in WideVelocity b)
-    {
-        a.X.Store(work->VelocityAX + lane);
-        a.Y.Store(work->VelocityAY + lane);
-        a.W.Store(work->SpinA + lane);
-        b.X.Store(work->VelocityBX + lane);
-        b.Y.Store(work->VelocityBY + lane);
-        b.W.Store(work->SpinB + lane);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void Take(ContactWork* work, int lane, out WideVelocity a, out WideVelocity b)
-    {
-        a.X = Wide.Load(work->VelocityAX + lane);
-        a.Y = Wide.Load(work->VelocityAY + lane);
-        a.W = Wide.Load(work->SpinA + lane);
-        b.X = Wide.Load(work->VelocityBX + lane);
-        b.Y = Wide.Load(work->VelocityBY + lane);
-        b.W = Wide.Load(work->SpinB + lane);
+        ContactWork.Keep(work, lane, a, b);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void TakePushed(
         ContactBundle* row, int lane, ContactWork* work, bool isBlow, out WideVelocity a, out WideVelocity b, bool two)
     {
-        Take(work, lane, out a, out b);
+        ContactWork.Take(work, lane, out a, out b);
         Wide push1 = two ? Wide.Load(work->Value1 + lane) : Wide.Zero;
         ContactKernel.ApplyNormal(row, lane, ref a, ref b, Wide.Load(work->Value0 + lane), push1, two);
         if (isBlow)
@@ -485,7 +463,7 @@ internal static unsafe class ContactStages
     internal static void TakeRubbed(
         ContactBundle* row, int lane, ContactWork* work, bool isBlow, out WideVelocity a, out WideVelocity b, bool two)
     {
-        Take(work, lane, out a, out b);
+        ContactWork.Take(work, lane, out a, out b);
         Wide rub1 = two ? Wide.Load(work->Value1 + lane) : Wide.Zero;
         ContactKernel.ApplyTangent(row, lane, ref a, ref b, Wide.Load(work->Value0 + lane), rub1, two);
         if (isBlow)

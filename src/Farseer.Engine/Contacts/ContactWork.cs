@@ -1,5 +1,10 @@
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Contacts;
 
@@ -55,6 +60,30 @@ internal unsafe struct ContactWork
 
     /// <summary>The bit of a bundle's lane and of those beside it in a vector.</summary>
     public static ulong Bit(int bundle, int lane) => 1UL << (((bundle * Lanes) + lane) / LeastWidth);
+
+    /// <summary>Puts velocities of both bodies down.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Keep(ContactWork* work, int lane, in WideVelocity a, in WideVelocity b)
+    {
+        a.X.Store(work->VelocityAX + lane);
+        a.Y.Store(work->VelocityAY + lane);
+        a.W.Store(work->SpinA + lane);
+        b.X.Store(work->VelocityBX + lane);
+        b.Y.Store(work->VelocityBY + lane);
+        b.W.Store(work->SpinB + lane);
+    }
+
+    /// <summary>The velocities as they were put down.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Take(ContactWork* work, int lane, out WideVelocity a, out WideVelocity b)
+    {
+        a.X = Wide.Load(work->VelocityAX + lane);
+        a.Y = Wide.Load(work->VelocityAY + lane);
+        a.W = Wide.Load(work->SpinA + lane);
+        b.X = Wide.Load(work->VelocityBX + lane);
+        b.Y = Wide.Load(work->VelocityBY + lane);
+        b.W = Wide.Load(work->SpinB + lane);
+    }
 }
 
 /// <summary>What the bodies of a bundle have moved: used only where <see cref="Numerics.MatrixTurn.IsUsed"/>.</summary>

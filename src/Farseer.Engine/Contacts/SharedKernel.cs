@@ -58,7 +58,7 @@ internal static unsafe class SharedKernel
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
             BodyLanes.GatherVelocities(pass.States, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
-            ContactStages.Keep(ChangesOf(work), lane, a, b);
+            ContactWork.Keep(ChangesOf(work), lane, a, b);
             ContactKernel.ApplyStart<TwoPoints>(row, lane, pass.Coefficients, fall, ref a, ref b);
             KeepChange(ChangesOf(work), lane, a, b);
         }
@@ -124,16 +124,16 @@ internal static unsafe class SharedKernel
     {
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            ContactStages.Take(work, lane, out WideVelocity a, out WideVelocity b);
-            ContactStages.Keep(ChangesOf(work), lane, a, b);
+            ContactWork.Take(work, lane, out WideVelocity a, out WideVelocity b);
+            ContactWork.Keep(ChangesOf(work), lane, a, b);
         }
     }
 
     /// <summary>In place of the velocities before, by how much those now are others.</summary>
     private static void KeepChange(ContactWork* changes, int lane, WideVelocity a, WideVelocity b)
     {
-        ContactStages.Take(changes, lane, out WideVelocity startA, out WideVelocity startB);
-        ContactStages.Keep(changes, lane, Change(startA, a), Change(startB, b));
+        ContactWork.Take(changes, lane, out WideVelocity startA, out WideVelocity startB);
+        ContactWork.Keep(changes, lane, Change(startA, a), Change(startB, b));
     }
 
     private static WideVelocity Change(in WideVelocity from, in WideVelocity to)
