@@ -174,6 +174,12 @@ internal sealed partial class World
         Require(body);
         Disturb(body.Index);
         bool moves = (Bodies.Flags[body.Index] & (BodyFlags.Static | BodyFlags.Kinematic)) == 0;
+        BodyMass before = Bodies.Mass[body.Index];
+        if (_graph.Degree(body.Index) > 0 && (mass < before.Mass || inertia < before.Inertia))
+        {
+            _lightened.Note(body.Index, Math.Min(mass / before.Mass, inertia < before.Inertia ? inertia / before.Inertia : 1));
+        }
+
         Bodies.Mass[body.Index] = new BodyMass
         {
             Mass = mass,

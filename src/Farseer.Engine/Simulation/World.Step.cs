@@ -40,6 +40,7 @@ internal sealed partial class World
         Profile.End(StepStage.BroadPhase);
 
         SortRows();
+        _lightened.ScaleImpulses(_graph, Bodies.Ids.End);
         float substep = dt / _substeps;
         _runner.Call();
         ContactUpdateInput contacts = ContactInput(dt, substep);

@@ -21,6 +21,7 @@ internal sealed partial class World
 {
     private readonly ContactStore _contacts;
     private readonly ConstraintGraph _graph = new ConstraintGraph();
+    private readonly LightenedBodies _lightened = new LightenedBodies();
     private readonly IslandStore _islands = new IslandStore();
     private readonly FeedForwardSettings _feedForward = new FeedForwardSettings();
     private readonly SagForecast _sagForecast = new SagForecast();
