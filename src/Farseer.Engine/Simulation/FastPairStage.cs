@@ -23,9 +23,6 @@ internal sealed unsafe class FastPairStage : IStageWork
     /// <summary>Pairs that are worth another worker's while, some 2 µs.</summary>
     private const int LeastPairs = 4;
 
-    /// <summary>A piece that reaches so many times as far as the other one is long.</summary>
-    private const float LongReach = 4f;
-
     private readonly Column<ContactBundle> _bundle = new Column<ContactBundle>();
     private ScratchList<ulong> _keys;
     private ScratchList<int> _contacts;
@@ -204,10 +201,9 @@ internal sealed unsafe class FastPairStage : IStageWork
         ref Piece pieceB = ref input.Shapes.Pieces[record.PieceB];
         float extent = FastPairs.Extent(pieceA, pieceB, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
 
-        // Most of what a rotor may meet along its whole arm stays before it or behind it. Of pieces of one size the first look knows as much.
-        bool ofA = pieceA.Reach > pieceB.Reach;
-        bool isLong = ofA ? pieceA.Reach > LongReach * pieceB.Reach : pieceB.Reach > LongReach * pieceA.Reach;
-        if (isLong && ClearWay.Holds(input.Shapes, record, a, b, ofA, PairStage.SkinShare * extent))
+        // Most of what a body may meet along its way stays before one edge of it or of the other: half of the searches of a rotor in a heap.
+        double gap = PairStage.SkinShare * extent;
+        if (ClearWay.Holds(input.Shapes, record, a, b, ofA: true, gap) || ClearWay.Holds(input.Shapes, record, a, b, ofA: false, gap))
         {
             return;
         }
