@@ -148,11 +148,14 @@ internal unsafe struct JointState
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct JointRange
 {
+    /// <summary>Limits that a joint may have: a pulley has three.</summary>
+    public const int MostLimits = 3;
+
     /// <summary>Distance to the limit, negative: past it.</summary>
-    public fixed double Gap[2];
+    public fixed double Gap[MostLimits];
 
     /// <summary>What of an overrun came from outside and is still to be taken out, negative.</summary>
-    public fixed double Outside[2];
+    public fixed double Outside[MostLimits];
 
     /// <summary>The joint has acted in a step.</summary>
     public bool Known;

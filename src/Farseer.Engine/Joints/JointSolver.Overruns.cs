@@ -10,9 +10,6 @@ namespace Farseer.Engine.Joints;
 /// </content>
 internal sealed unsafe partial class JointSolver
 {
-    /// <summary>Limits of a joint whose overruns are told apart.</summary>
-    private const int MostLimits = 2;
-
     /// <summary>Joints of the present class of which a limit stands aside.</summary>
     private int _overruns;
 
@@ -39,7 +36,7 @@ internal sealed unsafe partial class JointSolver
 
     private static void FindOverrun(ActiveJoint* joint, JointRows* rows, ref JointRange range)
     {
-        for (int k = rows->Hard, limit = 0; k < rows->Count && limit < MostLimits; k++)
+        for (int k = rows->Hard, limit = 0; k < rows->Count && limit < JointRange.MostLimits; k++)
         {
             if (!IsRigidLimit(rows, k))
             {
@@ -319,7 +316,7 @@ internal sealed unsafe partial class JointSolver
         ActiveJoint* joint = _active.Pointer + index;
         JointRows* rows = _rows.Pointer + index;
         ref JointRange range = ref _store.Ranges[joint->Joint];
-        for (int k = rows->Hard, limit = 0; k < rows->Count && limit < MostLimits; k++)
+        for (int k = rows->Hard, limit = 0; k < rows->Count && limit < JointRange.MostLimits; k++)
         {
             if (IsRigidLimit(rows, k))
             {
