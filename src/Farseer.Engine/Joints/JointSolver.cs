@@ -277,10 +277,15 @@ internal sealed unsafe partial class JointSolver : IStageWork
     private void Run(TargetKind kind, Pass pass, bool again, int sweeps)
     {
         SolveTrees(kind, again);
+        bool kept = KeepBeforeRows();
         Sweep(pass, sweeps);
         if (_agendaCount > 0 && SolveTrees(kind, true))
         {
             Sweep(pass, some: true);
+            if (kept)
+            {
+                AskAgainWithoutLimits(kind, pass, sweeps);
+            }
         }
 
         StoreVelocities();

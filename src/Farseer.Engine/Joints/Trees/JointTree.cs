@@ -131,4 +131,8 @@ internal struct JointTree
     public bool Tempers;
     public double Opposed;
     public double Answered;
+
+    /// <summary>Of the first tree of a group: velocities and impulses from before joints pushed at limits that hold are kept; and twice the energy gained since.</summary>
+    public bool Kept;
+    public double Gained;
 }
