@@ -49,6 +49,7 @@ internal sealed partial class World
 
         _sagForecast.Reserve(Bodies.State.Capacity);
         _feedForward.Reserve(Bodies.State.Capacity);
+        _carriedPushes.Reserve(Bodies.State.Capacity);
         pieces = Math.Min(pieces, MostPieces);
         int pairs = PairsAPiece * pieces;
         int rows = RowsAPiece * pieces;

@@ -36,6 +36,9 @@ internal sealed unsafe class CarriedPushes
     private readonly Column<CarriedPush> _pushes = new Column<CarriedPush>();
     private bool _carried;
 
+    /// <summary>Makes room for so many bodies: a heap may get deep late.</summary>
+    public void Reserve(int bodyEnd) => _pushes.EnsureCapacity(bodyEnd);
+
     /// <summary>Finds who carries pushes on in this step.</summary>
     /// <param name="anyDeep">An island is deep.</param>
     /// <param name="feedForward">Tells which.</param>
