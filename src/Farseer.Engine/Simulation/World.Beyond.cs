@@ -16,7 +16,7 @@ internal sealed partial class World
     /// <summary>More immovable boxes than this are not looked at one by one.</summary>
     private const int MostInARow = 2048;
 
-    private readonly LooseBoxes _immovable = new LooseBoxes();
+    private readonly BoxPacks _immovable = new BoxPacks();
     private readonly IndexList _beyond = new IndexList();
     private bool _immovableListed;
     private bool _queriesSeeStep;
@@ -87,8 +87,9 @@ internal sealed partial class World
     private bool MeetsUnknown(int piece, in Box box)
     {
         var spread = new SpreadBox(box);
-        for (int first = 0; first < _immovable.Count; first += WideBoxes.Width)
+        for (int pack = _immovable.NextPack(0, spread); pack >= 0; pack = _immovable.NextPack(pack + 1, spread))
         {
+            int first = pack * WideBoxes.Width;
             for (uint mask = _immovable.Boxes.Overlaps(first, spread); mask != 0; mask &= mask - 1)
             {
                 if (!_contacts.Map.Contains(PairBuffer.Pack(piece, _immovable.Proxy(first + WideBoxes.LowestLane(mask)))))
@@ -137,8 +138,9 @@ internal sealed partial class World
         }
 
         var spread = new SpreadBox(box);
-        for (int first = 0; first < _immovable.Count; first += WideBoxes.Width)
+        for (int pack = _immovable.NextPack(0, spread); pack >= 0; pack = _immovable.NextPack(pack + 1, spread))
         {
+            int first = pack * WideBoxes.Width;
             for (uint mask = _immovable.Boxes.Overlaps(first, spread); mask != 0; mask &= mask - 1)
             {
                 SeekPair(piece, _immovable.Proxy(first + WideBoxes.LowestLane(mask)), moves: false);
