@@ -31,6 +31,17 @@ internal enum ContactFlags : byte
     Heard = 8,
 }
 
+/// <summary>By which kernel the manifolds of a pair are found.</summary>
+internal enum PairKind : byte
+{
+    Boxes,
+    Circles,
+    CircleAndHull,
+
+    /// <summary>Any others, most of them hulls.</summary>
+    Hulls,
+}
+
 /// <summary>
 /// A pair of pieces whose fat boxes overlap, 24 bytes. Its colliders are those of the pieces, its impulses and its constraint live in a lane of a <see cref="ContactBundle"/>.
 /// </summary>
@@ -57,11 +68,29 @@ internal struct ContactRecord
     public sbyte Color;
     public ContactFlags Flags;
 
-    /// <summary>A collider of the pair has several pieces: the pair of colliders may have further records.</summary>
-    public bool OfSeveral;
+    /// <summary>How many there are of <see cref="PairKind"/>.</summary>
+    public const int Kinds = 4;
+
+    private const int SeveralMark = 128;
+
+    private byte _kind;
 
     /// <summary>Group of its row.</summary>
     public byte Group;
+
+    /// <summary>A collider of the pair has several pieces: the pair of colliders may have further records.</summary>
+    public bool OfSeveral
+    {
+        readonly get => (_kind & SeveralMark) != 0;
+        set => _kind = (byte)(value ? _kind | SeveralMark : _kind & ~SeveralMark);
+    }
+
+    /// <summary>Only for what is done together: what a piece is may change while the pair lasts.</summary>
+    public PairKind Kind
+    {
+        readonly get => (PairKind)(_kind & ~SeveralMark);
+        set => _kind = (byte)((_kind & SeveralMark) | (int)value);
+    }
 
     /// <summary>True for a pair in the idle list.</summary>
     public readonly bool IsIdle => Color == Idle;
@@ -75,6 +104,10 @@ internal sealed class ContactStore
 {
     /// <summary>Pairs that a small world has room for from the start: elastic balls see their largest crowd late.</summary>
     private const int FewPairs = 64;
+
+    /// <summary>In the idle list a pair's kind stands above its number.</summary>
+    private const int KindShift = 28;
+    private const int NumberMask = (1 << KindShift) - 1;
 
     /// <summary>Records that are moved or made, from one to that asked for.</summary>
     private const int Ahead = 6;
@@ -118,7 +151,9 @@ internal sealed class ContactStore
 
     public int IdleCount { get; private set; }
 
-    public int Idle(int position) => _idle[position];
+    public int Idle(int position) => _idle[position] & NumberMask;
+
+    public PairKind IdleKind(int position) => (PairKind)(_idle[position] >> KindShift);
 
     /// <summary>Motions of the bodies, while gaps are kept.</summary>
     public BodySteps Steps { get; } = new BodySteps();
@@ -137,7 +172,7 @@ internal sealed class ContactStore
             EnsureGaps();
             for (int i = 0; i < IdleCount; i++)
             {
-                NameGap(i, Records[_idle[i]]);
+                NameGap(i, Records[Idle(i)]);
             }
         }
 
@@ -267,21 +302,21 @@ internal sealed class ContactStore
             NameGap(IdleCount, record);
         }
 
-        _idle[IdleCount++] = index;
+        _idle[IdleCount++] = index | ((int)record.Kind << KindShift);
     }
 
     public unsafe void RemoveIdle(int index)
     {
         int row = Records[index].Row;
         int last = _idle[--IdleCount];
-        AskFor(_idle[Math.Max(IdleCount - Ahead, 0)]);
+        AskFor(Idle(Math.Max(IdleCount - Ahead, 0)));
         _idle[row] = last;
         if (KeepsGaps)
         {
             IdleGap.Move(Gaps, IdleCount, row);
         }
 
-        Records[last].Row = row;
+        Records[last & NumberMask].Row = row;
         Records[index].Row = -1;
     }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Numerics;
@@ -22,6 +23,9 @@ internal sealed unsafe class IdleWork : IStageWork
     private const int BodiesToBegin = 2;
     private const int BodiesToEnd = 4;
 
+    /// <summary>Fewer pairs are looked at as they come: what is left of bundles of each kind would outweigh what is gained.</summary>
+    private const int LeastSorted = 8 * ContactBundle.Lanes;
+
     private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
     private readonly BundleNotes _notes = new BundleNotes();
 
@@ -29,6 +33,8 @@ internal sealed unsafe class IdleWork : IStageWork
     private BundleOutcome* _outcomes;
     private byte* _looks;
     private byte* _parted;
+
+    // Places in the idle list of the pairs to look at; null: of all.
     private int* _looked;
     private ContactUpdateInput _input;
     private Part _part;
@@ -43,14 +49,14 @@ internal sealed unsafe class IdleWork : IStageWork
     /// <summary>Pairs that were looked at.</summary>
     public int LookedCount { get; private set; }
 
-    /// <summary>Outcomes of the pairs looked at, in bundles of eight, in the order of the idle list.</summary>
+    /// <summary>Outcomes of the pairs looked at, in bundles of eight.</summary>
     public BundleOutcome* Outcomes => _outcomes;
 
     /// <summary>Those of these bundles that something follows from.</summary>
     public BundleNotes Notes => _notes;
 
     /// <summary>Place in the idle list of a pair that was looked at.</summary>
-    public int Place(int looked) => _input.Contacts.KeepsGaps ? _looked[looked] : looked;
+    public int Place(int looked) => _looked != null ? _looked[looked] : looked;
 
     /// <summary>Of the pairs of a bundle of the idle list those, a bit each, that are forgotten without a look, as their boxes have parted.</summary>
     public int Parted(int bundle) => _parted[bundle];
@@ -106,6 +112,7 @@ internal sealed unsafe class IdleWork : IStageWork
         }
 
         _input = input;
+        _looked = null;
         if (contacts.KeepsGaps)
         {
             int bundles = Bundles(contacts.IdleCount);
@@ -115,6 +122,10 @@ internal sealed unsafe class IdleWork : IStageWork
             _part = Part.Gaps;
             runner.Run(this, bundles, LeastPasses);
             CollectLooked(bundles);
+        }
+        else
+        {
+            SortByKind(input);
         }
 
         _bundles.EnsureCapacity(runner.Workers);
@@ -175,6 +186,38 @@ internal sealed unsafe class IdleWork : IStageWork
 
             _looks[i] = (byte)look;
             _parted[i] = (byte)parted;
+        }
+    }
+
+    /// <summary>
+    /// Puts pairs of one kind next to each other, where there are several: each kernel works on whole bundles, and of a heap of boxes, circles and capsules a bundle as they come
+    /// takes three of the four.
+    /// </summary>
+    private void SortByKind(in ContactUpdateInput input)
+    {
+        ContactStore contacts = input.Contacts;
+        int count = contacts.IdleCount;
+        int* next = stackalloc int[ContactRecord.Kinds + 1];
+        Unsafe.InitBlock(next, 0, (ContactRecord.Kinds + 1) * sizeof(int));
+        for (int i = 0; i < count; i++)
+        {
+            next[(int)contacts.IdleKind(i) + 1]++;
+        }
+
+        if (count < LeastSorted || next[(int)contacts.IdleKind(0) + 1] == count)
+        {
+            return;
+        }
+
+        for (int kind = 1; kind < ContactRecord.Kinds; kind++)
+        {
+            next[kind] += next[kind - 1];
+        }
+
+        _looked = input.Scratch.Take<int>(count);
+        for (int i = 0; i < count; i++)
+        {
+            _looked[next[(int)contacts.IdleKind(i)]++] = i;
         }
     }
 

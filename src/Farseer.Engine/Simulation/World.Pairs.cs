@@ -263,7 +263,18 @@ internal sealed partial class World
             BodyA = Shapes.Pieces[a].Body,
             BodyB = Shapes.Pieces[b].Body,
             OfSeveral = HasSeveralPieces(colliderA) || HasSeveralPieces(colliderB),
+            Kind = KindOf(Shapes.Pieces[a].Kind, Shapes.Pieces[b].Kind),
         };
+    }
+
+    private static PairKind KindOf(ShapeKind a, ShapeKind b)
+    {
+        if (a == ShapeKind.Circle || b == ShapeKind.Circle)
+        {
+            return a == b ? PairKind.Circles : PairKind.CircleAndHull;
+        }
+
+        return a == ShapeKind.Box && a == b ? PairKind.Boxes : PairKind.Hulls;
     }
 
     private void AddPair(ulong key, in ContactRecord record)

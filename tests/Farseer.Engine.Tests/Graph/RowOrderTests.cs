@@ -15,7 +15,7 @@ public sealed unsafe class RowOrderTests
     private const int Contacts = 1500;
 
     [Fact]
-    public void RowsPutInOrder_FollowTheirBodiesAndKeepWhatTheyHold()
+    public void RowsPutInOrder_FollowTheirKindsAndBodiesAndKeepWhatTheyHold()
     {
         Fill(out ConstraintGraph graph, out Column<ContactRecord> records, out Column<byte> moves);
         int[] colors = new int[Contacts];
@@ -43,9 +43,10 @@ public sealed unsafe class RowOrderTests
                     Assert.Equal(records[contact].BodyA, bundle->BodyA[lane]);
                     Assert.Equal(records[contact].BodyB, bundle->BodyB[lane]);
                     Assert.Equal(contact, (int)bundle->Point0.Normal[lane]);
-                    int body = Place(records[contact], moves);
-                    Assert.True(color.IsSequential || color.RowCount * 40 < Bodies || body > last, "Row of body " + body + " behind that of " + last);
-                    last = body;
+                    Assert.Equal((PairKind)(contact % ContactRecord.Kinds), records[contact].Kind);
+                    int place = ((int)records[contact].Kind * Bodies) + Place(records[contact], moves);
+                    Assert.True(color.IsSequential || color.RowCount * 40 < Bodies || place > last, "Row " + place + " behind " + last);
+                    last = place;
                 }
             }
         }
@@ -125,6 +126,7 @@ public sealed unsafe class RowOrderTests
             b = moves[a] == 0 && moves[b] == 0 ? (b + 1) % Bodies : b;
             records[i].BodyA = a;
             records[i].BodyB = b;
+            records[i].Kind = (PairKind)(i % ContactRecord.Kinds);
             graph.Add(i, ref records[i], moves[a] != 0, moves[b] != 0);
             graph.BundleOf(records[i].Row)->Point0.Normal[RowArena.LaneOf(records[i].Row)] = i;
         }

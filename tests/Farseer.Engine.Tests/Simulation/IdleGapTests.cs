@@ -59,6 +59,40 @@ public sealed unsafe class IdleGapTests
         Assert.True(known > 1000, $"only {known} gaps were known");
     }
 
+    /// <summary>Pairs are looked at in the order of their kinds, which the idle list tells without their records.</summary>
+    [Fact]
+    public void IdleList_OfACrowd_NamesEachPairAndItsKind()
+    {
+        World world = Crowd(new Random(4), 10);
+        var kinds = new int[ContactRecord.Kinds];
+        for (int step = 0; step < 120; step++)
+        {
+            world.Step(Dt);
+            ContactStore contacts = world.Contacts;
+            for (int i = 0; i < contacts.IdleCount; i++)
+            {
+                ContactRecord record = contacts.Records[contacts.Idle(i)];
+                Assert.True(record.IsIdle);
+                Assert.Equal(i, record.Row);
+                Assert.Equal(KindOf(world, record), contacts.IdleKind(i));
+                kinds[(int)contacts.IdleKind(i)]++;
+            }
+        }
+
+        Assert.All(kinds, count => Assert.True(count > 100));
+    }
+
+    private static PairKind KindOf(World world, in ContactRecord record)
+    {
+        ShapeKind a = world.Shapes.Pieces[record.PieceA].Kind;
+        ShapeKind b = world.Shapes.Pieces[record.PieceB].Kind;
+        int circles = (a == ShapeKind.Circle ? 1 : 0) + (b == ShapeKind.Circle ? 1 : 0);
+        return circles == 2 ? PairKind.Circles
+            : circles == 1 ? PairKind.CircleAndHull
+            : a == ShapeKind.Box && b == ShapeKind.Box ? PairKind.Boxes
+            : PairKind.Hulls;
+    }
+
     private static Handle Middle(World world) => world.Bodies.Ids.HandleOf(BodyCount / 2);
 
     private static int PointsWithin(World world, BodyPose[] poses, int a, int b, float margin)
