@@ -85,6 +85,15 @@ internal sealed unsafe class ContactSides
         _first[0] = new ContactSide { Cos = 1, HalfX = 1, HalfY = 1, Flags = SideFlags.Box };
     }
 
+    /// <summary>Makes room ahead for sides that are kept from step to step.</summary>
+    public void Reserve(ShapeStore shapes)
+    {
+        if (!_isKept)
+        {
+            _sides.EnsureCapacity(shapes.PieceIds.End + 1);
+        }
+    }
+
     /// <summary>Writes the sides of a piece that falls asleep: from now on they stay as they are.</summary>
     public void LayDown(ShapeStore shapes, BodyStore bodies, ProxyInfo* proxies, byte* moves, int piece)
     {

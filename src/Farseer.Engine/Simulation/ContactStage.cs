@@ -139,6 +139,13 @@ internal sealed unsafe class ContactStage : IStageWork
 
     public static ulong PairKey(in ContactRecord record) => BroadPhase.PairBuffer.Pack(record.PieceA, record.PieceB);
 
+    /// <summary>Makes room ahead for what is kept where many pairs of hulls have no rows.</summary>
+    public void ReserveForGaps(World world, ContactStore contacts)
+    {
+        _sides.Reserve(world.Shapes);
+        contacts.Steps.Reserve(world.Bodies.State.Capacity);
+    }
+
     /// <summary>Writes the sides of a body that has just fallen asleep: until it wakes they stay as they are.</summary>
     public void WriteSides(World world, byte* moves, int piece) =>
         _sides.LayDown(world.Shapes, world.Bodies, world.Proxies.Info.Pointer, moves, piece);

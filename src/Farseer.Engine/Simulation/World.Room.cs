@@ -40,13 +40,14 @@ internal sealed partial class World
 
         _roomIsDue = false;
         _islands.Reserve(Bodies.State.Capacity, _graph.RowCount);
-        int pieces = CountPieces(out int hulls, out int immovable);
+        int pieces = CountPieces(out int hulls, out int immovable, out bool anySeveral);
         _immovable.Reserve(Math.Min(immovable, MostInARow + 1));
         if (_graph.RowCount * 2L >= (long)DenseTwice * pieces && !_contactStage.AnyBounce)
         {
             return;
         }
 
+        Bodies.EnsureResiduals();
         _sagForecast.Reserve(Bodies.State.Capacity);
         _feedForward.Reserve(Bodies.State.Capacity);
         _carriedPushes.Reserve(Bodies.State.Capacity);
@@ -54,21 +55,22 @@ internal sealed partial class World
         int pairs = PairsAPiece * pieces;
         int rows = RowsAPiece * pieces;
         _contacts.Reserve(pairs, withGaps: hulls * 2 > pieces);
-        _contacts.Compounds.EnsureCapacity(_contacts.Compounds.Count == 0 ? 0 : Math.Max(2 * _contacts.Compounds.Count, pieces / 8));
+        _contacts.Compounds.EnsureCapacity(anySeveral ? Math.Max(2 * _contacts.Compounds.Count, pieces / 4) : 0);
         _pairs.Expect(pairs);
         _graph.Reserve(rows);
         _islands.Reserve(Bodies.State.Capacity, rows);
         Scratch.Reserve((ScratchAPair * pairs) + (ScratchARow * rows) + (ScratchAPiece * Shapes.PieceIds.End));
         if (hulls * 2 > pieces)
         {
-            _contacts.Steps.Reserve(Bodies.State.Capacity);
+            _contactStage.ReserveForGaps(this, _contacts);
         }
     }
 
-    /// <summary>Pieces that can move and may collide with any other, how many of them are neither boxes nor discs, and those that cannot move.</summary>
-    private int CountPieces(out int hulls, out int immovable)
+    /// <summary>Pieces that can move and may collide with any other, how many of them are neither boxes nor discs, those that cannot move, and whether a collider has several.</summary>
+    private int CountPieces(out int hulls, out int immovable, out bool anySeveral)
     {
         int count = 0;
+        anySeveral = false;
         hulls = 0;
         immovable = 0;
         for (int i = 0; i < Shapes.PieceIds.End; i++)
@@ -79,6 +81,7 @@ internal sealed partial class World
                 continue;
             }
 
+            anySeveral |= Shapes.NextPiece[i] >= 0;
             if (!IsMovable(piece.Body))
             {
                 immovable++;
