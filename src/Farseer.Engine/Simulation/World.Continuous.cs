@@ -60,8 +60,26 @@ internal sealed partial class World : IImpactListener
         }
     }
 
+    /// <summary>Whether fast bodies can meet anything that they are looked after against.</summary>
+    private bool CanMeetAny()
+    {
+        ListImmovable();
+        bool any = _immovable.Count > 0;
+        for (int i = 0; i < _lists.Fast.Count && !any; i++)
+        {
+            any = IsBullet(_lists.Fast[i].Body);
+        }
+
+        return any;
+    }
+
     private unsafe void SweepFastBodies(float dt, float substep)
     {
+        if (!CanMeetAny())
+        {
+            return;
+        }
+
         SweepInput input = BeginSweep(dt, substep);
         FastList fast = _lists.Fast;
         int first = 2 * _contactStage.Lone.Count;
@@ -150,7 +168,6 @@ internal sealed partial class World : IImpactListener
         if (!_sweepGathered)
         {
             _sweepGathered = true;
-            ForgetBeyond();
             GatherSweepPairs();
             _sweepNext = 0;
         }

@@ -75,6 +75,7 @@ internal sealed partial class World
         Profile.End(StepStage.Finish);
 
         _sweepGathered = false;
+        ForgetBeyond();
         if (_contactStage.Lone.Count > 0)
         {
             FlyLonePairs(dt, substep);
