@@ -50,20 +50,27 @@ internal struct Box
 #if NET8_0_OR_GREATER
         if (Avx.IsSupported)
         {
-            return RoundOut(minX, minY, maxX, maxY);
+            return RoundOut(Vector256.Create(minX, minY, -maxX, -maxY));
         }
 #endif
         return new Box(FloatBits.RoundDown(minX), FloatBits.RoundDown(minY), FloatBits.RoundUp(maxX), FloatBits.RoundUp(maxY));
     }
 
 #if NET8_0_OR_GREATER
+    /// <summary>The same of two corners.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Box FromDouble(Vector128<double> min, Vector128<double> max) =>
+        Avx.IsSupported
+            ? RoundOut(Vector256.Create(min, -max))
+            : FromDouble(min.GetElement(0), min.GetElement(1), max.GetElement(0), max.GetElement(1));
+
     /// <summary>
     /// The four bounds side by side, with their upper half negated so that all are rounded down. Which way the nearest float lies cannot be
     /// foreseen: with a branch for each bound half of them were guessed wrong.
     /// </summary>
-    private static unsafe Box RoundOut(double minX, double minY, double maxX, double maxY)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static unsafe Box RoundOut(Vector256<double> value)
     {
-        Vector256<double> value = Vector256.Create(minX, minY, -maxX, -maxY);
         Vector128<float> nearest = Avx.ConvertToVector128Single(value);
         Vector256<float> above = Avx.CompareGreaterThan(Avx.ConvertToVector256Double(nearest), value).AsSingle();
         Vector128<int> isAbove = Sse.Shuffle(above.GetLower(), above.GetUpper(), 0x88).AsInt32();

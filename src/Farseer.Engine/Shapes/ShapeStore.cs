@@ -170,7 +170,10 @@ internal sealed class ShapeStore
     }
 
     /// <summary>The smallest box around a piece, formed in double precision and rounded outwards.</summary>
-    public unsafe Box TightBox(int piece, in BodyPose pose)
+    public Box TightBox(int piece, in BodyPose pose) => BoxAround(piece, pose, default);
+
+    /// <summary>The same with something to spare on each side.</summary>
+    public unsafe Box BoxAround(int piece, in BodyPose pose, in Box spare)
     {
         ref Piece p = ref Pieces[piece];
         Vector2* v = Vertices.Pointer + p.VertexStart;
@@ -190,10 +193,11 @@ internal sealed class ShapeStore
             most = Vector128.ConditionalSelect(Vector128.GreaterThan(corner, most), corner, most);
         }
 
-        double minX = least.GetElement(0);
-        double minY = least.GetElement(1);
-        double maxX = most.GetElement(0);
-        double maxY = most.GetElement(1);
+        Vector128<double> place = Vector128.Create(pose.X, pose.Y);
+        Vector128<double> radius = Vector128.Create(r);
+        return Box.FromDouble(
+            place + (least - radius) - Vector128.Create((double)spare.MinX, spare.MinY),
+            place + (most + radius) + Vector128.Create((double)spare.MaxX, spare.MaxY));
 #else
         double cos = pose.Cos;
         double sin = pose.Sin;
@@ -210,8 +214,10 @@ internal sealed class ShapeStore
             minY = y < minY ? y : minY;
             maxY = y > maxY ? y : maxY;
         }
+
+        return Box.FromDouble(
+            pose.X + (minX - r) - spare.MinX, pose.Y + (minY - r) - spare.MinY, pose.X + (maxX + r) + spare.MaxX, pose.Y + (maxY + r) + spare.MaxY);
 #endif
-        return Box.FromDouble(pose.X + (minX - r), pose.Y + (minY - r), pose.X + (maxX + r), pose.Y + (maxY + r));
     }
 
     /// <summary>The run of a new or changed piece, or an equal one that there is.</summary>

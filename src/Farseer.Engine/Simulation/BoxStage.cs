@@ -294,7 +294,7 @@ internal sealed unsafe class BoxStage : IStageWork
         fit.Down = Math.Min(fit.Down, spare.Down - skin);
         fit.Up = Math.Min(fit.Up, spare.Up - skin);
         fit.Reach = Math.Max(fit.Reach, reach);
-        return spare.Around(world.Shapes.TightBox(piece, world.Bodies.Pose[body]));
+        return world.Shapes.BoxAround(piece, world.Bodies.Pose[body], spare.ToBox());
     }
 
     private Spare Ahead(in BodyState state, float size, float reach)
@@ -323,11 +323,8 @@ internal sealed unsafe class BoxStage : IStageWork
 
         public Spare(float all) => Left = Right = Down = Up = all;
 
-        public readonly Box Around(in Box box) => Box.FromDouble(
-            (double)box.MinX - Math.Min(Left, Farthest),
-            (double)box.MinY - Math.Min(Down, Farthest),
-            (double)box.MaxX + Math.Min(Right, Farthest),
-            (double)box.MaxY + Math.Min(Up, Farthest));
+        public readonly Box ToBox() => new Box(
+            Math.Min(Left, Farthest), Math.Min(Down, Farthest), Math.Min(Right, Farthest), Math.Min(Up, Farthest));
     }
 
     [StructLayout(LayoutKind.Sequential)]
