@@ -79,6 +79,13 @@ internal unsafe struct HullLanes
 
         int corner = 0;
 #if NET8_0_OR_GREATER
+        Vector256<int> starts = Vector256.Load(hulls->Start);
+        if (Vector256.EqualsAll(starts, Vector256.Create(hulls->Start[0])) && Vector256.EqualsAll(Vector256.Load(hulls->Last), Vector256.Create(most)))
+        {
+            Spread(hulls, vertices + hulls->Start[0], normals + hulls->Start[0], most);
+            return most + 1;
+        }
+
         if (Avx.IsSupported)
         {
             Vector256<int> last = Vector256.Load(hulls->Last);
@@ -118,6 +125,22 @@ internal unsafe struct HullLanes
 
         return most + 1;
     }
+
+#if NET8_0_OR_GREATER
+    /// <summary>Equal pieces share their corners: those of a heap of one kind are read once for all lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Spread(HullLanes* hulls, Vector2* vertices, Vector2* normals, int last)
+    {
+        for (int i = 0; i <= last; i++)
+        {
+            int at = i * Lanes;
+            Vector256.Create(vertices[i].X).Store(hulls->VertexX + at);
+            Vector256.Create(vertices[i].Y).Store(hulls->VertexY + at);
+            Vector256.Create(normals[i].X).Store(hulls->NormalX + at);
+            Vector256.Create(normals[i].Y).Store(hulls->NormalY + at);
+        }
+    }
+#endif
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Place(HullLanes* hulls, int corner, int* index)

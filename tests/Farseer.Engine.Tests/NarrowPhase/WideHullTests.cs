@@ -45,6 +45,26 @@ public unsafe class WideHullTests
         Assert.InRange(_points, 500, int.MaxValue);
     }
 
+    /// <summary>Equal shapes share their corners, which are then read once for all lanes: one bundle in ten has no lane left out.</summary>
+    [Fact]
+    public void Hulls_AllOfOneShape_GiveTheBitsOfTheScalarCode()
+    {
+        ShapeStore? of = null;
+        ShapeGeometry? shape = null;
+        ForAll((random, store) =>
+        {
+            if (of != store)
+            {
+                of = store;
+                shape = random.Next(2) == 0 ? SmallHull(random) : Regular(random);
+            }
+
+            return new Posed(
+                new PairFixture(store, shape!, shape!), 7 * random.NextDouble(), 7 * random.NextDouble(), 1.6f * RandomShape.Point(random));
+        });
+        Assert.InRange(_points, 500, int.MaxValue);
+    }
+
     [Fact]
     public void Hulls_Mirrored_GiveTheBitsOfTheScalarCode()
     {
