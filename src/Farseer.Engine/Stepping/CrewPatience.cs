@@ -5,7 +5,8 @@ namespace Farseer.Engine.Stepping;
 
 /// <summary>
 /// Whether helpers are worth waiting for. Where other programs want the processors too, the system takes one from a helper in the midst of a
-/// block, and the step stands still for a time slice, some milliseconds. A step that does so again and again is better done alone.
+/// block, and the step stands still for a time slice, some milliseconds. A step that does so again and again is better done alone. And where processors are far
+/// from each other, or are two halves of one, sharing may take longer than it saves, whoever comes in time: now and then some steps are done the other way, and what is quicker goes on.
 /// </summary>
 internal sealed class CrewPatience
 {
@@ -18,6 +19,23 @@ internal sealed class CrewPatience
 
     /// <summary>Steps whose gain is kept against waiting to come.</summary>
     private const double MostKept = 4;
+
+    /// <summary>Steps done the other way, of which the median counts, and beside how many of the usual way.</summary>
+    private const int Trial = 3;
+
+    /// <summary>Steps from one trial to the next: at first, and after trials that changed nothing, each of which doubles it.</summary>
+    private const int FirstStretch = 16;
+    private const int LastStretch = 512;
+
+    /// <summary>Of the time of one worker what sharing may take at most: what only saves less than that is not worth another processor.</summary>
+    private const double WorthSharing = 0.97;
+
+    private readonly double[] _usual = new double[Trial];
+    private readonly double[] _tried = new double[Trial];
+    private int _stretch = FirstStretch;
+    private int _steps;
+    private bool _alone;
+    private long _began;
 
     private double _credit;
     private double _cost;
@@ -38,8 +56,11 @@ internal sealed class CrewPatience
 
         _cost = cost;
         _waited = 0;
-        return true;
+        _began = Stopwatch.GetTimestamp();
+        return _alone == IsTrial;
     }
+
+    private bool IsTrial => _steps >= _stretch;
 
     /// <summary>The first worker waits for others.</summary>
     /// <param name="isLong">It has waited for longer than what they have in hand should take.</param>
@@ -61,9 +82,19 @@ internal sealed class CrewPatience
         }
     }
 
+    /// <summary>After a step that was done alone, whether it had been asked for or not.</summary>
+    public void EndAlone()
+    {
+        if (_began != 0)
+        {
+            Compare();
+        }
+    }
+
     /// <summary>After a step that was shared.</summary>
     public void End()
     {
+        Compare();
         double waited = _waited * (1e9 / Stopwatch.Frequency);
         _credit = Math.Min(_credit + (Gain * _cost), MostKept * Gain * _cost) - waited;
         if (_credit >= 0)
@@ -75,5 +106,35 @@ internal sealed class CrewPatience
         _credit = 0;
         _rest = (int)Math.Min(Math.Max(2.0 * _rest, RestShare * waited / _cost), MostRest);
         _left = _rest;
+    }
+
+    /// <summary>Sets the time of the step, as a part of what it was estimated at, against those of the steps before it.</summary>
+    private void Compare()
+    {
+        double time = (Stopwatch.GetTimestamp() - _began) / _cost;
+        _began = 0;
+        if (!IsTrial)
+        {
+            _usual[_steps++ % Trial] = time;
+            return;
+        }
+
+        _tried[_steps++ - _stretch] = time;
+        if (_steps < _stretch + Trial)
+        {
+            return;
+        }
+
+        double ratio = Median(_tried) / Median(_usual);
+        bool changes = _alone ? ratio < WorthSharing : ratio * WorthSharing < 1;
+        _alone ^= changes;
+        _stretch = changes ? FirstStretch : Math.Min(2 * _stretch, LastStretch);
+        _steps = 0;
+    }
+
+    private static double Median(double[] times)
+    {
+        Array.Sort(times);
+        return times[Trial / 2];
     }
 }

@@ -172,6 +172,7 @@ internal sealed partial class StageRunner : IDisposable
     {
         if (!_isOpen)
         {
+            _patience.EndAlone();
             return;
         }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.Collections.Generic;
 using System.Threading;
 using Farseer.Engine.Stepping;
@@ -175,6 +176,37 @@ public class StageRunnerTests
         Assert.InRange(alone, 4, 256);
         patience.End();
         Assert.True(patience.MayShare(1e6), "A step without waiting is followed by another one that is shared.");
+    }
+
+    /// <summary>Processors far from each other, or two halves of one: what is quicker goes on, but for a few steps that try the other way.</summary>
+    [Theory]
+    [InlineData(3, 1, 0, 30)]
+    [InlineData(1, 3, 170, 200)]
+    public void Patience_WhereOneWayIsQuicker_GoesThatWay(int shared, int alone, int least, int most)
+    {
+        CrewPatience patience = new();
+        int sharedSteps = 0;
+        for (int step = 0; step < 300; step++)
+        {
+            bool shares = patience.MayShare(1e5);
+            long end = Stopwatch.GetTimestamp() + ((shares ? shared : alone) * Stopwatch.Frequency / 10_000);
+            while (Stopwatch.GetTimestamp() < end)
+            {
+            }
+
+            if (shares)
+            {
+                patience.End();
+            }
+            else
+            {
+                patience.EndAlone();
+            }
+
+            sharedSteps += shares && step >= 100 ? 1 : 0;
+        }
+
+        Assert.InRange(sharedSteps, least, most);
     }
 
     [Fact]
