@@ -1,4 +1,3 @@
-using System;
 using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.BroadPhase;
@@ -11,7 +10,6 @@ internal sealed class BoxPacks
 {
     private readonly LooseBoxes _boxes = new LooseBoxes();
     private readonly BoxRows _packs = new BoxRows();
-    private Box _around;
 
     public int Count => _boxes.Count;
 
@@ -36,18 +34,8 @@ internal sealed class BoxPacks
     public void Add(int proxy, in Box box)
     {
         int pack = _boxes.Add(proxy, box) / WideBoxes.Width;
-        if (pack == _packs.Count)
-        {
-            _packs.SetCount(pack + 1);
-            _around = box;
-        }
-        else
-        {
-            _around = new Box(
-                Math.Min(_around.MinX, box.MinX), Math.Min(_around.MinY, box.MinY), Math.Max(_around.MaxX, box.MaxX), Math.Max(_around.MaxY, box.MaxY));
-        }
-
-        _packs.Wide.Set(pack, _around);
+        _packs.SetCount(pack + 1);
+        _packs.Wide.Set(pack, _boxes.Boxes.Around(pack * WideBoxes.Width));
     }
 
     /// <summary>The first pack from one on that a box may meet, or −1.</summary>

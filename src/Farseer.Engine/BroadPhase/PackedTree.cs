@@ -72,7 +72,7 @@ internal sealed unsafe class PackedTree
             int nodes = _layerEnd[layer] - _layerStart[layer];
             for (int k = 0; k < nodes; k++)
             {
-                lanes.Set(_layerStart[layer] + k, Union(children + (k * Width)));
+                lanes.Set(_layerStart[layer] + k, lanes.Around(children + (k * Width)));
             }
         }
     }
@@ -95,7 +95,7 @@ internal sealed unsafe class PackedTree
         for (int layer = 1; layer < _layers; layer++)
         {
             k /= Width;
-            lanes.Set(_layerStart[layer] + k, Union(_layerStart[layer - 1] + (k * Width)));
+            lanes.Set(_layerStart[layer] + k, lanes.Around(_layerStart[layer - 1] + (k * Width)));
         }
     }
 
@@ -171,21 +171,6 @@ internal sealed unsafe class PackedTree
                 _lanes.Wide.SetEmpty(i);
             }
         }
-    }
-
-    private Box Union(int first)
-    {
-        WideBoxes lanes = _lanes.Wide;
-        Box box = lanes.Get(first);
-        for (int i = first + 1; i < first + Width; i++)
-        {
-            box.MinX = lanes.MinX[i] < box.MinX ? lanes.MinX[i] : box.MinX;
-            box.MinY = lanes.MinY[i] < box.MinY ? lanes.MinY[i] : box.MinY;
-            box.MaxX = lanes.MaxX[i] > box.MaxX ? lanes.MaxX[i] : box.MaxX;
-            box.MaxY = lanes.MaxY[i] > box.MaxY ? lanes.MaxY[i] : box.MaxY;
-        }
-
-        return box;
     }
 
     // Orders the members by the Morton code of their centres, 16 bits an axis over the extent of all centres.

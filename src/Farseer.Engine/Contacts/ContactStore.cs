@@ -105,7 +105,7 @@ internal sealed class ContactStore
     /// <summary>Pairs that a small world has room for from the start: elastic balls see their largest crowd late.</summary>
     private const int FewPairs = 64;
 
-    /// <summary>In the idle list a pair's kind stands above its number.</summary>
+    /// <summary>In the idle list a pair's kind stands above its number: a column holds fewer records than there are numbers below it.</summary>
     private const int KindShift = 28;
     private const int NumberMask = (1 << KindShift) - 1;
 

@@ -10,7 +10,7 @@ namespace Farseer.Engine.Graph;
 /// Puts the rows of each colour in the order of their bodies. Rows come in the order in which pairs are found, so a pass over a colour reached the
 /// bodies at random, and of two workers, each with its half of every colour, both wrote to all bodies: of 28,000 times that a pass over a pyramid of base 100
 /// touches a body, the other worker had touched it last in 13,600 cases; in the order of bodies in 880. Pairs of one kind come together: a kernel of the narrow phase
-/// works on whole bundles, and of a heap of several kinds of shape a bundle as they come takes four kernels.
+/// works on whole bundles, and of a heap of several kinds of shape a bundle as they come takes up to four kernels.
 /// </summary>
 /// <remarks>
 /// Passes come to the same bits in any order, since rows of a colour share no body; those that may, of heavy bodies and of the overflow, stay as they are. Bounces and fast pairs
@@ -97,7 +97,6 @@ internal sealed unsafe class RowOrder : IStageWork
         int count = 0;
         int* next = stackalloc int[ContactRecord.Kinds + 1];
         Unsafe.InitBlock(next, 0, (ContactRecord.Kinds + 1) * sizeof(int));
-
         foreach (ContactBundle* bundle in color.Bundles)
         {
             for (int lane = 0; lane < ContactBundle.Lanes && bundle->Contact[lane] >= 0; lane++)

@@ -64,6 +64,21 @@ internal unsafe struct WideBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Box Get(int index) => new Box(MinX[index], MinY[index], MaxX[index], MaxY[index]);
 
+    /// <summary>The box around the eight from <paramref name="first"/> on; empty ones do not count.</summary>
+    public readonly Box Around(int first)
+    {
+        Box box = Get(first);
+        for (int i = first + 1; i < first + Width; i++)
+        {
+            box.MinX = MinX[i] < box.MinX ? MinX[i] : box.MinX;
+            box.MinY = MinY[i] < box.MinY ? MinY[i] : box.MinY;
+            box.MaxX = MaxX[i] > box.MaxX ? MaxX[i] : box.MaxX;
+            box.MaxY = MaxY[i] > box.MaxY ? MaxY[i] : box.MaxY;
+        }
+
+        return box;
+    }
+
     /// <summary>A box that overlaps nothing, not even itself.</summary>
     public readonly void SetEmpty(int index) => Set(index, Box.Empty);
 
