@@ -14,6 +14,22 @@ internal sealed unsafe partial class JointSolver
     private bool _anyHeld;
     private int _hitCount;
 
+    /// <summary>A joint acts between two bodies that can move: what happens to one reaches the other.</summary>
+    public bool TiesBodies
+    {
+        get
+        {
+            bool ties = _nets.Any;
+            for (int i = 0; i < _count && !ties; i++)
+            {
+                ref readonly JointLink link = ref _store.Links[_active[i].Joint];
+                ties = (_step.Moves[link.BodyA] & _step.Moves[link.BodyB]) != 0;
+            }
+
+            return ties;
+        }
+    }
+
     /// <summary>Before a substep: holds back the contacts that are about to bounce.</summary>
     public void PrepareBounce()
     {

@@ -36,6 +36,10 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     /// colour that is behind it, and whether it is one of these.
     /// </summary>
     private readonly StageList _stages = new StageList();
+
+    /// <summary>Parts of the runs: what <see cref="RelaxChosen"/> walks over.</summary>
+    private KnownRun[] _chosen = new KnownRun[FirstRuns];
+    private int _chosenCount;
     private StageColors[] _stageColors = new StageColors[ConstraintGraph.ColorCount];
     private StageRunner _runner = null!;
     private ContactPass _pass;
@@ -67,6 +71,52 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         Run(colors, ContactPassKind.Relax, rub);
     }
 
+    /// <summary>Chooses the records with rows of some islands.</summary>
+    /// <param name="colors">The rows of all passes.</param>
+    /// <param name="islands">1 for an island that is wanted.</param>
+    /// <param name="islandOfSlot">The island of each slot.</param>
+    /// <returns>False if these are more than half of all, which workers had better share as they are.</returns>
+    public bool Choose(ReadOnlySpan<GraphColor> colors, byte* islands, int* islandOfSlot)
+    {
+        _chosenCount = 0;
+        int all = 0;
+        int wanted = 0;
+        for (int i = 0; i < _firstRun[colors.Length]; i++)
+        {
+            ref readonly BundleRun rows = ref _runs[i].Rows;
+            int first = 0;
+            for (int at = 0; at < rows.Count; at += ContactBundle.Beside)
+            {
+                int end = Math.Min(at + ContactBundle.Beside, rows.Count);
+                if (HasRowOf(ContactBundle.At(rows.Bundles, at), end - at, islands, islandOfSlot))
+                {
+                    wanted += end - at;
+                    continue;
+                }
+
+                AddChosen(i, first, at);
+                first = end;
+            }
+
+            AddChosen(i, first, rows.Count);
+            all += rows.Count;
+        }
+
+        return 2 * wanted <= all;
+    }
+
+    /// <summary>The relax pass with friction over what was chosen, not the first of its substep.</summary>
+    public void RelaxChosen()
+    {
+        _pass.Kind = ContactPassKind.Relax;
+        _pass.Flag = true;
+        _pass.First = false;
+        for (int i = 0; i < _chosenCount; i++)
+        {
+            Run(_chosen[i]);
+        }
+    }
+
     public void PushOut(ReadOnlySpan<GraphColor> colors, float rate)
     {
         _pass.Rate = rate;
@@ -95,16 +145,51 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     {
         for (int i = _firstRun[color]; i < _firstRun[color + 1]; i++)
         {
-            ref readonly KnownRun run = ref _runs[i];
-            if (run.IsShared)
+            Run(_runs[i]);
+        }
+    }
+
+    private void Run(in KnownRun run)
+    {
+        if (run.IsShared)
+        {
+            SharedKernel.Run(_pass, run.Rows);
+        }
+        else
+        {
+            Run(run.Rows, run.IsGrounded, run.HasOnePoint);
+        }
+    }
+
+    private void AddChosen(int run, int first, int end)
+    {
+        if (first >= end)
+        {
+            return;
+        }
+
+        if (_chosenCount == _chosen.Length)
+        {
+            Array.Resize(ref _chosen, 2 * _chosenCount);
+        }
+
+        _chosen[_chosenCount] = _runs[run];
+        _chosen[_chosenCount++].Rows = _runs[run].Rows.Part(first, end - first);
+    }
+
+    private static bool HasRowOf(ContactBundle* row, int bundles, byte* islands, int* islandOfSlot)
+    {
+        ContactBundle.AskAhead(row->Slot);
+        int any = 0;
+        for (; bundles > 0; bundles--, row = ContactBundle.Next(row))
+        {
+            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
             {
-                SharedKernel.Run(_pass, run.Rows);
-            }
-            else
-            {
-                Run(run.Rows, run.IsGrounded, run.HasOnePoint);
+                any |= islands[islandOfSlot[row->Slot[lane]]];
             }
         }
+
+        return any != 0;
     }
 
     /// <summary>Runs the pass over some records of a colour.</summary>
