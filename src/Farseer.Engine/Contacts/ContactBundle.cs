@@ -199,7 +199,7 @@ internal unsafe struct ContactBundle
 
     /// <summary>The place of a bundle in its record, which begins at a line.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static nint PlaceOf(ContactBundle* bundle) => ((nint)bundle & (Prefetch.LineBytes - 1)) / BytesBeside;
+    private static nint PlaceOf(ContactBundle* bundle) => (nint)(((nuint)bundle & (Prefetch.LineBytes - 1)) / BytesBeside);
 }
 
 /// <summary>One point of each contact of a bundle.</summary>

@@ -56,9 +56,14 @@ internal static unsafe class WideLanes
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Abs(Wide a) => Vector256.Abs(a);
 
-        /// <summary>Where the mask is set <paramref name="a"/>, elsewhere <paramref name="b"/>.</summary>
+        /// <summary>
+        /// Where the mask is set <paramref name="a"/>, elsewhere <paramref name="b"/>. Of a mask that is not itself a comparison the compiler does not know that
+        /// lanes are set or not as a whole, and takes three instructions where AVX-512 has one for it; a blend is one as well.
+        /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Select(WideMask mask, Wide a, Wide b) => Vector256.ConditionalSelect(mask, a, b);
+        public static Wide Select(WideMask mask, Wide a, Wide b) => Avx.IsSupported && !Avx512F.VL.IsSupported
+            ? Avx.BlendVariable(b, a, mask)
+            : Vector256.ConditionalSelect(mask, a, b);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static WideMask operator >(Wide a, Wide b) => Vector256.GreaterThan(a, b);
