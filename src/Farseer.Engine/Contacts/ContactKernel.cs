@@ -300,9 +300,26 @@ internal static unsafe class ContactKernel
         in WideDelta movedB,
         out Wide v0,
         out Wide v1,
-        bool two = true)
+        bool two = true) => TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out v0, out v1, out _, two);
+
+    /// <summary>The same, and how fast the centres pass each other along the surface, as <see cref="Slip"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void TurnedNormalVelocities(
+        ContactBundle* row,
+        int lane,
+        in WideVelocity a,
+        in WideVelocity b,
+        in WideDelta movedA,
+        in WideDelta movedB,
+        out Wide v0,
+        out Wide v1,
+        out Wide slip,
+        bool two)
     {
-        Wide un = (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
+        Wide x = b.X - a.X;
+        Wide y = b.Y - a.Y;
+        slip = (Wide.Load(row->NormalY + lane) * x) - (Wide.Load(row->NormalX + lane) * y);
+        Wide un = (Wide.Load(row->NormalX + lane) * x) + (Wide.Load(row->NormalY + lane) * y);
         v0 = un + TurnedSpin(&row->Point0, lane, a.W, b.W, movedA, movedB);
         v1 = two ? un + TurnedSpin(&row->Point1, lane, a.W, b.W, movedA, movedB) : Wide.Zero;
     }

@@ -51,10 +51,17 @@ internal static unsafe class ContactStages
             rows.AskForBiased(row, bodies, two);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
-                Gather(row, lane, work, moved, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
+                Gather(row, lane, work, moved, bodies, out WideDelta movedA, out WideDelta movedB);
                 ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1, two);
+
+                // What is put down and read again leaves registers to the rest: of sixteen, a third of what follows was spilled.
+                s0.Store(work->Value0 + lane);
+                s1.Store(work->Value1 + lane);
                 LimitTurns<TTurns>(ref movedA, ref movedB, ref least);
-                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
+                ContactWork.Take(work, lane, out WideVelocity a, out WideVelocity b);
+                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, out Wide slip, two);
+                s0 = Wide.Load(work->Value0 + lane);
+                s1 = Wide.Load(work->Value1 + lane);
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
                 Wide lambda1 = two ? Wide.Load(row->Point1.Normal + lane) : Wide.Zero;
                 Wide gap0 = s0 - rest;
@@ -70,7 +77,7 @@ internal static unsafe class ContactStages
 
                 sink = settleShare * sink;
                 Wide hold = rest - ContactBundle.HoldDepth(row, lane);
-                WideMask stands = Wide.Abs(ContactKernel.Slip(row, lane, a, b)) < sliding;
+                WideMask stands = Wide.Abs(slip) < sliding;
                 Wide slowly = Wide.Min(settle, sink);
                 Wide closing0 = (gap0 * inverseSubstep) + slowly;
                 Wide closing1 = (gap1 * inverseSubstep) + slowly;
@@ -149,7 +156,7 @@ internal static unsafe class ContactStages
             rows.AskForRelaxed(row, bodies, two);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
-                Gather(row, lane, work, moved, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
+                Gather(row, lane, work, moved, bodies, out WideDelta movedA, out WideDelta movedB);
                 Wide along = ContactKernel.MovedAlong(row, lane, movedA, movedB);
                 Wide gap0 = ContactKernel.PointSeparation(&row->Point0, lane, movedA, movedB, along, out Wide armA0, out Wide armB0) - rest;
                 Wide armA1 = armA0;
@@ -165,6 +172,7 @@ internal static unsafe class ContactStages
 
                 armA0.Store(work->ArmA0 + lane);
                 armB0.Store(work->ArmB0 + lane);
+                ContactWork.Take(work, lane, out WideVelocity a, out WideVelocity b);
                 ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
                 if (two)
                 {
@@ -200,8 +208,9 @@ internal static unsafe class ContactStages
             rows.AskForBiased(row, bodies, two);
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
-                Gather(row, lane, work, moved, bodies, out WideVelocity a, out WideVelocity b, out WideDelta movedA, out WideDelta movedB);
+                Gather(row, lane, work, moved, bodies, out WideDelta movedA, out WideDelta movedB);
                 ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1, two);
+                ContactWork.Take(work, lane, out WideVelocity a, out WideVelocity b);
                 ContactKernel.NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1, two);
                 (v0 + (s0 * Wide.Select(s0 > Wide.Zero, inverseSubstep, rate))).Store(work->Value0 + lane);
                 if (two)
@@ -421,29 +430,22 @@ internal static unsafe class ContactStages
         return moved;
     }
 
+    /// <summary>What the bodies have moved; their velocities are put down in the work.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Gather(
-        ContactBundle* row,
-        int lane,
-        ContactWork* work,
-        ContactMoved* moved,
-        BodyState* bodies,
-        out WideVelocity a,
-        out WideVelocity b,
-        out WideDelta movedA,
-        out WideDelta movedB)
+        ContactBundle* row, int lane, ContactWork* work, ContactMoved* moved, BodyState* bodies, out WideDelta movedA, out WideDelta movedB)
     {
         if (MatrixTurn.IsUsed)
         {
-            ContactWork.Take(work, lane, out a, out b);
             movedA = Delta(moved->AX + lane);
             movedB = Delta(moved->BX + lane);
             return;
         }
 
-        BodyLanes.GatherState(bodies, row->BodyA + lane, out a, out movedA);
-        BodyLanes.GatherState(bodies, row->BodyB + lane, out b, out movedB);
-        ContactWork.Keep(work, lane, a, b);
+        BodyLanes.GatherState(bodies, row->BodyA + lane, out WideVelocity a, out movedA);
+        ContactWork.KeepA(work, lane, a);
+        BodyLanes.GatherState(bodies, row->BodyB + lane, out WideVelocity b, out movedB);
+        ContactWork.KeepB(work, lane, b);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

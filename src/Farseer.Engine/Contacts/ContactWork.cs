@@ -65,9 +65,21 @@ internal unsafe struct ContactWork
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Keep(ContactWork* work, int lane, in WideVelocity a, in WideVelocity b)
     {
+        KeepA(work, lane, a);
+        KeepB(work, lane, b);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void KeepA(ContactWork* work, int lane, in WideVelocity a)
+    {
         a.X.Store(work->VelocityAX + lane);
         a.Y.Store(work->VelocityAY + lane);
         a.W.Store(work->SpinA + lane);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void KeepB(ContactWork* work, int lane, in WideVelocity b)
+    {
         b.X.Store(work->VelocityBX + lane);
         b.Y.Store(work->VelocityBY + lane);
         b.W.Store(work->SpinB + lane);
