@@ -298,7 +298,9 @@ internal static unsafe class ContactStages
                     blow = blow & ((feed0 + feed1) <= Wide.Zero);
                 }
 
-                blows |= WideLanes.Any(blow) ? ContactWork.Bit(i, lane) : 0;
+
+                // A 1 if any bit is set, without a branch that nobody can guess.
+                blows |= (ulong)((uint)-WideLanes.Bits(blow) >> 31) << ContactWork.Place(i, lane);
                 Wide.Keep(blow, Wide.One).Store(work->MayBlow + lane);
                 if (feed)
                 {

@@ -59,7 +59,10 @@ internal unsafe struct ContactWork
     public static ContactWork* In(byte* memory) => (ContactWork*)(((ulong)memory + (LineBytes - 1)) & ~(ulong)(LineBytes - 1));
 
     /// <summary>The bit of a bundle's lane and of those beside it in a vector.</summary>
-    public static ulong Bit(int bundle, int lane) => 1UL << (int)((uint)((bundle * Lanes) + lane) / LeastWidth);
+    public static ulong Bit(int bundle, int lane) => 1UL << Place(bundle, lane);
+
+    /// <summary>Which one that is.</summary>
+    public static int Place(int bundle, int lane) => (int)((uint)((bundle * Lanes) + lane) / LeastWidth);
 
     /// <summary>Puts velocities of both bodies down.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
