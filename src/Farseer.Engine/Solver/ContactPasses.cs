@@ -3,6 +3,7 @@ using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Stepping;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Solver;
 
@@ -38,7 +39,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     private readonly StageList _stages = new StageList();
 
     /// <summary>Parts of the runs: what <see cref="RelaxChosen"/> walks over.</summary>
-    private KnownRun[] _chosen = new KnownRun[FirstRuns];
+    private readonly Column<RunPart> _chosen = new Column<RunPart>();
     private int _chosenCount;
     private StageColors[] _stageColors = new StageColors[ConstraintGraph.ColorCount];
     private StageRunner _runner = null!;
@@ -70,6 +71,9 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         _pass.First = first;
         Run(colors, ContactPassKind.Relax, rub);
     }
+
+    /// <summary>Makes room for what <see cref="Choose"/> may find in a world of so many bodies: a part for four, where each has five contacts or less.</summary>
+    public void Reserve(int bodies) => _chosen.EnsureCapacity(bodies / 4);
 
     /// <summary>Chooses the records with rows of some islands.</summary>
     /// <param name="colors">The rows of all passes.</param>
@@ -113,7 +117,9 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         _pass.First = false;
         for (int i = 0; i < _chosenCount; i++)
         {
-            Run(_chosen[i]);
+            KnownRun run = _runs[_chosen[i].Run];
+            run.Rows = run.Rows.Part(_chosen[i].First, _chosen[i].Count);
+            Run(run);
         }
     }
 
@@ -168,13 +174,8 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
             return;
         }
 
-        if (_chosenCount == _chosen.Length)
-        {
-            Array.Resize(ref _chosen, 2 * _chosenCount);
-        }
-
-        _chosen[_chosenCount] = _runs[run];
-        _chosen[_chosenCount++].Rows = _runs[run].Rows.Part(first, end - first);
+        _chosen.EnsureCapacity(_chosenCount + 1);
+        _chosen[_chosenCount++] = new RunPart { Run = run, First = first, Count = end - first };
     }
 
     private static bool HasRowOf(ContactBundle* row, int bundles, byte* islands, int* islandOfSlot)
@@ -328,6 +329,14 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     {
         public int End;
         public bool AreShared;
+    }
+
+    /// <summary>Some bundles of a run.</summary>
+    private struct RunPart
+    {
+        public int Run;
+        public int First;
+        public int Count;
     }
 
     private struct KnownRun

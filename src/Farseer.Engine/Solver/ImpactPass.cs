@@ -85,6 +85,7 @@ internal sealed unsafe class ImpactPass
         _met.Reserve(_bounces.Capacity);
         _latest.EnsureCapacity(bodies.Ids.End);
         _hitsAt.EnsureCapacity(bodies.Ids.End);
+        _islandStruck.EnsureCapacity(bodies.Ids.End + 1);
         for (int k = 0; k < colors.Length; k++)
         {
             foreach (ContactBundle* row in colors[k].Bundles)
@@ -405,7 +406,6 @@ internal sealed unsafe class ImpactPass
     /// <summary>Marks the islands with an impact in this substep: what does not bounce need not be settled anew in the others.</summary>
     private byte* FindStruckIslands(IslandStore islands)
     {
-        _islandStruck.EnsureCapacity(islands.Count + 1);
         new Span<byte>(_islandStruck.Pointer, islands.Count + 1).Clear();
         for (int i = 0; i < _met.Count; i++)
         {

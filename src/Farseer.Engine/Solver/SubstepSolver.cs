@@ -101,6 +101,7 @@ internal sealed unsafe class SubstepSolver
         if (input.AnyBounce)
         {
             _impacts.Begin(input.Colors, input.Bodies);
+            _passes.Reserve(input.Bodies.Ids.End);
         }
 
         _passes.Begin(input.Runner, input.Bodies, coefficients, input.Colors);
