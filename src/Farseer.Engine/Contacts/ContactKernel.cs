@@ -288,7 +288,7 @@ internal static unsafe class ContactKernel
     /// With the arms of the middle of the step instead, a body that tips over ends each step with the velocity of half a step
     /// before, off by w² r dt / 2, and its contact lifts and drops within the step. The impulses keep the arms of the
     /// middle: that K and the arms agree is what makes the block solve exact, and over a step the mean of the arms is what counts
-    /// (for a blow see <see cref="BlowKernel"/>). How far they may be turned: see <see cref="TurnedArms"/>.
+    /// (for a blow see <see cref="BlowKernel"/>). How far they may be turned: see <see cref="TurnedArms"/>. Beside them <see cref="Slip"/>.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void TurnedNormalVelocities(
@@ -300,21 +300,8 @@ internal static unsafe class ContactKernel
         in WideDelta movedB,
         out Wide v0,
         out Wide v1,
-        bool two = true) => TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out v0, out v1, out _, two);
-
-    /// <summary>The same, and how fast the centres pass each other along the surface, as <see cref="Slip"/>.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void TurnedNormalVelocities(
-        ContactBundle* row,
-        int lane,
-        in WideVelocity a,
-        in WideVelocity b,
-        in WideDelta movedA,
-        in WideDelta movedB,
-        out Wide v0,
-        out Wide v1,
         out Wide slip,
-        bool two)
+        bool two = true)
     {
         Wide x = b.X - a.X;
         Wide y = b.Y - a.Y;

@@ -173,7 +173,7 @@ internal static unsafe class ContactStages
                 armA0.Store(work->ArmA0 + lane);
                 armB0.Store(work->ArmB0 + lane);
                 ContactWork.Take(work, lane, out WideVelocity a, out WideVelocity b);
-                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
+                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, out _, two);
                 if (two)
                 {
                     armA1.Store(work->ArmA1 + lane);

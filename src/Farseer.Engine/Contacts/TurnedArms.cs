@@ -45,7 +45,7 @@ internal static unsafe class TurnedArms
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void NormalVelocities(
         ContactBundle* row, int lane, in WideVelocity a, in WideVelocity b, in WideDelta movedA, in WideDelta movedB, out Wide v0, out Wide v1) =>
-        ContactKernel.TurnedNormalVelocities(row, lane, a, b, Limited(movedA), Limited(movedB), out v0, out v1);
+        ContactKernel.TurnedNormalVelocities(row, lane, a, b, Limited(movedA), Limited(movedB), out v0, out v1, out _);
 
     /// <summary>Normal arms of a point, turned along: of gaps and of friction.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
