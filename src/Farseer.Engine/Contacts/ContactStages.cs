@@ -54,14 +54,18 @@ internal static unsafe class ContactStages
                 Gather(row, lane, work, moved, bodies, out WideDelta movedA, out WideDelta movedB);
                 ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1, two);
 
-                // What is put down and read again leaves registers to the rest: of sixteen, a third of what follows was spilled.
+                // What is put down and read again leaves registers to the rest: with sixteen of them, 69 instructions of 508 went to the stack, now 28 of 455.
                 s0.Store(work->Value0 + lane);
-                s1.Store(work->Value1 + lane);
+                if (two)
+                {
+                    s1.Store(work->Value1 + lane);
+                }
+
                 LimitTurns<TTurns>(ref movedA, ref movedB, ref least);
                 ContactWork.Take(work, lane, out WideVelocity a, out WideVelocity b);
                 ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, out Wide slip, two);
                 s0 = Wide.Load(work->Value0 + lane);
-                s1 = Wide.Load(work->Value1 + lane);
+                s1 = two ? Wide.Load(work->Value1 + lane) : Wide.Zero;
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
                 Wide lambda1 = two ? Wide.Load(row->Point1.Normal + lane) : Wide.Zero;
                 Wide gap0 = s0 - rest;
