@@ -23,6 +23,37 @@ internal static unsafe class ClearWay
     public static bool Holds(ShapeStore shapes, in ContactRecord record, in BodyPath a, in BodyPath b, bool ofA, double gap) =>
         ofA ? Holds(shapes, record.PieceB, b, record.PieceA, a, gap) : Holds(shapes, record.PieceA, a, record.PieceB, b, gap);
 
+    /// <summary>The same for an edge of either.</summary>
+    /// <param name="shapes">The pieces.</param>
+    /// <param name="record">The pair.</param>
+    /// <param name="a">Way of A's body.</param>
+    /// <param name="b">Way of B's body.</param>
+    /// <param name="gap">How far apart they must stay at least.</param>
+    public static bool HoldsForEither(ShapeStore shapes, in ContactRecord record, in BodyPath a, in BodyPath b, double gap)
+    {
+        // Four rotors at once take no longer than one.
+        double* sin = stackalloc double[StableMath.Lanes];
+        double* cos = stackalloc double[StableMath.Lanes];
+        StableMath.SinCos(a.Angle, a.AngleAt(1), b.Angle, b.AngleAt(1), sin, cos);
+        return Holds(shapes, record.PieceB, b, record.PieceA, a, sin, cos, gap)
+            || Holds(shapes, record.PieceA, a, record.PieceB, b, sin + 2, cos + 2, gap);
+    }
+
+    private static bool Holds(ShapeStore shapes, int piece, in BodyPath way, int other, in BodyPath otherWay, double gap)
+    {
+        double* sin = stackalloc double[2];
+        double* cos = stackalloc double[2];
+        StableMath.SinCos(otherWay.Angle, out sin[0], out cos[0]);
+        sin[1] = sin[0];
+        cos[1] = cos[0];
+        if (otherWay.Spin != 0 || otherWay.SpinGain != 0)
+        {
+            StableMath.SinCos(otherWay.AngleAt(1), out sin[1], out cos[1]);
+        }
+
+        return Holds(shapes, piece, way, other, otherWay, sin, cos, gap);
+    }
+
     /// <summary>
     /// Sees the way of the piece's body from the other one, as if that stood still. It bends there by no more than it turns and
     /// accelerates, and so lies within an eighth of that of its chord.
@@ -32,8 +63,11 @@ internal static unsafe class ClearWay
     /// <param name="way">The way of its body.</param>
     /// <param name="other">The piece with edges; one without is never before an edge.</param>
     /// <param name="otherWay">The way of its body.</param>
+    /// <param name="sin">Of the other body's angle, where the way begins and where it ends.</param>
+    /// <param name="cos">Likewise.</param>
     /// <param name="gap">How far apart they must stay at least.</param>
-    private static bool Holds(ShapeStore shapes, int piece, in BodyPath way, int other, in BodyPath otherWay, double gap)
+    private static bool Holds(
+        ShapeStore shapes, int piece, in BodyPath way, int other, in BodyPath otherWay, double* sin, double* cos, double gap)
     {
         ref Piece hull = ref shapes.Pieces[other];
         if (hull.VertexCount < 2)
@@ -53,18 +87,12 @@ internal static unsafe class ClearWay
         double bend = gain + (2 * spin * speed) + (((spin * spin) + Math.Abs(otherWay.SpinGain)) * (Math.Abs(x) + Math.Abs(y) + speed));
         double need = shapes.Pieces[piece].Reach + (double)hull.Radius + (0.125 * bend) + gap;
 
-        StableMath.SinCos(otherWay.Angle, out double sin, out double cos);
-        double fromX = (cos * x) + (sin * y);
-        double fromY = (cos * y) - (sin * x);
-        if (spin != 0)
-        {
-            StableMath.SinCos(otherWay.AngleAt(1), out sin, out cos);
-        }
-
+        double fromX = (cos[0] * x) + (sin[0] * y);
+        double fromY = (cos[0] * y) - (sin[0] * x);
         x += velocityX + (0.5 * gainX);
         y += velocityY + (0.5 * gainY);
-        double toX = (cos * x) + (sin * y);
-        double toY = (cos * y) - (sin * x);
+        double toX = (cos[1] * x) + (sin[1] * y);
+        double toY = (cos[1] * y) - (sin[1] * x);
         Vector2* vertices = shapes.Vertices.Pointer + hull.VertexStart;
         Vector2* normals = shapes.Normals.Pointer + hull.VertexStart;
         for (int i = 0; i < hull.VertexCount; i++)

@@ -39,13 +39,16 @@ internal unsafe struct MovingHull
 
     public readonly BodyPath Path => _path;
 
-    /// <summary>Puts the piece where it is at <paramref name="f"/>.</summary>
-    public void MoveTo(double f)
+    /// <summary>Puts both pieces of a pair where they are at <paramref name="f"/>. Of two rotors at once each costs half.</summary>
+    public static void MoveTo(double f, ref MovingHull a, ref MovingHull b)
     {
-        X = _path.XAt(f);
-        Y = _path.YAt(f);
-        _spin = _path.SpinAt(f);
-        StableMath.SinCos(_path.AngleAt(f), out _sin, out _cos);
+        double* sin = stackalloc double[StableMath.Lanes];
+        double* cos = stackalloc double[StableMath.Lanes];
+        double angleA = a._path.AngleAt(f);
+        double angleB = b._path.AngleAt(f);
+        StableMath.SinCos(angleA, angleB, angleA, angleB, sin, cos);
+        a.Place(f, sin[0], cos[0]);
+        b.Place(f, sin[1], cos[1]);
     }
 
     /// <summary>A direction or an arm in world axes.</summary>
@@ -90,5 +93,14 @@ internal unsafe struct MovingHull
     {
         double fastest = Math.Max(Math.Abs(_path.SpinAt(f)), Math.Abs(_path.SpinAt(1)));
         return _arm * ((fastest * fastest) + Math.Abs(_path.SpinGain));
+    }
+
+    private void Place(double f, double sin, double cos)
+    {
+        X = _path.XAt(f);
+        Y = _path.YAt(f);
+        _spin = _path.SpinAt(f);
+        _sin = sin;
+        _cos = cos;
     }
 }

@@ -54,8 +54,7 @@ internal static unsafe class TimeOfImpact
         separation = 0;
         for (int step = 0; step < MaxSteps; step++)
         {
-            hullA.MoveTo(time);
-            hullB.MoveTo(time);
+            MovingHull.MoveTo(time, ref hullA, ref hullB);
             separation = Separation(hullA, hullB, out double nx, out double ny);
             if (separation <= query.Target + query.Tolerance)
             {

@@ -86,6 +86,24 @@ internal static unsafe partial class StableMath
         }
     }
 
+    /// <summary>The same of four angles that are not in memory yet: a load of all of them would wait until each has been stored.</summary>
+    public static void SinCos(double angle0, double angle1, double angle2, double angle3, double* sin, double* cos)
+    {
+#if NET8_0_OR_GREATER
+        if (Avx.IsSupported
+            && SinCosDirect(Vector256.Create(angle0, angle1, angle2, angle3), out Vector256<double> s, out Vector256<double> c))
+        {
+            s.Store(sin);
+            c.Store(cos);
+            return;
+        }
+#endif
+        SinCos(angle0, out sin[0], out cos[0]);
+        SinCos(angle1, out sin[1], out cos[1]);
+        SinCos(angle2, out sin[2], out cos[2]);
+        SinCos(angle3, out sin[3], out cos[3]);
+    }
+
     /// <returns>False if one of the angles is too large.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool SinCosDirect(WideDouble angle, out WideDouble sin, out WideDouble cos)

@@ -203,7 +203,7 @@ internal sealed unsafe class FastPairStage : IStageWork
 
         // Most of what a body may meet along its way stays before one edge of it or of the other: half of the searches of a rotor in a heap.
         double gap = PairStage.SkinShare * extent;
-        if (ClearWay.Holds(input.Shapes, record, a, b, ofA: true, gap) || ClearWay.Holds(input.Shapes, record, a, b, ofA: false, gap))
+        if (ClearWay.HoldsForEither(input.Shapes, record, a, b, gap))
         {
             return;
         }

@@ -35,6 +35,8 @@ public class StableMathTests
         double* angles = stackalloc double[StableMath.Lanes];
         float* sin = stackalloc float[StableMath.Lanes];
         float* cos = stackalloc float[StableMath.Lanes];
+        double* exactSin = stackalloc double[StableMath.Lanes];
+        double* exactCos = stackalloc double[StableMath.Lanes];
         for (int i = 0; i < 100_000; i++)
         {
             for (int k = 0; k < StableMath.Lanes; k++)
@@ -44,9 +46,12 @@ public class StableMathTests
             }
 
             StableMath.SinCos(angles, sin, cos);
+            StableMath.SinCos(angles[0], angles[1], angles[2], angles[3], exactSin, exactCos);
             for (int k = 0; k < StableMath.Lanes; k++)
             {
                 StableMath.SinCos(angles[k], out double s, out double c);
+                Assert.Equal(BitConverter.DoubleToInt64Bits(s), BitConverter.DoubleToInt64Bits(exactSin[k]));
+                Assert.Equal(BitConverter.DoubleToInt64Bits(c), BitConverter.DoubleToInt64Bits(exactCos[k]));
                 Assert.Equal(BitConverter.SingleToInt32Bits((float)s), BitConverter.SingleToInt32Bits(sin[k]));
                 Assert.Equal(BitConverter.SingleToInt32Bits((float)c), BitConverter.SingleToInt32Bits(cos[k]));
             }
