@@ -109,7 +109,7 @@ internal static unsafe class ContactUpdate
     }
 
 #if NET8_0_OR_GREATER
-    /// <summary>Updates the pairs of both bundles of a record, sixteen lanes at a time but for what only some of them need.</summary>
+    /// <summary>Updates the pairs of both bundles of a record, sixteen lanes at a time but for where fast ones go.</summary>
     /// <param name="input">Columns and numbers of this step.</param>
     /// <param name="row">The first of the bundles.</param>
     /// <param name="fates">What is to become of the pairs of both, those of the second in the upper bits.</param>
@@ -128,8 +128,7 @@ internal static unsafe class ContactUpdate
 
         if (left != 0)
         {
-            PairManifolds.CollideOthers(input, row, bits.OfBundle(0), left & PairBits.OneBundle);
-            PairManifolds.CollideOthers(Beside(input), ContactBundle.Next(row), bits.OfBundle(1), left >> ContactBundle.Lanes);
+            Sixteen.OtherManifolds.Collide(input, record, bits, left);
         }
 
         TouchBits touch = Sixteen.PairStage.Touch(input, record);

@@ -30,22 +30,6 @@ internal struct PairBits
 
     /// <summary>Of the bits of two bundles side by side those of one.</summary>
     public static int Of(int bits, int bundle) => (bits >> (bundle * ContactBundle.Lanes)) & OneBundle;
-
-    /// <summary>Of two bundles side by side those of one.</summary>
-    public readonly PairBits OfBundle(int bundle) => new PairBits
-    {
-        Exists = Of(Exists, bundle),
-        Solid = Of(Solid, bundle),
-        Heard = Of(Heard, bundle),
-        Boxes = Of(Boxes, bundle),
-        Circles = Of(Circles, bundle),
-        Hulls = Of(Hulls, bundle),
-        CircleHulls = Of(CircleHulls, bundle),
-        CircleFirst = Of(CircleFirst, bundle),
-        Tilted = Of(Tilted, bundle),
-        NewBox = Of(NewBox, bundle),
-        Fast = Of(Fast, bundle),
-    };
 }
 
 /// <summary>What the manifolds of such pairs say, a bit for each lane.</summary>

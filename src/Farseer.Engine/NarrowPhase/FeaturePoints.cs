@@ -57,5 +57,5 @@ internal unsafe struct FeaturePoints
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Turn(WidePoint* turned, Vector2* pool, int* place) =>
-        WidePoints.Turn(pool, place, (float*)&turned->X, (float*)&turned->Y);
+        MatrixTurn.ToTwoColumns(pool, place, Wide.Count, (float*)&turned->X, (float*)&turned->Y);
 }

@@ -19,27 +19,33 @@ internal unsafe struct HullLanes
 {
     public const int Lanes = WideLanes.BundleLanes;
 
+    /// <summary>The lanes of a column as it lies in memory: see <see cref="PairLanes.LineLanes"/>.</summary>
+    public const int LineLanes = PairLanes.LineLanes;
+
     /// <summary>Hulls with more corners are left to the code for one pair.</summary>
     public const int MostCorners = 8;
 
-    /// <summary>Corner i of all lanes stands at i·<see cref="Lanes"/>, likewise the outward normal of the edge that starts there.</summary>
-    public fixed float VertexX[MostCorners * Lanes];
-    public fixed float VertexY[MostCorners * Lanes];
-    public fixed float NormalX[MostCorners * Lanes];
-    public fixed float NormalY[MostCorners * Lanes];
+    /// <summary>Corner i of all lanes stands at i·<see cref="LineLanes"/>, likewise the outward normal of the edge that starts there.</summary>
+    public fixed float VertexX[MostCorners * LineLanes];
+    public fixed float VertexY[MostCorners * LineLanes];
+    public fixed float NormalX[MostCorners * LineLanes];
+    public fixed float NormalY[MostCorners * LineLanes];
 
     /// <summary>Where the hull's corners begin in the pools, and the number of its last one.</summary>
-    public fixed int Start[Lanes];
-    public fixed int Last[Lanes];
+    public fixed int Start[LineLanes];
+    public fixed int Last[LineLanes];
 
     /// <summary>The body's rotation.</summary>
-    public fixed float Cos[Lanes];
-    public fixed float Sin[Lanes];
+    public fixed float Cos[LineLanes];
+    public fixed float Sin[LineLanes];
 
     private const int CornerBits = 3;
 
     /// <summary>Start and number of corners, of 1 to <see cref="MostCorners"/>, in one number.</summary>
     public static int Pack(int start, int count) => (start << CornerBits) | ((count - 1) & (MostCorners - 1));
+
+    /// <summary>The hulls of the lanes from one on.</summary>
+    public static HullLanes* At(HullLanes* hulls, int lane) => (HullLanes*)((float*)hulls + lane);
 
     /// <summary>
     /// Names the hulls of some lanes. The others repeat the first point of the pool; a lane without a piece is named -1, and something must stand there.
@@ -67,23 +73,21 @@ internal unsafe struct HullLanes
 #endif
     }
 
-    /// <summary>Reads the corners of all lanes from the pools and returns how many the largest hull has.</summary>
+    /// <summary>Reads the corners of all lanes from the pools.</summary>
+    /// <param name="hulls">The lanes, named.</param>
+    /// <param name="most">The number of the last corner to read; no lane has more.</param>
+    /// <param name="vertices">Pool of corners.</param>
+    /// <param name="normals">Pool of edge normals.</param>
     [MethodImpl(KernelMethod.Optimized)]
-    public static int Gather(HullLanes* hulls, Vector2* vertices, Vector2* normals)
+    public static void Gather(HullLanes* hulls, int most, Vector2* vertices, Vector2* normals)
     {
-        int most = 0;
-        for (int lane = 0; lane < Lanes; lane++)
-        {
-            most = hulls->Last[lane] > most ? hulls->Last[lane] : most;
-        }
-
         int corner = 0;
 #if NET8_0_OR_GREATER
         Vector256<int> starts = Vector256.Load(hulls->Start);
         if (Vector256.EqualsAll(starts, Vector256.Create(hulls->Start[0])) && Vector256.EqualsAll(Vector256.Load(hulls->Last), Vector256.Create(most)))
         {
             Spread(hulls, vertices + hulls->Start[0], normals + hulls->Start[0], most);
-            return most + 1;
+            return;
         }
 
         if (Avx.IsSupported)
@@ -113,7 +117,7 @@ internal unsafe struct HullLanes
             Place(hulls, corner, index);
             for (int lane = 0; lane < Lanes; lane += Wide.Count)
             {
-                int at = (corner * Lanes) + lane;
+                int at = (corner * LineLanes) + lane;
                 WidePoints.Gather(vertices, index + lane, out Wide x, out Wide y);
                 x.Store(hulls->VertexX + at);
                 y.Store(hulls->VertexY + at);
@@ -122,8 +126,6 @@ internal unsafe struct HullLanes
                 y.Store(hulls->NormalY + at);
             }
         }
-
-        return most + 1;
     }
 
 #if NET8_0_OR_GREATER
@@ -133,7 +135,7 @@ internal unsafe struct HullLanes
     {
         for (int i = 0; i <= last; i++)
         {
-            int at = i * Lanes;
+            int at = i * LineLanes;
             Vector256.Create(vertices[i].X).Store(hulls->VertexX + at);
             Vector256.Create(vertices[i].Y).Store(hulls->VertexY + at);
             Vector256.Create(normals[i].X).Store(hulls->NormalX + at);
@@ -160,29 +162,29 @@ internal unsafe struct HullLanes
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct AxisLanes
 {
-    public const int Lanes = WideLanes.BundleLanes;
+    private const int LineLanes = PairLanes.LineLanes;
 
     /// <summary>Numbers of an edge and of the other hull's vertex nearest to it, held as floats.</summary>
-    public fixed float Edge[Lanes];
-    public fixed float Support[Lanes];
-    public fixed float Separation[Lanes];
+    public fixed float Edge[LineLanes];
+    public fixed float Support[LineLanes];
+    public fixed float Separation[LineLanes];
 }
 
 /// <summary>A corner or an edge of each lane's hull: its place in the pools, and its part of the name of a point.</summary>
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct FeatureLanes
 {
-    public const int Lanes = WideLanes.BundleLanes;
+    private const int LineLanes = PairLanes.LineLanes;
 
-    public fixed int Place[Lanes];
-    public fixed int Name[Lanes];
+    public fixed int Place[LineLanes];
+    public fixed int Name[LineLanes];
 }
 
 /// <summary>What the kernels of hulls hold of the pairs of a bundle besides <see cref="PairLanes"/>.</summary>
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct HullPairLanes
 {
-    public const int Lanes = WideLanes.BundleLanes;
+    private const int LineLanes = PairLanes.LineLanes;
 
     public HullLanes A;
     public HullLanes B;
@@ -190,10 +192,10 @@ internal unsafe struct HullPairLanes
     public AxisLanes FromB;
 
     /// <summary>All bits set in the lanes that a kernel is to write.</summary>
-    public fixed int Active[Lanes];
+    public fixed int Active[LineLanes];
 
     /// <summary>All bits set in the lanes whose reference edge is one of B's.</summary>
-    public fixed int Flipped[Lanes];
+    public fixed int Flipped[LineLanes];
 
     /// <summary>The ends of the reference edge, and of the other hull the support vertex and its neighbours.</summary>
     public FeatureLanes Edge;

@@ -38,14 +38,6 @@ internal unsafe struct SideLanes
     public fixed float InverseInertia[LineLanes];
     public fixed float Friction[LineLanes];
     public fixed float Restitution[LineLanes];
-
-    /// <summary>Rounding radii: a box has none, and its half sides where others have theirs.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Wide Radius(SideLanes* side, int lane)
-    {
-        WideMask box = WideLanes.Has(Wide.Load((float*)side->Flags + lane), (int)SideFlags.Box);
-        return Wide.Select(box, Wide.Zero, Wide.Load(side->HalfX + lane));
-    }
 }
 
 /// <summary>One point of each pair's manifold, as <see cref="ManifoldPoint"/>, and its arms in the contact frame.</summary>
@@ -117,9 +109,6 @@ internal unsafe struct PairLanes
 
     /// <summary>Corners of the pieces, gathered only for pairs that need them.</summary>
     public HullPairLanes Hulls;
-
-    /// <summary>The hulls of pairs beside others begin as far behind those of the others as all their columns do.</summary>
-    private fixed float _room[LineLanes];
 
     /// <summary>The pairs beside some: those of the second bundle of a record.</summary>
     public static PairLanes* Beside(PairLanes* pairs) => (PairLanes*)((float*)pairs + Lanes);

@@ -23,7 +23,7 @@ internal static unsafe class WideAxisQuery
     public static void Find(
         HullLanes* reference, int edges, HullLanes* other, int corners, in WidePlacement placement, int lane, AxisLanes* found)
     {
-        const int Row = HullLanes.Lanes;
+        const int Row = HullLanes.LineLanes;
         float* cornerX = other->VertexX + lane;
         float* cornerY = other->VertexY + lane;
         Wide best = Wide.Zero;

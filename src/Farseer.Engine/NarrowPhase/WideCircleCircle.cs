@@ -13,7 +13,7 @@ internal static unsafe class WideCircleCircle
     [MethodImpl(KernelMethod.Optimized)]
     public static void Collide(PairLanes* pairs)
     {
-        for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
+        for (int lane = 0; lane < WideLanes.BundleLanes; lane += Wide.Count)
         {
             WideMask circles = WideLanes.Has(
                 Wide.Load((float*)pairs->A.Flags + lane) & Wide.Load((float*)pairs->B.Flags + lane), (int)SideFlags.Circle);

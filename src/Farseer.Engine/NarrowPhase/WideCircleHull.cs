@@ -19,8 +19,8 @@ internal static unsafe class WideCircleHull
     public static void Collide(PairLanes* pairs, int lanes, int circleFirst, Vector2* vertices, Vector2* normals)
     {
         HullPairLanes* hulls = &pairs->Hulls;
-        int edges = HullLanes.Gather(&hulls->A, vertices, normals);
-        for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
+        int edges = HullSides.Gather(&hulls->A, vertices, normals);
+        for (int lane = 0; lane < WideLanes.BundleLanes; lane += Wide.Count)
         {
             Collide(pairs, lane, WideLanes.Mask(lanes >> lane), WideLanes.Mask(circleFirst >> lane), edges, vertices);
         }
@@ -37,8 +37,8 @@ internal static unsafe class WideCircleHull
         hull.Y = Wide.Keep(flipped, Wide.Load(pairs->OffsetY + lane));
         FindCenter(pairs, lane, hull, flipped, out Wide x, out Wide y);
         Wide best = FindEdge(hulls, lane, edges, x, y);
-        Wide radiusA = SideLanes.Radius(&pairs->A, lane);
-        Wide radiusB = SideLanes.Radius(&pairs->B, lane);
+        Wide radiusA = HullSides.Radius(&pairs->A, lane);
+        Wide radiusB = HullSides.Radius(&pairs->B, lane);
         Wide radius = Wide.Select(flipped, radiusA, radiusB);
         Wide sum = Wide.Select(flipped, radiusB, radiusA) + radius;
         Wide margin = Wide.Load(pairs->Margin + lane);
@@ -106,7 +106,7 @@ internal static unsafe class WideCircleHull
         Wide normalY = Wide.Zero;
         for (int edge = 0; edge < edges; edge++)
         {
-            int at = (edge * HullLanes.Lanes) + lane;
+            int at = (edge * HullLanes.LineLanes) + lane;
             Wide nx = Wide.Load(hulls->A.NormalX + at);
             Wide ny = Wide.Load(hulls->A.NormalY + at);
             Wide s = (nx * (x - Wide.Load(hulls->A.VertexX + at))) + (ny * (y - Wide.Load(hulls->A.VertexY + at)));
@@ -127,11 +127,14 @@ internal static unsafe class WideCircleHull
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void FindEnds(HullPairLanes* hulls, int first)
     {
-        Vector256<int> edge = Vector256.ConvertToInt32(Vector256.Load(hulls->FromA.Edge + first)) & Vector256.Load(hulls->Active + first);
-        Vector256<int> start = Vector256.Load(hulls->A.Start + first);
-        Vector256<int> isLast = Vector256.Equals(edge, Vector256.Load(hulls->A.Last + first));
-        (start + edge).Store(hulls->Edge.Place + first);
-        (start + Vector256.AndNot(edge + Vector256<int>.One, isLast)).Store(hulls->End.Place + first);
+        for (int lane = first; lane < first + Wide.Count; lane += Vector256<int>.Count)
+        {
+            Vector256<int> edge = Vector256.ConvertToInt32(Vector256.Load(hulls->FromA.Edge + lane)) & Vector256.Load(hulls->Active + lane);
+            Vector256<int> start = Vector256.Load(hulls->A.Start + lane);
+            Vector256<int> isLast = Vector256.Equals(edge, Vector256.Load(hulls->A.Last + lane));
+            (start + edge).Store(hulls->Edge.Place + lane);
+            (start + Vector256.AndNot(edge + Vector256<int>.One, isLast)).Store(hulls->End.Place + lane);
+        }
     }
 #else
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

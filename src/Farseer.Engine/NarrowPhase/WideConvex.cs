@@ -21,10 +21,10 @@ internal static unsafe class WideConvex
     public static void Collide(PairLanes* pairs, int lanes, Vector2* vertices, Vector2* normals)
     {
         HullPairLanes* hulls = &pairs->Hulls;
-        int cornersA = HullLanes.Gather(&hulls->A, vertices, normals);
-        int cornersB = HullLanes.Gather(&hulls->B, vertices, normals);
+        int cornersA = HullSides.Gather(&hulls->A, vertices, normals);
+        int cornersB = HullSides.Gather(&hulls->B, vertices, normals);
         int near = 0;
-        for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
+        for (int lane = 0; lane < WideLanes.BundleLanes; lane += Wide.Count)
         {
             near |= FindAxes(pairs, WideLanes.Mask(lanes >> lane), cornersA, cornersB, lane);
         }
@@ -35,7 +35,7 @@ internal static unsafe class WideConvex
         }
 
         FindFeatures(hulls);
-        for (int lane = 0; lane < PairLanes.Lanes; lane += Wide.Count)
+        for (int lane = 0; lane < WideLanes.BundleLanes; lane += Wide.Count)
         {
             Build(pairs, lane, vertices, normals);
         }
@@ -81,8 +81,8 @@ internal static unsafe class WideConvex
     {
         HullPairLanes* hulls = &pairs->Hulls;
         WidePlacement placement = PlaceB(pairs, lane);
-        Wide radiusA = SideLanes.Radius(&pairs->A, lane);
-        Wide radiusB = SideLanes.Radius(&pairs->B, lane);
+        Wide radiusA = HullSides.Radius(&pairs->A, lane);
+        Wide radiusB = HullSides.Radius(&pairs->B, lane);
         Wide limit = (Wide.Load(pairs->Margin + lane) + radiusA) + radiusB;
         WideLanes.Replace(named, Wide.Zero, pairs->Count + lane);
         WideAxisQuery.Find(&hulls->A, cornersA, &hulls->B, cornersB, placement, lane, &hulls->FromA);
@@ -122,24 +122,27 @@ internal static unsafe class WideConvex
     /// <summary>Looks up where the features lie that the contact can be made of.</summary>
     private static void FindFeatures(HullPairLanes* hulls)
     {
-        Vector256<int> turned = Vector256.Load(hulls->Flipped);
-        Vector256<int> counts = Vector256.Load(hulls->Active);
-        Vector256<int> startA = Vector256.Load(hulls->A.Start);
-        Vector256<int> startB = Vector256.Load(hulls->B.Start);
-        Vector256<int> lastA = Vector256.Load(hulls->A.Last);
-        Vector256<int> lastB = Vector256.Load(hulls->B.Last);
-        Vector256<int> edge = Pick(turned, hulls->FromB.Edge, hulls->FromA.Edge) & counts;
-        Vector256<int> support = Pick(turned, hulls->FromB.Support, hulls->FromA.Support) & counts;
-        Vector256<int> start = Vector256.ConditionalSelect(turned, startB, startA);
-        Vector256<int> last = Vector256.ConditionalSelect(turned, lastB, lastA);
-        Set(&hulls->Edge, start, edge, turned);
-        Set(&hulls->End, start, Vector256.AndNot(edge + Vector256<int>.One, Vector256.Equals(edge, last)), turned);
-        start = Vector256.ConditionalSelect(turned, startA, startB);
-        last = Vector256.ConditionalSelect(turned, lastA, lastB);
-        Vector256<int> first = Vector256.Equals(support, Vector256<int>.Zero);
-        Set(&hulls->Before, start, Vector256.ConditionalSelect(first, last, support - Vector256<int>.One), ~turned);
-        Set(&hulls->Support, start, support, ~turned);
-        Set(&hulls->After, start, Vector256.AndNot(support + Vector256<int>.One, Vector256.Equals(support, last)), ~turned);
+        for (int lane = 0; lane < WideLanes.BundleLanes; lane += Vector256<int>.Count)
+        {
+            Vector256<int> turned = Vector256.Load(hulls->Flipped + lane);
+            Vector256<int> counts = Vector256.Load(hulls->Active + lane);
+            Vector256<int> startA = Vector256.Load(hulls->A.Start + lane);
+            Vector256<int> startB = Vector256.Load(hulls->B.Start + lane);
+            Vector256<int> lastA = Vector256.Load(hulls->A.Last + lane);
+            Vector256<int> lastB = Vector256.Load(hulls->B.Last + lane);
+            Vector256<int> edge = Pick(turned, hulls->FromB.Edge + lane, hulls->FromA.Edge + lane) & counts;
+            Vector256<int> support = Pick(turned, hulls->FromB.Support + lane, hulls->FromA.Support + lane) & counts;
+            Vector256<int> start = Vector256.ConditionalSelect(turned, startB, startA);
+            Vector256<int> last = Vector256.ConditionalSelect(turned, lastB, lastA);
+            Set(&hulls->Edge, lane, start, edge, turned);
+            Set(&hulls->End, lane, start, Vector256.AndNot(edge + Vector256<int>.One, Vector256.Equals(edge, last)), turned);
+            start = Vector256.ConditionalSelect(turned, startA, startB);
+            last = Vector256.ConditionalSelect(turned, lastA, lastB);
+            Vector256<int> first = Vector256.Equals(support, Vector256<int>.Zero);
+            Set(&hulls->Before, lane, start, Vector256.ConditionalSelect(first, last, support - Vector256<int>.One), ~turned);
+            Set(&hulls->Support, lane, start, support, ~turned);
+            Set(&hulls->After, lane, start, Vector256.AndNot(support + Vector256<int>.One, Vector256.Equals(support, last)), ~turned);
+        }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -148,16 +151,16 @@ internal static unsafe class WideConvex
 
     // A name is EdgeContact.Id, of which each feature gives its half: that of B's the lower.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Set(FeatureLanes* feature, Vector256<int> start, Vector256<int> number, Vector256<int> ofB)
+    private static void Set(FeatureLanes* feature, int lane, Vector256<int> start, Vector256<int> number, Vector256<int> ofB)
     {
-        (start + number).Store(feature->Place);
-        (Vector256.ConditionalSelect(ofB, number << 1, number << 16) | Vector256<int>.One).Store(feature->Name);
+        (start + number).Store(feature->Place + lane);
+        (Vector256.ConditionalSelect(ofB, number << 1, number << 16) | Vector256<int>.One).Store(feature->Name + lane);
     }
 #else
     /// <summary>Looks up where the features lie that the contact can be made of.</summary>
     private static void FindFeatures(HullPairLanes* hulls)
     {
-        for (int lane = 0; lane < HullPairLanes.Lanes; lane += Wide.Count)
+        for (int lane = 0; lane < WideLanes.BundleLanes; lane += Wide.Count)
         {
             Vector<int> turned = Load(hulls->Flipped + lane);
             Vector<int> counts = Load(hulls->Active + lane);
@@ -234,8 +237,8 @@ internal static unsafe class WideConvex
         contact.EdgeName = Wide.Load((float*)hulls->Edge.Name + lane);
         contact.EndName = Wide.Load((float*)hulls->End.Name + lane);
 
-        Wide radiusA = SideLanes.Radius(&pairs->A, lane);
-        Wide radiusB = SideLanes.Radius(&pairs->B, lane);
+        Wide radiusA = HullSides.Radius(&pairs->A, lane);
+        Wide radiusB = HullSides.Radius(&pairs->B, lane);
         contact.Radius = Wide.Select(flipped, radiusB, radiusA);
         contact.Sum = contact.Radius + Wide.Select(flipped, radiusA, radiusB);
         contact.Margin = Wide.Load(pairs->Margin + lane);

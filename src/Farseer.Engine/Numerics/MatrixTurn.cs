@@ -66,6 +66,22 @@ internal static unsafe class MatrixTurn
         *(Vector4*)second = rows[1];
     }
 
+    /// <summary>The same of points of a pool, to be read when all that is needed has been turned; what lies behind a point is read as well.</summary>
+    /// <param name="pool">Where the points lie.</param>
+    /// <param name="index">Their places.</param>
+    /// <param name="count">How many, a multiple of <see cref="Records"/>.</param>
+    /// <param name="x">Where their x go.</param>
+    /// <param name="y">Where their y go.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void ToTwoColumns(Vector2* pool, int* index, int count, float* x, float* y)
+    {
+        for (int i = 0; i < count; i += Records)
+        {
+            ToTwoColumns(
+                (float*)(pool + index[i]), (float*)(pool + index[i + 1]), (float*)(pool + index[i + 2]), (float*)(pool + index[i + 3]), x + i, y + i);
+        }
+    }
+
     /// <summary>The same with the first and third column in one place, the second and fourth in another.</summary>
     [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -10,6 +10,9 @@ namespace Farseer.Engine.Numerics;
 /// <summary>Brings points of a pool, one for each lane, into two lane vectors.</summary>
 internal static unsafe class WidePoints
 {
+    /// <summary>From a column to the next one: a cache line.</summary>
+    private const int LineLanes = Prefetch.LineBytes / sizeof(float);
+
     /// <param name="pool">Where the points lie.</param>
     /// <param name="index">The place of each lane's point.</param>
     /// <param name="x">Their x.</param>
@@ -38,7 +41,7 @@ internal static unsafe class WidePoints
     /// <param name="pool">Where the points lie.</param>
     /// <param name="start">The place of each lane's first point.</param>
     /// <param name="last">How many more each lane has.</param>
-    /// <param name="x">Their x, the points <see cref="WideLanes.BundleLanes"/> floats apart.</param>
+    /// <param name="x">Their x, the points <see cref="LineLanes"/> floats apart.</param>
     /// <param name="y">Their y, likewise.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void GatherFour(Vector2* pool, int* start, Vector256<int> last, float* x, float* y)
@@ -63,13 +66,13 @@ internal static unsafe class WidePoints
             WideMask has = Vector256.GreaterThanOrEqual(last, Vector256.Create(i)).AsSingle();
             beforeX = Wide.Select(has, r0, beforeX);
             beforeY = Wide.Select(has, r1, beforeY);
-            beforeX.Store(x + (i * WideLanes.BundleLanes));
-            beforeY.Store(y + (i * WideLanes.BundleLanes));
+            beforeX.Store(x + (i * LineLanes));
+            beforeY.Store(y + (i * LineLanes));
             has = Vector256.GreaterThan(last, Vector256.Create(i)).AsSingle();
             beforeX = Wide.Select(has, r2, beforeX);
             beforeY = Wide.Select(has, r3, beforeY);
-            beforeX.Store(x + ((i + 1) * WideLanes.BundleLanes));
-            beforeY.Store(y + ((i + 1) * WideLanes.BundleLanes));
+            beforeX.Store(x + ((i + 1) * LineLanes));
+            beforeY.Store(y + ((i + 1) * LineLanes));
         }
     }
 
@@ -90,9 +93,9 @@ internal static unsafe class WidePoints
             var p1 = (float*)(pool + start[i + 1]);
             var p2 = (float*)(pool + start[i + 2]);
             var p3 = (float*)(pool + start[i + 3]);
-            MatrixTurn.ToPairs(p0, p1, p2, p3, x + i, y + i, WideLanes.BundleLanes);
+            MatrixTurn.ToPairs(p0, p1, p2, p3, x + i, y + i, LineLanes);
             MatrixTurn.ToPairs(
-                p0 + 4, p1 + 4, p2 + 4, p3 + 4, x + i + (2 * WideLanes.BundleLanes), y + i + (2 * WideLanes.BundleLanes), WideLanes.BundleLanes);
+                p0 + 4, p1 + 4, p2 + 4, p3 + 4, x + i + (2 * LineLanes), y + i + (2 * LineLanes), LineLanes);
         }
     }
 
@@ -105,29 +108,18 @@ internal static unsafe class WidePoints
         Wide before = Wide.Load(column);
         for (int i = 1; i < 4; i++)
         {
-            column += WideLanes.BundleLanes;
+            column += LineLanes;
             before = Wide.Select(Vector.GreaterThanOrEqual(last, new Vector<int>(i)), Wide.Load(column), before);
             before.Store(column);
         }
     }
 #endif
 
-    /// <summary>Turns the points into two columns, to be read when all that is needed has been turned; what lies behind a point is read as well.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Turn(Vector2* pool, int* index, float* x, float* y)
-    {
-        for (int i = 0; i < Wide.Count; i += MatrixTurn.Records)
-        {
-            MatrixTurn.ToTwoColumns(
-                (float*)(pool + index[i]), (float*)(pool + index[i + 1]), (float*)(pool + index[i + 2]), (float*)(pool + index[i + 3]), x + i, y + i);
-        }
-    }
-
     [SkipLocalsInit]
     private static void GatherByElement(Vector2* pool, int* index, out Wide x, out Wide y)
     {
         FourColumns turned;
-        Turn(pool, index, (float*)&turned.A, (float*)&turned.B);
+        MatrixTurn.ToTwoColumns(pool, index, Wide.Count, (float*)&turned.A, (float*)&turned.B);
         x = turned.A;
         y = turned.B;
     }

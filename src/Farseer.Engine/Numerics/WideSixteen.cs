@@ -74,6 +74,16 @@ internal static unsafe class WideLanes
     public static bool Any(WideMask mask) => Bits(mask) != 0;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Replace(WideMask mask, Wide value, float* target) => Wide.Select(mask, value, Wide.Load(target)).Store(target);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideMask Mask(int bits)
+    {
+        Vector512<int> each = Vector512.Create(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
+        return Vector512.Equals(Vector512.Create(bits) & each, each).AsSingle();
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Bits(WideMask mask) => (int)Vector512.ExtractMostSignificantBits(mask);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
