@@ -119,6 +119,7 @@ internal sealed unsafe class DeepStacks
         ContactBundle.AskAhead(row->Point1.Base);
         ContactBundle.AskAhead(row->K11);
         ContactBundle.AskAhead(row->Slot);
+        int below = 0;
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
             Wide separation = Wide.Min(SeparationOf(&row->Point0, lane), SeparationOf(&row->Point1, lane));
@@ -129,13 +130,16 @@ internal sealed unsafe class DeepStacks
 
             // An empty lane has no point.
             WideMask apart = (separation - Wide.Splat(c.Rest)) > Wide.Zero;
-            Wide.Select(apart, Wide.Splat(float.MaxValue), sunk).Store(excess + lane);
+            sunk = Wide.Select(apart, Wide.Splat(float.MaxValue), sunk);
+            sunk.Store(excess + lane);
+            below |= WideLanes.Bits(sunk < WideTable.Read(least, row->Slot + lane)) << lane;
         }
 
-        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        for (int lane = 0; below != 0; lane++, below >>= 1)
         {
+            // Lanes of the same level may all be below what it was.
             int slot = row->Slot[lane];
-            if (excess[lane] < least[slot])
+            if ((below & 1) != 0 && excess[lane] < least[slot])
             {
                 least[slot] = excess[lane];
             }

@@ -192,20 +192,23 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
             ContactBundle.AskAhead(row->Flags);
             ContactBundle.AskAhead(row->Slot);
             int deep = 0;
+            int above = 0;
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Wide load = Wide.Max(
                     Wide.Load(row->Point0.Normal + lane) * Wide.Load(row->K11 + lane),
                     Wide.Load(row->Point1.Normal + lane) * Wide.Load(row->K22 + lane));
-                WideCoefficients.Sag(c, load).Store(sags + lane);
+                Wide sag = WideCoefficients.Sag(c, load);
+                sag.Store(sags + lane);
+                above |= WideLanes.Bits(sag > WideTable.Read(slotSag, row->Slot + lane)) << lane;
                 deep |= WideLanes.Bits(ContactBundle.Has(row, lane, ContactBundle.DeepMark)) << lane;
             }
 
-            // An empty lane has no sag, and changes nothing in slot 0.
-            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            // An empty lane has no sag, and changes nothing in slot 0. Lanes of the same slot may all be above what it was.
+            for (int lane = 0; above != 0; lane++, above >>= 1)
             {
                 int slot = row->Slot[lane];
-                if (sags[lane] > slotSag[slot])
+                if ((above & 1) != 0 && sags[lane] > slotSag[slot])
                 {
                     slotSag[slot] = sags[lane];
                 }
@@ -236,6 +239,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         float* deeps = _deep.Pointer;
         int* ofSlot = _islands.OfSlot;
         int* firstSlot = _islands.FirstSlot;
+        int* islands = stackalloc int[ContactBundle.Lanes];
         for (ContactBundle* row = rows; count > 0; count--, row = ContactBundle.Next(row))
         {
             ContactBundle.AskAhead(row->Slot);
@@ -254,11 +258,11 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
                 continue;
             }
 
-            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+            for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
-                int island = ofSlot[row->Slot[lane]];
-                row->FeedRate[lane] = rates[island];
-                row->Flags[lane] = (row->Flags[lane] & ~ContactBundle.DeepMark) | (deeps[island] > 0 ? ContactBundle.DeepMark : 0);
+                WideTable.Read((float*)ofSlot, row->Slot + lane).Store((float*)islands + lane);
+                WideTable.Read(rates, islands + lane).Store(row->FeedRate + lane);
+                ContactBundle.Mark(row, lane, WideTable.Read(deeps, islands + lane) > Wide.Zero, ContactBundle.DeepMark);
             }
         }
     }

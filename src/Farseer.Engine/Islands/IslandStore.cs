@@ -2,8 +2,12 @@ using System;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Farseer.Engine.Islands;
 
@@ -322,16 +326,17 @@ internal sealed unsafe partial class IslandStore : IStageWork
     /// <summary>As <see cref="WriteLane"/>: of the slots of both bodies the higher one is that of the upper body.</summary>
     private void WriteRows(int from, int to)
     {
-        int* slotOf = _slotOf;
+        float* slotOf = (float*)_slotOf;
         while (from < to)
         {
             foreach (ContactBundle* row in new BundleWalk(_ranges.From(from, to, out from)))
             {
                 ContactBundle.AskAhead(row->BodyA);
                 ContactBundle.AskAhead(row->Slot);
-                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+                for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
                 {
-                    row->Slot[lane] = Math.Max(slotOf[row->BodyA[lane]], slotOf[row->BodyB[lane]]);
+                    Wide a = WideTable.Read(slotOf, row->BodyA + lane);
+                    WideTable.LargerNumber(a, WideTable.Read(slotOf, row->BodyB + lane)).Store((float*)row->Slot + lane);
                 }
             }
         }

@@ -187,11 +187,11 @@ internal sealed unsafe class StruckPairs : IStageWork
                 ContactBundle.AskAhead(bundle->BodyA);
                 ContactBundle.AskAhead(bundle->Flags);
 
-                // Who is thrown cannot be foreseen: with a branch for each lane this walk took twice as long.
                 int thrown = 0;
-                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+                for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
                 {
-                    thrown |= (throws[bundle->BodyA[lane]] + throws[bundle->BodyB[lane]] > 0 ? 1 : 0) << lane;
+                    Wide throwsOfBoth = WideTable.Read(throws, bundle->BodyA + lane) + WideTable.Read(throws, bundle->BodyB + lane);
+                    thrown |= WideLanes.Bits(throwsOfBoth > Wide.Zero) << lane;
                 }
 
                 thrown &= ContactBundle.LanesWith(bundle, ContactBundle.SingleMark);

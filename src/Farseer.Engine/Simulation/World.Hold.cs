@@ -3,6 +3,10 @@ using System.Runtime.CompilerServices;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Farseer.Engine.Simulation;
 
@@ -16,8 +20,8 @@ internal sealed partial class World
     private unsafe void LetJointedSink()
     {
         int mark = Scratch.Mark;
-        byte* jointed = Scratch.Take<byte>(Math.Max(1, _islands.Count));
-        Unsafe.InitBlock(jointed, 0, (uint)_islands.Count);
+        float* jointed = Scratch.Take<float>(Math.Max(1, _islands.Count));
+        Unsafe.InitBlock(jointed, 0, (uint)_islands.Count * sizeof(float));
         bool any = false;
         for (int joint = 0; joint < Joints.Ids.End; joint++)
         {
@@ -29,13 +33,21 @@ internal sealed partial class World
             }
         }
 
+        int* islands = stackalloc int[ContactBundle.Lanes];
         foreach (GraphColor color in any ? _graph.Used : default)
         {
             foreach (ContactBundle* row in color.Bundles)
             {
-                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+                int sinking = 0;
+                for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
                 {
-                    if (row->Contact[lane] >= 0 && jointed[_islands.OfSlot[row->Slot[lane]]] != 0)
+                    WideTable.Read((float*)_islands.OfSlot, row->Slot + lane).Store((float*)islands + lane);
+                    sinking |= WideLanes.Bits(WideTable.Read(jointed, islands + lane) > Wide.Zero) << lane;
+                }
+
+                for (int lane = 0; sinking != 0; lane++, sinking >>= 1)
+                {
+                    if ((sinking & 1) != 0 && row->Contact[lane] >= 0)
                     {
                         ContactBundle.LetSink(row, lane);
                     }
@@ -46,7 +58,7 @@ internal sealed partial class World
         Scratch.Release(mark);
     }
 
-    private unsafe bool MarkIsland(byte* islands, int body)
+    private unsafe bool MarkIsland(float* islands, int body)
     {
         if (_lists.Moves[body] == 0 || _graph.Degree(body) == 0)
         {
