@@ -117,6 +117,8 @@ internal sealed class ContactStore
 
     // The pairs without a row; behind as many places as there are pairs the records that are free, the last one freed first.
     private readonly Column<int> _idle;
+    private readonly Column<int> _idleA;
+    private readonly Column<int> _idleB;
     private readonly Column<IdleBundle> _gaps = new Column<IdleBundle>();
 
     private bool _keepsManifolds;
@@ -128,6 +130,8 @@ internal sealed class ContactStore
         _shapes = shapes;
         Records = _set.Add<ContactRecord>();
         _idle = _set.Add<int>();
+        _idleA = _set.Add<int>();
+        _idleB = _set.Add<int>();
         Map.EnsureCapacity(FewPairs);
     }
 
@@ -150,6 +154,15 @@ internal sealed class ContactStore
     public int End { get; private set; }
 
     public int IdleCount { get; private set; }
+
+    /// <summary>
+    /// Bodies of the pairs without a row, in the order of the idle list, for walks on lanes; 0 from the last one to the end of its bundle. By the records that were a walk over
+    /// five times as many, most of them free where more pairs were at one time: 4 % of a step of spinner.
+    /// </summary>
+    public unsafe int* IdleBodyA => _idleA.Pointer;
+
+    /// <inheritdoc cref="IdleBodyA"/>
+    public unsafe int* IdleBodyB => _idleB.Pointer;
 
     public int Idle(int position) => _idle[position] & NumberMask;
 
@@ -302,6 +315,8 @@ internal sealed class ContactStore
             NameGap(IdleCount, record);
         }
 
+        _idleA[IdleCount] = record.BodyA;
+        _idleB[IdleCount] = record.BodyB;
         _idle[IdleCount++] = index | ((int)record.Kind << KindShift);
     }
 
@@ -311,6 +326,10 @@ internal sealed class ContactStore
         int last = _idle[--IdleCount];
         AskFor(Idle(Math.Max(IdleCount - Ahead, 0)));
         _idle[row] = last;
+        _idleA[row] = _idleA[IdleCount];
+        _idleB[row] = _idleB[IdleCount];
+        _idleA[IdleCount] = 0;
+        _idleB[IdleCount] = 0;
         if (KeepsGaps)
         {
             IdleGap.Move(Gaps, IdleCount, row);
@@ -322,7 +341,7 @@ internal sealed class ContactStore
 
     private void EnsureCapacity(int pairs)
     {
-        _set.EnsureCapacity(pairs);
+        _set.EnsureCapacity((pairs + ContactBundle.Lanes - 1) / ContactBundle.Lanes * ContactBundle.Lanes);
         if (KeepsGaps)
         {
             EnsureGaps();

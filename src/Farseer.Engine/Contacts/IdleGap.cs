@@ -17,8 +17,6 @@ internal unsafe struct IdleBundle
 
     public fixed int PieceA[Lanes];
     public fixed int PieceB[Lanes];
-    public fixed int BodyA[Lanes];
-    public fixed int BodyB[Lanes];
 
     /// <summary>Less than what separates the pieces along the axis that did so when they were looked at.</summary>
     public fixed float Gap[Lanes];
@@ -61,8 +59,6 @@ internal static unsafe class IdleGap
         int lane = place % IdleBundle.Lanes;
         idle->PieceA[lane] = record.PieceA;
         idle->PieceB[lane] = record.PieceB;
-        idle->BodyA[lane] = record.BodyA;
-        idle->BodyB[lane] = record.BodyB;
         idle->Gap[lane] = PairLanes.UnknownGap;
         idle->ArmA[lane] = 0;
         idle->ArmB[lane] = 0;
@@ -82,18 +78,20 @@ internal static unsafe class IdleGap
 
     /// <summary>Takes the motions of the last step from the gaps of eight pairs.</summary>
     /// <param name="idle">The pairs.</param>
+    /// <param name="bodyA">Their bodies.</param>
+    /// <param name="bodyB">Likewise.</param>
     /// <param name="steps">Motions, by body.</param>
     /// <param name="pull">Way by which gravity may add to a motion in the step.</param>
     /// <param name="newBoxes">Lanes (a bit each) of which one has new boxes.</param>
     /// <returns>Lanes that must be looked at.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static int Pass(IdleBundle* idle, BodyStep* steps, float pull, out int newBoxes)
+    public static int Pass(IdleBundle* idle, int* bodyA, int* bodyB, BodyStep* steps, float pull, out int newBoxes)
     {
         int look = 0;
         newBoxes = 0;
         for (int lane = 0; lane < IdleBundle.Lanes; lane += Wide.Count)
         {
-            BodyLanes.Gather((float*)steps, idle->BodyA + lane, (float*)steps, idle->BodyB + lane, out FourColumns a, out FourColumns b);
+            BodyLanes.Gather((float*)steps, bodyA + lane, (float*)steps, bodyB + lane, out FourColumns a, out FourColumns b);
             Wide armA = Wide.Load(idle->ArmA + lane);
             Wide armB = Wide.Load(idle->ArmB + lane);
             Wide gap = Wide.Load(idle->Gap + lane);
@@ -102,7 +100,7 @@ internal static unsafe class IdleGap
             gap.Store(idle->Gap + lane);
             Wide flags = a.D | b.D;
             newBoxes |= WideLanes.Bits(WideLanes.Has(flags, (int)BodyStepFlags.NewBox)) << lane;
-            BodyLanes.Gather((float*)steps + 4, idle->BodyA + lane, (float*)steps + 4, idle->BodyB + lane, out a, out b);
+            BodyLanes.Gather((float*)steps + 4, bodyA + lane, (float*)steps + 4, bodyB + lane, out a, out b);
             Wide margin = Wide.Abs(b.A - a.A) + Wide.Abs(b.B - a.B) + (a.C * armA) + (b.C * armB) + Wide.Splat(pull);
 
             // Those beside a fast body have points from farther off; what comes near to a fast body wakes, wherever it goes.

@@ -165,15 +165,9 @@ internal sealed unsafe class IdleWork : IStageWork
         for (int i = from; i < to; i++)
         {
             IdleBundle* idle = contacts.Gaps + i;
-            int last = Math.Min(ContactBundle.Lanes, contacts.IdleCount - (i * ContactBundle.Lanes));
-            for (int lane = last; lane < IdleBundle.Lanes; lane++)
-            {
-                idle->BodyA[lane] = 0;
-                idle->BodyB[lane] = 0;
-            }
-
-            int exist = (1 << last) - 1;
-            int look = IdleGap.Pass(idle, steps, pull, out int newBoxes) & exist;
+            int first = i * ContactBundle.Lanes;
+            int exist = (1 << Math.Min(ContactBundle.Lanes, contacts.IdleCount - first)) - 1;
+            int look = IdleGap.Pass(idle, contacts.IdleBodyA + first, contacts.IdleBodyB + first, steps, pull, out int newBoxes) & exist;
             int parted = 0;
             newBoxes &= exist & ~look;
             for (int lane = 0; newBoxes != 0; lane++, newBoxes >>= 1)

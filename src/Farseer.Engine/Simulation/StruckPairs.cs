@@ -20,10 +20,10 @@ namespace Farseer.Engine.Simulation;
 /// </remarks>
 internal sealed unsafe class StruckPairs : IStageWork
 {
-    /// <summary>Records of a block, of which most are passed over, and bundles of rows: some 2 µs each.</summary>
-    private const int BlockRecords = 1024;
+    /// <summary>Pairs of a block, of which most are passed over, and bundles of rows: some 2 µs each.</summary>
+    private const int BlockPairs = 1024;
     private const int BlockBundles = 64;
-    private const int BlockWords = BlockRecords / BitSet.WordBits;
+    private const int BlockWords = BlockPairs / BitSet.WordBits;
 
     /// <summary>A limb whips on by more than the way that was taken from the struck one: twice, if that is stopped in the middle of its way.</summary>
     private const float Whip = 2;
@@ -37,7 +37,7 @@ internal sealed unsafe class StruckPairs : IStageWork
     private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
     private readonly ColorRanges _ranges = new ColorRanges();
 
-    /// <summary>In scratch memory: pairs that are to get rows, a bit each.</summary>
+    /// <summary>In scratch memory: pairs that are to get rows, a bit for each place of the idle list.</summary>
     private ulong* _marks;
     private ContactUpdateInput _input;
     private ConstraintGraph _graph = null!;
@@ -93,7 +93,7 @@ internal sealed unsafe class StruckPairs : IStageWork
     /// <summary>Looks at the pairs without rows of the bodies noted.</summary>
     public void Find(StageRunner runner, in ContactUpdateInput input)
     {
-        int blocks = (input.Contacts.End + BlockRecords - 1) / BlockRecords;
+        int blocks = (input.Contacts.IdleCount + BlockPairs - 1) / BlockPairs;
         int words = blocks * BlockWords;
         _marks = input.Scratch.Take<ulong>(words);
         _widens = false;
@@ -102,7 +102,7 @@ internal sealed unsafe class StruckPairs : IStageWork
         {
             for (ulong marks = _marks[word]; marks != 0; marks &= marks - 1)
             {
-                _found.Add((word * BitSet.WordBits) + BitSet.LowestBit(marks));
+                _found.Add(input.Contacts.Idle((word * BitSet.WordBits) + BitSet.LowestBit(marks)));
             }
         }
     }
@@ -131,7 +131,7 @@ internal sealed unsafe class StruckPairs : IStageWork
             }
             else
             {
-                Find(input, bundle, block * BlockRecords, Math.Min((block + 1) * BlockRecords, input.Contacts.End));
+                Find(input, bundle, block * BlockPairs, Math.Min((block + 1) * BlockPairs, input.Contacts.IdleCount));
             }
         }
     }
@@ -143,28 +143,36 @@ internal sealed unsafe class StruckPairs : IStageWork
         runner.Run(this, blocks, 1);
     }
 
-    // In the order of memory, not of the idle list: what is found is put into an order of its own.
     private void Find(in ContactUpdateInput input, ContactBundle* bundle, int from, int to)
     {
         float* throws = Throws;
-        ContactRecord* records = input.Contacts.Records.Pointer;
+        ContactStore contacts = input.Contacts;
         BodyFlags* flags = input.Bodies.Flags.Pointer;
+        int* places = stackalloc int[ContactBundle.Lanes];
         for (int word = 0; word < BlockWords; word++)
         {
             _marks[(from / BitSet.WordBits) + word] = 0;
         }
 
         int filled = 0;
-        for (int i = from; i < to; i++)
+        for (int first = from; first < to; first += ContactBundle.Lanes)
         {
-            ContactRecord* record = records + i;
-            if (throws[record->BodyA] + throws[record->BodyB] > 0 && record->IsIdle
-                && ((flags[record->BodyA] | flags[record->BodyB]) & BodyFlags.Asleep) == 0)
+            int* bodyA = contacts.IdleBodyA + first;
+            int* bodyB = contacts.IdleBodyB + first;
+            int exist = (1 << Math.Min(ContactBundle.Lanes, to - first)) - 1;
+            for (int lane = 0, thrown = ThrownLanes(throws, bodyA, bodyB) & exist; thrown != 0; lane++, thrown >>= 1)
             {
-                ContactLanes.Name(bundle, filled++, i, *record);
+                if ((thrown & 1) == 0 || ((flags[bodyA[lane]] | flags[bodyB[lane]]) & BodyFlags.Asleep) != 0)
+                {
+                    continue;
+                }
+
+                int contact = contacts.Idle(first + lane);
+                places[filled] = first + lane;
+                ContactLanes.Name(bundle, filled++, contact, contacts.Records[contact]);
                 if (filled == ContactBundle.Lanes)
                 {
-                    Look(input, bundle, filled);
+                    Look(input, bundle, places, filled);
                     filled = 0;
                 }
             }
@@ -172,8 +180,21 @@ internal sealed unsafe class StruckPairs : IStageWork
 
         if (filled > 0)
         {
-            Look(input, bundle, filled);
+            Look(input, bundle, places, filled);
         }
+    }
+
+    /// <summary>A bit for each of eight pairs of which one body may be thrown.</summary>
+    private static int ThrownLanes(float* throws, int* bodyA, int* bodyB)
+    {
+        int thrown = 0;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            Wide throwsOfBoth = WideTable.Read(throws, bodyA + lane) + WideTable.Read(throws, bodyB + lane);
+            thrown |= WideLanes.Bits(throwsOfBoth > Wide.Zero) << lane;
+        }
+
+        return thrown;
     }
 
     private void Widen(in ContactUpdateInput input, ContactBundle* rewritten, int from, int to)
@@ -187,14 +208,7 @@ internal sealed unsafe class StruckPairs : IStageWork
                 ContactBundle.AskAhead(bundle->BodyA);
                 ContactBundle.AskAhead(bundle->Flags);
 
-                int thrown = 0;
-                for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
-                {
-                    Wide throwsOfBoth = WideTable.Read(throws, bundle->BodyA + lane) + WideTable.Read(throws, bundle->BodyB + lane);
-                    thrown |= WideLanes.Bits(throwsOfBoth > Wide.Zero) << lane;
-                }
-
-                thrown &= ContactBundle.LanesWith(bundle, ContactBundle.SingleMark);
+                int thrown = ThrownLanes(throws, bundle->BodyA, bundle->BodyB) & ContactBundle.LanesWith(bundle, ContactBundle.SingleMark);
                 for (int lane = 0; thrown != 0; lane++, thrown >>= 1)
                 {
                     if ((thrown & 1) == 0)
@@ -236,7 +250,7 @@ internal sealed unsafe class StruckPairs : IStageWork
         }
     }
 
-    private void Look(in ContactUpdateInput input, ContactBundle* bundle, int filled)
+    private void Look(in ContactUpdateInput input, ContactBundle* bundle, int* places, int filled)
     {
         for (int lane = filled; lane < ContactBundle.Lanes; lane++)
         {
@@ -248,8 +262,7 @@ internal sealed unsafe class StruckPairs : IStageWork
         {
             if ((found & 1) != 0)
             {
-                int contact = bundle->Contact[lane];
-                _marks[contact / BitSet.WordBits] |= 1UL << (contact % BitSet.WordBits);
+                _marks[places[lane] / BitSet.WordBits] |= 1UL << (places[lane] % BitSet.WordBits);
             }
         }
     }
