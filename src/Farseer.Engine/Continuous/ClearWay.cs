@@ -21,7 +21,8 @@ internal static unsafe class ClearWay
     /// <param name="ofA">The edge is one of A, else of B.</param>
     /// <param name="gap">How far apart they must stay at least.</param>
     public static bool Holds(ShapeStore shapes, in ContactRecord record, in BodyPath a, in BodyPath b, bool ofA, double gap) =>
-        ofA ? Holds(shapes, record.PieceB, b, record.PieceA, a, gap) : Holds(shapes, record.PieceA, a, record.PieceB, b, gap);
+        PassesFar(shapes, record, a, b, gap)
+        || (ofA ? Holds(shapes, record.PieceB, b, record.PieceA, a, gap) : Holds(shapes, record.PieceA, a, record.PieceB, b, gap));
 
     /// <summary>The same for an edge of either.</summary>
     /// <param name="shapes">The pieces.</param>
@@ -31,12 +32,38 @@ internal static unsafe class ClearWay
     /// <param name="gap">How far apart they must stay at least.</param>
     public static bool HoldsForEither(ShapeStore shapes, in ContactRecord record, in BodyPath a, in BodyPath b, double gap)
     {
+        if (PassesFar(shapes, record, a, b, gap))
+        {
+            return true;
+        }
+
         // Four rotors at once take no longer than one.
         double* sin = stackalloc double[StableMath.Lanes];
         double* cos = stackalloc double[StableMath.Lanes];
         StableMath.SinCos(a.Angle, a.AngleAt(1), b.Angle, b.AngleAt(1), sin, cos);
         return Holds(shapes, record.PieceB, b, record.PieceA, a, sin, cos, gap)
             || Holds(shapes, record.PieceA, a, record.PieceB, b, sin + 2, cos + 2, gap);
+    }
+
+    /// <summary>
+    /// Whether the circles around the bodies' centres in which the pieces turn stay apart: a third of what then was searched in vain, and all of it where neither has edges. The way of
+    /// one seen from the other lies within an eighth of its acceleration of its chord.
+    /// </summary>
+    private static bool PassesFar(ShapeStore shapes, in ContactRecord record, in BodyPath a, in BodyPath b, double gap)
+    {
+        double gainX = a.AccelerationX - b.AccelerationX;
+        double gainY = a.AccelerationY - b.AccelerationY;
+        double x = a.X - b.X;
+        double y = a.Y - b.Y;
+        double alongX = a.VelocityX - b.VelocityX + (0.5 * gainX);
+        double alongY = a.VelocityY - b.VelocityY + (0.5 * gainY);
+        double length = (alongX * alongX) + (alongY * alongY);
+        double nearest = length > 0 ? Math.Min(Math.Max(-((x * alongX) + (y * alongY)) / length, 0), 1) : 0;
+        x += nearest * alongX;
+        y += nearest * alongY;
+        double need = (double)shapes.Pieces[record.PieceA].Reach + shapes.Pieces[record.PieceB].Reach
+            + (0.125 * (Math.Abs(gainX) + Math.Abs(gainY))) + gap;
+        return (x * x) + (y * y) > need * need;
     }
 
     private static bool Holds(ShapeStore shapes, int piece, in BodyPath way, int other, in BodyPath otherWay, double gap)

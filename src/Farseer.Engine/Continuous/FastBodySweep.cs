@@ -253,38 +253,47 @@ internal sealed class FastBodySweep
     /// <summary>The candidate whose core such a body meets first, and when; -1: none.</summary>
     private int FindGuarded(in SweepInput input, int body, in BodyPath path, out double time)
     {
+        int found = -1;
+        time = 1;
         for (int i = 0; i < _count; i++)
         {
-            NoteTouching(input, body, path, ref _candidates[i]);
+            if (FindGuardedTime(input, body, path, time, ref _candidates[i], out double at) && IsFirst(input, i, at, found, time))
+            {
+                found = i;
+                time = at;
+            }
         }
 
-        return FindFirst(input, body, path, input.Dt, out time);
+        return found;
     }
 
     /// <summary>
     /// What the solver had in hand, or what touched from the start, may sink in on: only the core must not pass. So may a body that
     /// has joints.
     /// </summary>
-    private static void NoteTouching(in SweepInput input, int body, in BodyPath path, ref SweepCandidate candidate)
+    private static bool FindGuardedTime(
+        in SweepInput input, int body, in BodyPath path, double until, ref SweepCandidate candidate, out double time)
     {
+        time = 1;
         ref ContactRecord record = ref input.Contacts.Records[candidate.Contact];
         bool isA = record.BodyA == body;
         float extent = Extent(input.Shapes, record, isA);
         BodyPath other = PathOf(input, isA ? record.BodyB : record.BodyA, input.Dt);
         if (IsClear(input, record, isA, path, other, extent))
         {
-            candidate.Mode = SweepMode.Passed;
-            return;
+            return false;
         }
 
-        double separation = TimeOfImpact.SeparationAtStart(
-            input.Shapes, record.PieceA, isA ? path : other, record.PieceB, isA ? other : path, FastPairs.Tolerance(extent));
+        TimeOfImpact search = Search(input, record, isA, path, other);
+        double separation = search.SeparationAtStart();
         bool jointed = input.Joints.Degree(body) > 0;
         if (record.Color >= 0 || jointed || separation <= PairStage.SkinShare * extent)
         {
             candidate.Mode = SweepMode.Met;
             candidate.Target = Math.Min(separation, 0) - ((jointed ? JointedCoreShare : CoreShare) * extent);
         }
+
+        return FindTime(input, ref search, extent, candidate, until, out time);
     }
 
     /// <summary>The candidate that is met first, and when; -1: none. At the same time, the pair with the lower pieces.</summary>
@@ -300,8 +309,7 @@ internal sealed class FastBodySweep
                 continue;
             }
 
-            if (FindTime(input, body, path, left, time, ref candidate, out double at)
-                && (found < 0 || at < time || (at == time && IsBefore(input, candidate, _candidates[found]))))
+            if (FindTime(input, body, path, left, time, candidate, out double at) && IsFirst(input, i, at, found, time))
             {
                 found = i;
                 time = at;
@@ -311,6 +319,9 @@ internal sealed class FastBodySweep
         return found;
     }
 
+    private bool IsFirst(in SweepInput input, int candidate, double at, int found, double time) =>
+        found < 0 || at < time || (at == time && IsBefore(input, _candidates[candidate], _candidates[found]));
+
     private static bool IsBefore(in SweepInput input, in SweepCandidate a, in SweepCandidate b)
     {
         ContactRecord first = input.Contacts.Records[a.Contact];
@@ -319,7 +330,7 @@ internal sealed class FastBodySweep
     }
 
     private static bool FindTime(
-        in SweepInput input, int body, in BodyPath path, double left, double until, ref SweepCandidate candidate, out double time)
+        in SweepInput input, int body, in BodyPath path, double left, double until, in SweepCandidate candidate, out double time)
     {
         ref ContactRecord record = ref input.Contacts.Records[candidate.Contact];
         bool isA = record.BodyA == body;
@@ -331,8 +342,13 @@ internal sealed class FastBodySweep
             return false;
         }
 
-        BodyPath a = isA ? path : other;
-        BodyPath b = isA ? other : path;
+        TimeOfImpact search = Search(input, record, isA, path, other);
+        return FindTime(input, ref search, extent, candidate, until, out time);
+    }
+
+    private static bool FindTime(
+        in SweepInput input, ref TimeOfImpact search, float extent, in SweepCandidate candidate, double until, out double time)
+    {
         ImpactQuery query;
         query.Tolerance = FastPairs.Tolerance(extent);
         query.From = 0;
@@ -340,20 +356,25 @@ internal sealed class FastBodySweep
         if (candidate.Mode == SweepMode.Met)
         {
             query.Target = candidate.Target;
-            return TimeOfImpact.Find(input.Shapes, record.PieceA, a, record.PieceB, b, query, out time, out _);
+            return search.Find(query, out time, out _);
         }
 
         query.Target = -FastPairs.Glance(extent, input.Settings.AllowedPenetration);
         query.Until = 1;
-        if (!TimeOfImpact.Find(input.Shapes, record.PieceA, a, record.PieceB, b, query, out time, out _))
+        if (!search.Find(query, out time, out _))
         {
             return false;
         }
 
         query.Target = 0;
         query.Until = 1;
-        return TimeOfImpact.Find(input.Shapes, record.PieceA, a, record.PieceB, b, query, out time, out _);
+        return search.Find(query, out time, out _);
     }
+
+    private static TimeOfImpact Search(in SweepInput input, in ContactRecord record, bool isA, in BodyPath path, in BodyPath other) =>
+        isA
+            ? new TimeOfImpact(input.Shapes, record.PieceA, path, record.PieceB, other)
+            : new TimeOfImpact(input.Shapes, record.PieceA, other, record.PieceB, path);
 
     /// <summary>They come nowhere so near that they would count as touching.</summary>
     private static bool IsClear(in SweepInput input, in ContactRecord record, bool isA, in BodyPath path, in BodyPath other, float extent) =>

@@ -192,23 +192,24 @@ internal sealed class PairFlight
             query.Tolerance = Tolerance;
             query.From = _from;
             query.Until = 1;
+            var search = new TimeOfImpact(input.Shapes, _record.PieceA, a.Path, _record.PieceB, b.Path);
             if (!_met)
             {
                 // The first impact is none as long as it is a glance.
                 query.Target = -FastPairs.Glance(ExtentOf(input, _record), input.Settings.AllowedPenetration);
-                if (!TimeOfImpact.Find(input.Shapes, _record.PieceA, a.Path, _record.PieceB, b.Path, query, out double deep, out _))
+                if (!search.Find(query, out double deep, out _))
                 {
                     return false;
                 }
 
                 query.Target = 0;
                 query.Until = deep + query.Tolerance;
-                TimeOfImpact.Find(input.Shapes, _record.PieceA, a.Path, _record.PieceB, b.Path, query, out time, out _separation);
+                search.Find(query, out time, out _separation);
                 return true;
             }
 
             query.Target = _target;
-            return TimeOfImpact.Find(input.Shapes, _record.PieceA, a.Path, _record.PieceB, b.Path, query, out time, out _separation);
+            return search.Find(query, out time, out _separation);
         }
 
         /// <summary>Resolves what they meet with.</summary>

@@ -6,6 +6,13 @@ using Farseer.Engine.Shapes;
 
 namespace Farseer.Engine.NarrowPhase;
 
+/// <summary>How a piece is turned, in double precision.</summary>
+internal struct HullRotor
+{
+    public double Cos;
+    public double Sin;
+}
+
 /// <summary>A piece on its way: what the search for a time of impact asks of it, in double precision.</summary>
 internal unsafe struct MovingHull
 {
@@ -15,10 +22,9 @@ internal unsafe struct MovingHull
     public readonly double Radius;
     public double X;
     public double Y;
+    public readonly BodyPath Path;
     private readonly double _arm;
-    private readonly BodyPath _path;
-    private double _cos;
-    private double _sin;
+    private HullRotor _rotor;
     private double _spin;
 
     public MovingHull(ShapeStore shapes, int piece, in BodyPath path)
@@ -31,39 +37,41 @@ internal unsafe struct MovingHull
         X = 0;
         Y = 0;
         _arm = Math.Max(0, (double)p.Reach - p.Radius);
-        _path = path;
-        _cos = 1;
-        _sin = 0;
+        Path = path;
+        _rotor = new HullRotor { Cos = 1, Sin = 0 };
         _spin = 0;
     }
 
-    public readonly BodyPath Path => _path;
+    public readonly HullRotor Rotor => _rotor;
 
     /// <summary>Puts both pieces of a pair where they are at <paramref name="f"/>. Of two rotors at once each costs half.</summary>
     public static void MoveTo(double f, ref MovingHull a, ref MovingHull b)
     {
         double* sin = stackalloc double[StableMath.Lanes];
         double* cos = stackalloc double[StableMath.Lanes];
-        double angleA = a._path.AngleAt(f);
-        double angleB = b._path.AngleAt(f);
+        double angleA = a.Path.AngleAt(f);
+        double angleB = b.Path.AngleAt(f);
         StableMath.SinCos(angleA, angleB, angleA, angleB, sin, cos);
-        a.Place(f, sin[0], cos[0]);
-        b.Place(f, sin[1], cos[1]);
+        a.Place(f, new HullRotor { Sin = sin[0], Cos = cos[0] });
+        b.Place(f, new HullRotor { Sin = sin[1], Cos = cos[1] });
     }
 
     /// <summary>A direction or an arm in world axes.</summary>
     public readonly void ToWorld(Vector2 v, out double x, out double y)
     {
-        x = (_cos * v.X) - (_sin * v.Y);
-        y = (_sin * v.X) + (_cos * v.Y);
+        x = (_rotor.Cos * v.X) - (_rotor.Sin * v.Y);
+        y = (_rotor.Sin * v.X) + (_rotor.Cos * v.Y);
     }
 
-    /// <summary>The least of d·r over the vertices r, from the body's centre, and where it is.</summary>
-    public readonly double Lowest(double dx, double dy, out int index)
+    /// <summary>The least of d·r over the vertices r, from the body's centre.</summary>
+    public readonly double Lowest(double dx, double dy) => HullHeights.Lowest(Vertices, Count, ToLocalX(dx, dy), ToLocalY(dx, dy));
+
+    /// <summary>The vertex of the least d·r, the first one of several.</summary>
+    public readonly int LowestAt(double dx, double dy)
     {
-        double x = (_cos * dx) + (_sin * dy);
-        double y = (_cos * dy) - (_sin * dx);
-        index = 0;
+        double x = ToLocalX(dx, dy);
+        double y = ToLocalY(dx, dy);
+        int index = 0;
         double lowest = (x * Vertices[0].X) + (y * Vertices[0].Y);
         for (int i = 1; i < Count; i++)
         {
@@ -75,7 +83,7 @@ internal unsafe struct MovingHull
             }
         }
 
-        return lowest;
+        return index;
     }
 
     /// <summary>The least of d·r when every vertex goes on as fast as now for <paramref name="time"/>.</summary>
@@ -83,24 +91,26 @@ internal unsafe struct MovingHull
     {
         // d·(ω×r) = ω·(r×d), so each vertex adds to d·r the part of it along ω·t·d turned by a right angle.
         double turn = _spin * time;
-        double x = dx + (turn * dy);
-        double y = dy - (turn * dx);
-        return Lowest(x, y, out _);
+        return Lowest(dx + (turn * dy), dy - (turn * dx));
     }
 
     /// <summary>The fastest that the arm of a vertex changes its speed along any direction, over the rest from <paramref name="f"/> on.</summary>
     public readonly double Bend(double f)
     {
-        double fastest = Math.Max(Math.Abs(_path.SpinAt(f)), Math.Abs(_path.SpinAt(1)));
-        return _arm * ((fastest * fastest) + Math.Abs(_path.SpinGain));
+        double fastest = Math.Max(Math.Abs(Path.SpinAt(f)), Math.Abs(Path.SpinAt(1)));
+        return _arm * ((fastest * fastest) + Math.Abs(Path.SpinGain));
     }
 
-    private void Place(double f, double sin, double cos)
+    /// <summary>Puts the piece where it is at <paramref name="f"/>, turned as it is then.</summary>
+    public void Place(double f, HullRotor rotor)
     {
-        X = _path.XAt(f);
-        Y = _path.YAt(f);
-        _spin = _path.SpinAt(f);
-        _sin = sin;
-        _cos = cos;
+        X = Path.XAt(f);
+        Y = Path.YAt(f);
+        _spin = Path.SpinAt(f);
+        _rotor = rotor;
     }
+
+    private readonly double ToLocalX(double x, double y) => (_rotor.Cos * x) + (_rotor.Sin * y);
+
+    private readonly double ToLocalY(double x, double y) => (_rotor.Cos * y) - (_rotor.Sin * x);
 }

@@ -25,43 +25,80 @@ internal struct ImpactQuery
 /// safely until a lower bound of the separation along it is used up. That bound follows each vertex with its present velocity less
 /// what its arc may bend, so the steps are of second order and a search mostly ends after three to ten of them.
 /// </summary>
-internal static unsafe class TimeOfImpact
+/// <remarks>
+/// Nearly all pairs are asked twice: how far apart they are where the ways begin, or whether they meet deeply enough, and then when. Where the ways begin is looked at once.
+/// </remarks>
+internal unsafe ref struct TimeOfImpact
 {
     /// <summary>Steps after which a search that still creeps counts as an impact: to stop too early is safe, to pass is not.</summary>
     private const int MaxSteps = 100;
 
     private const int Refinements = 4;
 
-    /// <summary>The separation where the ways begin, as exact as a search with this tolerance has it.</summary>
-    public static double SeparationAtStart(ShapeStore shapes, int pieceA, in BodyPath a, int pieceB, in BodyPath b, double tolerance)
+    private MovingHull _a;
+    private MovingHull _b;
+    private AxisAtStart _start;
+
+    /// <param name="shapes">The pieces.</param>
+    /// <param name="pieceA">One of them.</param>
+    /// <param name="a">The way of its body.</param>
+    /// <param name="pieceB">The other.</param>
+    /// <param name="b">The way of its body.</param>
+    public TimeOfImpact(ShapeStore shapes, int pieceA, in BodyPath a, int pieceB, in BodyPath b)
     {
-        ImpactQuery query;
-        query.Tolerance = tolerance;
-        query.Target = double.MaxValue;
-        query.From = 0;
-        query.Until = 0;
-        Find(shapes, pieceA, a, pieceB, b, query, out _, out double separation);
-        return separation;
+        _a = new MovingHull(shapes, pieceA, a);
+        _b = new MovingHull(shapes, pieceB, b);
+        _start = default;
+    }
+
+    /// <summary>The separation where the ways begin.</summary>
+    public double SeparationAtStart()
+    {
+        if (!_start.IsKnown)
+        {
+            MovingHull.MoveTo(0, ref _a, ref _b);
+            _start.Separation = Separation(_a, _b, out _start.X, out _start.Y);
+            _start.RotorA = _a.Rotor;
+            _start.RotorB = _b.Rotor;
+            _start.IsKnown = true;
+        }
+
+        return _start.Separation;
     }
 
     /// <summary>True if the separation falls to the target; <paramref name="time"/> is then the share of the way.</summary>
-    public static bool Find(
-        ShapeStore shapes, int pieceA, in BodyPath a, int pieceB, in BodyPath b, in ImpactQuery query, out double time, out double separation)
+    public bool Find(in ImpactQuery query, out double time, out double separation)
     {
-        var hullA = new MovingHull(shapes, pieceA, a);
-        var hullB = new MovingHull(shapes, pieceB, b);
         time = query.From;
         separation = 0;
         for (int step = 0; step < MaxSteps; step++)
         {
-            MovingHull.MoveTo(time, ref hullA, ref hullB);
-            separation = Separation(hullA, hullB, out double nx, out double ny);
+            double nx;
+            double ny;
+            if (time == 0)
+            {
+                separation = SeparationAtStart();
+                nx = _start.X;
+                ny = _start.Y;
+            }
+            else
+            {
+                MovingHull.MoveTo(time, ref _a, ref _b);
+                separation = Separation(_a, _b, out nx, out ny);
+            }
+
             if (separation <= query.Target + query.Tolerance)
             {
                 return true;
             }
 
-            double safe = SafeTime(hullA, hullB, nx, ny, time, query);
+            if (time == 0)
+            {
+                _a.Place(0, _start.RotorA);
+                _b.Place(0, _start.RotorB);
+            }
+
+            double safe = SafeTime(_a, _b, nx, ny, time, query);
             if (!(time + safe < query.Until))
             {
                 return false;
@@ -112,14 +149,14 @@ internal static unsafe class TimeOfImpact
             if (own.Count == 2)
             {
                 // A segment ends as well: along it, from each of its ends.
-                Offer(own, other, sign, i, y, -x, (y * dx) - (x * dy) + own.Lowest(-y, x, out _), ref best);
+                Offer(own, other, sign, i, y, -x, (y * dx) - (x * dy) + own.Lowest(-y, x), ref best);
             }
         }
     }
 
     private static void Offer(in MovingHull own, in MovingHull other, int sign, int edge, double x, double y, double start, ref Axis best)
     {
-        double s = start + other.Lowest(x, y, out int support);
+        double s = start + other.Lowest(x, y);
         if (s > best.Separation)
         {
             best.Separation = s;
@@ -127,19 +164,18 @@ internal static unsafe class TimeOfImpact
             best.Y = sign * y;
             best.Sign = sign;
             best.Edge = edge;
-            best.Support = support;
         }
     }
 
     /// <summary>Where the support vertex lies beyond the edge's ends, the nearest points are two vertices.</summary>
     private static void AddCorner(in MovingHull a, in MovingHull b, ref Axis best)
     {
-        MovingHull own = best.Sign > 0 ? a : b;
-        MovingHull other = best.Sign > 0 ? b : a;
+        ref readonly MovingHull own = ref best.Sign > 0 ? ref a : ref b;
+        ref readonly MovingHull other = ref best.Sign > 0 ? ref b : ref a;
         int next = best.Edge + 1 == own.Count ? 0 : best.Edge + 1;
         own.ToWorld(own.Vertices[best.Edge], out double sx, out double sy);
         own.ToWorld(own.Vertices[next], out double ex, out double ey);
-        other.ToWorld(other.Vertices[best.Support], out double wx, out double wy);
+        other.ToWorld(other.Vertices[other.LowestAt(best.Sign * best.X, best.Sign * best.Y)], out double wx, out double wy);
         wx += other.X - own.X;
         wy += other.Y - own.Y;
         double tx = ex - sx;
@@ -185,8 +221,8 @@ internal static unsafe class TimeOfImpact
     /// </summary>
     private static double SafeTime(in MovingHull a, in MovingHull b, double nx, double ny, double from, in ImpactQuery query)
     {
-        BodyPath pathA = a.Path;
-        BodyPath pathB = b.Path;
+        ref readonly BodyPath pathA = ref a.Path;
+        ref readonly BodyPath pathB = ref b.Path;
         double speed = ((pathB.VelocityXAt(from) - pathA.VelocityXAt(from)) * nx) + ((pathB.VelocityYAt(from) - pathA.VelocityYAt(from)) * ny);
         double gain = ((pathB.AccelerationX - pathA.AccelerationX) * nx) + ((pathB.AccelerationY - pathA.AccelerationY) * ny);
         double bend = a.Bend(from) + b.Bend(from) - Math.Min(gain, 0);
@@ -240,6 +276,16 @@ internal static unsafe class TimeOfImpact
         public double Y;
         public int Sign;
         public int Edge;
-        public int Support;
+    }
+
+    /// <summary>What was found where the ways begin.</summary>
+    private struct AxisAtStart
+    {
+        public bool IsKnown;
+        public double Separation;
+        public double X;
+        public double Y;
+        public HullRotor RotorA;
+        public HullRotor RotorB;
     }
 }

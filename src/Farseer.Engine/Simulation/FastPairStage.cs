@@ -213,14 +213,15 @@ internal sealed unsafe class FastPairStage : IStageWork
         query.Target = -FastPairs.Glance(extent, input.Settings.AllowedPenetration);
         query.From = 0;
         query.Until = 1;
-        if (!TimeOfImpact.Find(input.Shapes, record.PieceA, a, record.PieceB, b, query, out double deep, out _))
+        var search = new TimeOfImpact(input.Shapes, record.PieceA, a, record.PieceB, b);
+        if (!search.Find(query, out double deep, out _))
         {
             return;
         }
 
         query.Target = 0;
         query.Until = deep + query.Tolerance;
-        TimeOfImpact.Find(input.Shapes, record.PieceA, a, record.PieceB, b, query, out double time, out _);
+        search.Find(query, out double time, out _);
         PairInput pair = ImpactPose.Pair(input.Shapes, record.PieceA, record.PieceB, a, b, time, (float)(4 * query.Tolerance));
         Collision.Collide(pair, out Manifold manifold);
         found.Meets = manifold.Count > 0 && found.Impact.Set(manifold, a, b, time, pieceA.Radius, pieceB.Radius);

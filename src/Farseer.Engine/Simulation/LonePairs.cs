@@ -119,7 +119,7 @@ internal sealed unsafe class LonePairs
         double tolerance = FastPairs.Tolerance(extent);
         BodyPath a = BodyPath.Resting(world.Bodies.Pose[record.BodyA]);
         BodyPath b = BodyPath.Resting(world.Bodies.Pose[record.BodyB]);
-        double separation = TimeOfImpact.SeparationAtStart(world.Shapes, record.PieceA, a, record.PieceB, b, tolerance);
+        double separation = new TimeOfImpact(world.Shapes, record.PieceA, a, record.PieceB, b).SeparationAtStart();
         pair.Base = Math.Min(separation, 0);
         pair.Touches = separation <= tolerance;
         return separation >= -Math.Max(CoreShare * extent, world.Settings.AllowedPenetration);

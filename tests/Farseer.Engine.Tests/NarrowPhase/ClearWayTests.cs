@@ -37,7 +37,7 @@ public class ClearWayTests
                 // The search ends at a separation within the tolerance of its target.
                 var query = new ImpactQuery { Target = Gap - 1e-6, Tolerance = 1e-6, From = 0, Until = 1 };
                 Assert.False(
-                    TimeOfImpact.Find(pair.Store, pair.FirstA, a, pair.FirstB, b, query, out double time, out _),
+                    new TimeOfImpact(pair.Store, pair.FirstA, a, pair.FirstB, b).Find(query, out double time, out _),
                     $"Run {run}: within the gap at {time}.");
             }
         }

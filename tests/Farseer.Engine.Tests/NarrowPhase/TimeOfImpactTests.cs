@@ -23,7 +23,7 @@ public class TimeOfImpactTests
             BodyPath a = Way(random, 0);
             BodyPath b = Way(random, 6);
             var query = new ImpactQuery { Target = 0, Tolerance = Tolerance, From = 0, Until = 1 };
-            bool hit = TimeOfImpact.Find(pair.Store, pair.FirstA, a, pair.FirstB, b, query, out double time, out double separation);
+            bool hit = new TimeOfImpact(pair.Store, pair.FirstA, a, pair.FirstB, b).Find(query, out double time, out double separation);
             double until = hit ? time : 1;
 
             // The walk may step over an overlap that is shallow or short, never the search.
@@ -52,7 +52,7 @@ public class TimeOfImpactTests
         var a = new BodyPath { VelocityX = 100 };
         var b = new BodyPath { X = 40, Y = 0.45 };
         var query = new ImpactQuery { Target = 0, Tolerance = 1e-9, From = 0, Until = 1 };
-        Assert.True(TimeOfImpact.Find(pair.Store, pair.FirstA, a, pair.FirstB, b, query, out double time, out _));
+        Assert.True(new TimeOfImpact(pair.Store, pair.FirstA, a, pair.FirstB, b).Find(query, out double time, out _));
 
         // 0.75² = 0.45² + 0.6².
         Assert.Equal((40 - 0.6) / 100, time, 1e-9);

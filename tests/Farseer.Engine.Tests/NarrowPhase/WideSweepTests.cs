@@ -29,7 +29,7 @@ public unsafe class WideSweepTests
                 BodyPath a = Way(random, 0);
                 BodyPath b = Way(random, 5);
                 var query = new ImpactQuery { Target = 0, Tolerance = 1e-5, From = 0, Until = 1 };
-                hits[lane] = TimeOfImpact.Find(pair.Store, pair.FirstA, a, pair.FirstB, b, query, out _, out _);
+                hits[lane] = new TimeOfImpact(pair.Store, pair.FirstA, a, pair.FirstB, b).Find(query, out _, out _);
                 Set(lanes, lane, pair, a, b);
             }
 
