@@ -22,10 +22,12 @@ internal unsafe struct MovingHull
     public readonly double Radius;
     public double X;
     public double Y;
+
+    /// <summary>Radians for the whole way, at the present speed.</summary>
+    public double Spin;
     public readonly BodyPath Path;
     private readonly double _arm;
     private HullRotor _rotor;
-    private double _spin;
 
     public MovingHull(ShapeStore shapes, int piece, in BodyPath path)
     {
@@ -39,7 +41,7 @@ internal unsafe struct MovingHull
         _arm = Math.Max(0, (double)p.Reach - p.Radius);
         Path = path;
         _rotor = new HullRotor { Cos = 1, Sin = 0 };
-        _spin = 0;
+        Spin = 0;
     }
 
     public readonly HullRotor Rotor => _rotor;
@@ -86,14 +88,6 @@ internal unsafe struct MovingHull
         return index;
     }
 
-    /// <summary>The least of d·r when every vertex goes on as fast as now for <paramref name="time"/>.</summary>
-    public readonly double LowestAhead(double dx, double dy, double time)
-    {
-        // d·(ω×r) = ω·(r×d), so each vertex adds to d·r the part of it along ω·t·d turned by a right angle.
-        double turn = _spin * time;
-        return Lowest(dx + (turn * dy), dy - (turn * dx));
-    }
-
     /// <summary>The fastest that the arm of a vertex changes its speed along any direction, over the rest from <paramref name="f"/> on.</summary>
     public readonly double Bend(double f)
     {
@@ -106,7 +100,7 @@ internal unsafe struct MovingHull
     {
         X = Path.XAt(f);
         Y = Path.YAt(f);
-        _spin = Path.SpinAt(f);
+        Spin = Path.SpinAt(f);
         _rotor = rotor;
     }
 

@@ -202,7 +202,7 @@ internal unsafe ref struct TimeOfImpact
 
         x /= length;
         y /= length;
-        double s = Along(a, b, x, y, 0);
+        double s = Along(a, b, x, y);
         if (s > best.Separation)
         {
             best.Separation = s;
@@ -211,9 +211,9 @@ internal unsafe ref struct TimeOfImpact
         }
     }
 
-    /// <summary>Separation of the cores along a direction, when every vertex turns on as now for <paramref name="time"/>.</summary>
-    private static double Along(in MovingHull a, in MovingHull b, double x, double y, double time) =>
-        ((b.X - a.X) * x) + ((b.Y - a.Y) * y) + b.LowestAhead(x, y, time) + a.LowestAhead(-x, -y, time);
+    /// <summary>Separation of the cores along a direction.</summary>
+    private static double Along(in MovingHull a, in MovingHull b, double x, double y) =>
+        ((b.X - a.X) * x) + ((b.Y - a.Y) * y) + b.Lowest(x, y) + a.Lowest(-x, -y);
 
     /// <summary>
     /// How long the separation along n is sure to stay above the target. Its lower bound is a concave function of the time: a chord
@@ -226,14 +226,16 @@ internal unsafe ref struct TimeOfImpact
         double speed = ((pathB.VelocityXAt(from) - pathA.VelocityXAt(from)) * nx) + ((pathB.VelocityYAt(from) - pathA.VelocityYAt(from)) * ny);
         double gain = ((pathB.AccelerationX - pathA.AccelerationX) * nx) + ((pathB.AccelerationY - pathA.AccelerationY) * ny);
         double bend = a.Bend(from) + b.Bend(from) - Math.Min(gain, 0);
+        var bound = new SeparationBound(a, b, nx, ny, speed, bend);
 
         // Chords aim at the middle of the tolerance: a straight way's chord would end on the target itself, above or below by rounding.
         double aim = 0.5 * query.Tolerance;
         double need = query.Target + a.Radius + b.Radius;
         double low = 0;
         double high = query.Until - from;
-        double atLow = Along(a, b, nx, ny, 0) - need;
-        double atHigh = Bound(a, b, nx, ny, high, speed, bend) - need;
+        bound.At(low, high, out double atLow, out double atHigh);
+        atLow -= need;
+        atHigh -= need;
         if (atHigh >= 0)
         {
             return double.PositiveInfinity;
@@ -241,16 +243,23 @@ internal unsafe ref struct TimeOfImpact
 
         for (int i = 0; i < Refinements && atLow > aim; i++)
         {
+            // The middle of what is left beyond the chord, which but for rounding never goes too far, is asked for with it.
             double chord = low + ((high - low) * ((atLow - aim) / (atLow - atHigh)));
-            double atChord = Bound(a, b, nx, ny, chord, speed, bend) - need;
+            double middle = 0.5 * (chord + high);
+            bound.At(chord, middle, out double atChord, out double atMiddle);
+            atChord -= need;
             if (atChord > 0)
             {
                 low = chord;
                 atLow = atChord;
             }
+            else
+            {
+                middle = 0.5 * (low + high);
+                bound.At(middle, middle, out atMiddle, out _);
+            }
 
-            double middle = 0.5 * (low + high);
-            double atMiddle = Bound(a, b, nx, ny, middle, speed, bend) - need;
+            atMiddle -= need;
             if (atMiddle > 0)
             {
                 low = middle;
@@ -265,9 +274,6 @@ internal unsafe ref struct TimeOfImpact
 
         return low;
     }
-
-    private static double Bound(in MovingHull a, in MovingHull b, double nx, double ny, double time, double speed, double bend) =>
-        Along(a, b, nx, ny, time) + (time * (speed - (0.5 * time * bend)));
 
     private struct Axis
     {
