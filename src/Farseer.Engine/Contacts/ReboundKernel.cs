@@ -108,7 +108,26 @@ internal static unsafe class ReboundKernel
         return any;
     }
 
-    /// <summary>After the passes: what they have stopped parts. The impulses are let go, for they are not to be repeated.</summary>
+    /// <summary>Asks for the impulses of a bundle.</summary>
+    public static void AskForImpulses(ContactBundle* row)
+    {
+        Prefetch.Line(row->Point0.Normal);
+        Prefetch.Line(row->Point1.Normal);
+    }
+
+    /// <summary>After the passes: whether they have stopped any of what approached.</summary>
+    public static bool HaveMet(ContactBundle* row, ReboundSpeeds* speeds)
+    {
+        bool any = false;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            any |= WideLanes.Any(Met(row, speeds, lane, out _, out _));
+        }
+
+        return any;
+    }
+
+    /// <summary>What they have stopped parts. The impulses are let go, for they are not to be repeated.</summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static void Part(ContactBundle* row, ReboundSpeeds* speeds, BodyState* bodies, in ContactCoefficients c)
     {
@@ -118,9 +137,7 @@ internal static unsafe class ReboundKernel
         {
             Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
             Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
-            Wide speed0 = Wide.Keep(lambda0 > Wide.Zero, Wide.Load(speeds->First + lane));
-            Wide speed1 = Wide.Keep(lambda1 > Wide.Zero, Wide.Load(speeds->Second + lane));
-            WideMask parts = Wide.Max(speed0, speed1) > Wide.Zero;
+            WideMask parts = Met(row, speeds, lane, out Wide speed0, out Wide speed1);
             if (!WideLanes.Any(parts))
             {
                 continue;
@@ -143,6 +160,15 @@ internal static unsafe class ReboundKernel
             Release(&row->Point0, lane, parts);
             Release(&row->Point1, lane, parts);
         }
+    }
+
+    /// <summary>Lanes of which a point approached and was stopped, and the speeds at which such points are to part.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideMask Met(ContactBundle* row, ReboundSpeeds* speeds, int lane, out Wide speed0, out Wide speed1)
+    {
+        speed0 = Wide.Keep(Wide.Load(row->Point0.Normal + lane) > Wide.Zero, Wide.Load(speeds->First + lane));
+        speed1 = Wide.Keep(Wide.Load(row->Point1.Normal + lane) > Wide.Zero, Wide.Load(speeds->Second + lane));
+        return Wide.Max(speed0, speed1) > Wide.Zero;
     }
 
     /// <summary>At what speeds the surfaces of the points part, and below which they strike.</summary>

@@ -26,7 +26,7 @@ internal sealed unsafe class ReboundPass
     private const int Ahead = 5;
 
     /// <summary>The same of those of which nearly all is read.</summary>
-    private const int StrikingAhead = 2;
+    private const int PartingAhead = 2;
 
     private readonly Column<Entry> _entries = new Column<Entry>();
 
@@ -89,10 +89,21 @@ internal sealed unsafe class ReboundPass
     /// <summary>After the relax pass.</summary>
     public void Run(BodyStore bodies, in ContactCoefficients c)
     {
+        // Of those that approached four in five have not met: only of the others all is read.
+        int parting = 0;
         for (int i = 0; i < _strikingCount; i++)
         {
-            ContactBundle.AskFor(_striking[Math.Min(i + StrikingAhead, _strikingCount - 1)].Row);
-            ReboundKernel.Part(_striking[i].Row, _speeds.Pointer + i, bodies.State.Pointer, c);
+            ReboundKernel.AskForImpulses(_striking[Math.Min(i + Ahead, _strikingCount - 1)].Row);
+            if (ReboundKernel.HaveMet(_striking[i].Row, _speeds.Pointer + i))
+            {
+                _striking[parting++] = new Entry { Row = _striking[i].Row, Speeds = i };
+            }
+        }
+
+        for (int i = 0; i < parting; i++)
+        {
+            ContactBundle.AskFor(_striking[Math.Min(i + PartingAhead, parting - 1)].Row);
+            ReboundKernel.Part(_striking[i].Row, _speeds.Pointer + _striking[i].Speeds, bodies.State.Pointer, c);
         }
     }
 
@@ -155,10 +166,11 @@ internal sealed unsafe class ReboundPass
         return any;
     }
 
-    /// <summary>A bundle with such contacts.</summary>
+    /// <summary>A bundle with such contacts, and where its speeds are once it parts.</summary>
     [StructLayout(LayoutKind.Sequential)]
     private struct Entry
     {
         public ContactBundle* Row;
+        public int Speeds;
     }
 }
