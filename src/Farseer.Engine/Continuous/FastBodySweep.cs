@@ -284,7 +284,7 @@ internal sealed class FastBodySweep
             return false;
         }
 
-        TimeOfImpact search = Search(input, record, isA, path, other);
+        var search = new TimeOfImpact(input.Shapes, record.PieceA, isA ? ref path : ref other, record.PieceB, isA ? ref other : ref path);
         double separation = search.SeparationAtStart();
         bool jointed = input.Joints.Degree(body) > 0;
         if (record.Color >= 0 || jointed || separation <= PairStage.SkinShare * extent)
@@ -342,7 +342,7 @@ internal sealed class FastBodySweep
             return false;
         }
 
-        TimeOfImpact search = Search(input, record, isA, path, other);
+        var search = new TimeOfImpact(input.Shapes, record.PieceA, isA ? ref path : ref other, record.PieceB, isA ? ref other : ref path);
         return FindTime(input, ref search, extent, candidate, until, out time);
     }
 
@@ -370,11 +370,6 @@ internal sealed class FastBodySweep
         query.Until = 1;
         return search.Find(query, out time, out _);
     }
-
-    private static TimeOfImpact Search(in SweepInput input, in ContactRecord record, bool isA, in BodyPath path, in BodyPath other) =>
-        isA
-            ? new TimeOfImpact(input.Shapes, record.PieceA, path, record.PieceB, other)
-            : new TimeOfImpact(input.Shapes, record.PieceA, other, record.PieceB, path);
 
     /// <summary>They come nowhere so near that they would count as touching.</summary>
     private static bool IsClear(in SweepInput input, in ContactRecord record, bool isA, in BodyPath path, in BodyPath other, float extent) =>

@@ -16,32 +16,37 @@ internal struct HullRotor
 /// <summary>A piece on its way: what the search for a time of impact asks of it, in double precision.</summary>
 internal unsafe struct MovingHull
 {
-    public readonly Vector2* Vertices;
-    public readonly Vector2* Normals;
-    public readonly int Count;
-    public readonly double Radius;
+    public Vector2* Vertices;
+    public Vector2* Normals;
+    public int Count;
+    public double Radius;
     public double X;
     public double Y;
 
     /// <summary>Radians for the whole way, at the present speed.</summary>
     public double Spin;
-    public readonly BodyPath Path;
-    private readonly double _arm;
+    public BodyPath Path;
+    private double _arm;
     private HullRotor _rotor;
 
-    public MovingHull(ShapeStore shapes, int piece, in BodyPath path)
+    /// <summary>Takes a piece and its way, field by field: what was just written one by one is not there yet for a copy of all of it, and a short search waited longer for that than it took.</summary>
+    public void Begin(ShapeStore shapes, int piece, in BodyPath path)
     {
         ref Piece p = ref shapes.Pieces[piece];
         Vertices = shapes.Vertices.Pointer + p.VertexStart;
         Normals = shapes.Normals.Pointer + p.VertexStart;
         Count = p.VertexCount;
         Radius = p.Radius;
-        X = 0;
-        Y = 0;
         _arm = Math.Max(0, (double)p.Reach - p.Radius);
-        Path = path;
-        _rotor = new HullRotor { Cos = 1, Sin = 0 };
-        Spin = 0;
+        Path.X = path.X;
+        Path.Y = path.Y;
+        Path.Angle = path.Angle;
+        Path.VelocityX = path.VelocityX;
+        Path.VelocityY = path.VelocityY;
+        Path.Spin = path.Spin;
+        Path.AccelerationX = path.AccelerationX;
+        Path.AccelerationY = path.AccelerationY;
+        Path.SpinGain = path.SpinGain;
     }
 
     public readonly HullRotor Rotor => _rotor;

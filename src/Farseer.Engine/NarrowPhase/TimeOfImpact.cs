@@ -46,9 +46,8 @@ internal unsafe ref struct TimeOfImpact
     /// <param name="b">The way of its body.</param>
     public TimeOfImpact(ShapeStore shapes, int pieceA, in BodyPath a, int pieceB, in BodyPath b)
     {
-        _a = new MovingHull(shapes, pieceA, a);
-        _b = new MovingHull(shapes, pieceB, b);
-        _start = default;
+        _a.Begin(shapes, pieceA, a);
+        _b.Begin(shapes, pieceB, b);
     }
 
     /// <summary>The separation where the ways begin.</summary>
