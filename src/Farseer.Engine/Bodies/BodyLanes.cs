@@ -143,7 +143,6 @@ internal static unsafe partial class BodyLanes
     }
 
     /// <summary>Four floats of each of two lists of records: turned by way of memory, which is waited for once.</summary>
-    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Gather(float* first, int* indexFirst, float* second, int* indexSecond, out FourColumns a, out FourColumns b)
     {
@@ -163,7 +162,6 @@ internal static unsafe partial class BodyLanes
     }
 
     /// <summary>The same of four columns.</summary>
-    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Gather(
         float* first,
@@ -275,7 +273,6 @@ internal static unsafe partial class BodyLanes
         ScatterByElement(records, index, a, b, c, d);
     }
 
-    [SkipLocalsInit]
     private static void GatherByElement(float* records, int* index, int stride, out Wide a, out Wide b, out Wide c, out Wide d)
     {
         FourColumns turned;
@@ -286,7 +283,6 @@ internal static unsafe partial class BodyLanes
         d = turned.D;
     }
 
-    [SkipLocalsInit]
     private static void GatherOffsetByElement(BodyPose* poses, int* a, int* b, out Wide x, out Wide y)
     {
         FourColumns turned;
@@ -309,7 +305,6 @@ internal static unsafe partial class BodyLanes
     }
 
     // In stores of 16 bytes, as all others: what reads a record at once waits long for three stores that it spans.
-    [SkipLocalsInit]
     private static void ScatterSome(BodyState* bodies, int* index, in WideVelocity v, int lanes)
     {
 #if NET8_0_OR_GREATER
@@ -341,7 +336,6 @@ internal static unsafe partial class BodyLanes
         }
     }
 
-    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void ScatterByElement(float* records, int* index, Wide a, Wide b, Wide c, Wide d)
     {

@@ -78,7 +78,6 @@ internal static unsafe class Integrator
         }
     }
 
-    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void GatherMotion(
         BodyState* states, float* motion, int* index, out WideVelocity v, out WideDelta d, out FourColumns start, out FourColumns change)

@@ -47,7 +47,6 @@ internal static unsafe class ContactKernel
     }
 
     [MethodImpl(KernelMethod.Optimized)]
-    [SkipLocalsInit]
     private static void WarmStartTurned<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
@@ -106,7 +105,6 @@ internal static unsafe class ContactKernel
     /// their overlap goes in <see cref="PushOut"/>.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    [SkipLocalsInit]
     public static void SolveBiased<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
@@ -135,7 +133,6 @@ internal static unsafe class ContactKernel
     /// the impulses, so that a deep overlap never becomes speed.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    [SkipLocalsInit]
     public static void PushOut<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, float recoveryRate)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
@@ -179,7 +176,6 @@ internal static unsafe class ContactKernel
     /// into spin. (To leave every open surface to the next substep cured that as well, but cost a tipping box 9e-4 rad/s.)
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    [SkipLocalsInit]
     public static void Relax<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, bool rub, bool first)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints

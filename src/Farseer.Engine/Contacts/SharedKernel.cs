@@ -19,7 +19,6 @@ internal static unsafe class SharedKernel
 {
     /// <summary>Runs a pass, a bundle at a time.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    [SkipLocalsInit]
     public static void Run(in ContactPass pass, in BundleRun rows)
     {
         byte* memory = stackalloc byte[ContactWork.Bytes];

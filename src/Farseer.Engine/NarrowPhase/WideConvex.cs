@@ -200,7 +200,6 @@ internal static unsafe class WideConvex
     }
 #endif
 
-    [SkipLocalsInit]
     [MethodImpl(KernelMethod.Optimized)]
     private static void Build(PairLanes* pairs, int lane, Vector2* vertices, Vector2* normals)
     {

@@ -31,7 +31,6 @@ internal static unsafe class MatrixTurn
     /// <param name="r3">A record.</param>
     /// <param name="target">The first column.</param>
     /// <param name="stride">Floats from one column to the next.</param>
-    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void ToColumns(float* r0, float* r1, float* r2, float* r3, float* target, int stride)
     {
@@ -44,7 +43,6 @@ internal static unsafe class MatrixTurn
     }
 
     /// <summary>The same without the fourth column.</summary>
-    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void ToThreeColumns(float* r0, float* r1, float* r2, float* r3, float* target, int stride)
     {
@@ -56,7 +54,6 @@ internal static unsafe class MatrixTurn
     }
 
     /// <summary>The same with nothing but the first two, wherever these are to be.</summary>
-    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void ToTwoColumns(float* r0, float* r1, float* r2, float* r3, float* first, float* second)
     {
@@ -83,7 +80,6 @@ internal static unsafe class MatrixTurn
     }
 
     /// <summary>The same with the first and third column in one place, the second and fourth in another.</summary>
-    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void ToPairs(float* r0, float* r1, float* r2, float* r3, float* odd, float* even, int stride)
     {
@@ -96,7 +92,6 @@ internal static unsafe class MatrixTurn
     }
 
     /// <summary>Turns columns into four floats of each of four records.</summary>
-    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void ToRecords(Vector4 c0, Vector4 c1, Vector4 c2, Vector4 c3, float* r0, float* r1, float* r2, float* r3)
     {
@@ -108,7 +103,6 @@ internal static unsafe class MatrixTurn
         *(Vector4*)r3 = rows[3];
     }
 
-    [SkipLocalsInit]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Matrix4x4 Turned(Vector4 r0, Vector4 r1, Vector4 r2, Vector4 r3)
     {

@@ -6,7 +6,7 @@ namespace System.Runtime.CompilerServices
     {
     }
 
-    [System.AttributeUsage(System.AttributeTargets.Method)]
+    [System.AttributeUsage(System.AttributeTargets.Module)]
     internal sealed class SkipLocalsInitAttribute : System.Attribute
     {
     }

@@ -115,7 +115,6 @@ internal static unsafe class WidePoints
     }
 #endif
 
-    [SkipLocalsInit]
     private static void GatherByElement(Vector2* pool, int* index, out Wide x, out Wide y)
     {
         FourColumns turned;

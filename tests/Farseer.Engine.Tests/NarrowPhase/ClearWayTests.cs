@@ -25,7 +25,7 @@ public class ClearWayTests
             record.PieceA = pair.FirstA;
             record.PieceB = pair.FirstB;
             BodyPath a = Way(random, 0);
-            BodyPath b = Way(random, 5);
+            BodyPath b = Way(random, 4);
             bool either = ClearWay.HoldsForEither(pair.Store, record, a, b, Gap);
             bool ofA = ClearWay.Holds(pair.Store, record, a, b, ofA: true, Gap);
             bool ofB = ClearWay.Holds(pair.Store, record, a, b, ofA: false, Gap);

@@ -18,7 +18,6 @@ internal static unsafe class LaneFactor
     /// <summary>Writes the Jacobians of all joints at the present poses, and factors.</summary>
     /// <param name="bundle">The trees.</param>
     /// <param name="begin">The Jacobians of the anchors are those of the step's start, and are there.</param>
-    [SkipLocalsInit]
     [MethodImpl(KernelMethod.Optimized)]
     public static void Run(in LaneBundle bundle, bool begin)
     {

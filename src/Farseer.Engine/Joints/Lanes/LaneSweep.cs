@@ -12,7 +12,6 @@ internal static unsafe class LaneSweep
 {
     /// <summary>Jacobians and responses of the rows at the poses at which the trees are factored, and what springs are there.</summary>
     /// <returns>Lanes with a spring that its tree leaves no freedom.</returns>
-    [SkipLocalsInit]
     [MethodImpl(KernelMethod.Optimized)]
     public static int Prepare(in LaneWalks trees, LaneSoft* softs, LaneSoftPlace* places, int count, double h, int lane)
     {
