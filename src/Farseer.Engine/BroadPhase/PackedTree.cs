@@ -15,6 +15,9 @@ internal sealed unsafe class PackedTree
     // 8¹¹ boxes are more than an int can count.
     private const int MaxLayers = 12;
 
+    /// <summary>Bits for a layer below the number of a group that waits: there is memory for less than 2²⁸ groups.</summary>
+    private const int LayerBits = 4;
+
     private readonly BoxRows _lanes = new BoxRows();
     private readonly Column<int> _proxies = new Column<int>(1);
     private readonly int[] _layerStart = new int[MaxLayers + 1];
@@ -108,16 +111,15 @@ internal sealed unsafe class PackedTree
         }
 
         // Each layer on the way down leaves at most its eight lanes waiting.
-        int* stack = stackalloc int[MaxLayers * Width * 2];
+        int* stack = stackalloc int[MaxLayers * Width];
         int depth = 0;
         stack[depth++] = _layers - 1;
-        stack[depth++] = 0;
         WideBoxes lanes = _lanes.Wide;
         var spread = new SpreadBox(box);
         while (depth > 0)
         {
-            int group = stack[--depth];
-            int layer = stack[--depth];
+            int group = stack[--depth] >> LayerBits;
+            int layer = stack[depth] & ((1 << LayerBits) - 1);
             uint mask = lanes.Overlaps(_layerStart[layer] + (group * Width), spread);
             if (layer == 0)
             {
@@ -129,14 +131,15 @@ internal sealed unsafe class PackedTree
                 continue;
             }
 
-            // Pushed from the highest lane down, so that the lowest is searched first.
-            for (int lane = Width - 1; lane >= 0; lane--)
+            // The lowest lane on top, so that it is searched first. Which lanes there are cannot be foreseen, and a question for each took half of such a search.
+            for (uint left = mask; left != 0; left &= left - 1)
             {
-                if ((mask >> lane & 1) != 0)
-                {
-                    stack[depth++] = layer - 1;
-                    stack[depth++] = (group * Width) + lane;
-                }
+                depth++;
+            }
+
+            for (int place = depth; mask != 0; mask &= mask - 1)
+            {
+                stack[--place] = (((group * Width) + WideBoxes.LowestLane(mask)) << LayerBits) + layer - 1;
             }
         }
     }
