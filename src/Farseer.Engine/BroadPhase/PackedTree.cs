@@ -131,7 +131,7 @@ internal sealed unsafe class PackedTree
                 continue;
             }
 
-            // The lowest lane on top, so that it is searched first. Which lanes there are cannot be foreseen, and a question for each took half of such a search.
+            // The lowest lane on top, so that it is searched first. Which lanes there are cannot be foreseen, so each is not asked for: half a percent of a step of piles.
             for (uint left = mask; left != 0; left &= left - 1)
             {
                 depth++;

@@ -157,7 +157,7 @@ internal sealed class ContactStore
 
     /// <summary>
     /// Bodies of the pairs without a row, in the order of the idle list, for walks on lanes; 0 from the last one to the end of its bundle. By the records that were a walk over
-    /// five times as many, most of them free where more pairs were at one time: 4 % of a step of spinner.
+    /// five times as many, most of them free where more pairs were at one time: 1.2 % of a step of spinner.
     /// </summary>
     public unsafe int* IdleBodyA => _idleA.Pointer;
 

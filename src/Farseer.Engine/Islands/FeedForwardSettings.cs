@@ -260,8 +260,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
 
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
-                WideTable.Read((float*)ofSlot, row->Slot + lane).Store((float*)islands + lane);
-                WideTable.Read(rates, islands + lane).Store(row->FeedRate + lane);
+                WideTable.ReadThrough(rates, ofSlot, row->Slot + lane, islands + lane).Store(row->FeedRate + lane);
                 ContactBundle.Mark(row, lane, WideTable.Read(deeps, islands + lane) > Wide.Zero, ContactBundle.DeepMark);
             }
         }

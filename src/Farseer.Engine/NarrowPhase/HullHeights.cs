@@ -12,7 +12,7 @@ namespace Farseer.Engine.NarrowPhase;
 internal static unsafe class HullHeights
 {
     /// <summary>
-    /// The least of x·vx + y·vy over some vertices. Two at a time: which one is the lowest cannot be foreseen, and to branch by it was half of a search for a time of impact.
+    /// The least of x·vx + y·vy over some vertices. Two at a time, without a branch: which one is the lowest cannot be foreseen.
     /// </summary>
     /// <param name="vertices">The vertices.</param>
     /// <param name="count">How many there are, at least one.</param>

@@ -11,6 +11,12 @@ internal struct HullRotor
 {
     public double Cos;
     public double Sin;
+
+    /// <summary>A direction of the world in the piece's axes.</summary>
+    public readonly double ToLocalX(double x, double y) => (Cos * x) + (Sin * y);
+
+    /// <inheritdoc cref="ToLocalX"/>
+    public readonly double ToLocalY(double x, double y) => (Cos * y) - (Sin * x);
 }
 
 /// <summary>A piece on its way: what the search for a time of impact asks of it, in double precision.</summary>
@@ -29,7 +35,7 @@ internal unsafe struct MovingHull
     private double _arm;
     private HullRotor _rotor;
 
-    /// <summary>Takes a piece and its way, field by field: what was just written one by one is not there yet for a copy of all of it, and a short search waited longer for that than it took.</summary>
+    /// <summary>Takes a piece and its way, field by field: what was just written one by one is not there yet for a copy of all of it, which waits.</summary>
     public void Begin(ShapeStore shapes, int piece, in BodyPath path)
     {
         ref Piece p = ref shapes.Pieces[piece];
@@ -71,13 +77,13 @@ internal unsafe struct MovingHull
     }
 
     /// <summary>The least of d·r over the vertices r, from the body's centre.</summary>
-    public readonly double Lowest(double dx, double dy) => HullHeights.Lowest(Vertices, Count, ToLocalX(dx, dy), ToLocalY(dx, dy));
+    public readonly double Lowest(double dx, double dy) => HullHeights.Lowest(Vertices, Count, _rotor.ToLocalX(dx, dy), _rotor.ToLocalY(dx, dy));
 
     /// <summary>The vertex of the least d·r, the first one of several.</summary>
     public readonly int LowestAt(double dx, double dy)
     {
-        double x = ToLocalX(dx, dy);
-        double y = ToLocalY(dx, dy);
+        double x = _rotor.ToLocalX(dx, dy);
+        double y = _rotor.ToLocalY(dx, dy);
         int index = 0;
         double lowest = (x * Vertices[0].X) + (y * Vertices[0].Y);
         for (int i = 1; i < Count; i++)
@@ -108,8 +114,4 @@ internal unsafe struct MovingHull
         Spin = Path.SpinAt(f);
         _rotor = rotor;
     }
-
-    private readonly double ToLocalX(double x, double y) => (_rotor.Cos * x) + (_rotor.Sin * y);
-
-    private readonly double ToLocalY(double x, double y) => (_rotor.Cos * y) - (_rotor.Sin * x);
 }

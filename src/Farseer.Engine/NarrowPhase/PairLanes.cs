@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Numerics;
 #if NET8_0_OR_GREATER

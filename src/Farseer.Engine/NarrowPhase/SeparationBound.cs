@@ -10,7 +10,7 @@ namespace Farseer.Engine.NarrowPhase;
 
 /// <summary>
 /// A lower bound of how far apart two pieces on their ways are along a direction n that is held fast: every vertex goes on as fast as now, and
-/// the ways bend by no more than they can. Asked for at two times at once, of both pieces side by side: one by one, that was half of a search for a time of impact.
+/// the ways bend by no more than they can. Asked for at two times at once, of both pieces side by side, for most of a search for a time of impact asks for it.
 /// </summary>
 /// <remarks>d·(ω×r) = ω·(r×d), so in the time t each vertex r adds to d·r the part of it along ω·t·d turned by a right angle.</remarks>
 internal readonly unsafe ref struct SeparationBound
@@ -132,7 +132,7 @@ internal readonly unsafe ref struct SeparationBound
     {
         double dx = x + (turn * y);
         double dy = y - (turn * x);
-        return HullHeights.Lowest(vertices, last + 1, (rotor.Cos * dx) + (rotor.Sin * dy), (rotor.Cos * dy) - (rotor.Sin * dx));
+        return HullHeights.Lowest(vertices, last + 1, rotor.ToLocalX(dx, dy), rotor.ToLocalY(dx, dy));
     }
 #endif
 }

@@ -79,6 +79,10 @@ internal unsafe ref struct TimeOfImpact
                 separation = SeparationAtStart();
                 nx = _start.X;
                 ny = _start.Y;
+
+                // An earlier search may have left them elsewhere.
+                _a.Place(0, _start.RotorA);
+                _b.Place(0, _start.RotorB);
             }
             else
             {
@@ -89,12 +93,6 @@ internal unsafe ref struct TimeOfImpact
             if (separation <= query.Target + query.Tolerance)
             {
                 return true;
-            }
-
-            if (time == 0)
-            {
-                _a.Place(0, _start.RotorA);
-                _b.Place(0, _start.RotorB);
             }
 
             double safe = SafeTime(_a, _b, nx, ny, time, query);

@@ -37,6 +37,18 @@ internal static unsafe class WideTable
 #endif
     }
 
+    /// <summary>The entries of a table at the numbers that another holds at some places.</summary>
+    /// <param name="table">The table.</param>
+    /// <param name="numbers">Where in it, by place.</param>
+    /// <param name="places">The places.</param>
+    /// <param name="room">Receives the numbers.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Wide ReadThrough(float* table, int* numbers, int* places, int* room)
+    {
+        Read((float*)numbers, places).Store((float*)room);
+        return Read(table, room);
+    }
+
     /// <summary>The larger of two, taken as whole numbers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Wide LargerNumber(Wide a, Wide b) =>

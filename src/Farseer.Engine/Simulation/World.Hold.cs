@@ -41,8 +41,8 @@ internal sealed partial class World
                 int sinking = 0;
                 for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
                 {
-                    WideTable.Read((float*)_islands.OfSlot, row->Slot + lane).Store((float*)islands + lane);
-                    sinking |= WideLanes.Bits(WideTable.Read(jointed, islands + lane) > Wide.Zero) << lane;
+                    Wide marks = WideTable.ReadThrough(jointed, _islands.OfSlot, row->Slot + lane, islands + lane);
+                    sinking |= WideLanes.Bits(marks > Wide.Zero) << lane;
                 }
 
                 for (int lane = 0; sinking != 0; lane++, sinking >>= 1)
