@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using BenchmarkDotNet.Attributes;
 using Farseer.Engine.Bodies;
@@ -13,6 +14,7 @@ public unsafe class KernelSuite
     private const int Contacts = 4096;
     private const int Bundles = Contacts / ContactBundle.Lanes;
     private readonly Column<ContactBundle> _rows = new Column<ContactBundle>(Bundles);
+    private readonly Column<nint> _list = new Column<nint>(Bundles + BundleList.PlacesBehind);
     private readonly Column<BodyState> _states = new Column<BodyState>((2 * Contacts) + 1);
     private readonly Column<PairLanes> _pairs = new Column<PairLanes>(1);
     private ContactCoefficients _coefficients;
@@ -52,6 +54,12 @@ public unsafe class KernelSuite
             SetPoint(&row->Point1, lane, -0.5f);
         }
 
+        int beside = Lanes / ContactBundle.Lanes;
+        for (int i = 0; i < _list.Capacity; i++)
+        {
+            _list[i] = (nint)ContactBundle.At(_rows.Pointer, beside * Math.Min(i, (Bundles / beside) - 1));
+        }
+
         SetSide(&_pairs.Pointer->A, 0);
         SetSide(&_pairs.Pointer->B, 0.999f);
         for (int lane = 0; lane < PairLanes.Lanes; lane++)
@@ -81,16 +89,12 @@ public unsafe class KernelSuite
 #if !NETSTANDARD_ASSET
         if (Lanes == Engine.Contacts.Sixteen.ContactBundle.Lanes)
         {
-            var first = (Engine.Contacts.Sixteen.ContactBundle*)_rows.Pointer;
-            Engine.Contacts.Sixteen.PassChoice.Run(
-                pass,
-                new Engine.Contacts.Sixteen.BundleRun(first, Bundles / ContactBundle.Beside, first, isFar: false),
-                grounded: false,
-                onePoint: false);
+            var records = new Engine.Contacts.Sixteen.BundleList((Engine.Contacts.Sixteen.ContactBundle**)_list.Pointer, Bundles / ContactBundle.Beside, isFar: false);
+            Engine.Contacts.Sixteen.PassChoice.Run(pass, records, grounded: false, onePoint: false);
             return;
         }
 #endif
-        PassChoice.Run(pass, new BundleRun(_rows.Pointer, Bundles, _rows.Pointer, isFar: false), grounded: false, onePoint: false);
+        PassChoice.Run(pass, new BundleList((ContactBundle**)_list.Pointer, Bundles, isFar: false), grounded: false, onePoint: false);
     }
 
     private static void SetPoint(ContactPointLanes* point, int lane, float arm)

@@ -26,12 +26,13 @@ internal static unsafe class BlowKernel
     /// <summary>What the spins of some bundles lack after normal impulses were applied at the arms of the middle.</summary>
     /// <returns>Those of the <paramref name="blows"/> that are some.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static ulong Strike(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
+    public static ulong Strike(ContactBundle** some, int count, ContactWork* work, BodyState* bodies, ulong blows)
     {
         ulong fresh = 0;
         ContactMoved* moved = ContactWork.Moved(work);
-        for (int i = 0; i < count; i++, row = ContactBundle.Next(row), work++)
+        for (int i = 0; i < count; i++, work++)
         {
+            ContactBundle* row = some[i];
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 ulong bit = ContactWork.Bit(i, lane);
@@ -48,11 +49,12 @@ internal static unsafe class BlowKernel
 
     /// <summary>The same for friction impulses.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Rub(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
+    public static void Rub(ContactBundle** some, int count, ContactWork* work, BodyState* bodies, ulong blows)
     {
         ContactMoved* moved = ContactWork.Moved(work);
-        for (int i = 0; i < count; i++, row = ContactBundle.Next(row), work++)
+        for (int i = 0; i < count; i++, work++)
         {
+            ContactBundle* row = some[i];
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 if ((blows & ContactWork.Bit(i, lane)) != 0)

@@ -21,7 +21,7 @@ internal static unsafe class ContactKernel
     /// block solver), friction kept within its cone.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void WarmStart<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c)
+    public static void WarmStart<TScatter, TPoints>(in BundleList rows, BodyState* bodies, in ContactCoefficients c)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
     {
@@ -33,10 +33,11 @@ internal static unsafe class ContactKernel
 
         bool two = default(TPoints).AreTwo;
         Wide fall = Wide.Splat(c.Gravity * c.Substep);
-        ContactBundle* row = rows.Bundles;
-        for (int left = rows.Count; left > 0; left--, row = ContactBundle.Next(row))
+        ContactBundle** end = rows.Bundles + rows.Count;
+        for (ContactBundle** at = rows.Bundles; at < end; at++)
         {
-            rows.AskForStart(row, bodies, two);
+            rows.AskForStart(at, bodies, two);
+            ContactBundle* row = *at;
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
@@ -47,7 +48,7 @@ internal static unsafe class ContactKernel
     }
 
     [MethodImpl(KernelMethod.Optimized)]
-    private static void WarmStartTurned<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c)
+    private static void WarmStartTurned<TScatter, TPoints>(in BundleList rows, BodyState* bodies, in ContactCoefficients c)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
     {
@@ -56,17 +57,17 @@ internal static unsafe class ContactKernel
         ContactWork* work = ContactWork.In(memory);
         for (int done = 0; done < rows.Count; done += rows.Stride)
         {
-            ContactBundle* row = ContactBundle.At(rows.Bundles, done);
+            ContactBundle** some = rows.Bundles + done;
             int count = Math.Min(rows.Stride, rows.Count - done);
-            ContactBundle* turned = row;
-            for (int i = 0; i < count; i++, turned = ContactBundle.Next(turned))
+            for (int i = 0; i < count; i++)
             {
-                BodyTurning.TurnVelocities(bodies, turned->BodyA, work[i].VelocityAX);
-                BodyTurning.TurnVelocities(bodies, turned->BodyB, work[i].VelocityBX);
+                BodyTurning.TurnVelocities(bodies, some[i]->BodyA, work[i].VelocityAX);
+                BodyTurning.TurnVelocities(bodies, some[i]->BodyB, work[i].VelocityBX);
             }
 
-            for (int i = 0; i < count; i++, row = ContactBundle.Next(row))
+            for (int i = 0; i < count; i++)
             {
+                ContactBundle* row = some[i];
                 for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
                 {
                     ContactWork.Take(work + i, lane, out WideVelocity a, out WideVelocity b);
@@ -105,7 +106,7 @@ internal static unsafe class ContactKernel
     /// their overlap goes in <see cref="PushOut"/>.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void SolveBiased<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
+    public static void SolveBiased<TScatter, TPoints>(in BundleList rows, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
     {
@@ -113,7 +114,7 @@ internal static unsafe class ContactKernel
         ContactWork* work = ContactWork.In(memory);
         for (int done = 0; done < rows.Count; done += rows.Stride)
         {
-            ContactBundle* some = ContactBundle.At(rows.Bundles, done);
+            ContactBundle** some = rows.Bundles + done;
             int count = Math.Min(rows.Stride, rows.Count - done);
             ContactStages.AimBiased<TPoints>(rows, some, count, work, bodies, c, anyDeep);
 
@@ -133,7 +134,7 @@ internal static unsafe class ContactKernel
     /// the impulses, so that a deep overlap never becomes speed.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void PushOut<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, float recoveryRate)
+    public static void PushOut<TScatter, TPoints>(in BundleList rows, BodyState* bodies, in ContactCoefficients c, float recoveryRate)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
     {
@@ -141,7 +142,7 @@ internal static unsafe class ContactKernel
         ContactWork* work = ContactWork.In(memory);
         for (int done = 0; done < rows.Count;)
         {
-            ContactBundle* some = ContactBundle.At(rows.Bundles, done);
+            ContactBundle** some = rows.Bundles + done;
             int count = CountDeep(some, Math.Min(rows.Stride, rows.Count - done));
             if (count > 0)
             {
@@ -155,11 +156,11 @@ internal static unsafe class ContactKernel
     }
 
     /// <summary>How many bundles from the first on have a contact of a deep island.</summary>
-    private static int CountDeep(ContactBundle* row, int most)
+    private static int CountDeep(ContactBundle** some, int most)
     {
-        for (int i = 0; i < most; i++, row = ContactBundle.Next(row))
+        for (int i = 0; i < most; i++)
         {
-            if (ContactBundle.LanesWith(row, ContactBundle.DeepMark) == 0)
+            if (ContactBundle.LanesWith(some[i], ContactBundle.DeepMark) == 0)
             {
                 return i;
             }
@@ -176,7 +177,7 @@ internal static unsafe class ContactKernel
     /// into spin. (To leave every open surface to the next substep cured that as well, but cost a tipping box 9e-4 rad/s.)
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Relax<TScatter, TPoints>(in BundleRun rows, BodyState* bodies, in ContactCoefficients c, bool rub, bool first)
+    public static void Relax<TScatter, TPoints>(in BundleList rows, BodyState* bodies, in ContactCoefficients c, bool rub, bool first)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
     {
@@ -184,7 +185,7 @@ internal static unsafe class ContactKernel
         ContactWork* work = ContactWork.In(memory);
         for (int done = 0; done < rows.Count; done += rows.Stride)
         {
-            ContactBundle* some = ContactBundle.At(rows.Bundles, done);
+            ContactBundle** some = rows.Bundles + done;
             int count = Math.Min(rows.Stride, rows.Count - done);
             ContactStages.AimRelaxed<TPoints>(rows, some, count, work, bodies, c);
             ulong blows = ContactStages.Push<TPoints>(some, count, work, onlyUnfed: first, feed: true);

@@ -18,19 +18,19 @@ internal static unsafe class ContactStages
     /// <summary>Velocities, and what the biased pass is to make 0. Few bodies turn so far that it is to be found again with limited arms.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void AimBiased<TPoints>(
-        in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
+        in BundleList rows, ContactBundle** some, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
         where TPoints : struct, IContactPoints
     {
-        if (AimBiased<TPoints, WholeTurns>(rows, row, count, work, bodies, c, anyDeep))
+        if (AimBiased<TPoints, WholeTurns>(rows, some, count, work, bodies, c, anyDeep))
         {
-            AimBiased<TPoints, LimitedTurns>(rows, row, count, work, bodies, c, anyDeep);
+            AimBiased<TPoints, LimitedTurns>(rows, some, count, work, bodies, c, anyDeep);
         }
     }
 
     /// <returns>Some bodies have turned beyond the limit, and it was not kept.</returns>
     [MethodImpl(KernelMethod.Optimized)]
     private static bool AimBiased<TPoints, TTurns>(
-        in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
+        in BundleList rows, ContactBundle** some, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
         where TPoints : struct, IContactPoints
         where TTurns : struct, IArmTurns
     {
@@ -45,10 +45,11 @@ internal static unsafe class ContactStages
         Wide settleShare = Wide.Splat(ContactCoefficients.SettleShare);
         Wide sliding = Wide.Splat(c.Sliding);
         ContactWork* end = work + count;
-        ContactMoved* moved = Turn(row, count, work, bodies);
-        for (; work < end; work++, row = ContactBundle.Next(row), moved++)
+        ContactMoved* moved = Turn(some, count, work, bodies);
+        for (; work < end; work++, some++, moved++)
         {
-            rows.AskForBiased(row, bodies, two);
+            rows.AskForBiased(some, bodies, two);
+            ContactBundle* row = *some;
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Gather(row, lane, work, moved, bodies, out WideDelta movedA, out WideDelta movedB);
@@ -132,19 +133,19 @@ internal static unsafe class ContactStages
     /// <summary>Velocities, turned arms, and what the relax pass is to make 0.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void AimRelaxed<TPoints>(
-        in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c)
+        in BundleList rows, ContactBundle** some, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c)
         where TPoints : struct, IContactPoints
     {
-        if (AimRelaxed<TPoints, WholeTurns>(rows, row, count, work, bodies, c))
+        if (AimRelaxed<TPoints, WholeTurns>(rows, some, count, work, bodies, c))
         {
-            AimRelaxed<TPoints, LimitedTurns>(rows, row, count, work, bodies, c);
+            AimRelaxed<TPoints, LimitedTurns>(rows, some, count, work, bodies, c);
         }
     }
 
     /// <returns>Some bodies have turned beyond the limit, and it was not kept.</returns>
     [MethodImpl(KernelMethod.Optimized)]
     private static bool AimRelaxed<TPoints, TTurns>(
-        in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c)
+        in BundleList rows, ContactBundle** some, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c)
         where TPoints : struct, IContactPoints
         where TTurns : struct, IArmTurns
     {
@@ -154,10 +155,11 @@ internal static unsafe class ContactStages
         Wide rest = Wide.Splat(c.Rest);
         Wide level = Wide.Splat(c.Level);
         ContactWork* end = work + count;
-        ContactMoved* moved = Turn(row, count, work, bodies);
-        for (; work < end; work++, row = ContactBundle.Next(row), moved++)
+        ContactMoved* moved = Turn(some, count, work, bodies);
+        for (; work < end; work++, some++, moved++)
         {
-            rows.AskForRelaxed(row, bodies, two);
+            rows.AskForRelaxed(some, bodies, two);
+            ContactBundle* row = *some;
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Gather(row, lane, work, moved, bodies, out WideDelta movedA, out WideDelta movedB);
@@ -199,17 +201,18 @@ internal static unsafe class ContactStages
     /// <summary>Velocities, and what is to be 0 for the contacts of deep islands to move apart.</summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static void AimApart<TPoints>(
-        in BundleRun rows, ContactBundle* row, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, float recoveryRate)
+        in BundleList rows, ContactBundle** some, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, float recoveryRate)
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide rate = Wide.Splat(recoveryRate);
         ContactWork* end = work + count;
-        ContactMoved* moved = Turn(row, count, work, bodies);
-        for (; work < end; work++, row = ContactBundle.Next(row), moved++)
+        ContactMoved* moved = Turn(some, count, work, bodies);
+        for (; work < end; work++, some++, moved++)
         {
-            rows.AskForBiased(row, bodies, two);
+            rows.AskForBiased(some, bodies, two);
+            ContactBundle* row = *some;
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Gather(row, lane, work, moved, bodies, out WideDelta movedA, out WideDelta movedB);
@@ -227,12 +230,13 @@ internal static unsafe class ContactStages
 
     /// <summary>Solves the blocks of contacts of deep islands; the impulses are forgotten.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void PushApart<TPoints>(ContactBundle* row, int count, ContactWork* work)
+    public static void PushApart<TPoints>(ContactBundle** some, int count, ContactWork* work)
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
-        for (int i = 0; i < count; i++, work++, row = ContactBundle.Next(row))
+        for (int i = 0; i < count; i++, work++)
         {
+            ContactBundle* row = some[i];
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 WideMask deep = ContactBundle.Has(row, lane, ContactBundle.DeepMark);
@@ -256,20 +260,21 @@ internal static unsafe class ContactStages
     }
 
     /// <summary>Solves the blocks.</summary>
-    /// <param name="row">The first bundle.</param>
+    /// <param name="some">The bundles.</param>
     /// <param name="count">How many.</param>
     /// <param name="work">What the stage before has left; then what the points are pushed with.</param>
     /// <param name="onlyUnfed">Who pushes for long has a feed-forward: only others may be struck.</param>
     /// <param name="feed">The feed-forward follows.</param>
     /// <returns>The bits of the vectors with a lane that may be struck.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static ulong Push<TPoints>(ContactBundle* row, int count, ContactWork* work, bool onlyUnfed, bool feed)
+    public static ulong Push<TPoints>(ContactBundle** some, int count, ContactWork* work, bool onlyUnfed, bool feed)
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
         ulong blows = 0;
-        for (int i = 0; i < count; i++, work++, row = ContactBundle.Next(row))
+        for (int i = 0; i < count; i++, work++)
         {
+            ContactBundle* row = some[i];
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
@@ -326,13 +331,14 @@ internal static unsafe class ContactStages
 
     /// <summary>Gives the bodies what they were pushed with.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Give<TScatter, TPoints>(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
+    public static void Give<TScatter, TPoints>(ContactBundle** some, int count, ContactWork* work, BodyState* bodies, ulong blows)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
-        for (int i = 0; i < count; i++, work++, row = ContactBundle.Next(row))
+        for (int i = 0; i < count; i++, work++)
         {
+            ContactBundle* row = some[i];
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 TakePushed(row, lane, work, (blows & ContactWork.Bit(i, lane)) != 0, out WideVelocity a, out WideVelocity b, two);
@@ -343,12 +349,13 @@ internal static unsafe class ContactStages
 
     /// <summary>Friction of bodies that were pushed, which do not know yet.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Rub<TPoints>(ContactBundle* row, int count, ContactWork* work, ulong blows)
+    public static void Rub<TPoints>(ContactBundle** some, int count, ContactWork* work, ulong blows)
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
-        for (int i = 0; i < count; i++, work++, row = ContactBundle.Next(row))
+        for (int i = 0; i < count; i++, work++)
         {
+            ContactBundle* row = some[i];
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 TakePushed(row, lane, work, (blows & ContactWork.Bit(i, lane)) != 0, out WideVelocity a, out WideVelocity b, two);
@@ -378,13 +385,14 @@ internal static unsafe class ContactStages
 
     /// <summary>Gives the bodies what they were pushed and rubbed with.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void GiveRubbed<TScatter, TPoints>(ContactBundle* row, int count, ContactWork* work, BodyState* bodies, ulong blows)
+    public static void GiveRubbed<TScatter, TPoints>(ContactBundle** some, int count, ContactWork* work, BodyState* bodies, ulong blows)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
-        for (int i = 0; i < count; i++, work++, row = ContactBundle.Next(row))
+        for (int i = 0; i < count; i++, work++)
         {
+            ContactBundle* row = some[i];
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 TakeRubbed(row, lane, work, (blows & ContactWork.Bit(i, lane)) != 0, out WideVelocity a, out WideVelocity b, two);
@@ -395,15 +403,15 @@ internal static unsafe class ContactStages
 
     /// <summary>Where that pays, turns the states of all bundles before any is computed with.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static ContactMoved* Turn(ContactBundle* row, int count, ContactWork* work, BodyState* bodies)
+    private static ContactMoved* Turn(ContactBundle** some, int count, ContactWork* work, BodyState* bodies)
     {
         ContactMoved* moved = ContactWork.Moved(work);
         if (MatrixTurn.IsUsed)
         {
-            for (int i = 0; i < count; i++, row = ContactBundle.Next(row))
+            for (int i = 0; i < count; i++)
             {
-                BodyTurning.TurnStates(bodies, row->BodyA, work[i].VelocityAX, moved[i].AX);
-                BodyTurning.TurnStates(bodies, row->BodyB, work[i].VelocityBX, moved[i].BX);
+                BodyTurning.TurnStates(bodies, some[i]->BodyA, work[i].VelocityAX, moved[i].AX);
+                BodyTurning.TurnStates(bodies, some[i]->BodyB, work[i].VelocityBX, moved[i].BX);
             }
         }
 

@@ -10,7 +10,7 @@ internal static class PassChoice
     /// <param name="rows">Its rows.</param>
     /// <param name="grounded">One body of each contact does not move.</param>
     /// <param name="onePoint">All contacts have one point.</param>
-    public static void Run(in ContactPass pass, in BundleRun rows, bool grounded, bool onePoint)
+    public static void Run(in ContactPass pass, in BundleList rows, bool grounded, bool onePoint)
     {
         if (grounded)
         {
@@ -22,7 +22,7 @@ internal static class PassChoice
         }
     }
 
-    private static void Run<TScatter>(in ContactPass pass, in BundleRun rows, bool onePoint)
+    private static void Run<TScatter>(in ContactPass pass, in BundleList rows, bool onePoint)
         where TScatter : struct, IVelocityScatter
     {
         if (onePoint)
@@ -35,7 +35,7 @@ internal static class PassChoice
         }
     }
 
-    private static unsafe void Run<TScatter, TPoints>(in ContactPass pass, in BundleRun rows)
+    private static unsafe void Run<TScatter, TPoints>(in ContactPass pass, in BundleList rows)
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
     {

@@ -19,28 +19,29 @@ internal static unsafe class SharedKernel
 {
     /// <summary>Runs a pass, a bundle at a time.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Run(in ContactPass pass, in BundleRun rows)
+    public static void Run(in ContactPass pass, in BundleList rows)
     {
         byte* memory = stackalloc byte[ContactWork.Bytes];
         ContactWork* work = ContactWork.In(memory);
-        ContactBundle* row = rows.Bundles;
-        for (int left = rows.Count; left > 0; left--, row = ContactBundle.Next(row))
+        for (int i = 0; i < rows.Count; i++)
         {
+            ContactBundle** at = rows.Bundles + i;
+            ContactBundle* row = *at;
             switch (pass.Kind)
             {
                 case ContactPassKind.WarmStart:
                     WarmStart(row, work, pass);
                     break;
                 case ContactPassKind.Biased:
-                    SolveBiased(rows, row, work, pass);
+                    SolveBiased(rows, at, work, pass);
                     break;
                 case ContactPassKind.PushOut when ContactBundle.LanesWith(row, ContactBundle.DeepMark) == 0:
                     continue;
                 case ContactPassKind.PushOut:
-                    PushOut(rows, row, work, pass);
+                    PushOut(rows, at, work, pass);
                     break;
                 case ContactPassKind.Relax:
-                    Relax(rows, row, work, pass);
+                    Relax(rows, at, work, pass);
                     break;
             }
 
@@ -63,50 +64,50 @@ internal static unsafe class SharedKernel
         }
     }
 
-    private static void SolveBiased(in BundleRun rows, ContactBundle* row, ContactWork* work, in ContactPass pass)
+    private static void SolveBiased(in BundleList rows, ContactBundle** at, ContactWork* work, in ContactPass pass)
     {
-        ContactStages.AimBiased<TwoPoints>(rows, row, 1, work, pass.States, pass.Coefficients, pass.Flag);
+        ContactStages.AimBiased<TwoPoints>(rows, at, 1, work, pass.States, pass.Coefficients, pass.Flag);
         KeepStart(work);
-        ulong blows = Push(row, work, pass, onlyUnfed: true, feed: false);
-        KeepPushed(row, work, blows);
+        ulong blows = Push(at, work, pass, onlyUnfed: true, feed: false);
+        KeepPushed(*at, work, blows);
     }
 
-    private static void PushOut(in BundleRun rows, ContactBundle* row, ContactWork* work, in ContactPass pass)
+    private static void PushOut(in BundleList rows, ContactBundle** at, ContactWork* work, in ContactPass pass)
     {
-        ContactStages.AimApart<TwoPoints>(rows, row, 1, work, pass.States, pass.Coefficients, pass.Rate);
+        ContactStages.AimApart<TwoPoints>(rows, at, 1, work, pass.States, pass.Coefficients, pass.Rate);
         KeepStart(work);
-        ContactStages.PushApart<TwoPoints>(row, 1, work);
-        KeepPushed(row, work, blows: 0);
+        ContactStages.PushApart<TwoPoints>(at, 1, work);
+        KeepPushed(*at, work, blows: 0);
     }
 
-    private static void Relax(in BundleRun rows, ContactBundle* row, ContactWork* work, in ContactPass pass)
+    private static void Relax(in BundleList rows, ContactBundle** at, ContactWork* work, in ContactPass pass)
     {
-        ContactStages.AimRelaxed<TwoPoints>(rows, row, 1, work, pass.States, pass.Coefficients);
+        ContactStages.AimRelaxed<TwoPoints>(rows, at, 1, work, pass.States, pass.Coefficients);
         KeepStart(work);
-        ulong blows = Push(row, work, pass, onlyUnfed: pass.First, feed: true);
+        ulong blows = Push(at, work, pass, onlyUnfed: pass.First, feed: true);
         if (!pass.Flag)
         {
-            KeepPushed(row, work, blows);
+            KeepPushed(*at, work, blows);
             return;
         }
 
-        ContactStages.Rub<TwoPoints>(row, 1, work, blows);
+        ContactStages.Rub<TwoPoints>(at, 1, work, blows);
         if (blows != 0)
         {
-            BlowKernel.Rub(row, 1, work, pass.States, blows);
+            BlowKernel.Rub(at, 1, work, pass.States, blows);
         }
 
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            ContactStages.TakeRubbed(row, lane, work, (blows & ContactWork.Bit(0, lane)) != 0, out WideVelocity a, out WideVelocity b, two: true);
+            ContactStages.TakeRubbed(*at, lane, work, (blows & ContactWork.Bit(0, lane)) != 0, out WideVelocity a, out WideVelocity b, two: true);
             KeepChange(ChangesOf(work), lane, a, b);
         }
     }
 
-    private static ulong Push(ContactBundle* row, ContactWork* work, in ContactPass pass, bool onlyUnfed, bool feed)
+    private static ulong Push(ContactBundle** at, ContactWork* work, in ContactPass pass, bool onlyUnfed, bool feed)
     {
-        ulong blows = ContactStages.Push<TwoPoints>(row, 1, work, onlyUnfed, feed);
-        return blows == 0 ? 0 : BlowKernel.Strike(row, 1, work, pass.States, blows);
+        ulong blows = ContactStages.Push<TwoPoints>(at, 1, work, onlyUnfed, feed);
+        return blows == 0 ? 0 : BlowKernel.Strike(at, 1, work, pass.States, blows);
     }
 
     private static void KeepPushed(ContactBundle* row, ContactWork* work, ulong blows)

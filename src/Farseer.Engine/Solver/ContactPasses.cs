@@ -19,18 +19,15 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     /// <summary>Bundles of a colour of a world whose rows are no longer near, some 8 MB in all colours.</summary>
     private const int MostNear = 384;
 
-    /// <summary>Runs of each colour that there is room for from the start: most have one to three, and a world that settles is not to allocate.</summary>
-    private const int FirstRuns = 8;
-
     /// <summary>Bundles of a colour that nobody is asked to share.</summary>
     private const int MostShort = 8;
 
     /// <summary>
-    /// Where the rows of all colours are, looked up once for all passes: in a small world the way to the rows took as long as some of the passes over them,
-    /// in large ones a hundredth of a step.
+    /// Where the bundles of all colours are, or their records where these are solved as one: looked up once for all passes, and <see cref="BundleList.PlacesBehind"/> more.
     /// </summary>
-    private KnownRun[] _runs = new KnownRun[FirstRuns * ConstraintGraph.ColorCount];
-    private int[] _firstRun = new int[ConstraintGraph.ColorCount + 1];
+    private readonly Column<nint> _list = new Column<nint>();
+    private ListedColor[] _colors = new ListedColor[ConstraintGraph.ColorCount];
+    private int _colorCount;
 
     /// <summary>
     /// The phases of a pass: a colour that is shared, or some in a row that are not worth it, which one worker does. For each phase the first
@@ -38,8 +35,8 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     /// </summary>
     private readonly StageList _stages = new StageList();
 
-    /// <summary>Parts of the runs: what <see cref="RelaxChosen"/> walks over.</summary>
-    private readonly Column<RunPart> _chosen = new Column<RunPart>();
+    /// <summary>Parts of the list, and of which colour they are: what <see cref="RelaxChosen"/> walks over.</summary>
+    private readonly Column<ChosenPart> _chosen = new Column<ChosenPart>();
     private int _chosenCount;
     private StageColors[] _stageColors = new StageColors[ConstraintGraph.ColorCount];
     private StageRunner _runner = null!;
@@ -55,8 +52,8 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         _runner = runner;
         _pass.States = bodies.State.Pointer;
         _pass.Coefficients = coefficients;
-        FindRuns(colors);
-        FindStages(colors);
+        ListColors(colors);
+        FindStages();
     }
 
     public void WarmStart(ReadOnlySpan<GraphColor> colors) => Run(colors, ContactPassKind.WarmStart, false);
@@ -85,25 +82,29 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         _chosenCount = 0;
         int all = 0;
         int wanted = 0;
-        for (int i = 0; i < _firstRun[colors.Length]; i++)
+        for (int i = 0; i < _colorCount; i++)
         {
-            ref readonly BundleRun rows = ref _runs[i].Rows;
-            int first = 0;
-            for (int at = 0; at < rows.Count; at += ContactBundle.Beside)
+            ref readonly ListedColor color = ref _colors[i];
+            int first = color.First;
+            int behind = color.First + color.Count;
+            for (int at = color.First; at < behind;)
             {
-                int end = Math.Min(at + ContactBundle.Beside, rows.Count);
-                if (HasRowOf(ContactBundle.At(rows.Bundles, at), end - at, islands, islandOfSlot))
+                int next = color.AreRecords || at + 1 == behind || ContactBundle.IsFirst((ContactBundle*)_list[at + 1]) ? at + 1 : at + 2;
+                if (HasRowOf((ContactBundle*)_list[at], islands, islandOfSlot, out int bundles))
                 {
-                    wanted += end - at;
-                    continue;
+                    wanted += bundles;
+                }
+                else
+                {
+                    AddChosen(i, first, at);
+                    first = next;
                 }
 
-                AddChosen(i, first, at);
-                first = end;
+                at = next;
             }
 
-            AddChosen(i, first, rows.Count);
-            all += rows.Count;
+            AddChosen(i, first, behind);
+            all += color.BundleCount;
         }
 
         return 2 * wanted <= all;
@@ -117,9 +118,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         _pass.First = false;
         for (int i = 0; i < _chosenCount; i++)
         {
-            KnownRun run = _runs[_chosen[i].Run];
-            run.Rows = run.Rows.Part(_chosen[i].First, _chosen[i].Count);
-            Run(run);
+            Run(_colors[_chosen[i].Color], _chosen[i].First, _chosen[i].Count);
         }
     }
 
@@ -129,14 +128,14 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         Run(colors, ContactPassKind.PushOut, false);
     }
 
-    void IStageWork.Run(int worker, int from, int to) => Run(_color, from, to);
+    void IStageWork.Run(int worker, int from, int to) => RunPart(_color, from, to);
 
     void ISequenceWork.Run(int worker, int stage, int from, int to)
     {
         StageColors colors = _stageColors[stage];
         if (colors.AreShared)
         {
-            Run(colors.End - 1, from, to);
+            RunPart(colors.End - 1, from, to);
             return;
         }
 
@@ -147,173 +146,222 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     }
 
     /// <summary>Runs the pass over a colour.</summary>
-    private void RunWhole(int color)
+    private void RunWhole(int color) => Run(_colors[color], _colors[color].First, _colors[color].Count);
+
+    /// <summary>Runs the pass over some records of a colour.</summary>
+    private void RunPart(int color, int from, int to)
     {
-        for (int i = _firstRun[color]; i < _firstRun[color + 1]; i++)
-        {
-            Run(_runs[i]);
-        }
+        ref readonly ListedColor rows = ref _colors[color];
+        int beside = rows.AreRecords ? 1 : ContactBundle.Beside;
+        int first = from * beside;
+        Run(rows, rows.First + first, Math.Min(to * beside, rows.Count) - first);
     }
 
-    private void Run(in KnownRun run)
+    /// <summary>Runs the pass over some places of the list, which are of one colour.</summary>
+    private void Run(in ListedColor color, int first, int count)
     {
-        if (run.IsShared)
+        nint* bundles = _list.Pointer + first;
+#if NET8_0_OR_GREATER
+        if (color.AreRecords)
         {
-            SharedKernel.Run(_pass, run.Rows);
+            var records = new Contacts.Sixteen.BundleList((Contacts.Sixteen.ContactBundle**)bundles, count, color.IsFar);
+            Contacts.Sixteen.PassChoice.Run(_pass, records, color.IsGrounded, color.HasOnePoint);
+            return;
+        }
+#endif
+        var rows = new BundleList((ContactBundle**)bundles, count, color.IsFar, color.IsSequential);
+        if (color.IsShared)
+        {
+            SharedKernel.Run(_pass, rows);
         }
         else
         {
-            Run(run.Rows, run.IsGrounded, run.HasOnePoint);
+            PassChoice.Run(_pass, rows, color.IsGrounded, color.HasOnePoint);
         }
     }
 
-    private void AddChosen(int run, int first, int end)
+    private void AddChosen(int color, int first, int behind)
     {
-        if (first >= end)
+        if (first >= behind)
         {
             return;
         }
 
         _chosen.EnsureCapacity(_chosenCount + 1);
-        _chosen[_chosenCount++] = new RunPart { Run = run, First = first, Count = end - first };
+        _chosen[_chosenCount++] = new ChosenPart { Color = color, First = first, Count = behind - first };
     }
 
-    private static bool HasRowOf(ContactBundle* row, int bundles, byte* islands, int* islandOfSlot)
+    /// <summary>Whether some row of a record is of an island that is wanted, and how many of its bundles have rows.</summary>
+    private static bool HasRowOf(ContactBundle* row, byte* islands, int* islandOfSlot, out int bundles)
     {
         ContactBundle.AskAhead(row->Slot);
         int any = 0;
-        for (; bundles > 0; bundles--, row = ContactBundle.Next(row))
+        bundles = 0;
+        do
         {
+            bundles++;
             for (int lane = 0; lane < ContactBundle.Lanes; lane++)
             {
                 any |= islands[islandOfSlot[row->Slot[lane]]];
             }
+
+            row = ContactBundle.Next(row);
         }
+        while (!ContactBundle.IsFirst(row) && row->Contact[0] >= 0);
 
         return any != 0;
-    }
-
-    /// <summary>Runs the pass over some records of a colour.</summary>
-    private void Run(int color, int from, int to)
-    {
-        int first = from * ContactBundle.Beside;
-        int end = to * ContactBundle.Beside;
-        for (int i = _firstRun[color]; i < _firstRun[color + 1] && end > 0; i++)
-        {
-            ref readonly KnownRun run = ref _runs[i];
-            int count = run.Rows.Count;
-            if (first < count)
-            {
-                int skipped = Math.Max(0, first);
-                Run(run.Rows.Part(skipped, Math.Min(end, count) - skipped), run.IsGrounded, run.HasOnePoint);
-            }
-
-            first -= count;
-            end -= count;
-        }
-    }
-
-    /// <summary>Records of a colour: what is shared, since bundles of one have cache lines in common and may be solved together.</summary>
-    private static int RecordsOf(GraphColor color) => (color.BundleCount + ContactBundle.Beside - 1) / ContactBundle.Beside;
-
-    private void Run(in BundleRun rows, bool grounded, bool onePoint)
-    {
-#if NET8_0_OR_GREATER
-        if (Numerics.Sixteen.WideLanes.AreThere && rows.Count > 1 && rows.Stride > 1)
-        {
-            var records = new Contacts.Sixteen.BundleRun(
-                (Contacts.Sixteen.ContactBundle*)rows.Bundles,
-                (rows.Count + ContactBundle.Beside - 1) / ContactBundle.Beside,
-                (Contacts.Sixteen.ContactBundle*)rows.Following,
-                rows.IsFar);
-            Contacts.Sixteen.PassChoice.Run(_pass, records, grounded, onePoint);
-            return;
-        }
-#endif
-        PassChoice.Run(_pass, rows, grounded, onePoint);
     }
 
     private void Run(ReadOnlySpan<GraphColor> colors, ContactPassKind kind, bool flag)
     {
         _pass.Kind = kind;
         _pass.Flag = flag;
-        if (colors.Length > 0 && _runner.RunAll(this, _stages))
+        if (colors.Length == 0 || _runner.RunAll(this, _stages))
         {
             return;
         }
 
-        for (int i = 0; i < colors.Length; i++)
+        for (int i = 0; i < _colorCount; i++)
         {
-            GraphColor color = colors[i];
-            if (color.HasOrder || color.BundleCount <= MostShort)
+            if (_colors[i].HasOrder || _colors[i].BundleCount <= MostShort)
             {
                 RunWhole(i);
                 continue;
             }
 
             _color = i;
-            _runner.Run(this, RecordsOf(color), LeastRecords);
+            _runner.Run(this, _colors[i].RecordCount, LeastRecords);
         }
     }
 
-    private void FindRuns(ReadOnlySpan<GraphColor> colors)
+    /// <summary>Lists the colours. Those of several groups that are solved together have the same place and no body in common, and are one.</summary>
+    private void ListColors(ReadOnlySpan<GraphColor> colors)
     {
-        if (_firstRun.Length <= colors.Length)
+        if (_colors.Length < colors.Length)
         {
-            _firstRun = new int[(2 * colors.Length) + 1];
+            _colors = new ListedColor[2 * colors.Length];
         }
 
-        int count = 0;
-        for (int i = 0; i < colors.Length; i++)
+        _colorCount = 0;
+        int end = 0;
+        for (int i = 0; i < colors.Length;)
         {
             GraphColor color = colors[i];
-            bool far = color.BundleCount > MostNear;
-            _firstRun[i] = count;
-            BundleRuns runs = color.Runs;
-            while (runs.Next())
+            int bundles = color.BundleCount;
+            int next = i + 1;
+            for (; next < colors.Length && colors[next].Place == color.Place && !color.HasOrder; next++)
             {
-                if (count == _runs.Length)
+                bundles += colors[next].BundleCount;
+            }
+
+            bool areRecords = AreRecords(bundles, color.HasOrder);
+            int first = end;
+            _list.EnsureCapacity(end + bundles + (next - i) + BundleList.PlacesBehind);
+            for (; i < next; i++)
+            {
+                BundleRuns runs = colors[i].Runs;
+                while (runs.Next())
                 {
-                    Array.Resize(ref _runs, 2 * count);
+                    end = List(runs, areRecords, end);
                 }
 
-                _runs[count++] = new KnownRun
+                // Records begin at even places, as workers divide them.
+                if (i + 1 < next && !areRecords && ((end - first) & 1) != 0)
                 {
-                    Rows = new BundleRun(runs.Bundles, runs.Count, runs.Following, far, color.IsSequential),
-                    IsGrounded = color.IsGrounded,
-                    HasOnePoint = OnePoint.Are(runs.Bundles, runs.Count),
-                    IsShared = color.IsShared,
-                };
+                    _list[end] = (nint)ContactBundle.Next((ContactBundle*)_list[end - 1]);
+                    end++;
+                }
+            }
+
+            _colors[_colorCount++] = new ListedColor
+            {
+                First = first,
+                Count = end - first,
+                BundleCount = bundles,
+                AreRecords = areRecords,
+                IsFar = bundles > MostNear,
+                IsGrounded = color.IsGrounded,
+                IsShared = color.IsShared,
+                IsSequential = color.IsSequential,
+                HasOnePoint = HaveOnePoint(first, end, areRecords),
+            };
+        }
+
+        for (int i = 0; i < BundleList.PlacesBehind && end > 0; i++)
+        {
+            _list[end + i] = _list[end - 1];
+        }
+    }
+
+    /// <summary>A colour's rows are solved a record at a time.</summary>
+    private static bool AreRecords(int bundles, bool hasOrder)
+    {
+#if NET8_0_OR_GREATER
+        return Numerics.Sixteen.WideLanes.AreThere && bundles > 1 && !hasOrder;
+#else
+        return false;
+#endif
+    }
+
+    /// <returns>The end of the list.</returns>
+    private int List(in BundleRuns run, bool areRecords, int end)
+    {
+        ContactBundle* row = run.Bundles;
+        if (areRecords)
+        {
+            for (int left = run.Count; left > 0; left -= ContactBundle.Beside)
+            {
+                _list[end++] = (nint)row++;
+            }
+
+            return end;
+        }
+
+        for (int left = run.Count; left > 0; left--, row = ContactBundle.Next(row))
+        {
+            _list[end++] = (nint)row;
+        }
+
+        return end;
+    }
+
+    private bool HaveOnePoint(int first, int end, bool areRecords)
+    {
+        for (int i = first; i < end; i++)
+        {
+            if (!OnePoint.Are((ContactBundle*)_list[i], areRecords ? ContactBundle.Beside : 1))
+            {
+                return false;
             }
         }
 
-        _firstRun[colors.Length] = count;
+        return true;
     }
 
-    private void FindStages(ReadOnlySpan<GraphColor> colors)
+    private void FindStages()
     {
         if (!_runner.IsShared(2, 1))
         {
             return;
         }
 
-        if (_stageColors.Length < colors.Length)
+        if (_stageColors.Length < _colorCount)
         {
-            _stageColors = new StageColors[2 * colors.Length];
+            _stageColors = new StageColors[2 * _colorCount];
         }
 
         _runner.Clear(_stages);
         bool any = false;
         bool alone = false;
-        for (int i = 0; i < colors.Length; i++)
+        for (int i = 0; i < _colorCount; i++)
         {
-            GraphColor color = colors[i];
-            int blocks = color.HasOrder ? 1 : _runner.BlocksOf(RecordsOf(color), LeastRecords);
+            int records = _colors[i].RecordCount;
+            int blocks = _colors[i].HasOrder ? 1 : _runner.BlocksOf(records, LeastRecords);
             any |= blocks > 1;
             if (blocks > 1 || !alone)
             {
                 alone = blocks == 1;
-                _stages.Add(alone ? 1 : RecordsOf(color), blocks);
+                _stages.Add(alone ? 1 : records, blocks);
             }
 
             _stageColors[_stages.Count - 1] = new StageColors { End = i + 1, AreShared = !alone };
@@ -331,19 +379,30 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         public bool AreShared;
     }
 
-    /// <summary>Some bundles of a run.</summary>
-    private struct RunPart
+    /// <summary>Places of the list that are of one colour.</summary>
+    private struct ChosenPart
     {
-        public int Run;
+        public int Color;
         public int First;
         public int Count;
     }
 
-    private struct KnownRun
+    private struct ListedColor
     {
-        public BundleRun Rows;
+        public int First;
+        public int Count;
+        public int BundleCount;
+        public bool AreRecords;
+        public bool IsFar;
         public bool IsGrounded;
         public bool HasOnePoint;
         public bool IsShared;
+        public bool IsSequential;
+
+        /// <summary>See <see cref="GraphColor.HasOrder"/>.</summary>
+        public readonly bool HasOrder => IsShared || IsSequential;
+
+        /// <summary>What is shared, since bundles of one record have cache lines in common and may be solved together.</summary>
+        public readonly int RecordCount => AreRecords ? Count : (Count + ContactBundle.Beside - 1) / ContactBundle.Beside;
     }
 }

@@ -106,6 +106,7 @@ public sealed unsafe class PassLanesTests
     private sealed class Rows
     {
         private readonly Column<ContactBundle> _records;
+        private readonly Column<nint> _places;
         private readonly Column<BodyState> _states;
         private readonly ContactCoefficients _coefficients = new ContactCoefficients(1f / 240, 10, 0.005f, 1);
         private readonly int _perBundle;
@@ -122,6 +123,7 @@ public sealed unsafe class PassLanesTests
             _onePoint = count == 0 && random.Next(3) == 0;
             _bundles = (Count + perBundle - 1) / perBundle;
             _records = new Column<ContactBundle>((_bundles / ContactBundle.Beside) + 1);
+            _places = new Column<nint>(_bundles + BundleList.PlacesBehind);
             for (int i = 0; i < _records.Capacity; i++)
             {
                 ContactLanes.ClearRecord(_records.Pointer + i);
@@ -170,12 +172,11 @@ public sealed unsafe class PassLanesTests
 
         public void Run(int kind)
         {
-            var rows = new BundleRun(_records.Pointer, _bundles, _records.Pointer, isFar: false);
-            PassChoice.Run(Pass(kind), rows, _grounded, _onePoint);
+            PassChoice.Run(Pass(kind), List(), _grounded, _onePoint);
         }
 
         public void RunShared(int kind) =>
-            SharedKernel.Run(Pass(kind), new BundleRun(_records.Pointer, _bundles, _records.Pointer, isFar: false));
+            SharedKernel.Run(Pass(kind), List());
 
         /// <summary>Gives all rows the first body of the first one, which then is so heavy.</summary>
         public void ShareFirst(float inverseMass)
@@ -226,11 +227,26 @@ public sealed unsafe class PassLanesTests
 #if !NETSTANDARD_ASSET
         public void RunOnSixteen(int kind)
         {
-            var first = (Engine.Contacts.Sixteen.ContactBundle*)_records.Pointer;
-            var rows = new Engine.Contacts.Sixteen.BundleRun(first, (_bundles + 1) / ContactBundle.Beside, first, isFar: false);
+            for (int i = 0; i < _places.Capacity; i++)
+            {
+                _places[i] = (nint)(_records.Pointer + Math.Min(i, _records.Capacity - 1));
+            }
+
+            var list = (Engine.Contacts.Sixteen.ContactBundle**)_places.Pointer;
+            var rows = new Engine.Contacts.Sixteen.BundleList(list, (_bundles + 1) / ContactBundle.Beside, isFar: false);
             Engine.Contacts.Sixteen.PassChoice.Run(Pass(kind), rows, _grounded, _onePoint);
         }
 #endif
+
+        private BundleList List()
+        {
+            for (int i = 0; i < _places.Capacity; i++)
+            {
+                _places[i] = (nint)ContactBundle.At(_records.Pointer, Math.Min(i, _bundles - 1));
+            }
+
+            return new BundleList((ContactBundle**)_places.Pointer, _bundles, isFar: false);
+        }
 
         /// <summary>Velocities that overlaps go with are forgotten when the bodies were moved: there 0 may be -0, which moves nothing else.</summary>
         public void AssertSame(Rows other, string what, bool zerosAlike = false)

@@ -4,26 +4,27 @@ using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Contacts;
 
-/// <summary>Bundles that lie behind each other, for a pass.</summary>
-internal readonly unsafe struct BundleRun
+/// <summary>
+/// The bundles that a pass walks over, one by one: the rows of a colour lie in a dozen places of the arena, and where a pass was begun anew in each of them, stages of eight
+/// records went half empty.
+/// </summary>
+internal readonly unsafe struct BundleList
 {
+    /// <summary>Places behind the last bundle that are read as well, to ask for what they tell: the bundles of the next colour, or the last one again.</summary>
+    public const int PlacesBehind = Ahead * ContactBundle.Beside;
+
     /// <summary>Records ahead for which memory is asked.</summary>
     private const int Ahead = 4;
 
     /// <summary>Records ahead whose bodies' states are asked for: their numbers have come by then.</summary>
     private const int StatesAhead = 2;
 
-    /// <summary>Bytes from what is read of a row that is near to what is asked for: the record behind.</summary>
-    private const int Near = ContactBundle.Bytes;
-
-    /// <summary>Up to so many bundles a colour is of a world whose rows all stay near: ten boxes at rest would notice the asking.</summary>
+    /// <summary>Up to so many bundles a colour are of a world whose rows all stay near: ten boxes at rest would notice the asking.</summary>
     private const int Few = 64 / ContactBundle.Lanes;
 
-    public readonly ContactBundle* Bundles;
+    /// <summary>Where they are, and <see cref="PlacesBehind"/> more.</summary>
+    public readonly ContactBundle** Bundles;
     public readonly int Count;
-
-    /// <summary>The run that comes next; of the last one itself.</summary>
-    public readonly ContactBundle* Following;
 
     /// <summary>The rows come from memory: those ahead are to be asked for.</summary>
     public readonly bool IsFar;
@@ -31,26 +32,23 @@ internal readonly unsafe struct BundleRun
     /// <summary>Bundles that a pass may take through its stages together: one if bundles may share bodies.</summary>
     public readonly int Stride;
 
-    public BundleRun(ContactBundle* bundles, int count, ContactBundle* following, bool isFar, bool isSequential = false)
+    public BundleList(ContactBundle** bundles, int count, bool isFar, bool isSequential = false)
     {
         Bundles = bundles;
         Count = count;
-        Following = following;
         IsFar = isFar;
         Stride = isSequential ? 1 : ContactWork.MostBundles;
     }
 
-    /// <summary>Some of the bundles.</summary>
-    public BundleRun Part(int first, int count) => new BundleRun(ContactBundle.At(Bundles, first), count, Following, IsFar, Stride == 1);
-
     /// <summary>
     /// What the warm start reads of a record: 34 lines of 44, 24 where contacts have one point. It reads the most for the least work, so it waits for what the
-    /// second-level cache does not hold also where rows are near; no line that it does not read, and no loop. Behind the last bundle there may be nothing, so
-    /// bytes are counted from the columns of this one.
+    /// second-level cache does not hold also where rows are near; no line that it does not read, and no loop. Bytes are counted from the columns of this
+    /// record, for to take the address of a field of another one reads that record, and waits.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AskForStart(ContactBundle* row, BodyState* bodies, bool two)
+    public void AskForStart(ContactBundle** at, BodyState* bodies, bool two)
     {
+        ContactBundle* row = *at;
         if (!Prefetch.IsUseful || !ContactBundle.IsFirst(row))
         {
             return;
@@ -58,7 +56,7 @@ internal readonly unsafe struct BundleRun
 
         if (IsFar)
         {
-            long ahead = DistanceAhead(row);
+            long ahead = DistanceAhead(at);
             AskForMasses(row, ahead);
             Ask(row->RadiusA, ahead);
             AskForPoint(&row->Point0, ahead);
@@ -71,48 +69,51 @@ internal readonly unsafe struct BundleRun
 
             Ask(row->K11, ahead);
             Ask(row->Friction, ahead);
-            AskForStates(row, bodies);
+            AskForStates(at, bodies);
         }
         else if (Count > Few)
         {
-            EightLines((byte*)row->BodyA + Near);
-            TwoLines((byte*)row->RadiusA + Near);
-            EightLines((byte*)row->Point0.NormalArmA + Near);
-            TwoLines((byte*)row->Point0.PreviousNormal + Near);
+            long behind = (byte*)at[ContactBundle.Beside] - (byte*)row;
+            EightLines((byte*)row->BodyA + behind);
+            TwoLines((byte*)row->RadiusA + behind);
+            EightLines((byte*)row->Point0.NormalArmA + behind);
+            TwoLines((byte*)row->Point0.PreviousNormal + behind);
             if (two)
             {
-                EightLines((byte*)row->Point1.NormalArmA + Near);
-                TwoLines((byte*)row->Point1.PreviousNormal + Near);
+                EightLines((byte*)row->Point1.NormalArmA + behind);
+                TwoLines((byte*)row->Point1.PreviousNormal + behind);
             }
 
-            TwoLines((byte*)row->K11 + Near);
-            TwoLines((byte*)row->Friction + Near);
+            TwoLines((byte*)row->K11 + behind);
+            TwoLines((byte*)row->Friction + behind);
         }
     }
 
     /// <summary>Asks for what the biased pass reads ahead: 28 lines.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AskForBiased(ContactBundle* row, BodyState* bodies, bool two)
+    public void AskForBiased(ContactBundle** at, BodyState* bodies, bool two)
     {
-        if (Prefetch.IsUseful && IsFar && ContactBundle.IsFirst(row))
+        if (Prefetch.IsUseful && IsFar && ContactBundle.IsFirst(*at))
         {
-            long ahead = DistanceAhead(row);
+            ContactBundle* row = *at;
+            long ahead = DistanceAhead(at);
             AskForBlock(row, ahead, two);
-            AskForStates(row, bodies);
+            AskForStates(at, bodies);
         }
     }
 
     /// <summary>Asks for what the relax pass reads ahead: 32 lines.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AskForRelaxed(ContactBundle* row, BodyState* bodies, bool two)
+    public void AskForRelaxed(ContactBundle** at, BodyState* bodies, bool two)
     {
-        if (Prefetch.IsUseful && IsFar && ContactBundle.IsFirst(row))
+        if (Prefetch.IsUseful && IsFar && ContactBundle.IsFirst(*at))
         {
-            long ahead = DistanceAhead(row);
+            ContactBundle* row = *at;
+            long ahead = DistanceAhead(at);
             AskForBlock(row, ahead, two);
             Ask(row->RadiusA, ahead);
             Ask(row->FeedRate, ahead);
-            AskForStates(row, bodies);
+            AskForStates(at, bodies);
         }
     }
 
@@ -164,7 +165,7 @@ internal readonly unsafe struct BundleRun
         Ask(point->Tangent, ahead);
     }
 
-    /// <summary>Asks for the same column of another record and for the one behind it, by bytes: the address of a field would be that of a record which may not be there.</summary>
+    /// <summary>Asks for the same column of another record and for the one behind it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Ask(void* column, long ahead)
     {
@@ -172,28 +173,19 @@ internal readonly unsafe struct BundleRun
         Prefetch.LineInBulk((byte*)column + ahead + Prefetch.LineBytes);
     }
 
-    /// <summary>Bytes to the bundle that is to be asked for.</summary>
+    /// <summary>Bytes to the record that is to be asked for.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private long DistanceAhead(ContactBundle* row)
-    {
-        ContactBundle* ahead = row + Ahead;
-        long past = ahead - ContactBundle.At(Bundles, Count);
-        ahead = past < 0 ? ahead : Following + past;
-        return (byte*)ahead - (byte*)row;
-    }
+    private static long DistanceAhead(ContactBundle** at) => (byte*)at[PlacesBehind] - (byte*)*at;
 
     /// <summary>The states of as many bodies are more than a second-level cache, and reached by their numbers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void AskForStates(ContactBundle* row, BodyState* bodies)
+    private static void AskForStates(ContactBundle** at, BodyState* bodies)
     {
-        ContactBundle* ahead = row + StatesAhead;
-        if (ahead < ContactBundle.At(Bundles, Count))
+        ContactBundle* ahead = at[StatesAhead * ContactBundle.Beside];
+        for (int lane = 0; lane < ContactBundle.LineLanes; lane++)
         {
-            for (int lane = 0; lane < ContactBundle.LineLanes; lane++)
-            {
-                Prefetch.Line(bodies + ahead->BodyA[lane]);
-                Prefetch.Line(bodies + ahead->BodyB[lane]);
-            }
+            Prefetch.Line(bodies + ahead->BodyA[lane]);
+            Prefetch.Line(bodies + ahead->BodyB[lane]);
         }
     }
 }
