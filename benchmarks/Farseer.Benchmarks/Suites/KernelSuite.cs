@@ -15,6 +15,7 @@ public unsafe class KernelSuite
     private const int Bundles = Contacts / ContactBundle.Lanes;
     private readonly Column<ContactBundle> _rows = new Column<ContactBundle>(Bundles);
     private readonly Column<nint> _list = new Column<nint>(Bundles + BundleList.PlacesBehind);
+    private readonly Column<ushort> _fresh = new Column<ushort>(Bundles);
     private readonly Column<BodyState> _states = new Column<BodyState>((2 * Contacts) + 1);
     private readonly Column<PairLanes> _pairs = new Column<PairLanes>(1);
     private ContactCoefficients _coefficients;
@@ -89,12 +90,13 @@ public unsafe class KernelSuite
 #if !NETSTANDARD_ASSET
         if (Lanes == Engine.Contacts.Sixteen.ContactBundle.Lanes)
         {
-            var records = new Engine.Contacts.Sixteen.BundleList((Engine.Contacts.Sixteen.ContactBundle**)_list.Pointer, Bundles / ContactBundle.Beside, isFar: false);
+            var list = (Engine.Contacts.Sixteen.ContactBundle**)_list.Pointer;
+            var records = new Engine.Contacts.Sixteen.BundleList(list, _fresh.Pointer, Bundles / ContactBundle.Beside, isFar: false);
             Engine.Contacts.Sixteen.PassChoice.Run(pass, records, grounded: false, onePoint: false);
             return;
         }
 #endif
-        PassChoice.Run(pass, new BundleList((ContactBundle**)_list.Pointer, Bundles, isFar: false), grounded: false, onePoint: false);
+        PassChoice.Run(pass, new BundleList((ContactBundle**)_list.Pointer, _fresh.Pointer, Bundles, isFar: false), grounded: false, onePoint: false);
     }
 
     private static void SetPoint(ContactPointLanes* point, int lane, float arm)

@@ -24,6 +24,12 @@ internal readonly unsafe struct BundleList
 
     /// <summary>Where they are, and <see cref="PlacesBehind"/> more.</summary>
     public readonly ContactBundle** Bundles;
+
+    /// <summary>
+    /// For each of them a bit for each lane whose contact does not push before this substep, which the warm start writes: to ask the rows for it took two more lines of each
+    /// in the passes that follow.
+    /// </summary>
+    public readonly ushort* Fresh;
     public readonly int Count;
 
     /// <summary>The rows come from memory: those ahead are to be asked for.</summary>
@@ -32,9 +38,10 @@ internal readonly unsafe struct BundleList
     /// <summary>Bundles that a pass may take through its stages together: one if bundles may share bodies.</summary>
     public readonly int Stride;
 
-    public BundleList(ContactBundle** bundles, int count, bool isFar, bool isSequential = false)
+    public BundleList(ContactBundle** bundles, ushort* fresh, int count, bool isFar, bool isSequential = false)
     {
         Bundles = bundles;
+        Fresh = fresh;
         Count = count;
         IsFar = isFar;
         Stride = isSequential ? 1 : ContactWork.MostBundles;

@@ -33,17 +33,19 @@ internal static unsafe class ContactKernel
 
         bool two = default(TPoints).AreTwo;
         Wide fall = Wide.Splat(c.Gravity * c.Substep);
-        ContactBundle** end = rows.Bundles + rows.Count;
-        for (ContactBundle** at = rows.Bundles; at < end; at++)
+        for (int i = 0; i < rows.Count; i++)
         {
-            rows.AskForStart(at, bodies, two);
-            ContactBundle* row = *at;
+            rows.AskForStart(rows.Bundles + i, bodies, two);
+            ContactBundle* row = rows.Bundles[i];
+            int fresh = 0;
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
-                ApplyStart<TPoints>(row, lane, c, fall, ref a, ref b);
+                fresh |= WideLanes.Bits(ApplyStart<TPoints>(row, lane, c, fall, ref a, ref b)) << lane;
                 StoreVelocities<TScatter>(row, lane, bodies, a, b);
             }
+
+            rows.Fresh[i] = (ushort)fresh;
         }
     }
 
@@ -68,35 +70,40 @@ internal static unsafe class ContactKernel
             for (int i = 0; i < count; i++)
             {
                 ContactBundle* row = some[i];
+                int fresh = 0;
                 for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
                 {
                     ContactWork.Take(work + i, lane, out WideVelocity a, out WideVelocity b);
-                    ApplyStart<TPoints>(row, lane, c, fall, ref a, ref b);
+                    fresh |= WideLanes.Bits(ApplyStart<TPoints>(row, lane, c, fall, ref a, ref b)) << lane;
                     StoreVelocities<TScatter>(row, lane, bodies, a, b);
                 }
+
+                rows.Fresh[done + i] = (ushort)fresh;
             }
         }
     }
 
+    /// <returns>The lanes that did not push before.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void ApplyStart<TPoints>(
+    internal static WideMask ApplyStart<TPoints>(
         ContactBundle* row, int lane, in ContactCoefficients c, Wide fall, ref WideVelocity a, ref WideVelocity b)
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
         Wide friction = Wide.Load(row->Friction + lane);
         Wide weight0 = fall * (Wide.One / Wide.Load(row->K11 + lane));
-        Extrapolate(&row->Point0, lane, c, friction, weight0, out Wide normal0, out Wide tangent0);
+        Wide before = Extrapolate(&row->Point0, lane, c, friction, weight0, out Wide normal0, out Wide tangent0);
         Wide normal1 = Wide.Zero;
         Wide tangent1 = Wide.Zero;
         if (two)
         {
             Wide weight1 = fall * (Wide.One / Wide.Load(row->K22 + lane));
-            Extrapolate(&row->Point1, lane, c, friction, weight1, out normal1, out tangent1);
+            before = before + Extrapolate(&row->Point1, lane, c, friction, weight1, out normal1, out tangent1);
         }
 
         ApplyNormal(row, lane, ref a, ref b, normal0, normal1, two);
         ApplyTangent(row, lane, ref a, ref b, tangent0, tangent1, two);
+        return before <= Wide.Zero;
     }
 
     /// <summary>
@@ -119,7 +126,7 @@ internal static unsafe class ContactKernel
             ContactStages.AimBiased<TPoints>(rows, some, count, work, bodies, c, anyDeep);
 
             // Who pushes for long has a feed-forward: only others may be struck, and are asked further.
-            ulong blows = ContactStages.Push<TPoints>(some, count, work, onlyUnfed: true, feed: false);
+            ulong blows = ContactStages.Push<TPoints>(some, rows.Fresh + done, count, work, onlyUnfed: true, feed: false);
             if (blows != 0)
             {
                 blows = BlowKernel.Strike(some, count, work, bodies, blows);
@@ -188,7 +195,9 @@ internal static unsafe class ContactKernel
             ContactBundle** some = rows.Bundles + done;
             int count = Math.Min(rows.Stride, rows.Count - done);
             ContactStages.AimRelaxed<TPoints>(rows, some, count, work, bodies, c);
-            ulong blows = ContactStages.Push<TPoints>(some, count, work, onlyUnfed: first, feed: true);
+
+            // After impacts the rows that bounced are fresh as well.
+            ulong blows = ContactStages.Push<TPoints>(some, first ? rows.Fresh + done : null, count, work, onlyUnfed: first, feed: true);
             if (blows != 0)
             {
                 blows = BlowKernel.Strike(some, count, work, bodies, blows);
@@ -220,8 +229,9 @@ internal static unsafe class ContactKernel
         default(TScatter).Scatter(bodies, row->BodyB + lane, b, row->MassB + lane, row->InertiaB + lane);
     }
 
+    /// <returns>What the point pushed with before, as it is kept.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Extrapolate(
+    private static Wide Extrapolate(
         ContactPointLanes* p, int lane, in ContactCoefficients c, Wide friction, Wide weight, out Wide normal, out Wide tangent)
     {
         Wide share = Wide.Splat(ContactCoefficients.Extrapolation);
@@ -237,10 +247,12 @@ internal static unsafe class ContactKernel
         tangent = Wide.Select(impact, previousTangent, oldTangent + (share * (oldTangent - previousTangent)));
         Wide bound = friction * normal;
         tangent = Wide.Max(Wide.Min(tangent, bound), Wide.Zero - bound);
-        Wide.Min(oldNormal, Wide.Max(most, Wide.Splat(c.LeastKept))).Store(p->PreviousNormal + lane);
+        Wide kept = Wide.Min(oldNormal, Wide.Max(most, Wide.Splat(c.LeastKept)));
+        kept.Store(p->PreviousNormal + lane);
         Wide.Select(impact, tangent, oldTangent).Store(p->PreviousTangent + lane);
         normal.Store(p->Normal + lane);
         tangent.Store(p->Tangent + lane);
+        return kept;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

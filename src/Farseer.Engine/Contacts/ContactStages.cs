@@ -261,13 +261,14 @@ internal static unsafe class ContactStages
 
     /// <summary>Solves the blocks.</summary>
     /// <param name="some">The bundles.</param>
+    /// <param name="fresh">The lanes of each that did not push before; null: ask the rows.</param>
     /// <param name="count">How many.</param>
     /// <param name="work">What the stage before has left; then what the points are pushed with.</param>
     /// <param name="onlyUnfed">Who pushes for long has a feed-forward: only others may be struck.</param>
     /// <param name="feed">The feed-forward follows.</param>
     /// <returns>The bits of the vectors with a lane that may be struck.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static ulong Push<TPoints>(ContactBundle** some, int count, ContactWork* work, bool onlyUnfed, bool feed)
+    public static ulong Push<TPoints>(ContactBundle** some, ushort* fresh, int count, ContactWork* work, bool onlyUnfed, bool feed)
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;
@@ -275,6 +276,7 @@ internal static unsafe class ContactStages
         for (int i = 0; i < count; i++, work++)
         {
             ContactBundle* row = some[i];
+            int known = fresh != null ? fresh[i] : ushort.MaxValue;
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
@@ -307,9 +309,9 @@ internal static unsafe class ContactStages
                     blow = blow & ((feed0 + feed1) <= Wide.Zero);
                 }
 
-
                 // A 1 if any bit is set, without a branch that nobody can guess.
-                blows |= (ulong)((uint)-WideLanes.Bits(blow) >> 31) << ContactWork.Place(i, lane);
+                int struck = WideLanes.Bits(blow) & (known >> lane);
+                blows |= (ulong)((uint)-struck >> 31) << ContactWork.Place(i, lane);
                 Wide.Keep(blow, Wide.One).Store(work->MayBlow + lane);
                 if (feed)
                 {

@@ -106,7 +106,7 @@ internal static unsafe class SharedKernel
 
     private static ulong Push(ContactBundle** at, ContactWork* work, in ContactPass pass, bool onlyUnfed, bool feed)
     {
-        ulong blows = ContactStages.Push<TwoPoints>(at, 1, work, onlyUnfed, feed);
+        ulong blows = ContactStages.Push<TwoPoints>(at, null, 1, work, onlyUnfed, feed);
         return blows == 0 ? 0 : BlowKernel.Strike(at, 1, work, pass.States, blows);
     }
 

@@ -26,6 +26,9 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     /// Where the bundles of all colours are, or their records where these are solved as one: looked up once for all passes, and <see cref="BundleList.PlacesBehind"/> more.
     /// </summary>
     private readonly Column<nint> _list = new Column<nint>();
+
+    /// <summary>For each of them which lanes did not push before: see <see cref="BundleList.Fresh"/>.</summary>
+    private readonly Column<ushort> _fresh = new Column<ushort>();
     private ListedColor[] _colors = new ListedColor[ConstraintGraph.ColorCount];
     private int _colorCount;
 
@@ -161,15 +164,16 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     private void Run(in ListedColor color, int first, int count)
     {
         nint* bundles = _list.Pointer + first;
+        ushort* fresh = _fresh.Pointer + first;
 #if NET8_0_OR_GREATER
         if (color.AreRecords)
         {
-            var records = new Contacts.Sixteen.BundleList((Contacts.Sixteen.ContactBundle**)bundles, count, color.IsFar);
+            var records = new Contacts.Sixteen.BundleList((Contacts.Sixteen.ContactBundle**)bundles, fresh, count, color.IsFar);
             Contacts.Sixteen.PassChoice.Run(_pass, records, color.IsGrounded, color.HasOnePoint);
             return;
         }
 #endif
-        var rows = new BundleList((ContactBundle**)bundles, count, color.IsFar, color.IsSequential);
+        var rows = new BundleList((ContactBundle**)bundles, fresh, count, color.IsFar, color.IsSequential);
         if (color.IsShared)
         {
             SharedKernel.Run(_pass, rows);
@@ -287,6 +291,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
             };
         }
 
+        _fresh.EnsureCapacity(end);
         for (int i = 0; i < BundleList.PlacesBehind && end > 0; i++)
         {
             _list[end + i] = _list[end - 1];

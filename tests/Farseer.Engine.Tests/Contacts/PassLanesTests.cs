@@ -107,6 +107,7 @@ public sealed unsafe class PassLanesTests
     {
         private readonly Column<ContactBundle> _records;
         private readonly Column<nint> _places;
+        private readonly Column<ushort> _fresh;
         private readonly Column<BodyState> _states;
         private readonly ContactCoefficients _coefficients = new ContactCoefficients(1f / 240, 10, 0.005f, 1);
         private readonly int _perBundle;
@@ -124,6 +125,13 @@ public sealed unsafe class PassLanesTests
             _bundles = (Count + perBundle - 1) / perBundle;
             _records = new Column<ContactBundle>((_bundles / ContactBundle.Beside) + 1);
             _places = new Column<nint>(_bundles + BundleList.PlacesBehind);
+            _fresh = new Column<ushort>(_bundles);
+            for (int i = 0; i < _bundles; i++)
+            {
+                // A pass that no warm start precedes asks the rows.
+                _fresh[i] = ushort.MaxValue;
+            }
+
             for (int i = 0; i < _records.Capacity; i++)
             {
                 ContactLanes.ClearRecord(_records.Pointer + i);
@@ -233,7 +241,7 @@ public sealed unsafe class PassLanesTests
             }
 
             var list = (Engine.Contacts.Sixteen.ContactBundle**)_places.Pointer;
-            var rows = new Engine.Contacts.Sixteen.BundleList(list, (_bundles + 1) / ContactBundle.Beside, isFar: false);
+            var rows = new Engine.Contacts.Sixteen.BundleList(list, _fresh.Pointer, (_bundles + 1) / ContactBundle.Beside, isFar: false);
             Engine.Contacts.Sixteen.PassChoice.Run(Pass(kind), rows, _grounded, _onePoint);
         }
 #endif
@@ -245,7 +253,7 @@ public sealed unsafe class PassLanesTests
                 _places[i] = (nint)ContactBundle.At(_records.Pointer, Math.Min(i, _bundles - 1));
             }
 
-            return new BundleList((ContactBundle**)_places.Pointer, _bundles, isFar: false);
+            return new BundleList((ContactBundle**)_places.Pointer, _fresh.Pointer, _bundles, isFar: false);
         }
 
         /// <summary>Velocities that overlaps go with are forgotten when the bodies were moved: there 0 may be -0, which moves nothing else.</summary>
