@@ -67,7 +67,11 @@ internal sealed unsafe class ContactStage : IStageWork
         int mark = scratch.Mark;
         graph.NotePairs(contacts.Count);
         _idle.Begin(input, _hulls, graph.RowCount);
-        _work.WriteSides(runner, input, _sides);
+        if (contacts.Count > 0)
+        {
+            _work.WriteSides(runner, input, _sides);
+        }
+
         _idle.FindSteps(runner, input);
         if (_sides.AnyHeard)
         {
