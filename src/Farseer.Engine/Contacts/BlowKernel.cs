@@ -96,8 +96,8 @@ internal static unsafe class BlowKernel
         Wide a1 = Turn(row->Point1.NormalArmA + lane, row->Point1.TangentArmA + lane, movedA.Cos, movedA.Sin);
         Wide b1 = Turn(row->Point1.NormalArmB + lane, row->Point1.TangentArmB + lane, movedB.Cos, movedB.Sin);
         WideMask blow = Fresh(row, lane, work) & TurnedArms.AreWithin(movedA, movedB)
-            & Fits(row, lane, ContactKernel.TangentMass(row, &row->Point0, lane), a0 + radiusA, b0 - radiusB)
-            & Fits(row, lane, ContactKernel.TangentMass(row, &row->Point1, lane), a1 + radiusA, b1 - radiusB);
+            & Fits(row, lane, ContactFriction.TangentMass(row, &row->Point0, lane), a0 + radiusA, b0 - radiusB)
+            & Fits(row, lane, ContactFriction.TangentMass(row, &row->Point1, lane), a1 + radiusA, b1 - radiusB);
         Wide more0 = Wide.Keep(blow, Wide.Load(work->Value0 + lane));
         Wide more1 = Wide.Keep(blow, Wide.Load(work->Value1 + lane));
         Wide spinA = Wide.Load(row->InertiaA + lane)

@@ -164,7 +164,7 @@ internal static unsafe class BounceKernel
             WideVelocity oldA = a;
             WideVelocity oldB = b;
             ContactKernel.ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
-            ContactKernel.SolveFriction(row, lane, ref a, ref b, movedA, movedB, x0, x1, any);
+            ContactFriction.Solve(row, lane, ref a, ref b, movedA, movedB, x0, x1, any);
             x0.Store(row->Point0.Normal + lane);
             x1.Store(row->Point1.Normal + lane);
             Wide time = Wide.Keep(any, Wide.Load(bounce->Time + lane));

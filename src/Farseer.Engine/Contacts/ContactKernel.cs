@@ -297,7 +297,7 @@ internal static unsafe class ContactKernel
     /// With the arms of the middle of the step instead, a body that tips over ends each step with the velocity of half a step
     /// before, off by w² r dt / 2, and its contact lifts and drops within the step. The impulses keep the arms of the
     /// middle: that K and the arms agree is what makes the block solve exact, and over a step the mean of the arms is what counts
-    /// (for a blow see <see cref="BlowKernel"/>). How far they may be turned: see <see cref="TurnedArms"/>. Beside them <see cref="Slip"/>.
+    /// (for a blow see <see cref="BlowKernel"/>). How far they may be turned: see <see cref="TurnedArms"/>. Beside them <see cref="ContactFriction.Slip"/>.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void TurnedNormalVelocities(
@@ -369,88 +369,12 @@ internal static unsafe class ContactKernel
             * ((Wide.Load(row->Point0.NormalArmB + lane) * p0) + secondB - (Wide.Load(row->RadiusB + lane) * sum)));
     }
 
-    /// <summary>
-    /// Two friction rows in turn; the second sees the first's change through the coupling of the tangent arms. Lanes that are
-    /// not <paramref name="active"/> keep their impulses. The arms turn along as in the normal rows.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void SolveFriction(
-        ContactBundle* row,
-        int lane,
-        ref WideVelocity a,
-        ref WideVelocity b,
-        in WideDelta movedA,
-        in WideDelta movedB,
-        Wide normal0,
-        Wide normal1,
-        WideMask active)
-    {
-        WideDelta nearA = TurnedArms.Limited(movedA);
-        WideDelta nearB = TurnedArms.Limited(movedB);
-        TurnedArms.Normal(&row->Point0, lane, nearA, nearB, out Wide armA0, out Wide armB0);
-        TurnedArms.Normal(&row->Point1, lane, nearA, nearB, out Wide armA1, out Wide armB1);
-        WithRadii(row, lane, ref armA0, ref armB0);
-        WithRadii(row, lane, ref armA1, ref armB1);
-        Wide slip = Slip(row, lane, a, b);
-        Wide change0 = FindFriction(row, &row->Point0, lane, SlipOf(slip, a, b, armA0, armB0), normal0, active);
-        Wide slip1 = SlipOf(slip, a, b, armA1, armB1) + (Coupling(row, lane, armA0, armB0, armA1, armB1) * change0);
-        Wide change1 = FindFriction(row, &row->Point1, lane, slip1, normal1, active);
-        ApplyTangent(row, lane, ref a, ref b, change0, change1);
-    }
-
-    /// <summary>Turned normal arms, from the cores to the surfaces.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void WithRadii(ContactBundle* row, int lane, ref Wide armA, ref Wide armB)
-    {
-        armA = armA + Wide.Load(row->RadiusA + lane);
-        armB = armB - Wide.Load(row->RadiusB + lane);
-    }
-
-    /// <summary>How fast the centres pass each other along the surface.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static Wide Slip(ContactBundle* row, int lane, in WideVelocity a, in WideVelocity b) =>
-        (Wide.Load(row->NormalY + lane) * (b.X - a.X)) - (Wide.Load(row->NormalX + lane) * (b.Y - a.Y));
-
-    /// <summary>How fast the surfaces of a point do.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static Wide SlipOf(Wide slip, in WideVelocity a, in WideVelocity b, Wide armA, Wide armB) => slip + ((a.W * armA) - (b.W * armB));
-
-    /// <summary>How fast the second point slips for an impulse at the first.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static Wide Coupling(ContactBundle* row, int lane, Wide armA0, Wide armB0, Wide armA1, Wide armB1) =>
-        Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane)
-            + (Wide.Load(row->InertiaA + lane) * armA0 * armA1) + (Wide.Load(row->InertiaB + lane) * armB0 * armB1);
-
-    /// <summary>The response of a point to friction, 1/(mA + mB + iA·anA² + iB·anB²) with the arms of the surfaces. Of a point that does not exist it is any.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static Wide TangentMass(ContactBundle* row, ContactPointLanes* point, int lane)
-    {
-        Wide armA = Wide.Load(point->NormalArmA + lane) + Wide.Load(row->RadiusA + lane);
-        Wide armB = Wide.Load(point->NormalArmB + lane) - Wide.Load(row->RadiusB + lane);
-        Wide m = Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane);
-        return Wide.One / (m + (Wide.Load(row->InertiaA + lane) * (armA * armA)) + (Wide.Load(row->InertiaB + lane) * (armB * armB)));
-    }
-
     /// <summary>How fast one point is pushed along its normal by an impulse at the other, k12 = mA + mB + iA·atA1·atA2 + iB·atB1·atB2.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Wide NormalCoupling(ContactBundle* row, int lane) =>
         Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane)
             + (Wide.Load(row->InertiaA + lane) * Wide.Load(row->Point0.TangentArmA + lane) * Wide.Load(row->Point1.TangentArmA + lane))
             + (Wide.Load(row->InertiaB + lane) * Wide.Load(row->Point0.TangentArmB + lane) * Wide.Load(row->Point1.TangentArmB + lane));
-
-    /// <summary>The friction of a point within its cone.</summary>
-    /// <returns>The change of its impulse; the bodies do not know yet.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static Wide FindFriction(
-        ContactBundle* row, ContactPointLanes* point, int lane, Wide slip, Wide normal, WideMask active)
-    {
-        Wide old = Wide.Load(point->Tangent + lane);
-        Wide bound = Wide.Load(row->Friction + lane) * normal;
-        Wide found = Wide.Max(Wide.Min(old - (TangentMass(row, point, lane) * slip), bound), Wide.Zero - bound);
-        found = Wide.Select(active, found, old);
-        found.Store(point->Tangent + lane);
-        return found - old;
-    }
 
     /// <summary>Finds x ≥ 0 with w = k11(x - λ) + r ≥ 0 and x·w = 0: the block of a contact with one point.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -362,23 +362,23 @@ internal static unsafe class ContactStages
             {
                 TakePushed(row, lane, work, (blows & ContactWork.Bit(i, lane)) != 0, out WideVelocity a, out WideVelocity b, two);
                 ContactWork.Keep(work, lane, a, b);
-                Wide slip = ContactKernel.Slip(row, lane, a, b);
+                Wide slip = ContactFriction.Slip(row, lane, a, b);
                 Wide armA0 = Wide.Load(work->ArmA0 + lane);
                 Wide armB0 = Wide.Load(work->ArmB0 + lane);
-                ContactKernel.WithRadii(row, lane, ref armA0, ref armB0);
-                Wide slip0 = ContactKernel.SlipOf(slip, a, b, armA0, armB0);
+                ContactFriction.WithRadii(row, lane, ref armA0, ref armB0);
+                Wide slip0 = ContactFriction.SlipOf(slip, a, b, armA0, armB0);
                 Wide normal0 = Wide.Load(row->Point0.Normal + lane);
-                Wide rub0 = ContactKernel.FindFriction(row, &row->Point0, lane, slip0, normal0, WideLanes.AllSet);
+                Wide rub0 = ContactFriction.Find(row, &row->Point0, lane, slip0, normal0, WideLanes.AllSet);
                 rub0.Store(work->Value0 + lane);
                 if (two)
                 {
                     Wide armA1 = Wide.Load(work->ArmA1 + lane);
                     Wide armB1 = Wide.Load(work->ArmB1 + lane);
-                    ContactKernel.WithRadii(row, lane, ref armA1, ref armB1);
-                    Wide slip1 = ContactKernel.SlipOf(slip, a, b, armA1, armB1)
-                        + (ContactKernel.Coupling(row, lane, armA0, armB0, armA1, armB1) * rub0);
+                    ContactFriction.WithRadii(row, lane, ref armA1, ref armB1);
+                    Wide slip1 = ContactFriction.SlipOf(slip, a, b, armA1, armB1)
+                        + (ContactFriction.Coupling(row, lane, armA0, armB0, armA1, armB1) * rub0);
                     Wide normal1 = Wide.Load(row->Point1.Normal + lane);
-                    ContactKernel.FindFriction(row, &row->Point1, lane, slip1, normal1, WideLanes.AllSet)
+                    ContactFriction.Find(row, &row->Point1, lane, slip1, normal1, WideLanes.AllSet)
                         .Store(work->Value1 + lane);
                 }
             }

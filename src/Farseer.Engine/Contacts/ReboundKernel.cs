@@ -153,7 +153,7 @@ internal static unsafe class ReboundKernel
             x0 = Wide.Select(parts, x0, lambda0);
             x1 = Wide.Select(parts, x1, lambda1);
             ContactKernel.ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
-            ContactKernel.SolveFriction(row, lane, ref a, ref b, movedA, movedB, x0, x1, parts);
+            ContactFriction.Solve(row, lane, ref a, ref b, movedA, movedB, x0, x1, parts);
             BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
             BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
             WideLanes.Replace(parts, x0 + x1, row->Struck + lane);

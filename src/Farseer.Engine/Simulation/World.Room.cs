@@ -58,6 +58,7 @@ internal sealed partial class World
         _contacts.Compounds.EnsureCapacity(anySeveral ? Math.Max(2 * _contacts.Compounds.Count, pieces / 4) : 0);
         _pairs.Expect(pairs);
         _graph.Reserve(rows);
+        _solver.Reserve(_graph.Arena.Capacity);
         _islands.Reserve(Bodies.State.Capacity, rows);
         Scratch.Reserve((ScratchAPair * pairs) + (ScratchARow * rows) + (ScratchAPiece * Shapes.PieceIds.End));
         if (hulls * 2 > pieces)

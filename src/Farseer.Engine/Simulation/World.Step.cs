@@ -200,6 +200,7 @@ internal sealed partial class World
         input.Bodies = Bodies;
         input.Colors = _graph.Solved;
         input.RowCount = _graph.RowCount;
+        input.BundleRoom = _graph.Arena.Capacity;
         input.Islands = _islands;
         input.List = _lists.Solver;
         input.PaddedCount = _lists.PaddedSolverCount;

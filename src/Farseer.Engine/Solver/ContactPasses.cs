@@ -50,13 +50,22 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     /// <param name="bodies">The store.</param>
     /// <param name="coefficients">Constants of the substeps.</param>
     /// <param name="colors">The rows of all passes that follow, whose points are known by now.</param>
-    public void Begin(StageRunner runner, BodyStore bodies, in ContactCoefficients coefficients, ReadOnlySpan<GraphColor> colors)
+    /// <param name="bundleRoom">Bundles that the rows of the world have memory for: as long as that does not grow, nothing here does.</param>
+    public void Begin(StageRunner runner, BodyStore bodies, in ContactCoefficients coefficients, ReadOnlySpan<GraphColor> colors, int bundleRoom)
     {
+        ReserveBundles(bundleRoom);
         _runner = runner;
         _pass.States = bodies.State.Pointer;
         _pass.Coefficients = coefficients;
         ListColors(colors);
         FindStages();
+    }
+
+    /// <summary>Makes room for the bundles of all rows.</summary>
+    public void ReserveBundles(int bundles)
+    {
+        _list.EnsureCapacity(bundles + BundleList.PlacesBehind);
+        _fresh.EnsureCapacity(bundles);
     }
 
     public void WarmStart(ReadOnlySpan<GraphColor> colors) => Run(colors, ContactPassKind.WarmStart, false);
@@ -73,7 +82,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     }
 
     /// <summary>Makes room for what <see cref="Choose"/> may find in a world of so many bodies: a part for four, where each has five contacts or less.</summary>
-    public void Reserve(int bodies) => _chosen.EnsureCapacity(bodies / 4);
+    public void ReserveChosen(int bodies) => _chosen.EnsureCapacity(bodies / 4);
 
     /// <summary>Chooses the records with rows of some islands.</summary>
     /// <param name="colors">The rows of all passes.</param>
@@ -253,14 +262,13 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
             GraphColor color = colors[i];
             int bundles = color.BundleCount;
             int next = i + 1;
-            for (; next < colors.Length && colors[next].Place == color.Place && !color.HasOrder; next++)
+            for (; next < colors.Length && colors[next].Place == color.Place && color.Place >= 0 && !color.HasOrder; next++)
             {
                 bundles += colors[next].BundleCount;
             }
 
             bool areRecords = AreRecords(bundles, color.HasOrder);
             int first = end;
-            _list.EnsureCapacity(end + bundles + (next - i) + BundleList.PlacesBehind);
             for (; i < next; i++)
             {
                 BundleRuns runs = colors[i].Runs;
@@ -291,7 +299,6 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
             };
         }
 
-        _fresh.EnsureCapacity(end);
         for (int i = 0; i < BundleList.PlacesBehind && end > 0; i++)
         {
             _list[end + i] = _list[end - 1];

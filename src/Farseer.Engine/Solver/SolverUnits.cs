@@ -31,6 +31,7 @@ internal sealed unsafe class SolverUnits : IStageWork
     private Vector4* _saved;
     private CarriedPush* _pushes;
     private int _rowCount;
+    private int _bundleRoom;
     private int _substeps;
     private float _substep;
     private ContactCoefficients _coefficients;
@@ -76,6 +77,7 @@ internal sealed unsafe class SolverUnits : IStageWork
         _solvers[0] = first;
         _bodies = input.Bodies;
         _rowCount = input.RowCount;
+        _bundleRoom = input.BundleRoom;
         _saved = input.Saved;
         _pushes = input.Pushes;
         _substeps = input.Substeps;
@@ -101,6 +103,7 @@ internal sealed unsafe class SolverUnits : IStageWork
             input.Bodies = _bodies;
             input.Colors = new ReadOnlySpan<GraphColor>(_colors, _firstColor[unit], _firstColor[unit + 1] - _firstColor[unit]);
             input.RowCount = _rowCount;
+            input.BundleRoom = _bundleRoom;
             input.List = _list.Pointer + _firstBody[unit];
             input.PaddedCount = _firstBody[unit + 1] - _firstBody[unit];
             input.Saved = _saved + _firstBody[unit];

@@ -22,6 +22,9 @@ internal unsafe ref struct SolverInput
     public ReadOnlySpan<GraphColor> Colors;
     public int RowCount;
 
+    /// <summary>Bundles of rows that there is memory for.</summary>
+    public int BundleRoom;
+
     /// <summary>The islands of the rows.</summary>
     public IslandStore Islands;
 
@@ -80,6 +83,9 @@ internal sealed unsafe class SubstepSolver
     private readonly ImpactPass _impacts = new ImpactPass();
     private readonly ReboundPass _rebounds = new ReboundPass();
 
+    /// <summary>Makes room ahead for so many bundles of rows.</summary>
+    public void Reserve(int bundles) => _passes.ReserveBundles(bundles);
+
     public void Solve(in SolverInput input)
     {
         ContactCoefficients coefficients = input.Coefficients;
@@ -101,10 +107,10 @@ internal sealed unsafe class SubstepSolver
         if (input.AnyBounce)
         {
             _impacts.Begin(input.Colors, input.Bodies);
-            _passes.Reserve(input.Bodies.Ids.End);
+            _passes.ReserveChosen(input.Bodies.Ids.End);
         }
 
-        _passes.Begin(input.Runner, input.Bodies, coefficients, input.Colors);
+        _passes.Begin(input.Runner, input.Bodies, coefficients, input.Colors, input.BundleRoom);
 
         int sweeps = !input.ColdStart ? 1 : input.RowCount <= FewRows ? FewRowsSweeps : ColdStartSweeps;
 
