@@ -20,9 +20,9 @@ internal readonly unsafe struct BundleList
     private const int StatesAhead = 2;
 
     /// <summary>
-    /// Passes on sixteen lanes ask for nothing: each record is a stream of 44 lines that such processors (measured: a Xeon with 2 MB of second-level cache) foresee by themselves, and
-    /// asking for 34 of them kept what fetches lines busy: large_pyramid 0.97 of the step without, many_pyramids 0.97, 20,000 to 100,000 boxes 0.95 to 0.98. On eight lanes, on processors with
-    /// 512 KB, large_pyramid took 0.96 to 0.98 with it.
+    /// Passes on sixteen lanes ask for nothing: each record is a stream of 44 lines, which such processors foresee by themselves (measured: a Xeon with 2 MB of second-level cache), and
+    /// asking for 34 of them kept busy what fetches lines. Since they do not, large_pyramid and many_pyramids take 0.97 of the time, 20,000 to 100,000 boxes 0.93 to 0.98. On eight
+    /// lanes and processors with 512 KB, large_pyramid took 0.96 to 0.98 with asking.
     /// </summary>
     private static bool Asks => Prefetch.IsUseful && ContactBundle.Beside > 1;
 

@@ -206,11 +206,23 @@ internal sealed unsafe class NetBodies
         }
     }
 
+    /// <summary>Adds a share of what gravity and forces give in a substep. Of nets that hang, which have none, nothing is read or written.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Kick(BodyState* states, BodyDrive* drives, int* index, Wide share)
     {
+        WideMask kicked = Wide.Abs(share) > Wide.Zero;
+        if (!WideLanes.Any(kicked))
+        {
+            return;
+        }
+
         BodyLanes.Gather((float*)states, index, (float*)drives, index, out FourColumns v, out FourColumns drive);
         BodyLanes.Scatter(
-            (float*)states, index, v.A + (share * drive.A), v.B + (share * drive.B), v.C + (share * drive.C), Wide.Zero);
+            (float*)states,
+            index,
+            Wide.Select(kicked, v.A + (share * drive.A), v.A),
+            Wide.Select(kicked, v.B + (share * drive.B), v.B),
+            Wide.Select(kicked, v.C + (share * drive.C), v.C),
+            Wide.Zero);
     }
 }
