@@ -5,8 +5,8 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// The bundles that a pass walks over, one by one: the rows of a colour lie in a dozen places of the arena, and where a pass was begun anew in each of them, stages of eight
-/// records went half empty.
+/// The bundles that a pass walks over, one by one: the rows of a colour lie in a dozen places of the arena, and a pass begun anew in each
+/// of them left its stages half empty.
 /// </summary>
 internal readonly unsafe struct BundleList
 {

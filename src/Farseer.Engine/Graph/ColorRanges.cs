@@ -6,7 +6,7 @@ namespace Farseer.Engine.Graph;
 /// <summary>
 /// The bundles of several colours numbered one after the other: a phase that does not care for colours is then one range for the workers,
 /// and not one a colour. The first parts of all colours come first, then their second ones, a part for each worker: so a worker begins with
-/// the rows that are its own in the passes, where each colour is cut by itself, and they stay in its cache. Each part begins with a record and with a number
+/// the rows that are its own in the passes, where each colour is cut by itself, and they stay in its cache (groups that are solved together are cut there as one). Each part begins with a record and with a number
 /// that is a whole number of records: where a colour ends in the middle of one, the number of the bundle that is not there is left out.
 /// </summary>
 internal sealed class ColorRanges

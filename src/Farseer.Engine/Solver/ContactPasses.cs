@@ -85,11 +85,10 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     public void ReserveChosen(int bodies) => _chosen.EnsureCapacity(bodies / 4);
 
     /// <summary>Chooses the records with rows of some islands.</summary>
-    /// <param name="colors">The rows of all passes.</param>
     /// <param name="islands">1 for an island that is wanted.</param>
     /// <param name="islandOfSlot">The island of each slot.</param>
     /// <returns>False if these are more than half of all, which workers had better share as they are.</returns>
-    public bool Choose(ReadOnlySpan<GraphColor> colors, byte* islands, int* islandOfSlot)
+    public bool Choose(byte* islands, int* islandOfSlot)
     {
         _chosenCount = 0;
         int all = 0;
@@ -277,8 +276,8 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
                     end = List(runs, areRecords, end);
                 }
 
-                // Records begin at even places, as workers divide them.
-                if (i + 1 < next && !areRecords && ((end - first) & 1) != 0)
+                // Workers divide the list by whole records: the last of a group is listed with the empty bundle in it.
+                if (i + 1 < next && !areRecords && (end - first) % ContactBundle.Beside != 0)
                 {
                     _list[end] = (nint)ContactBundle.Next((ContactBundle*)_list[end - 1]);
                     end++;

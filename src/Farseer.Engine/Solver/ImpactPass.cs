@@ -367,7 +367,7 @@ internal sealed unsafe class ImpactPass
     {
         BodyStore bodies = input.Bodies;
         ListMet();
-        bool some = input.Joints is not { TiesBodies: true } && passes.Choose(input.Colors, FindStruckIslands(input.Islands), input.Islands.OfSlot);
+        bool some = input.Joints is not { TiesBodies: true } && passes.Choose(FindStruckIslands(input.Islands), input.Islands.OfSlot);
         for (int turn = 0; turn < Turns && (turn < LeastTurns || _visits < MostVisits); turn++)
         {
             _visits += _count;

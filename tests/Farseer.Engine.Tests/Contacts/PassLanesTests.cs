@@ -178,13 +178,9 @@ public sealed unsafe class PassLanesTests
 
         public float Spin(int index) => _states[2 + (2 * index)].AngularVelocity;
 
-        public void Run(int kind)
-        {
-            PassChoice.Run(Pass(kind), List(), _grounded, _onePoint);
-        }
+        public void Run(int kind) => PassChoice.Run(Pass(kind), List(), _grounded, _onePoint);
 
-        public void RunShared(int kind) =>
-            SharedKernel.Run(Pass(kind), List());
+        public void RunShared(int kind) => SharedKernel.Run(Pass(kind), List());
 
         /// <summary>Gives all rows the first body of the first one, which then is so heavy.</summary>
         public void ShareFirst(float inverseMass)
@@ -235,25 +231,24 @@ public sealed unsafe class PassLanesTests
 #if !NETSTANDARD_ASSET
         public void RunOnSixteen(int kind)
         {
-            for (int i = 0; i < _places.Capacity; i++)
-            {
-                _places[i] = (nint)(_records.Pointer + Math.Min(i, _records.Capacity - 1));
-            }
-
-            var list = (Engine.Contacts.Sixteen.ContactBundle**)_places.Pointer;
-            var rows = new Engine.Contacts.Sixteen.BundleList(list, _fresh.Pointer, (_bundles + 1) / ContactBundle.Beside, isFar: false);
+            int records = (_bundles + 1) / ContactBundle.Beside;
+            var list = (Engine.Contacts.Sixteen.ContactBundle**)Places(records, ContactBundle.Beside);
+            var rows = new Engine.Contacts.Sixteen.BundleList(list, _fresh.Pointer, records, isFar: false);
             Engine.Contacts.Sixteen.PassChoice.Run(Pass(kind), rows, _grounded, _onePoint);
         }
 #endif
 
-        private BundleList List()
+        private BundleList List() => new BundleList((ContactBundle**)Places(_bundles, 1), _fresh.Pointer, _bundles, isFar: false);
+
+        /// <summary>Every bundle, or every so many-th, and the last of them again behind it.</summary>
+        private nint* Places(int count, int step)
         {
             for (int i = 0; i < _places.Capacity; i++)
             {
-                _places[i] = (nint)ContactBundle.At(_records.Pointer, Math.Min(i, _bundles - 1));
+                _places[i] = (nint)ContactBundle.At(_records.Pointer, step * Math.Min(i, count - 1));
             }
 
-            return new BundleList((ContactBundle**)_places.Pointer, _fresh.Pointer, _bundles, isFar: false);
+            return _places.Pointer;
         }
 
         /// <summary>Velocities that overlaps go with are forgotten when the bodies were moved: there 0 may be -0, which moves nothing else.</summary>

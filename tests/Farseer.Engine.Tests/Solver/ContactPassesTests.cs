@@ -80,7 +80,7 @@ public sealed unsafe class ContactPassesTests
         byte* wanted = stackalloc byte[] { first, second };
         fixed (int* islands = _islandOfSlot)
         {
-            return _passes.Choose(_graph.Solved, wanted, islands);
+            return _passes.Choose(wanted, islands);
         }
     }
 
