@@ -6,7 +6,7 @@ namespace Farseer.Engine.Graph;
 /// <summary>
 /// The bundles of several colours numbered one after the other: a phase that does not care for colours is then one range for the workers,
 /// and not one a colour. The first parts of all colours come first, then their second ones, a part for each worker: so a worker begins with
-/// the rows that are its own in the passes, where each colour is cut by itself, and they stay in its cache (groups that are solved together are cut there as one). Each part begins with a record and with a number
+/// the rows that are its own in the passes, where each colour is cut by itself, and they stay in its cache (groups that are solved together are cut there as one, halves between them). Each part begins with a record and with a number
 /// that is a whole number of records: where a colour ends in the middle of one, the number of the bundle that is not there is left out.
 /// </summary>
 internal sealed class ColorRanges
@@ -15,15 +15,18 @@ internal sealed class ColorRanges
     private int[] _first = new int[ConstraintGraph.ColorCount + 1];
     private int _colorCount;
     private int _parts = 1;
+    private bool _areHalves;
 
     /// <summary>Numbers in all.</summary>
     public int Count { get; private set; }
 
     /// <summary>Takes the colours as they are; valid until a row is added or removed.</summary>
-    /// <param name="colors">The colours.</param>
+    /// <param name="graph">Where they are.</param>
     /// <param name="parts">Into how many parts each is cut; the numbers of the bundles follow from it.</param>
-    public void Find(ReadOnlySpan<GraphColor> colors, int parts)
+    public void Find(ConstraintGraph graph, int parts)
     {
+        ReadOnlySpan<GraphColor> colors = graph.Used;
+        _areHalves = graph.Groups.AreHalves;
         if (_colors.Length < colors.Length)
         {
             _colors = new GraphColor[2 * colors.Length];
@@ -102,8 +105,10 @@ internal sealed class ColorRanges
             return part == 0 ? 0 : bundles;
         }
 
+        // Of halves that are solved as one, each has the parts that its rows would come to.
+        int share = _areHalves ? Math.Max(0, Math.Min((2 * part) - (_colors[color].Group * _parts), _parts)) : part;
         long records = Whole(bundles) / ContactBundle.Beside;
-        return Math.Min((int)(records * part / _parts) * ContactBundle.Beside, bundles);
+        return Math.Min((int)(records * share / _parts) * ContactBundle.Beside, bundles);
     }
 
     /// <summary>The bundles of as many whole records.</summary>

@@ -138,7 +138,7 @@ internal sealed unsafe class ConstraintGraph
     {
         int color = _bodies.Choose(record.BodyA, record.BodyB, movesA, movesB, _isSmall && RowCount >= FirstRows ? ColorsToFill() : 0);
         int heavy = movesA && movesB && color >= BodyColors.Drawn ? TryShare(record, ref color) : NoBody;
-        int group = Groups.Choose(record.BodyA, record.BodyB, movesA, movesB, _degree[record.BodyA], _degree[record.BodyB]);
+        int group = IsWhole(color) ? 0 : Groups.Choose(record.BodyA, record.BodyB, movesA, movesB, _degree[record.BodyA], _degree[record.BodyB]);
         GraphColor rows = _colors[group][color];
         _usedChanged |= rows.RowCount == 0;
         int row = rows.AddRow();
@@ -193,7 +193,7 @@ internal sealed unsafe class ConstraintGraph
     /// <param name="moves">1 for a body that can move.</param>
     public void Regroup(Column<ContactRecord> records, byte* moves)
     {
-        while (_colors.Count < Groups.Count)
+        while (_colors.Count < Groups.InUse)
         {
             AddGroup();
         }
@@ -204,7 +204,7 @@ internal sealed unsafe class ConstraintGraph
             for (int i = 0; i < _moving.Count; i++)
             {
                 ref ContactRecord record = ref records[_moving[i]];
-                int group = GroupOf(record.BodyA, record.BodyB, moves);
+                int group = GroupOf(color, record.BodyA, record.BodyB, moves);
                 int row = _colors[group][color].AddRow();
                 Move(record.Row, row);
                 TakeOut(_colors[record.Group][color], record.Row, records);
@@ -360,13 +360,16 @@ internal sealed unsafe class ConstraintGraph
         return colors;
     }
 
-    private int GroupOf(int a, int b, byte* moves) => Groups.Of(a, b, moves[a] != 0, moves[b] != 0);
+    private int GroupOf(int color, int a, int b, byte* moves) => IsWhole(color) ? 0 : Groups.Of(a, b, moves[a] != 0, moves[b] != 0);
+
+    /// <summary>Rows that one worker solves in their order are not halved.</summary>
+    private bool IsWhole(int color) => Groups.AreHalves && _colors[0][color].HasOrder;
 
     /// <summary>Lists the contacts of a colour whose rows are in another group than they belong to, and takes room for them.</summary>
     private void ListMoving(int color, byte* moves)
     {
         _moving.Clear();
-        for (int i = 0; i < Groups.Count; i++)
+        for (int i = 0; i < Groups.InUse; i++)
         {
             _counts[i] = 0;
         }
@@ -377,7 +380,7 @@ internal sealed unsafe class ConstraintGraph
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    int group = GroupOf(bundle->BodyA[lane], bundle->BodyB[lane], moves);
+                    int group = GroupOf(color, bundle->BodyA[lane], bundle->BodyB[lane], moves);
                     if (bundle->Contact[lane] >= 0 && group != i)
                     {
                         _moving.Add(bundle->Contact[lane]);
@@ -387,7 +390,7 @@ internal sealed unsafe class ConstraintGraph
             }
         }
 
-        for (int i = 0; i < Groups.Count; i++)
+        for (int i = 0; i < Groups.InUse; i++)
         {
             if (_counts[i] > 0)
             {

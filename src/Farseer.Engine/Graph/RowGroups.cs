@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Graph;
@@ -5,7 +6,7 @@ namespace Farseer.Engine.Graph;
 /// <summary>
 /// Groups of islands whose rows lie side by side, so that they stay near while all passes of all substeps are over them. A row whose
 /// bodies are of two groups goes to group 0, which all begin in, and ties both to it: tied groups are solved together with it,
-/// colour by colour, until the rows are sorted anew.
+/// colour by colour, until the rows are sorted anew. Where there are no groups of islands the rows may be halved instead, by their bodies: see <see cref="RowHalves"/>.
 /// </summary>
 internal sealed class RowGroups
 {
@@ -18,8 +19,16 @@ internal sealed class RowGroups
 
     public RowGroups() => _tied[0] = true;
 
-    /// <summary>Groups in use, group 0 with them.</summary>
+    /// <summary>Groups of islands in use, group 0 with them; 1: there are none.</summary>
     public int Count { get; private set; } = 1;
+
+    /// <summary>The first body of the second half, whose rows are group 1, tied to group 0; 0: the rows are not halved.</summary>
+    public int Middle { get; private set; }
+
+    public bool AreHalves => Middle > 0;
+
+    /// <summary>Groups that rows may be of.</summary>
+    public int InUse => AreHalves ? 2 : Count;
 
     /// <summary>Solved together with group 0, which itself is.</summary>
     public bool IsTied(int group) => _tied[group];
@@ -32,26 +41,42 @@ internal sealed class RowGroups
     public void Begin(int count)
     {
         Count = count;
+        Middle = 0;
         for (int i = 1; i < Most; i++)
         {
             _tied[i] = false;
         }
     }
 
+    /// <summary>Parts the rows in two halves instead.</summary>
+    /// <param name="middle">The first body of the second, above 0.</param>
+    public void Halve(int middle)
+    {
+        Begin(1);
+        Middle = middle;
+        _tied[1] = true;
+    }
+
     public void Put(int body, int group) => _group[body] = (byte)group;
 
+    /// <summary>The body that a row lies by: the first that moves.</summary>
+    public static int PlaceOf(int a, int b, bool movesA, bool movesB) => movesA && movesB ? Math.Min(a, b) : movesA ? a : b;
+
     /// <summary>The group of a row.</summary>
-    public int Of(int a, int b, bool movesA, bool movesB) => movesA && movesB ? Tie(a, b) : _group[movesA ? a : b];
+    public int Of(int a, int b, bool movesA, bool movesB)
+    {
+        if (Count == 1)
+        {
+            return AreHalves && PlaceOf(a, b, movesA, movesB) >= Middle ? 1 : 0;
+        }
+
+        return movesA && movesB ? Tie(a, b) : _group[movesA ? a : b];
+    }
 
     /// <summary>The group of a new row. A body without another one joins that of its neighbour.</summary>
     public int Choose(int a, int b, bool movesA, bool movesB, int degreeA, int degreeB)
     {
-        if (Count == 1)
-        {
-            return 0;
-        }
-
-        if (!movesA || !movesB)
+        if (Count == 1 || !movesA || !movesB)
         {
             return Of(a, b, movesA, movesB);
         }

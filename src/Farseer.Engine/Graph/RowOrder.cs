@@ -139,13 +139,5 @@ internal sealed unsafe class RowOrder : IStageWork
     }
 
     /// <summary>The body by which a row is placed, which no other row of its colour has: the first that moves.</summary>
-    private static int Place(int a, int b, byte* moves)
-    {
-        if (moves[a] == 0 || moves[b] == 0)
-        {
-            return moves[a] != 0 ? a : b;
-        }
-
-        return a < b ? a : b;
-    }
+    private static int Place(int a, int b, byte* moves) => RowGroups.PlaceOf(a, b, moves[a] != 0, moves[b] != 0);
 }

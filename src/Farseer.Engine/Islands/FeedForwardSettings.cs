@@ -70,7 +70,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         _islands = islands;
         int mark = scratch.Mark;
         _rate = scratch.Take<float>(Math.Max(1, islands.Count));
-        _ranges.Find(graph.Used, runner.Workers);
+        _ranges.Find(graph, runner.Workers);
         CollectSag(runner, islands, c, scratch);
         _anyDeep = _deepStacks.Find(islands, graph, c, cold, scratch, _deep.Pointer, _anyDeep);
         _isOneForAll = FindRates(islands, c) && !_anyDeep;

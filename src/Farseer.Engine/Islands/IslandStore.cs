@@ -104,7 +104,7 @@ internal sealed unsafe partial class IslandStore : IStageWork
         NumberSlots();
         _slotOf = scratch.Take<int>(bodyEnd + 1);
         FindSlotsOfBodies();
-        _ranges.Find(graph.Used, runner.Workers);
+        _ranges.Find(graph, runner.Workers);
         _part = Part.Write;
         runner.Run(this, _ranges.Count, LeastBundles);
         scratch.Release(mark);

@@ -79,7 +79,7 @@ internal sealed unsafe class ContactWork : IStageWork
     /// <summary>Updates the pairs that have rows, colour by colour.</summary>
     public BundleSums UpdateRows(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
     {
-        _ranges.Find(graph.Used, runner.Workers);
+        _ranges.Find(graph, runner.Workers);
         return Run(runner, input, Part.Rows, _ranges.Count, ContactBundle.Beside);
     }
 

@@ -113,7 +113,7 @@ internal sealed unsafe class StruckPairs : IStageWork
         // The impulses of these rows are those of this step's substeps already.
         input.ImpulseScale = 1;
         _graph = graph;
-        _ranges.Find(graph.Used, parts: 1);
+        _ranges.Find(graph, parts: 1);
         _widens = true;
         Run(runner, input, (_ranges.Count + BlockBundles - 1) / BlockBundles);
     }

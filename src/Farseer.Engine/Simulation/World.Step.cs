@@ -23,6 +23,9 @@ internal sealed partial class World
     /// <summary>Puts the rows of a colour in the order of their bodies.</summary>
     public RowOrder RowOrder { get; } = new RowOrder();
 
+    /// <summary>For tests.</summary>
+    public RowHalves RowHalves { get; } = new RowHalves();
+
     private void RunStages(float dt)
     {
         Profile.Begin();
@@ -141,7 +144,11 @@ internal sealed partial class World
         return input;
     }
 
-    private unsafe void SortRows() => RowOrder.Sort(_runner, _graph, _contacts.Records, Bodies.Ids.End, _lists.Moves, Scratch);
+    private unsafe void SortRows()
+    {
+        RowHalves.Part(_graph, _contacts.Records, Bodies.Ids.End, _lists.Moves, Scratch);
+        RowOrder.Sort(_runner, _graph, _contacts.Records, Bodies.Ids.End, _lists.Moves, Scratch);
+    }
 
     private unsafe bool UpdateIslands(float dt, in ContactCoefficients coefficients)
     {
@@ -201,6 +208,7 @@ internal sealed partial class World
         input.Colors = _graph.Solved;
         input.RowCount = _graph.RowCount;
         input.BundleRoom = _graph.Arena.Capacity;
+        input.MiddleBody = _graph.Groups.Middle;
         input.Islands = _islands;
         input.List = _lists.Solver;
         input.PaddedCount = _lists.PaddedSolverCount;

@@ -20,6 +20,8 @@ internal sealed unsafe class BodyPasses : IStageWork
     private BodyDrive* _drives;
     private int* _list;
     private int _bundles;
+    private int _middleBody;
+    private int _middle;
     private float _substep;
     private Pass _pass;
 
@@ -43,6 +45,7 @@ internal sealed unsafe class BodyPasses : IStageWork
         _motions = input.Bodies.Motion.Pointer;
         _drives = input.Bodies.Drive.Pointer;
         _substep = input.Substep;
+        _middleBody = input.MiddleBody;
         Use(input.List, input.PaddedCount);
     }
 
@@ -51,6 +54,7 @@ internal sealed unsafe class BodyPasses : IStageWork
     {
         _list = list;
         _bundles = paddedCount / WideLanes.BundleLanes;
+        _middle = FindMiddle();
     }
 
     public void IntegrateVelocities() => Run(Pass.Velocities);
@@ -120,6 +124,28 @@ internal sealed unsafe class BodyPasses : IStageWork
         }
     }
 
+    /// <summary>The bundle in which the second half of the bodies begins: the list is in their order, but for the padding.</summary>
+    private int FindMiddle()
+    {
+        if (_middleBody == 0)
+        {
+            return _bundles / 2;
+        }
+
+        int from = 0;
+        int end = _bundles;
+        while (from < end)
+        {
+            int middle = (from + end) / 2;
+            int first = _list[middle * WideLanes.BundleLanes];
+            bool isBelow = first != 0 && first < _middleBody;
+            from = isBelow ? middle + 1 : from;
+            end = isBelow ? end : middle;
+        }
+
+        return from;
+    }
+
     private void Run(Pass pass)
     {
         _pass = pass;
@@ -130,6 +156,6 @@ internal sealed unsafe class BodyPasses : IStageWork
             return;
         }
 
-        _runner.Run(this, _bundles, LeastBundles);
+        _runner.Run(this, _bundles, _middle, LeastBundles);
     }
 }

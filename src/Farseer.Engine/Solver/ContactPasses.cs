@@ -51,13 +51,15 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     /// <param name="coefficients">Constants of the substeps.</param>
     /// <param name="colors">The rows of all passes that follow, whose points are known by now.</param>
     /// <param name="bundleRoom">Bundles that the rows of the world have memory for: as long as that does not grow, nothing here does.</param>
-    public void Begin(StageRunner runner, BodyStore bodies, in ContactCoefficients coefficients, ReadOnlySpan<GraphColor> colors, int bundleRoom)
+    /// <param name="areHalves">The rows are halved: see <see cref="RowHalves"/>.</param>
+    public void Begin(
+        StageRunner runner, BodyStore bodies, in ContactCoefficients coefficients, ReadOnlySpan<GraphColor> colors, int bundleRoom, bool areHalves)
     {
         ReserveBundles(bundleRoom);
         _runner = runner;
         _pass.States = bodies.State.Pointer;
         _pass.Coefficients = coefficients;
-        ListColors(colors);
+        ListColors(colors, areHalves);
         FindStages();
     }
 
@@ -242,12 +244,12 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
             }
 
             _color = i;
-            _runner.Run(this, _colors[i].RecordCount, LeastRecords);
+            _runner.Run(this, _colors[i].RecordCount, _colors[i].RecordsOf(_colors[i].Middle), LeastRecords);
         }
     }
 
     /// <summary>Lists the colours. Those of several groups that are solved together have the same place and no body in common, and are one.</summary>
-    private void ListColors(ReadOnlySpan<GraphColor> colors)
+    private void ListColors(ReadOnlySpan<GraphColor> colors, bool areHalves)
     {
         if (_colors.Length < colors.Length)
         {
@@ -268,8 +270,10 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
 
             bool areRecords = AreRecords(bundles, color.HasOrder);
             int first = end;
+            int middle = -1;
             for (; i < next; i++)
             {
+                middle = middle < 0 && colors[i].Group > 0 && areHalves ? end - first : middle;
                 BundleRuns runs = colors[i].Runs;
                 while (runs.Next())
                 {
@@ -288,6 +292,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
             {
                 First = first,
                 Count = end - first,
+                Middle = middle < 0 ? (end - first) / 2 : middle,
                 BundleCount = bundles,
                 AreRecords = areRecords,
                 IsFar = bundles > MostNear,
@@ -372,7 +377,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
             if (blocks > 1 || !alone)
             {
                 alone = blocks == 1;
-                _stages.Add(alone ? 1 : records, blocks);
+                _stages.Add(alone ? 1 : records, blocks, alone ? 0 : _colors[i].RecordsOf(_colors[i].Middle));
             }
 
             _stageColors[_stages.Count - 1] = new StageColors { End = i + 1, AreShared = !alone };
@@ -402,6 +407,9 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     {
         public int First;
         public int Count;
+
+        /// <summary>Places of the first half of the rows.</summary>
+        public int Middle;
         public int BundleCount;
         public bool AreRecords;
         public bool IsFar;
@@ -414,6 +422,9 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         public readonly bool HasOrder => IsShared || IsSequential;
 
         /// <summary>What is shared, since bundles of one record have cache lines in common and may be solved together.</summary>
-        public readonly int RecordCount => AreRecords ? Count : (Count + ContactBundle.Beside - 1) / ContactBundle.Beside;
+        public readonly int RecordCount => RecordsOf(Count);
+
+        /// <summary>Records that so many places are.</summary>
+        public readonly int RecordsOf(int places) => AreRecords ? places : (places + ContactBundle.Beside - 1) / ContactBundle.Beside;
     }
 }

@@ -25,6 +25,9 @@ internal unsafe ref struct SolverInput
     /// <summary>Bundles of rows that there is memory for.</summary>
     public int BundleRoom;
 
+    /// <summary>Where the second half of the bodies begins: see <see cref="RowGroups.Middle"/>.</summary>
+    public int MiddleBody;
+
     /// <summary>The islands of the rows.</summary>
     public IslandStore Islands;
 
@@ -110,7 +113,7 @@ internal sealed unsafe class SubstepSolver
             _passes.ReserveChosen(input.Bodies.Ids.End);
         }
 
-        _passes.Begin(input.Runner, input.Bodies, coefficients, input.Colors, input.BundleRoom);
+        _passes.Begin(input.Runner, input.Bodies, coefficients, input.Colors, input.BundleRoom, input.MiddleBody > 0);
 
         int sweeps = !input.ColdStart ? 1 : input.RowCount <= FewRows ? FewRowsSweeps : ColdStartSweeps;
 

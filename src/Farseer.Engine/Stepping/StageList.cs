@@ -6,31 +6,39 @@ namespace Farseer.Engine.Stepping;
 /// <summary>How large the phases of a row are, for <see cref="StageRunner.RunAll"/>: known before, so that workers need not be told from one to the next.</summary>
 internal sealed class StageList
 {
+    private const int BlockBits = 16;
+    private const int MiddleBits = 24;
     private long[] _sizes = new long[64];
 
     public int Count { get; private set; }
 
     public void Clear() => Count = 0;
 
-    /// <param name="items">At least 1.</param>
+    /// <param name="items">At least 1, below 16 million.</param>
     /// <param name="blocks">Into how many it is cut; see <see cref="StageRunner.BlocksOf"/>.</param>
-    public void Add(int items, int blocks)
+    public void Add(int items, int blocks) => Add(items, blocks, items / 2);
+
+    /// <param name="items">At least 1, below 16 million.</param>
+    /// <param name="blocks">Into how many it is cut; see <see cref="StageRunner.BlocksOf"/>.</param>
+    /// <param name="middle">Items of the first half of the blocks.</param>
+    public void Add(int items, int blocks, int middle)
     {
         if (Count == _sizes.Length)
         {
             Array.Resize(ref _sizes, 2 * Count);
         }
 
-        Volatile.Write(ref _sizes[Count++], ((long)items << 32) | (uint)blocks);
+        Volatile.Write(ref _sizes[Count++], ((long)items << MiddleBits << BlockBits) | ((long)middle << BlockBits) | (uint)blocks);
     }
 
     /// <summary>Reads a phase, on any thread at any time: who comes too late reads another one, or none.</summary>
-    public bool TryRead(int stage, out int items, out int blocks)
+    public bool TryRead(int stage, out int items, out int middle, out int blocks)
     {
         long[] sizes = _sizes;
         long size = stage < sizes.Length ? Volatile.Read(ref sizes[stage]) : 0;
-        items = (int)(size >> 32);
-        blocks = (int)size;
+        items = (int)(size >> MiddleBits >> BlockBits);
+        middle = (int)(size >> BlockBits) & ((1 << MiddleBits) - 1);
+        blocks = (int)size & ((1 << BlockBits) - 1);
         return blocks > 0;
     }
 }

@@ -32,22 +32,23 @@ internal sealed partial class StageRunner
     }
 
     /// <summary>
-    /// Says what is to be done, in two words next to each other: who finds the first one unchanged after it has read the second has
-    /// read two that belong together.
+    /// Says what is to be done, in three words next to each other: who finds the first one unchanged after it has read the others has
+    /// read three that belong together.
     /// </summary>
-    private void Publish(int stages, int count, int blocks)
+    private void Publish(int stages, int count, int middle, int blocks)
     {
         uint number = _number + 1;
         _number += (uint)Math.Max(stages, 1);
         Volatile.Write(ref _words[PhasePlace], 0);
         Volatile.Write(ref _words[SizePlace], ((long)count << 32) | _done);
+        Volatile.Write(ref _words[MiddlePlace], middle);
         Volatile.Write(ref _words[PhasePlace], ((long)number << 32) | ((long)stages << 16) | (uint)blocks);
     }
 
     /// <summary>Does what was published last, and returns when all of it is done.</summary>
     private void Complete()
     {
-        Walk(0, _words[PhasePlace], _words[SizePlace]);
+        Walk(0, _words[PhasePlace], _words[SizePlace], (int)_words[MiddlePlace]);
         Rethrow(ref _error);
     }
 
@@ -55,14 +56,16 @@ internal sealed partial class StageRunner
     /// <param name="worker">Who.</param>
     /// <param name="header">The first of the words.</param>
     /// <param name="size">The second.</param>
+    /// <param name="middle">The third.</param>
     /// <returns>How many it did; -1: it waited in vain and may go.</returns>
-    private int Walk(int worker, long header, long size)
+    private int Walk(int worker, long header, long size, int middle)
     {
         Phase phase;
         int stages = (int)(header >> 16) & 0xFFFF;
         phase.Number = (uint)(header >> 32);
         phase.Stage = stages == 0 ? -1 : 0;
         phase.Count = (int)(size >> 32);
+        phase.Middle = middle;
         phase.Blocks = (int)header & 0xFFFF;
         phase.Target = (uint)size;
         int done = 0;
@@ -103,7 +106,7 @@ internal sealed partial class StageRunner
     private bool Read(ref Phase phase, long header, int worker)
     {
         StageList? stages = Volatile.Read(ref _stages);
-        if (stages == null || !stages.TryRead(phase.Stage, out phase.Count, out phase.Blocks))
+        if (stages == null || !stages.TryRead(phase.Stage, out phase.Count, out phase.Middle, out phase.Blocks))
         {
             return false;
         }
@@ -231,12 +234,21 @@ internal sealed partial class StageRunner
         }
     }
 
+    /// <summary>Of the two halves of a phase each has half of the blocks.</summary>
+    private static int FirstItem(in Phase phase, int block)
+    {
+        int above = (2 * block) - phase.Blocks;
+        return above <= 0
+            ? (int)((long)phase.Middle * 2 * block / phase.Blocks)
+            : phase.Middle + (int)((long)(phase.Count - phase.Middle) * above / phase.Blocks);
+    }
+
     private void RunBlock(int worker, int block, in Phase phase)
     {
         try
         {
-            int from = (int)((long)phase.Count * block / phase.Blocks);
-            int to = (int)((long)phase.Count * (block + 1) / phase.Blocks);
+            int from = FirstItem(phase, block);
+            int to = FirstItem(phase, block + 1);
             if (phase.Stage < 0)
             {
                 _work!.Run(worker, from, to);
@@ -260,6 +272,9 @@ internal sealed partial class StageRunner
         /// <summary>Its place in a row of phases; -1: it stands alone.</summary>
         public int Stage;
         public int Count;
+
+        /// <summary>Items of the first half of its blocks.</summary>
+        public int Middle;
         public int Blocks;
 
         /// <summary>What the reports add up to when it is done.</summary>
