@@ -41,6 +41,9 @@ internal sealed unsafe class ConstraintGraph
     private const float HeavyRatio = 64f;
     private const int NoBody = -1;
 
+    /// <summary>Part of all rows that are moved at once to another group, those of one colour.</summary>
+    private const int MovedPart = 8;
+
     private readonly Column<GraphChange> _changes = new Column<GraphChange>();
     private readonly BodyColors _bodies = new BodyColors();
     private readonly RowArena _arena = new RowArena();
@@ -132,7 +135,11 @@ internal sealed unsafe class ConstraintGraph
     public void NotePairs(int count) => _isSmall = count <= FewPairs;
 
     /// <summary>Makes room for so many rows.</summary>
-    public void Reserve(int rows) => _arena.Reserve(rows);
+    public void Reserve(int rows)
+    {
+        _arena.Reserve(rows);
+        _moving.Reserve(rows / MovedPart);
+    }
 
     public void Add(int contact, ref ContactRecord record, bool movesA, bool movesB)
     {

@@ -22,15 +22,21 @@ internal sealed unsafe class RowHalves
     private const int LeastParts = 3;
     private const int Parts = 8;
 
+    /// <summary>Of fewer rows nothing is told: the bodies themselves are halved.</summary>
+    private const int LeastRows = 1024;
+
     private int _wait;
 
-    /// <summary>Fewer rows are not halved: each half has a record of its own that is not full in each colour. Default 4,096.</summary>
-    public int LeastRows { get; set; } = 4096;
+    /// <summary>
+    /// The rows of fewer bodies are not halved: each half has a record of its own that is not full in each colour. Default 2,048. Where there are so many, new rows go to
+    /// their half from the first on, so that none needs to be moved.
+    /// </summary>
+    public int LeastBodies { get; set; } = 2048;
 
     /// <summary>How often rows were parted.</summary>
     public int Partings { get; private set; }
 
-    /// <summary>Parts the rows if it is worth it, or joins halves that have become small.</summary>
+    /// <summary>Parts the rows if it is worth it.</summary>
     public void Part(ConstraintGraph graph, Column<ContactRecord> records, int bodyEnd, byte* moves, Scratch scratch)
     {
         if (--_wait > 0)
@@ -40,30 +46,30 @@ internal sealed unsafe class RowHalves
 
         _wait = Wait;
         RowGroups groups = graph.Groups;
-        if (graph.RowCount < LeastRows)
-        {
-            if (groups.AreHalves && graph.RowCount < LeastRows / 2)
-            {
-                groups.Begin(1);
-                graph.Regroup(records, moves);
-            }
-
-            return;
-        }
-
-        int rows = RowsOfGroupZero(graph);
-        if (groups.Count > 1 ? rows * Parts < graph.RowCount * (Parts - 1) : groups.AreHalves && IsEven(rows, graph.RowCount))
+        if (bodyEnd < LeastBodies || !MayPart(graph))
         {
             return;
         }
 
-        int middle = FindMiddle(graph, bodyEnd, moves, scratch);
+        int middle = graph.RowCount < LeastRows ? (bodyEnd / 2) & ~1 : FindMiddle(graph, bodyEnd, moves, scratch);
         if (middle > 0 && middle != groups.Middle)
         {
             groups.Halve(middle);
             graph.Regroup(records, moves);
             Partings++;
         }
+    }
+
+    /// <summary>Whether the rows are neither halved evenly nor groups of islands.</summary>
+    private static bool MayPart(ConstraintGraph graph)
+    {
+        if (graph.Groups.Count == 1 && !graph.Groups.AreHalves)
+        {
+            return true;
+        }
+
+        int rows = RowsOfGroupZero(graph);
+        return graph.RowCount >= LeastRows && (graph.Groups.AreHalves ? !IsEven(rows, graph.RowCount) : rows * Parts >= graph.RowCount * (Parts - 1));
     }
 
     /// <summary>Rows of the first half, or of groups that are solved together.</summary>

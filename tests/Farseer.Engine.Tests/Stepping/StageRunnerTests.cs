@@ -97,7 +97,7 @@ public class StageRunnerTests
             for (int i = 0; i < sizes.Length; i++)
             {
                 sizes[i] = 1 + ((step + i) * 41 % 100);
-                stages.Add(sizes[i], i % 3 == 2 ? 1 : runner.BlocksOf(sizes[i], 1 + (i % 5)));
+                stages.Add(sizes[i], i % 3 == 2 ? 1 : runner.BlocksOf(sizes[i], 1 + (i % 5)), (step + (7 * i)) % (sizes[i] + 1));
             }
 
             for (int again = 0; again < 5; again++)
@@ -110,7 +110,7 @@ public class StageRunnerTests
                     Assert.False(work.Early, "A phase began before the one before it was done.");
                 }
 
-                runner.Run(single, 100, 1);
+                runner.Run(single, 100, 17 * again, 1);
                 singles++;
             }
 
