@@ -369,8 +369,9 @@ internal sealed unsafe class ConstraintGraph
 
     private int GroupOf(int color, int a, int b, byte* moves) => IsWhole(color) ? 0 : Groups.Of(a, b, moves[a] != 0, moves[b] != 0);
 
-    /// <summary>Rows that one worker solves in their order are not halved.</summary>
-    private bool IsWhole(int color) => Groups.AreHalves && _colors[0][color].HasOrder;
+    /// <summary>Not halved: rows that one worker solves in their order, and colours of few.</summary>
+    private bool IsWhole(int color) =>
+        Groups.AreHalves && (_colors[0][color].HasOrder || _colors[0][color].RowCount + _colors[1][color].RowCount < Groups.LeastOfColor);
 
     /// <summary>Lists the contacts of a colour whose rows are in another group than they belong to, and takes room for them.</summary>
     private void ListMoving(int color, byte* moves)

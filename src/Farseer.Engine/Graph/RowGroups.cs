@@ -27,6 +27,9 @@ internal sealed class RowGroups
 
     public bool AreHalves => Middle > 0;
 
+    /// <summary>Rows of a colour that is halved.</summary>
+    public int LeastOfColor { get; private set; }
+
     /// <summary>Groups that rows may be of.</summary>
     public int InUse => AreHalves ? 2 : Count;
 
@@ -50,10 +53,12 @@ internal sealed class RowGroups
 
     /// <summary>Parts the rows in two halves instead.</summary>
     /// <param name="middle">The first body of the second, above 0.</param>
-    public void Halve(int middle)
+    /// <param name="leastOfColor">Colours of fewer rows stay whole.</param>
+    public void Halve(int middle, int leastOfColor)
     {
         Begin(1);
         Middle = middle;
+        LeastOfColor = leastOfColor;
         _tied[1] = true;
     }
 

@@ -28,10 +28,13 @@ internal sealed unsafe class RowHalves
     private int _wait;
 
     /// <summary>
-    /// The rows of fewer bodies are not halved: each half has a record of its own that is not full in each colour. Default 2,048. Where there are so many, new rows go to
-    /// their half from the first on, so that none needs to be moved.
+    /// The rows of fewer bodies are not halved. Default 6,144: one worker takes 1.007 of the time with halves of 10,000 bodies, 1.013 with those of a pyramid of 5,050, whose bodies are in the order
+    /// of the rows anyway. Where there are so many, new rows go to their half from the first on, so that few need to be moved.
     /// </summary>
-    public int LeastBodies { get; set; } = 2048;
+    public int LeastBodies { get; set; } = 6144;
+
+    /// <summary>Rows of a colour that is halved, by default 512: half of as many are hardly worth sharing, and a record that is not full costs them most.</summary>
+    public int LeastOfColor { get; set; } = 512;
 
     /// <summary>How often rows were parted.</summary>
     public int Partings { get; private set; }
@@ -54,7 +57,7 @@ internal sealed unsafe class RowHalves
         int middle = graph.RowCount < LeastRows ? (bodyEnd / 2) & ~1 : FindMiddle(graph, bodyEnd, moves, scratch);
         if (middle > 0 && middle != groups.Middle)
         {
-            groups.Halve(middle);
+            groups.Halve(middle, LeastOfColor);
             graph.Regroup(records, moves);
             Partings++;
         }

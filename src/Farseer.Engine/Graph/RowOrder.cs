@@ -47,6 +47,12 @@ internal sealed unsafe class RowOrder : IStageWork
             return;
         }
 
+        if (graph.Groups.AreHalves)
+        {
+            // Rows of colours that have grown, and of bodies that began or ceased to move.
+            graph.Regroup(records, moves);
+        }
+
         ReadOnlySpan<GraphColor> colors = graph.Used;
         int workers = runner.IsShared(colors.Length, 1) ? runner.Workers : 1;
         int mark = scratch.Mark;

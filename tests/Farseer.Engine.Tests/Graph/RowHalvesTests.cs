@@ -4,6 +4,7 @@ using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Simulation;
+using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 using Farseer.Engine.Tests.Simulation;
 using FsCheck;
@@ -56,6 +57,21 @@ public sealed unsafe class RowHalvesTests
         Assert.False(rows.Graph.Groups.AreHalves);
         Assert.Equal(0, rows.Halves.Partings);
         Assert.All(rows.Graph.Used.ToArray(), color => Assert.Equal(0, color.Group));
+    }
+
+    [Fact]
+    public void ColorsOfFewRows_AreNotHalved_UntilTheyAreSortedWithMore()
+    {
+        var rows = new Rows();
+        rows.Halves.LeastOfColor = Contacts;
+        rows.Part();
+        rows.Fill(seed: 9, upTo: Bodies);
+        Assert.All(rows.Graph.Used.ToArray(), color => Assert.Equal(0, color.Group));
+
+        rows.Graph.Groups.Halve(rows.Graph.Groups.Middle, leastOfColor: 0);
+        rows.Sort();
+
+        rows.AssertHalves(Contacts);
     }
 
     /// <summary>Where workers begin with the rows of their own half, the phases that do not care for colours do too.</summary>
@@ -118,6 +134,7 @@ public sealed unsafe class RowHalvesTests
     {
         var scene = new SleepScene(allowSleep: false);
         scene.World.RowHalves.LeastBodies = leastBodies;
+        scene.World.RowHalves.LeastOfColor = 0;
         scene.World.SetWorkers(workers, workers, null);
         for (int i = 0; i < 300; i++)
         {
@@ -147,9 +164,15 @@ public sealed unsafe class RowHalvesTests
 
         public ConstraintGraph Graph { get; } = new ConstraintGraph();
 
-        public RowHalves Halves { get; } = new RowHalves { LeastBodies = Bodies };
+        public RowHalves Halves { get; } = new RowHalves { LeastBodies = Bodies, LeastOfColor = 0 };
 
         public void Part() => Halves.Part(Graph, _records, Bodies, _moves.Pointer, _scratch);
+
+        public void Sort()
+        {
+            using var alone = new StageRunner(1, null);
+            new RowOrder { LeastRows = 2 }.Sort(alone, Graph, _records, Bodies, _moves.Pointer, _scratch);
+        }
 
         /// <summary>It looks once in so many steps.</summary>
         public void PartWhenDue()
