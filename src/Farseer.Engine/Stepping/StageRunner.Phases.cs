@@ -236,9 +236,14 @@ internal sealed partial class StageRunner
         }
     }
 
-    /// <summary>Of the two halves of a phase each has half of the blocks.</summary>
+    /// <summary>Of the two halves of a phase each has half of the blocks; all are alike if it is cut in the middle.</summary>
     private static int FirstItem(in Phase phase, int block)
     {
+        if (phase.Middle == phase.Count / 2)
+        {
+            return (int)((long)phase.Count * block / phase.Blocks);
+        }
+
         int above = (2 * block) - phase.Blocks;
         return above <= 0
             ? (int)((long)phase.Middle * 2 * block / phase.Blocks)

@@ -71,6 +71,24 @@ public class StageRunnerTests
         }
     }
 
+    /// <summary>Once with an odd number, of which no half is whole: a block was empty, and another one had two.</summary>
+    [Theory]
+    [InlineData(3)]
+    [InlineData(8)]
+    [InlineData(101)]
+    public void RunEach_OfAnyNumber_GivesEachBlockOneItem(int items)
+    {
+        using StageRunner runner = new(2, null);
+        Counting work = new(items);
+        runner.Begin(Large);
+        AwaitHelper(runner);
+        runner.RunEach(work, items);
+        runner.End();
+
+        Assert.Equal(1, work.Largest);
+        Assert.All(work.Counts, count => Assert.Equal(1, count));
+    }
+
     /// <summary>
     /// Rows of phases of different lengths, by turns with single phases, over lists that are made anew between them while helpers may still look at the last one.
     /// </summary>
@@ -323,6 +341,7 @@ public class StageRunnerTests
     {
         private readonly int[] _busy = new int[StageRunner.MostWorkers];
         private int _highest;
+        private int _largest;
 
         public int[] Counts { get; } = new int[count];
 
@@ -330,9 +349,17 @@ public class StageRunnerTests
 
         public bool Shared { get; private set; }
 
+        /// <summary>Items of the largest block.</summary>
+        public int Largest => _largest;
+
         public void Run(int worker, int from, int to)
         {
             Shared |= Interlocked.Increment(ref _busy[worker]) != 1;
+            for (int seen = _largest; to - from > seen; seen = _largest)
+            {
+                Interlocked.CompareExchange(ref _largest, to - from, seen);
+            }
+
             _highest = Math.Max(_highest, worker);
             for (int i = from; i < to; i++)
             {
