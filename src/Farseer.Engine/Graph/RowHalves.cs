@@ -4,10 +4,10 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Graph;
 
 /// <summary>
-/// Parts the rows of a large world that is solved as one in two: those of the first bodies and those of the others, each colour of one half behind
-/// that of the other. Two workers then begin with a half each in every pass, and so do rows that are new. Before, each colour was cut where half
+/// Parts the rows of a large world that is solved as one in two: those of the first bodies and those of the others, each colour of one half beside
+/// that of the other. Two workers then begin with a half each in every pass, and rows that are new come to theirs. Before, each colour was cut where half
 /// of its rows were, and new rows lay behind all others, wherever their bodies were: of 45,000 times that a pass over a pile of 10,000 discs touches a body the other
-/// worker had written to it last in 5,000; now in 230. A line that comes from another processor takes as long as sixteen rows.
+/// worker had written to it last in 5,000; now in 600. A line that comes from another processor takes as long as sixteen rows.
 /// </summary>
 /// <remarks>
 /// The halves are the same for any number of workers, so that the order of the rows is, which bounces are taken in. Groups of islands

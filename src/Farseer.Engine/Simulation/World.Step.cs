@@ -23,7 +23,6 @@ internal sealed partial class World
     /// <summary>Puts the rows of a colour in the order of their bodies.</summary>
     public RowOrder RowOrder { get; } = new RowOrder();
 
-    /// <summary>For tests.</summary>
     public RowHalves RowHalves { get; } = new RowHalves();
 
     private void RunStages(float dt)
