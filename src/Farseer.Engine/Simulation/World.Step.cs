@@ -23,6 +23,7 @@ internal sealed partial class World
     /// <summary>Puts the rows of a colour in the order of their bodies.</summary>
     public RowOrder RowOrder { get; } = new RowOrder();
 
+    /// <summary>Parts the rows of large worlds for two workers.</summary>
     public RowHalves RowHalves { get; } = new RowHalves();
 
     private void RunStages(float dt)
