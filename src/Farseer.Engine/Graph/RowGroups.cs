@@ -36,6 +36,19 @@ internal sealed class RowGroups
     /// <summary>Solved together with group 0, which itself is.</summary>
     public bool IsTied(int group) => _tied[group];
 
+    /// <summary>Rows that are solved together with group 0.</summary>
+    /// <param name="colors">All colours that have rows.</param>
+    public int TiedRows(ReadOnlySpan<GraphColor> colors)
+    {
+        int rows = 0;
+        foreach (GraphColor color in colors)
+        {
+            rows += IsTied(color.Group) ? color.RowCount : 0;
+        }
+
+        return rows;
+    }
+
     public int Of(int body) => _group[body];
 
     public void EnsureBodies(int capacity) => _group.EnsureCapacity(capacity);

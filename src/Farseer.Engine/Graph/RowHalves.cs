@@ -66,23 +66,21 @@ internal sealed unsafe class RowHalves
     /// <summary>Whether the rows are neither halved evenly nor groups of islands.</summary>
     private static bool MayPart(ConstraintGraph graph)
     {
-        if (graph.Groups.Count == 1 && !graph.Groups.AreHalves)
+        RowGroups groups = graph.Groups;
+        if (groups.Count > 1)
         {
-            return true;
+            return graph.RowCount >= LeastRows && groups.TiedRows(graph.Used) * Parts >= graph.RowCount * (Parts - 1);
         }
 
-        int rows = RowsOfGroupZero(graph);
-        return graph.RowCount >= LeastRows && (graph.Groups.AreHalves ? !IsEven(rows, graph.RowCount) : rows * Parts >= graph.RowCount * (Parts - 1));
+        return !groups.AreHalves || (graph.RowCount >= LeastRows && !IsEven(FirstHalfRows(graph), graph.RowCount));
     }
 
-    /// <summary>Rows of the first half, or of groups that are solved together.</summary>
-    private static int RowsOfGroupZero(ConstraintGraph graph)
+    private static int FirstHalfRows(ConstraintGraph graph)
     {
-        RowGroups groups = graph.Groups;
         int rows = 0;
         foreach (GraphColor color in graph.Used)
         {
-            rows += (groups.AreHalves ? color.Group == 0 : groups.IsTied(color.Group)) ? color.RowCount : 0;
+            rows += color.Group == 0 ? color.RowCount : 0;
         }
 
         return rows;

@@ -42,7 +42,7 @@ internal sealed unsafe class IslandGroups
         }
 
         _wait = LeastWait;
-        if (FarRows(graph) * FarPart <= graph.RowCount)
+        if (graph.Groups.TiedRows(graph.Used) * FarPart <= graph.RowCount)
         {
             _nextWait = LeastWait;
             return;
@@ -73,18 +73,6 @@ internal sealed unsafe class IslandGroups
 
         graph.Regroup(records, moves);
         Sorts++;
-    }
-
-    /// <summary>Rows that are solved with group 0.</summary>
-    private static int FarRows(ConstraintGraph graph)
-    {
-        int rows = 0;
-        foreach (GraphColor color in graph.Used)
-        {
-            rows += graph.Groups.IsTied(color.Group) ? color.RowCount : 0;
-        }
-
-        return rows;
     }
 
     /// <summary>Fills group after group with the islands in their order, which is that of their first bodies; group 0 stays empty.</summary>
