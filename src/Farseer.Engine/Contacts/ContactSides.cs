@@ -143,40 +143,31 @@ internal sealed unsafe class ContactSides
 
             int body = piece->Body;
             ContactSide* side = sides + i;
-            BodyPose* pose = poses + body;
-            float cos = pose->Cos;
-            float sin = pose->Sin;
-            Vector2 axis = piece->Kind == ShapeKind.Box ? piece->Axis : Vector2.UnitX;
-            side->X = (cos * piece->Center.X) - (sin * piece->Center.Y);
-            side->Y = (sin * piece->Center.X) + (cos * piece->Center.Y);
-            side->Cos = (cos * axis.X) - (sin * axis.Y);
-            side->Sin = (sin * axis.X) + (cos * axis.Y);
-            side->HalfY = piece->Half.Y;
+            Place(side, piece, poses + body);
             side->Extent = piece->Extent;
             side->Reach = piece->Reach;
             BodyState* state = states + body;
-            side->VelocityX = state->LinearVelocity.X;
-            side->VelocityY = state->LinearVelocity.Y;
+            *(Vector2*)&side->VelocityX = state->LinearVelocity;
             side->AngularVelocity = state->AngularVelocity;
             ColliderInfo* collider = colliders + piece->Collider;
 
             // What sleeps can be moved: a contact with it wakes it before it is solved.
-            bool moving = moves[body] != 0 || (flags[body] & BodyFlags.Asleep) != 0;
-            SideFlags now = (proxies[i].Flags & ProxyFlags.Moved) != 0 ? SideFlags.NewBox : SideFlags.None;
+            uint bodyFlags = (uint)flags[body];
+            uint moving = moves[body] | Bit(bodyFlags, (uint)BodyFlags.Asleep, 1);
             SideFlags before = side->Flags;
-            side->Flags = now | Describe(piece, collider->Flags, flags[body], moving);
+            SideFlags now = Describe(piece, (uint)collider->Flags, bodyFlags, moving) | (SideFlags)Bit((uint)proxies[i].Flags, (uint)ProxyFlags.Moved, (uint)SideFlags.NewBox);
+            side->Flags = now;
             if (steps != null)
             {
-                Note(steps + body, before, side->Flags);
+                Note(steps + body, before, now);
             }
 
-            side->HalfX = (side->Flags & SideFlags.Box) != 0 ? piece->Half.X : piece->Radius;
-            heard |= side->Flags;
+            heard |= now;
             hulls[i] = HullLanes.Pack(piece->VertexStart, piece->VertexCount);
-            side->InverseMass = moving ? masses[body].InverseMass : 0;
-            side->InverseInertia = moving ? masses[body].InverseInertia : 0;
-            side->Friction = collider->Friction;
-            side->Restitution = collider->Restitution;
+
+            // Both at once, and both 0 for what cannot be moved.
+            *(ulong*)&side->InverseMass = *(ulong*)&masses[body].InverseMass & (0 - (ulong)moving);
+            *(Vector2*)&side->Friction = *(Vector2*)&collider->Friction;
         }
 
         // Workers only ever set it.
@@ -206,30 +197,35 @@ internal sealed unsafe class ContactSides
         }
     }
 
+    /// <summary>Where a piece is from its body's centre, its axes and its half sides.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static SideFlags Describe(Piece* piece, ColliderFlags collider, BodyFlags body, bool moving)
+    private static void Place(ContactSide* side, Piece* piece, BodyPose* pose)
     {
-        SideFlags flags = moving ? SideFlags.Exists | SideFlags.Moves : SideFlags.Exists;
-        flags |= (collider & ColliderFlags.ResponseEnabled) != 0 ? SideFlags.Responds : SideFlags.None;
-        flags |= (collider & (ColliderFlags.WantsContact | ColliderFlags.WantsSeparation)) != 0 ? SideFlags.Heard : SideFlags.None;
-        flags |= moving && (body & BodyFlags.IgnoreGravity) == 0 ? SideFlags.Pulled : SideFlags.None;
-        flags |= (body & BodyFlags.Static) == 0 ? SideFlags.Turns : SideFlags.None;
-        flags |= (body & BodyFlags.Fast) != 0 ? SideFlags.Fast : SideFlags.None;
-        if ((piece->Flags & PieceFlags.OneSided) != 0)
-        {
-            return flags;
-        }
-
-        if (piece->Flags == PieceFlags.None && piece->VertexCount > 1 && piece->VertexCount <= HullLanes.MostCorners)
-        {
-            flags |= SideFlags.Hull;
-        }
-
-        if (piece->Kind == ShapeKind.Box)
-        {
-            return flags | SideFlags.Box | (piece->Axis != Vector2.UnitX ? SideFlags.Tilted : SideFlags.None);
-        }
-
-        return piece->Kind == ShapeKind.Circle ? flags | SideFlags.Circle : flags;
+        float cos = pose->Cos;
+        float sin = pose->Sin;
+        side->X = (cos * piece->Center.X) - (sin * piece->Center.Y);
+        side->Y = (sin * piece->Center.X) + (cos * piece->Center.Y);
+        side->Cos = (cos * piece->Axis.X) - (sin * piece->Axis.Y);
+        side->Sin = (sin * piece->Axis.X) + (cos * piece->Axis.Y);
+        *(Vector2*)&side->HalfX = piece->Half;
     }
+
+    /// <summary>Without a branch: what one piece is says little of the next one.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static SideFlags Describe(Piece* piece, uint collider, uint body, uint moving)
+    {
+        uint flags = (uint)SideFlags.Exists | (uint)piece->Traits;
+        flags |= Bit(moving, 1, (uint)SideFlags.Moves);
+        flags |= Bit(moving & ~Bit(body, (uint)BodyFlags.IgnoreGravity, 1), 1, (uint)SideFlags.Pulled);
+        flags |= Bit(collider, (uint)ColliderFlags.ResponseEnabled, (uint)SideFlags.Responds);
+        flags |= Bit(collider, (uint)ColliderFlags.WantsContact, (uint)SideFlags.Heard);
+        flags |= Bit(collider, (uint)ColliderFlags.WantsSeparation, (uint)SideFlags.Heard);
+        flags |= Bit(~body, (uint)BodyFlags.Static, (uint)SideFlags.Turns);
+        flags |= Bit(body, (uint)BodyFlags.Fast, (uint)SideFlags.Fast);
+        return (SideFlags)flags;
+    }
+
+    /// <summary>One bit of some flags as another bit of others.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static uint Bit(uint flags, uint from, uint to) => to >= from ? (flags & from) * (to / from) : (flags & from) / (from / to);
 }

@@ -23,7 +23,7 @@ internal unsafe struct HullLanes
     public const int LineLanes = PairLanes.LineLanes;
 
     /// <summary>Hulls with more corners are left to the code for one pair.</summary>
-    public const int MostCorners = 8;
+    public const int MostCorners = Piece.MostLaneCorners;
 
     /// <summary>Corner i of all lanes stands at i·<see cref="LineLanes"/>, likewise the outward normal of the edge that starts there.</summary>
     public fixed float VertexX[MostCorners * LineLanes];

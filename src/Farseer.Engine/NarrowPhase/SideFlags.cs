@@ -1,3 +1,5 @@
+using Farseer.Engine.Shapes;
+
 namespace Farseer.Engine.NarrowPhase;
 
 /// <summary>What a side of a pair is and may do.</summary>
@@ -22,10 +24,10 @@ internal enum SideFlags : int
     Heard = 16,
 
     /// <summary>A box that the box kernel can do.</summary>
-    Box = 32,
+    Box = (int)PieceTraits.Box,
 
     /// <summary>A circle.</summary>
-    Circle = 64,
+    Circle = (int)PieceTraits.Circle,
 
     /// <summary>The fat box is new in this step.</summary>
     NewBox = 128,
@@ -37,8 +39,8 @@ internal enum SideFlags : int
     Fast = 512,
 
     /// <summary>A hull without seams, of two to <see cref="HullLanes.MostCorners"/> corners: the kernels of hulls can do it.</summary>
-    Hull = 1024,
+    Hull = (int)PieceTraits.Hull,
 
     /// <summary>A box whose own axes are not those of its body.</summary>
-    Tilted = 2048,
+    Tilted = (int)PieceTraits.Tilted,
 }

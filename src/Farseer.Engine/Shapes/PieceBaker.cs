@@ -85,7 +85,9 @@ internal static unsafe class PieceBaker
         }
 
         bool box = source.Kind == ShapeKind.Box;
-        Vector2 axis = box ? range.Normals[1] : Vector2.Zero;
+        Vector2 axis = box ? range.Normals[1] : Vector2.UnitX;
+        PieceFlags flags = (source.OutlineNormalBefore != null ? PieceFlags.Seamed : PieceFlags.None)
+            | (source.OneSided ? PieceFlags.OneSided : PieceFlags.None);
         return new Piece
         {
             Body = body,
@@ -96,11 +98,27 @@ internal static unsafe class PieceBaker
             Reach = FloatBits.RoundUp(reach + source.Radius),
             Extent = LengthScale(source),
             Kind = source.Kind,
-            Flags = (source.OutlineNormalBefore != null ? PieceFlags.Seamed : PieceFlags.None)
-                | (source.OneSided ? PieceFlags.OneSided : PieceFlags.None),
+            Flags = flags,
+            Traits = TraitsOf(source.Kind, flags, range.Count, axis),
             Center = (min + max) * 0.5f,
-            Half = box ? HalfSides(range.Vertices, axis) : new Vector2(source.Radius, Around(range, (min + max) * 0.5f, source.Radius)),
             Axis = axis,
+            Half = box ? HalfSides(range.Vertices, axis) : new Vector2(source.Radius, Around(range, (min + max) * 0.5f, source.Radius)),
+        };
+    }
+
+    private static PieceTraits TraitsOf(ShapeKind kind, PieceFlags flags, int corners, Vector2 axis)
+    {
+        if ((flags & PieceFlags.OneSided) != 0)
+        {
+            return PieceTraits.None;
+        }
+
+        PieceTraits traits = flags == PieceFlags.None && corners > 1 && corners <= Piece.MostLaneCorners ? PieceTraits.Hull : PieceTraits.None;
+        return kind switch
+        {
+            ShapeKind.Box => traits | PieceTraits.Box | (axis != Vector2.UnitX ? PieceTraits.Tilted : PieceTraits.None),
+            ShapeKind.Circle => traits | PieceTraits.Circle,
+            _ => traits,
         };
     }
 

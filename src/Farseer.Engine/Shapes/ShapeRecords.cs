@@ -14,6 +14,25 @@ internal enum PieceFlags : byte
     OneSided = 2,
 }
 
+/// <summary>Which kernels for lanes can do a piece. The values are bits of the flags of a side, so that no step works them out again.</summary>
+[Flags]
+internal enum PieceTraits : ushort
+{
+    None = 0,
+
+    /// <summary>A box that the box kernel can do.</summary>
+    Box = 32,
+
+    /// <summary>A circle.</summary>
+    Circle = 64,
+
+    /// <summary>A hull without seams, of two to <see cref="Piece.MostLaneCorners"/> corners.</summary>
+    Hull = 1024,
+
+    /// <summary>A box whose own axes are not those of its body.</summary>
+    Tilted = 2048,
+}
+
 /// <summary>
 /// A convex piece attached to a body, in body coordinates. The index of a piece is also its proxy in the broad phase.
 /// Vertices, edge normals and outline normals lie in the pools of <c>ShapeStore</c> from <see cref="VertexStart"/> on.
@@ -21,6 +40,9 @@ internal enum PieceFlags : byte
 [StructLayout(LayoutKind.Sequential)]
 internal struct Piece
 {
+    /// <summary>Hulls with more corners are left to the code for one pair.</summary>
+    public const int MostLaneCorners = 8;
+
     public int Body;
     public int Collider;
     public int VertexStart;
@@ -35,18 +57,19 @@ internal struct Piece
 
     public ShapeKind Kind;
     public PieceFlags Flags;
+    public PieceTraits Traits;
 
     /// <summary>Centre of the local bounds, in body coordinates.</summary>
     public Vector2 Center;
+
+    /// <summary>A box's own x axis, the normal of its edge 1, in body coordinates; for other kinds the x axis.</summary>
+    public Vector2 Axis;
 
     /// <summary>
     /// A box's half sides along <see cref="Axis"/> and across it; for other kinds the rounding radius, and the radius of a circle about
     /// <see cref="Center"/> that holds the piece.
     /// </summary>
     public Vector2 Half;
-
-    /// <summary>A box's own x axis, the normal of its edge 1, in body coordinates.</summary>
-    public Vector2 Axis;
 }
 
 [Flags]

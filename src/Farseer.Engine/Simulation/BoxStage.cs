@@ -1,11 +1,15 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Farseer.Engine.Simulation;
 
@@ -105,14 +109,16 @@ internal sealed unsafe class BoxStage : IStageWork
                 }
                 else if (Moves(flags))
                 {
-                    if (HasLeft(fits[body], poses[body], states[body]) || IsLoose(fits[body], states[body], sizes[body]))
+                    // A new box does not change how far the piece reaches.
+                    float motion = Motion(states[body], fits[body].Reach);
+                    if (HasLeft(fits[body], poses[body], states[body]) || IsLoose(fits[body], states[body], sizes[body], motion))
                     {
                         int* behind = Refit(body, next);
                         stale |= behind == null ? 1UL << body : 0;
                         next = behind == null ? next : behind;
                     }
 
-                    NoteSpeed(allFlags + body, sizes[body], Motion(states[body], fits[body].Reach));
+                    NoteSpeed(allFlags + body, sizes[body], motion);
                 }
             }
 
@@ -199,22 +205,33 @@ internal sealed unsafe class BoxStage : IStageWork
 
     private bool HasLeft(in FitRecord fit, in BodyPose pose, in BodyState state)
     {
+        float around = ((float)Math.Abs(pose.Angle - fit.Angle) * fit.Reach) + Swing(state, fit.Reach);
+#if NET8_0_OR_GREATER
+        // x and y of where the body is, and of where it gets to.
+        Vector128<double> from = Vector128.LoadUnsafe(in pose.X) - Vector128.LoadUnsafe(in fit.X);
+        Vector128<float> velocity = Vector128.CreateScalar(Unsafe.As<Vector2, double>(ref Unsafe.AsRef(in state.LinearVelocity))).AsSingle();
+        Vector128<float> both = Vector128.Narrow(from, from) + (Vector128.Shuffle(velocity, Vector128.Create(2, 3, 0, 1)) * _dt);
+        Vector128<float> all = Vector128.Create(around);
+        Vector128<float> room = Vector128.LoadUnsafe(in fit.Left);
+        return !Vector128.LessThanOrEqualAll(all - both, Vector128.Shuffle(room, Vector128.Create(0, 1, 0, 1)))
+            || !Vector128.LessThanOrEqualAll(all + both, Vector128.Shuffle(room, Vector128.Create(2, 3, 2, 3)));
+#else
         float fromX = (float)(pose.X - fit.X);
         float fromY = (float)(pose.Y - fit.Y);
         float toX = fromX + (state.LinearVelocity.X * _dt);
         float toY = fromY + (state.LinearVelocity.Y * _dt);
-        float around = ((float)Math.Abs(pose.Angle - fit.Angle) * fit.Reach) + Swing(state, fit.Reach);
         return !(around - Math.Min(fromX, toX) <= fit.Left && around + Math.Max(fromX, toX) <= fit.Right
             && around - Math.Min(fromY, toY) <= fit.Down && around + Math.Max(fromY, toY) <= fit.Up);
+#endif
     }
 
     /// <summary>
     /// A body that was fast when it got its boxes and rests now would never leave them, and be paired with all around it for as long:
     /// pentagons that had fallen ten metres lay with twenty pairs each, of which two had points.
     /// </summary>
-    private bool IsLoose(in FitRecord fit, in BodyState state, in BodySize size)
+    private bool IsLoose(in FitRecord fit, in BodyState state, in BodySize size, float motion)
     {
-        float around = ((MarginOf(Motion(state, fit.Reach), size.Extent) - SkinShare) * size.Extent) + (StepsAhead * Swing(state, fit.Reach));
+        float around = ((MarginOf(motion, size.Extent) - SkinShare) * size.Extent) + (StepsAhead * Swing(state, fit.Reach));
         float ahead = StepsAhead * _dt * (Math.Abs(state.LinearVelocity.X) + Math.Abs(state.LinearVelocity.Y));
         return fit.Left + fit.Right + fit.Down + fit.Up > Looseness * ((4 * around) + ahead);
     }
@@ -337,8 +354,8 @@ internal sealed unsafe class BoxStage : IStageWork
 
         /// <summary>How far the boxes may move each way until a piece may leave its fat box.</summary>
         public float Left;
-        public float Right;
         public float Down;
+        public float Right;
         public float Up;
     }
 }

@@ -3,6 +3,9 @@ using System.Numerics;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Numerics;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+#endif
 
 namespace Farseer.Engine.Solver;
 
@@ -82,9 +85,20 @@ internal static unsafe class FinishBodies
         BodyState* state = columns.States + body;
         BodyPose* pose = columns.Poses + body;
         turned = (double)columns.Motions[body].Turned + columns.Drives[body].Lead;
+#if NET8_0_OR_GREATER
+        return StateRange.Holds(*state) & StateRange.Holds(Moved(pose, state), pose->Angle + turned);
+#else
         return StateRange.Holds(*state)
             & StateRange.Holds(pose->X + state->DeltaPosition.X, pose->Y + state->DeltaPosition.Y, pose->Angle + turned);
+#endif
     }
+
+#if NET8_0_OR_GREATER
+    /// <summary>Where a body gets to.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector128<double> Moved(BodyPose* pose, BodyState* state) =>
+        Vector128.Load((double*)pose) + Vector128.WidenLower(Vector128.CreateScalarUnsafe(*(double*)&state->DeltaPosition).AsSingle());
+#endif
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool IsFast(in Columns columns, int body, double turned)
@@ -101,8 +115,12 @@ internal static unsafe class FinishBodies
     {
         BodyState* state = columns.States + body;
         BodyPose* pose = columns.Poses + body;
+#if NET8_0_OR_GREATER
+        Moved(pose, state).Store((double*)pose);
+#else
         pose->X += state->DeltaPosition.X;
         pose->Y += state->DeltaPosition.Y;
+#endif
         Forget(columns, body);
         if (turned == 0)
         {

@@ -27,6 +27,41 @@ public class ShapeStoreTests
         Assert.Equal(1, store.Colliders[0].PieceCount);
     }
 
+    /// <summary>Which kernels for lanes may do a piece: one that is let through wrongly would be solved as what it is not.</summary>
+    [Fact]
+    public void AttachPieces_OfEachKind_NotesTheKernelsThatCanDoIt()
+    {
+        Vector2[] octagon = Corners(8);
+        Vector2[] nonagon = Corners(9);
+        Vector2[] step = [new Vector2(0, 0), new Vector2(2, 0), new Vector2(2, 1)];
+        Assert.Equal(PieceTraits.Circle, TraitsOf(ShapeBuilder.Circle(1), Rotation.Identity));
+        Assert.Equal(PieceTraits.Hull | PieceTraits.Box, TraitsOf(ShapeBuilder.Box(4, 2), Rotation.Identity));
+        Assert.Equal(PieceTraits.Hull | PieceTraits.Box | PieceTraits.Tilted, TraitsOf(ShapeBuilder.Box(4, 2), new Rotation(0.6f, 0.8f)));
+        Assert.Equal(PieceTraits.Hull, TraitsOf(ShapeBuilder.Capsule(Vector2.Zero, Vector2.UnitX, 1), Rotation.Identity));
+        Assert.Equal(PieceTraits.Hull, TraitsOf(ShapeBuilder.Segment(Vector2.Zero, Vector2.UnitX), Rotation.Identity));
+        Assert.Equal(PieceTraits.Hull, TraitsOf(ShapeBuilder.Polygon(octagon), Rotation.Identity));
+        Assert.Equal(PieceTraits.None, TraitsOf(ShapeBuilder.Polygon(nonagon), Rotation.Identity));
+        Assert.Equal(PieceTraits.None, TraitsOf(ShapeBuilder.Chain(step, loop: false), Rotation.Identity));
+    }
+
+    private static PieceTraits TraitsOf(ShapeGeometry shape, Rotation turn)
+    {
+        var store = new ShapeStore();
+        return store.Pieces[store.AttachPieces(shape, 0, 0, Vector2.Zero, turn)].Traits;
+    }
+
+    private static Vector2[] Corners(int count)
+    {
+        var corners = new Vector2[count];
+        for (int i = 0; i < count; i++)
+        {
+            double angle = 2 * Math.PI * i / count;
+            corners[i] = new Vector2((float)Math.Cos(angle), (float)Math.Sin(angle));
+        }
+
+        return corners;
+    }
+
     [Fact]
     public void DetachPieces_ThenAttach_ReusesTheSameSlots()
     {
