@@ -155,7 +155,7 @@ internal sealed unsafe class ContactSides
             uint bodyFlags = (uint)flags[body];
             uint moving = moves[body] | Bit(bodyFlags, (uint)BodyFlags.Asleep, 1);
             SideFlags before = side->Flags;
-            SideFlags now = Describe(piece, (uint)collider->Flags, bodyFlags, moving) | (SideFlags)Bit((uint)proxies[i].Flags, (uint)ProxyFlags.Moved, (uint)SideFlags.NewBox);
+            SideFlags now = Describe(piece, (uint)proxies[i].Flags, (uint)collider->Flags, bodyFlags, moving);
             side->Flags = now;
             if (steps != null)
             {
@@ -212,9 +212,10 @@ internal sealed unsafe class ContactSides
 
     /// <summary>Without a branch: what one piece is says little of the next one.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static SideFlags Describe(Piece* piece, uint collider, uint body, uint moving)
+    private static SideFlags Describe(Piece* piece, uint proxy, uint collider, uint body, uint moving)
     {
         uint flags = (uint)SideFlags.Exists | (uint)piece->Traits;
+        flags |= Bit(proxy, (uint)ProxyFlags.Moved, (uint)SideFlags.NewBox);
         flags |= Bit(moving, 1, (uint)SideFlags.Moves);
         flags |= Bit(moving & ~Bit(body, (uint)BodyFlags.IgnoreGravity, 1), 1, (uint)SideFlags.Pulled);
         flags |= Bit(collider, (uint)ColliderFlags.ResponseEnabled, (uint)SideFlags.Responds);

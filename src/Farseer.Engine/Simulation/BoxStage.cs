@@ -1,6 +1,5 @@
 using System;
 using System.Numerics;
-using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
@@ -209,8 +208,8 @@ internal sealed unsafe class BoxStage : IStageWork
 #if NET8_0_OR_GREATER
         // x and y of where the body is, and of where it gets to.
         Vector128<double> from = Vector128.LoadUnsafe(in pose.X) - Vector128.LoadUnsafe(in fit.X);
-        Vector128<float> velocity = Vector128.CreateScalar(Unsafe.As<Vector2, double>(ref Unsafe.AsRef(in state.LinearVelocity))).AsSingle();
-        Vector128<float> both = Vector128.Narrow(from, from) + (Vector128.Shuffle(velocity, Vector128.Create(2, 3, 0, 1)) * _dt);
+        Vector128<float> way = Vector128.Shuffle(state.LinearVelocity.AsVector128(), Vector128.Create(2, 3, 0, 1)) * _dt;
+        Vector128<float> both = Vector128.Narrow(from, from) + way;
         Vector128<float> all = Vector128.Create(around);
         Vector128<float> room = Vector128.LoadUnsafe(in fit.Left);
         return !Vector128.LessThanOrEqualAll(all - both, Vector128.Shuffle(room, Vector128.Create(0, 1, 0, 1)))

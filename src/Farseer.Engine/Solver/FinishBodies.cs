@@ -97,7 +97,7 @@ internal static unsafe class FinishBodies
     /// <summary>Where a body gets to.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<double> Moved(BodyPose* pose, BodyState* state) =>
-        Vector128.Load((double*)pose) + Vector128.WidenLower(Vector128.CreateScalarUnsafe(*(double*)&state->DeltaPosition).AsSingle());
+        Vector128.Load((double*)pose) + Vector128.WidenLower(state->DeltaPosition.AsVector128());
 #endif
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
