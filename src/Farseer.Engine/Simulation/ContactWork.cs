@@ -94,15 +94,6 @@ internal sealed unsafe class ContactWork : IStageWork
         return Run(runner, input, Part.Given, bundles, 1).AnyBounce;
     }
 
-    /// <summary>What the sides and boxes of one piece of a pair are read from is asked for.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void AskFor(in ContactUpdateInput input, int piece, int body)
-    {
-        Prefetch.Line(input.Sides + piece);
-        Prefetch.Line(input.Bodies.Pose.Pointer + body);
-        Prefetch.Line(input.Fat + piece);
-    }
-
     /// <summary>Keeps what is to become of the pairs of a bundle of which something follows, and how deep those that are struck would sink in.</summary>
     public static void Keep(PairLanes* pairs, BundleOutcome* outcome, in ContactFates fates)
     {
