@@ -3,7 +3,7 @@ namespace FarseerGames.FarseerPhysics;
 /// <content>Figures of the state as a whole, for tests, benchmarks and displays. (Additions to the original.)</content>
 public partial class PhysicsSimulator
 {
-    /// <summary>Number of contact points after the last update, over all pairs in contact. Counted when asked for.</summary>
+    /// <summary>Pairs of pieces that touch after the last update; a geom of a concave outline or a chain has several pieces. Counted when asked for.</summary>
     public int ContactCount => World.ContactCount;
 
     /// <summary>Deepest overlap of two geoms that push each other apart, a length of the scene, after the last update; 0 if there is none. Measured when asked for.</summary>
