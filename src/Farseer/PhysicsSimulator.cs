@@ -31,6 +31,7 @@ public partial class PhysicsSimulator : IDisposable
     private bool _isDisposed;
 
     /// <summary>Makes a simulator without gravity.</summary>
+    /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has them.</exception>
     public PhysicsSimulator()
         : this(Vector2.Zero)
     {
@@ -39,6 +40,7 @@ public partial class PhysicsSimulator : IDisposable
     /// <summary>Makes a simulator.</summary>
     /// <param name="gravity">Acceleration of all bodies, length/s²; finite.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="gravity"/> is not finite.</exception>
+    /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has them.</exception>
     public PhysicsSimulator(Vector2 gravity)
     {
         _relay = new EventRelay(this, _table);

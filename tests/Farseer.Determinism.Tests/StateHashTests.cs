@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Runtime.Intrinsics;
 using Farseer.Tests.Shared;
 using Xunit;
 
@@ -21,7 +22,7 @@ public sealed class StateHashTests
 
     public static TheoryData<string, string, string> Ways()
     {
-        string[] settings = ["", "DOTNET_EnableAVX512", "DOTNET_EnableAVX2", "DOTNET_EnableHWIntrinsic"];
+        string[] settings = ["", "DOTNET_EnableAVX512", "DOTNET_EnableAVX2", "DOTNET_EnableAVX", "DOTNET_EnableHWIntrinsic"];
         TheoryData<string, string, string> ways = [];
         foreach (string project in new[] { "Farseer.Determinism", "Farseer.Determinism.NetStandard" })
         {
@@ -61,6 +62,29 @@ public sealed class StateHashTests
         RenewIfAsked();
 
         Assert.Equal(GoldenHashes.Scenes, GoldenHashes.Read().Select(l => l.Split(' ')[0]));
+    }
+
+    /// <summary>The runtime makes <c>Vector&lt;float&gt;</c> longer than eight lanes if it is told to and the processor has them.</summary>
+    [Theory]
+    [InlineData("Farseer.Determinism")]
+    [InlineData("Farseer.Determinism.NetStandard")]
+    public void Simulator_WithVectorsLongerThanABundle_TellsWhatToUnset(string project)
+    {
+        string console = Path.Combine(Clone.Root, "tests", project, "bin", Clone.Configuration, "net10.0", project + ".dll");
+
+        (int code, string output) = Command.Dotnet(
+            Clone.Root, ["exec", console, "1", "falling-stack"], new Dictionary<string, string> { ["DOTNET_MaxVectorTBitWidth"] = "512" }, _limit);
+
+        if (Vector512.IsHardwareAccelerated)
+        {
+            Assert.NotEqual(0, code);
+            Assert.Contains("PlatformNotSupportedException: Vector<float> has 16 lanes", output, StringComparison.Ordinal);
+            Assert.Contains("DOTNET_MaxVectorTBitWidth", output, StringComparison.Ordinal);
+        }
+        else
+        {
+            Assert.True(code == 0, output);
+        }
     }
 
     private static void RenewIfAsked()

@@ -29,6 +29,7 @@ public partial class b2World
     /// <param name="doSleep">Whether bodies at rest fall asleep.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A value is not finite, or the corners of the region are not in order.</exception>
+    /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has them.</exception>
     public b2World(b2AABB worldAABB, b2Vec2 gravity, bool doSleep)
     {
         Require.NotNull(worldAABB, nameof(worldAABB));

@@ -74,7 +74,7 @@ internal static unsafe partial class BodyLanes
     public static void GatherState(BodyState* bodies, int* index, out WideVelocity v, out WideDelta d)
     {
 #if NET8_0_OR_GREATER
-        if (Avx.IsSupported)
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
         {
             Halves(bodies, index[0], index[4], out Vector256<float> v0, out Vector256<float> d0);
             Halves(bodies, index[1], index[5], out Vector256<float> v1, out Vector256<float> d1);
@@ -82,13 +82,13 @@ internal static unsafe partial class BodyLanes
             Halves(bodies, index[3], index[7], out Vector256<float> v3, out Vector256<float> d3);
             WideLanes.Transpose(ref v0, ref v1, ref v2, ref v3);
             WideLanes.Transpose(ref d0, ref d1, ref d2, ref d3);
-            v.X = v0;
-            v.Y = v1;
-            v.W = v2;
-            d.X = d0;
-            d.Y = d1;
-            d.Sin = d2;
-            d.Cos = d3;
+            v.X = v0.AsVector();
+            v.Y = v1.AsVector();
+            v.W = v2.AsVector();
+            d.X = d0.AsVector();
+            d.Y = d1.AsVector();
+            d.Sin = d2.AsVector();
+            d.Cos = d3.AsVector();
             return;
         }
 #endif
@@ -125,17 +125,17 @@ internal static unsafe partial class BodyLanes
     public static void Gather(float* records, int* index, out Wide a, out Wide b, out Wide c, out Wide d)
     {
 #if NET8_0_OR_GREATER
-        if (Avx.IsSupported)
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
         {
             Vector256<float> r0 = Pair(records, index[0], index[4]);
             Vector256<float> r1 = Pair(records, index[1], index[5]);
             Vector256<float> r2 = Pair(records, index[2], index[6]);
             Vector256<float> r3 = Pair(records, index[3], index[7]);
             WideLanes.Transpose(ref r0, ref r1, ref r2, ref r3);
-            a = r0;
-            b = r1;
-            c = r2;
-            d = r3;
+            a = r0.AsVector();
+            b = r1.AsVector();
+            c = r2.AsVector();
+            d = r3.AsVector();
             return;
         }
 #endif
@@ -146,7 +146,7 @@ internal static unsafe partial class BodyLanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Gather(float* first, int* indexFirst, float* second, int* indexSecond, out FourColumns a, out FourColumns b)
     {
-        if (MatrixTurn.IsUsed)
+        if (Wide.Count <= MatrixTurn.MostLanes)
         {
             FourColumns turnedA;
             FourColumns turnedB;
@@ -196,7 +196,7 @@ internal static unsafe partial class BodyLanes
     public static void GatherRecords(float* records, int* index, float* target)
     {
 #if NET8_0_OR_GREATER
-        if (Avx.IsSupported)
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
         {
             float* p0 = records + (index[0] * 16);
             float* p1 = records + (index[1] * 16);
@@ -234,14 +234,14 @@ internal static unsafe partial class BodyLanes
     public static void GatherOffset(BodyPose* poses, int* a, int* b, out Wide x, out Wide y)
     {
 #if NET8_0_OR_GREATER
-        if (Avx.IsSupported)
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
         {
             Vector128<float> d01 = Offsets(poses, a, b);
             Vector128<float> d23 = Offsets(poses, a + 2, b + 2);
             Vector128<float> d45 = Offsets(poses, a + 4, b + 4);
             Vector128<float> d67 = Offsets(poses, a + 6, b + 6);
-            x = Vector256.Create(Sse.Shuffle(d01, d23, 0x88), Sse.Shuffle(d45, d67, 0x88));
-            y = Vector256.Create(Sse.Shuffle(d01, d23, 0xDD), Sse.Shuffle(d45, d67, 0xDD));
+            x = Vector256.Create(Sse.Shuffle(d01, d23, 0x88), Sse.Shuffle(d45, d67, 0x88)).AsVector();
+            y = Vector256.Create(Sse.Shuffle(d01, d23, 0xDD), Sse.Shuffle(d45, d67, 0xDD)).AsVector();
             return;
         }
 #endif
@@ -252,21 +252,24 @@ internal static unsafe partial class BodyLanes
     public static void Scatter(float* records, int* index, Wide a, Wide b, Wide c, Wide d)
     {
 #if NET8_0_OR_GREATER
-        if (Avx.IsSupported)
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
         {
-            Vector256<float> r0 = a;
-            Vector256<float> r1 = b;
-            Vector256<float> r2 = c;
-            Vector256<float> r3 = d;
+            Vector256<float> r0 = a.AsVector256();
+            Vector256<float> r1 = b.AsVector256();
+            Vector256<float> r2 = c.AsVector256();
+            Vector256<float> r3 = d.AsVector256();
             WideLanes.Transpose(ref r0, ref r1, ref r2, ref r3);
-            r0.GetLower().Store(Record(records, index[0]));
-            r1.GetLower().Store(Record(records, index[1]));
-            r2.GetLower().Store(Record(records, index[2]));
-            r3.GetLower().Store(Record(records, index[3]));
-            Sse.Store(Record(records, index[4]), Avx.ExtractVector128(r0, 1));
-            Sse.Store(Record(records, index[5]), Avx.ExtractVector128(r1, 1));
-            Sse.Store(Record(records, index[6]), Avx.ExtractVector128(r2, 1));
-            Sse.Store(Record(records, index[7]), Avx.ExtractVector128(r3, 1));
+
+            // An index is never negative; unsigned it needs no widening, which would be an instruction for each record and pass.
+            var states = (BodyState*)records;
+            *(Vector128<float>*)(states + (uint)index[0]) = r0.GetLower();
+            *(Vector128<float>*)(states + (uint)index[1]) = r1.GetLower();
+            *(Vector128<float>*)(states + (uint)index[2]) = r2.GetLower();
+            *(Vector128<float>*)(states + (uint)index[3]) = r3.GetLower();
+            *(Vector128<float>*)(states + (uint)index[4]) = r0.GetUpper();
+            *(Vector128<float>*)(states + (uint)index[5]) = r1.GetUpper();
+            *(Vector128<float>*)(states + (uint)index[6]) = r2.GetUpper();
+            *(Vector128<float>*)(states + (uint)index[7]) = r3.GetUpper();
             return;
         }
 #endif
@@ -308,11 +311,11 @@ internal static unsafe partial class BodyLanes
     private static void ScatterSome(BodyState* bodies, int* index, in WideVelocity v, int lanes)
     {
 #if NET8_0_OR_GREATER
-        if (Avx.IsSupported)
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
         {
-            Vector256<float> r0 = v.X;
-            Vector256<float> r1 = v.Y;
-            Vector256<float> r2 = v.W;
+            Vector256<float> r0 = v.X.AsVector256();
+            Vector256<float> r1 = v.Y.AsVector256();
+            Vector256<float> r2 = v.W.AsVector256();
             Vector256<float> r3 = Vector256<float>.Zero;
             WideLanes.Transpose(ref r0, ref r1, ref r2, ref r3);
             StoreSome(bodies, index, lanes, r0.GetLower(), r1.GetLower(), r2.GetLower(), r3.GetLower());
@@ -360,19 +363,15 @@ internal static unsafe partial class BodyLanes
     }
 
 #if NET8_0_OR_GREATER
-    // An index is never negative; unsigned it needs no widening, which would be an instruction for each record and pass.
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static float* Record(void* records, int index) => (float*)((byte*)records + ((ulong)(uint)index << 5));
-
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<float> Pair(float* records, int low, int high) =>
-        Vector256.Create(Vector128.Load(Record(records, low)), Vector128.Load(Record(records, high)));
+        Vector256.Create(*(Vector128<float>*)((BodyState*)records + (uint)low), *(Vector128<float>*)((BodyState*)records + (uint)high));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Halves(BodyState* bodies, int low, int high, out Vector256<float> first, out Vector256<float> second)
     {
-        Vector256<float> a = Vector256.Load(Record(bodies, low));
-        Vector256<float> b = Vector256.Load(Record(bodies, high));
+        Vector256<float> a = *(Vector256<float>*)(bodies + (uint)low);
+        Vector256<float> b = *(Vector256<float>*)(bodies + (uint)high);
         first = Avx.Permute2x128(a, b, 0x20);
         second = Avx.Permute2x128(a, b, 0x31);
     }
@@ -383,22 +382,22 @@ internal static unsafe partial class BodyLanes
     {
         if ((lanes & 1) != 0)
         {
-            r0.Store(Record(bodies, index[0]));
+            *(Vector128<float>*)(bodies + (uint)index[0]) = r0;
         }
 
         if ((lanes & 2) != 0)
         {
-            r1.Store(Record(bodies, index[1]));
+            *(Vector128<float>*)(bodies + (uint)index[1]) = r1;
         }
 
         if ((lanes & 4) != 0)
         {
-            r2.Store(Record(bodies, index[2]));
+            *(Vector128<float>*)(bodies + (uint)index[2]) = r2;
         }
 
         if ((lanes & 8) != 0)
         {
-            r3.Store(Record(bodies, index[3]));
+            *(Vector128<float>*)(bodies + (uint)index[3]) = r3;
         }
     }
 

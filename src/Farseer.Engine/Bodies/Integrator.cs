@@ -82,7 +82,7 @@ internal static unsafe class Integrator
     private static void GatherMotion(
         BodyState* states, float* motion, int* index, out WideVelocity v, out WideDelta d, out FourColumns start, out FourColumns change)
     {
-        if (MatrixTurn.IsUsed)
+        if (Wide.Count <= MatrixTurn.MostLanes)
         {
             BodyLanes.Gather((float*)states, (float*)states + 4, motion, motion + 4, index, out FourColumns speed, out FourColumns moved, out start, out change);
             v = BodyLanes.AsVelocity(speed);

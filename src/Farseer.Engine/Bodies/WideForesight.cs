@@ -1,8 +1,5 @@
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Numerics;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.Bodies;
 

@@ -1,7 +1,3 @@
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
-
 namespace Farseer.Engine.Bodies;
 
 /// <summary>Velocities of the bodies of a bundle, one per lane.</summary>

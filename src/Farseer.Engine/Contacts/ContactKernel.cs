@@ -1,6 +1,3 @@
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 using System;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
@@ -25,7 +22,7 @@ internal static unsafe class ContactKernel
         where TScatter : struct, IVelocityScatter
         where TPoints : struct, IContactPoints
     {
-        if (MatrixTurn.IsUsed)
+        if (Wide.Count <= MatrixTurn.MostLanes)
         {
             WarmStartTurned<TScatter, TPoints>(rows, bodies, c);
             return;

@@ -1,6 +1,3 @@
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Numerics;
@@ -408,7 +405,7 @@ internal static unsafe class ContactStages
     private static ContactMoved* Turn(ContactBundle** some, int count, ContactWork* work, BodyState* bodies)
     {
         ContactMoved* moved = ContactWork.Moved(work);
-        if (MatrixTurn.IsUsed)
+        if (Wide.Count <= MatrixTurn.MostLanes)
         {
             for (int i = 0; i < count; i++)
             {
@@ -425,7 +422,7 @@ internal static unsafe class ContactStages
     internal static void GatherMoved(
         ContactBundle* row, int lane, ContactMoved* moved, BodyState* bodies, out WideDelta movedA, out WideDelta movedB)
     {
-        if (MatrixTurn.IsUsed)
+        if (Wide.Count <= MatrixTurn.MostLanes)
         {
             movedA = Delta(moved->AX + lane);
             movedB = Delta(moved->BX + lane);
@@ -451,7 +448,7 @@ internal static unsafe class ContactStages
     private static void Gather(
         ContactBundle* row, int lane, ContactWork* work, ContactMoved* moved, BodyState* bodies, out WideDelta movedA, out WideDelta movedB)
     {
-        if (MatrixTurn.IsUsed)
+        if (Wide.Count <= MatrixTurn.MostLanes)
         {
             movedA = Delta(moved->AX + lane);
             movedB = Delta(moved->BX + lane);

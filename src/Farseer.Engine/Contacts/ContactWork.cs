@@ -1,6 +1,3 @@
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
@@ -104,7 +101,7 @@ internal unsafe struct ContactWork
     }
 }
 
-/// <summary>What the bodies of a bundle have moved: used only where <see cref="Numerics.MatrixTurn.IsUsed"/>.</summary>
+/// <summary>What the bodies of a bundle have moved: used only where vectors have no more than <see cref="Numerics.MatrixTurn.MostLanes"/>.</summary>
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct ContactMoved
 {

@@ -3,9 +3,6 @@ using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Numerics;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.Contacts;
 

@@ -2,9 +2,6 @@ using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Numerics;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.Contacts;
 
@@ -38,7 +35,7 @@ internal static unsafe class PairStage
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
             BodyPose* poses = input.Bodies.Pose.Pointer;
-            if (MatrixTurn.IsUsed)
+            if (Wide.Count <= MatrixTurn.MostLanes)
             {
                 BodyTurning.StoreOffsets(poses, row->BodyA + lane, row->BodyB + lane, pairs->OffsetX + lane, pairs->OffsetY + lane);
             }
@@ -47,7 +44,7 @@ internal static unsafe class PairStage
             BodyLanes.GatherRecords(sides, row->PieceB + lane, (float*)&pairs->B + lane);
             Wide x;
             Wide y;
-            if (MatrixTurn.IsUsed)
+            if (Wide.Count <= MatrixTurn.MostLanes)
             {
                 x = Wide.Load(pairs->OffsetX + lane);
                 y = Wide.Load(pairs->OffsetY + lane);

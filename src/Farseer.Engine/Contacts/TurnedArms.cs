@@ -1,6 +1,3 @@
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Numerics;

@@ -5,9 +5,6 @@ using Farseer.Engine.Graph;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.Islands;
 

@@ -29,7 +29,7 @@ internal unsafe struct FeaturePoints
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Turn(FeaturePoints* points, HullPairLanes* hulls, int lane, Vector2* vertices, Vector2* normals)
     {
-        if (MatrixTurn.IsUsed)
+        if (Wide.Count <= MatrixTurn.MostLanes)
         {
             Turn(&points->Edge, vertices, hulls->Edge.Place + lane);
             Turn(&points->EdgeNormal, normals, hulls->Edge.Place + lane);
@@ -45,7 +45,7 @@ internal unsafe struct FeaturePoints
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Read(WidePoint* turned, Vector2* pool, int* place, out Wide x, out Wide y)
     {
-        if (MatrixTurn.IsUsed)
+        if (Wide.Count <= MatrixTurn.MostLanes)
         {
             x = turned->X;
             y = turned->Y;

@@ -58,19 +58,22 @@ internal unsafe struct HullLanes
     public static void Name(HullLanes* hulls, int lanes, int* pieces, int* packed)
     {
 #if NET8_0_OR_GREATER
-        Vector256<int> all = WideLanes.Mask(lanes).AsInt32() & Vector256.Create(
-            packed[pieces[0]], packed[pieces[1]], packed[pieces[2]], packed[pieces[3]],
-            packed[pieces[4]], packed[pieces[5]], packed[pieces[6]], packed[pieces[7]]);
-        (all >>> CornerBits).Store(hulls->Start);
-        (all & Vector256.Create(MostCorners - 1)).Store(hulls->Last);
-#else
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
+        {
+            Vector256<int> all = WideLanes.Mask(lanes).AsVector256() & Vector256.Create(
+                packed[pieces[0]], packed[pieces[1]], packed[pieces[2]], packed[pieces[3]],
+                packed[pieces[4]], packed[pieces[5]], packed[pieces[6]], packed[pieces[7]]);
+            (all >>> CornerBits).Store(hulls->Start);
+            (all & Vector256.Create(MostCorners - 1)).Store(hulls->Last);
+            return;
+        }
+#endif
         for (int lane = 0; lane < Lanes; lane++)
         {
             int one = packed[pieces[lane]] & -((lanes >> lane) & 1);
             hulls->Start[lane] = one >> CornerBits;
             hulls->Last[lane] = one & (MostCorners - 1);
         }
-#endif
     }
 
     /// <summary>Reads the corners of all lanes from the pools.</summary>
@@ -81,36 +84,35 @@ internal unsafe struct HullLanes
     [MethodImpl(KernelMethod.Optimized)]
     public static void Gather(HullLanes* hulls, int most, Vector2* vertices, Vector2* normals)
     {
-        int corner = 0;
-#if NET8_0_OR_GREATER
-        Vector256<int> starts = Vector256.Load(hulls->Start);
-        if (Vector256.EqualsAll(starts, Vector256.Create(hulls->Start[0])) && Vector256.EqualsAll(Vector256.Load(hulls->Last), Vector256.Create(most)))
+        int corner = ShapeStore.ReadAtOnce;
+        if (AreEqual(hulls, most))
         {
             Spread(hulls, vertices + hulls->Start[0], normals + hulls->Start[0], most);
             return;
         }
 
-        if (Avx.IsSupported)
+#if NET8_0_OR_GREATER
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
         {
             Vector256<int> last = Vector256.Load(hulls->Last);
             WidePoints.GatherFour(vertices, hulls->Start, last, hulls->VertexX, hulls->VertexY);
             WidePoints.GatherFour(normals, hulls->Start, last, hulls->NormalX, hulls->NormalY);
-            corner = ShapeStore.ReadAtOnce;
         }
-#else
-        WidePoints.TurnFour(vertices, hulls->Start, hulls->VertexX, hulls->VertexY);
-        WidePoints.TurnFour(normals, hulls->Start, hulls->NormalX, hulls->NormalY);
-        for (int lane = 0; lane < Lanes; lane += Wide.Count)
+        else
+#endif
         {
-            Vector<int> last = Unsafe.ReadUnaligned<Vector<int>>(hulls->Last + lane);
-            WidePoints.RepeatLast(last, hulls->VertexX + lane);
-            WidePoints.RepeatLast(last, hulls->VertexY + lane);
-            WidePoints.RepeatLast(last, hulls->NormalX + lane);
-            WidePoints.RepeatLast(last, hulls->NormalY + lane);
+            WidePoints.TurnFour(vertices, hulls->Start, hulls->VertexX, hulls->VertexY);
+            WidePoints.TurnFour(normals, hulls->Start, hulls->NormalX, hulls->NormalY);
+            for (int lane = 0; lane < Lanes; lane += Wide.Count)
+            {
+                Vector<int> last = Read(hulls->Last + lane);
+                WidePoints.RepeatLast(last, hulls->VertexX + lane);
+                WidePoints.RepeatLast(last, hulls->VertexY + lane);
+                WidePoints.RepeatLast(last, hulls->NormalX + lane);
+                WidePoints.RepeatLast(last, hulls->NormalY + lane);
+            }
         }
 
-        corner = ShapeStore.ReadAtOnce;
-#endif
         int* index = stackalloc int[Lanes];
         for (; corner <= most; corner++)
         {
@@ -128,34 +130,55 @@ internal unsafe struct HullLanes
         }
     }
 
-#if NET8_0_OR_GREATER
+    /// <summary>All lanes have one hull, of as many corners as are to be read.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool AreEqual(HullLanes* hulls, int most)
+    {
+        var start = new Vector<int>(hulls->Start[0]);
+        var last = new Vector<int>(most);
+        for (int lane = 0; lane < Lanes; lane += Wide.Count)
+        {
+            if (!Vector.EqualsAll(Read(hulls->Start + lane), start) || !Vector.EqualsAll(Read(hulls->Last + lane), last))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
     /// <summary>Equal pieces share their corners: those of a heap of one kind are read once for all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Spread(HullLanes* hulls, Vector2* vertices, Vector2* normals, int last)
     {
         for (int i = 0; i <= last; i++)
         {
-            int at = i * LineLanes;
-            Vector256.Create(vertices[i].X).Store(hulls->VertexX + at);
-            Vector256.Create(vertices[i].Y).Store(hulls->VertexY + at);
-            Vector256.Create(normals[i].X).Store(hulls->NormalX + at);
-            Vector256.Create(normals[i].Y).Store(hulls->NormalY + at);
+            var x = new Wide(vertices[i].X);
+            var y = new Wide(vertices[i].Y);
+            var normalX = new Wide(normals[i].X);
+            var normalY = new Wide(normals[i].Y);
+            for (int lane = 0; lane < Lanes; lane += Wide.Count)
+            {
+                int at = (i * LineLanes) + lane;
+                x.Store(hulls->VertexX + at);
+                y.Store(hulls->VertexY + at);
+                normalX.Store(hulls->NormalX + at);
+                normalY.Store(hulls->NormalY + at);
+            }
         }
     }
-#endif
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Place(HullLanes* hulls, int corner, int* index)
     {
-#if NET8_0_OR_GREATER
-        (Vector256.Load(hulls->Start) + Vector256.Min(Vector256.Load(hulls->Last), Vector256.Create(corner))).Store(index);
-#else
-        for (int lane = 0; lane < Lanes; lane++)
+        for (int lane = 0; lane < Lanes; lane += Wide.Count)
         {
-            index[lane] = hulls->Start[lane] + (corner < hulls->Last[lane] ? corner : hulls->Last[lane]);
+            Unsafe.WriteUnaligned(index + lane, Read(hulls->Start + lane) + Vector.Min(Read(hulls->Last + lane), new Vector<int>(corner)));
         }
-#endif
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector<int> Read(int* source) => Unsafe.ReadUnaligned<Vector<int>>(source);
 }
 
 /// <summary>The best separating axis of each lane among the edges of one side, as <see cref="AxisQuery"/>.</summary>

@@ -1,8 +1,6 @@
+using System.Numerics;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Numerics;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.NarrowPhase;
 

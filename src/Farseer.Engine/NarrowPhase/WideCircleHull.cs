@@ -1,9 +1,6 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Numerics;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.NarrowPhase;
 
@@ -123,29 +120,17 @@ internal static unsafe class WideCircleHull
         return best;
     }
 
-#if NET8_0_OR_GREATER
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void FindEnds(HullPairLanes* hulls, int first)
     {
-        for (int lane = first; lane < first + Wide.Count; lane += Vector256<int>.Count)
+        for (int lane = first; lane < first + Wide.Count; lane += Vector<int>.Count)
         {
-            Vector256<int> edge = Vector256.ConvertToInt32(Vector256.Load(hulls->FromA.Edge + lane)) & Vector256.Load(hulls->Active + lane);
-            Vector256<int> start = Vector256.Load(hulls->A.Start + lane);
-            Vector256<int> isLast = Vector256.Equals(edge, Vector256.Load(hulls->A.Last + lane));
-            (start + edge).Store(hulls->Edge.Place + lane);
-            (start + Vector256.AndNot(edge + Vector256<int>.One, isLast)).Store(hulls->End.Place + lane);
+            Vector<int> active = Unsafe.ReadUnaligned<Vector<int>>(hulls->Active + lane);
+            Vector<int> edge = Vector.ConvertToInt32(Unsafe.ReadUnaligned<Vector<float>>(hulls->FromA.Edge + lane)) & active;
+            Vector<int> start = Unsafe.ReadUnaligned<Vector<int>>(hulls->A.Start + lane);
+            Vector<int> isLast = Vector.Equals(edge, Unsafe.ReadUnaligned<Vector<int>>(hulls->A.Last + lane));
+            Unsafe.WriteUnaligned(hulls->Edge.Place + lane, start + edge);
+            Unsafe.WriteUnaligned(hulls->End.Place + lane, start + Vector.AndNot(edge + Vector<int>.One, isLast));
         }
     }
-#else
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void FindEnds(HullPairLanes* hulls, int first)
-    {
-        Vector<int> active = Unsafe.ReadUnaligned<Vector<int>>(hulls->Active + first);
-        Vector<int> edge = Vector.ConvertToInt32(Wide.Load(hulls->FromA.Edge + first)) & active;
-        Vector<int> start = Unsafe.ReadUnaligned<Vector<int>>(hulls->A.Start + first);
-        Vector<int> isLast = Vector.Equals(edge, Unsafe.ReadUnaligned<Vector<int>>(hulls->A.Last + first));
-        Unsafe.WriteUnaligned(hulls->Edge.Place + first, start + edge);
-        Unsafe.WriteUnaligned(hulls->End.Place + first, start + Vector.AndNot(edge + Vector<int>.One, isLast));
-    }
-#endif
 }

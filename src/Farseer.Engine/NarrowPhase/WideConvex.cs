@@ -1,9 +1,6 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Numerics;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.NarrowPhase;
 
@@ -118,49 +115,10 @@ internal static unsafe class WideConvex
         WideLanes.Replace(named, owner, pairs->GapOwner + lane);
     }
 
-#if NET8_0_OR_GREATER
     /// <summary>Looks up where the features lie that the contact can be made of.</summary>
     private static void FindFeatures(HullPairLanes* hulls)
     {
-        for (int lane = 0; lane < WideLanes.BundleLanes; lane += Vector256<int>.Count)
-        {
-            Vector256<int> turned = Vector256.Load(hulls->Flipped + lane);
-            Vector256<int> counts = Vector256.Load(hulls->Active + lane);
-            Vector256<int> startA = Vector256.Load(hulls->A.Start + lane);
-            Vector256<int> startB = Vector256.Load(hulls->B.Start + lane);
-            Vector256<int> lastA = Vector256.Load(hulls->A.Last + lane);
-            Vector256<int> lastB = Vector256.Load(hulls->B.Last + lane);
-            Vector256<int> edge = Pick(turned, hulls->FromB.Edge + lane, hulls->FromA.Edge + lane) & counts;
-            Vector256<int> support = Pick(turned, hulls->FromB.Support + lane, hulls->FromA.Support + lane) & counts;
-            Vector256<int> start = Vector256.ConditionalSelect(turned, startB, startA);
-            Vector256<int> last = Vector256.ConditionalSelect(turned, lastB, lastA);
-            Set(&hulls->Edge, lane, start, edge, turned);
-            Set(&hulls->End, lane, start, Vector256.AndNot(edge + Vector256<int>.One, Vector256.Equals(edge, last)), turned);
-            start = Vector256.ConditionalSelect(turned, startA, startB);
-            last = Vector256.ConditionalSelect(turned, lastA, lastB);
-            Vector256<int> first = Vector256.Equals(support, Vector256<int>.Zero);
-            Set(&hulls->Before, lane, start, Vector256.ConditionalSelect(first, last, support - Vector256<int>.One), ~turned);
-            Set(&hulls->Support, lane, start, support, ~turned);
-            Set(&hulls->After, lane, start, Vector256.AndNot(support + Vector256<int>.One, Vector256.Equals(support, last)), ~turned);
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<int> Pick(Vector256<int> turned, float* fromB, float* fromA) =>
-        Vector256.ConvertToInt32(Vector256.ConditionalSelect(turned.AsSingle(), Vector256.Load(fromB), Vector256.Load(fromA)));
-
-    // A name is EdgeContact.Id, of which each feature gives its half: that of B's the lower.
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Set(FeatureLanes* feature, int lane, Vector256<int> start, Vector256<int> number, Vector256<int> ofB)
-    {
-        (start + number).Store(feature->Place + lane);
-        (Vector256.ConditionalSelect(ofB, number << 1, number << 16) | Vector256<int>.One).Store(feature->Name + lane);
-    }
-#else
-    /// <summary>Looks up where the features lie that the contact can be made of.</summary>
-    private static void FindFeatures(HullPairLanes* hulls)
-    {
-        for (int lane = 0; lane < WideLanes.BundleLanes; lane += Wide.Count)
+        for (int lane = 0; lane < WideLanes.BundleLanes; lane += Vector<int>.Count)
         {
             Vector<int> turned = Load(hulls->Flipped + lane);
             Vector<int> counts = Load(hulls->Active + lane);
@@ -188,17 +146,21 @@ internal static unsafe class WideConvex
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector<int> Pick(Vector<int> turned, float* fromB, float* fromA) =>
-        Vector.ConvertToInt32(Wide.Select(turned, Wide.Load(fromB), Wide.Load(fromA)));
+        Vector.ConvertToInt32(
+            Vector.ConditionalSelect(turned, Unsafe.ReadUnaligned<Vector<float>>(fromB), Unsafe.ReadUnaligned<Vector<float>>(fromA)));
 
-    // A name is EdgeContact.Id, of which each feature gives its half: that of B's the lower. There are no shifts.
+    // A name is EdgeContact.Id, of which each feature gives its half: that of B's the lower.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Set(FeatureLanes* feature, int lane, Vector<int> start, Vector<int> number, Vector<int> ofB)
     {
-        Vector<int> name = (number * Vector.ConditionalSelect(ofB, new Vector<int>(1 << 1), new Vector<int>(1 << 16))) | Vector<int>.One;
-        Unsafe.WriteUnaligned(feature->Place + lane, start + number);
-        Unsafe.WriteUnaligned(feature->Name + lane, name);
-    }
+#if NET8_0_OR_GREATER
+        Vector<int> name = Vector.ConditionalSelect(ofB, number << 1, number << 16);
+#else
+        Vector<int> name = number * Vector.ConditionalSelect(ofB, new Vector<int>(1 << 1), new Vector<int>(1 << 16));
 #endif
+        Unsafe.WriteUnaligned(feature->Place + lane, start + number);
+        Unsafe.WriteUnaligned(feature->Name + lane, name | Vector<int>.One);
+    }
 
     [MethodImpl(KernelMethod.Optimized)]
     private static void Build(PairLanes* pairs, int lane, Vector2* vertices, Vector2* normals)

@@ -1,7 +1,4 @@
 using System;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.Numerics;
 

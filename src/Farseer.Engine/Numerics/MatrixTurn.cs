@@ -1,8 +1,5 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics.X86;
-#endif
 
 namespace Farseer.Engine.Numerics;
 
@@ -13,12 +10,11 @@ namespace Farseer.Engine.Numerics;
 /// </summary>
 internal static unsafe class MatrixTurn
 {
+    /// <summary>Vectors of no more lanes than that are filled by turning, for want of something better. (A constant, as the length of vectors is to the compiler: of two ways it looks at one.)</summary>
 #if NET8_0_OR_GREATER
-    /// <summary>Nothing better is at hand.</summary>
-    public static bool IsUsed => !Avx.IsSupported;
+    public const int MostLanes = 4;
 #else
-    /// <summary>Nothing better is at hand.</summary>
-    public static bool IsUsed => true;
+    public const int MostLanes = 8;
 #endif
 
     /// <summary>Records that a matrix holds.</summary>

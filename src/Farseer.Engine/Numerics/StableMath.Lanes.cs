@@ -1,9 +1,8 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
-#else
-using System.Numerics;
 #endif
 
 namespace Farseer.Engine.Numerics;
@@ -23,64 +22,43 @@ internal static unsafe partial class StableMath
     public static void SinCos(double* angles, float* sin, float* cos)
     {
 #if NET8_0_OR_GREATER
-        if (Avx.IsSupported)
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
         {
             // One by one: a load of all four would wait until each has been stored.
-            Vector256<double> angle = Vector256.Create(angles[0], angles[1], angles[2], angles[3]);
-            if (SinCosDirect(angle, out Vector256<double> s, out Vector256<double> c))
+            WideDouble angle = Vector256.Create(angles[0], angles[1], angles[2], angles[3]).AsVector();
+            if (SinCosDirect(angle, out WideDouble s, out WideDouble c))
             {
-                Avx.ConvertToVector128Single(s).Store(sin);
-                Avx.ConvertToVector128Single(c).Store(cos);
+                Avx.ConvertToVector128Single(s.AsVector256()).Store(sin);
+                Avx.ConvertToVector128Single(c.AsVector256()).Store(cos);
                 return;
             }
         }
-
-        for (int i = 0; i < Lanes; i++)
-        {
-            SinCos(angles[i], out double s, out double c);
-            sin[i] = (float)s;
-            cos[i] = (float)c;
-        }
-#else
+#endif
         double* exact = stackalloc double[2 * Lanes];
-        SinCos(angles, exact, exact + Lanes);
+        SinCos(angles[0], angles[1], angles[2], angles[3], exact, exact + Lanes);
         for (int i = 0; i < Lanes; i++)
         {
             sin[i] = (float)exact[i];
             cos[i] = (float)exact[i + Lanes];
         }
-#endif
     }
 
     /// <summary>The same, not rounded; the angles may be any.</summary>
     public static void SinCos(double* angles, double* sin, double* cos)
     {
-#if NET8_0_OR_GREATER
-        if (Avx.IsSupported)
+        int i = 0;
+        for (; i < Lanes; i += WideDouble.Count)
         {
-            Vector256<double> angle = Vector256.Load(angles);
-            if (SinCosDirect(angle, out Vector256<double> s, out Vector256<double> c))
+            if (!SinCosDirect(WideDouble.Load(angles + i), out WideDouble s, out WideDouble c))
             {
-                s.Store(sin);
-                c.Store(cos);
-                return;
+                break;
             }
-        }
-#else
-        bool isDirect = true;
-        for (int i = 0; i < Lanes; i += WideDouble.Count)
-        {
-            isDirect &= SinCosDirect(WideDouble.Load(angles + i), out WideDouble s, out WideDouble c);
+
             s.Store(sin + i);
             c.Store(cos + i);
         }
 
-        if (isDirect)
-        {
-            return;
-        }
-#endif
-        for (int i = 0; i < Lanes; i++)
+        for (; i < Lanes; i++)
         {
             SinCos(angles[i], out sin[i], out cos[i]);
         }
@@ -90,12 +68,27 @@ internal static unsafe partial class StableMath
     public static void SinCos(double angle0, double angle1, double angle2, double angle3, double* sin, double* cos)
     {
 #if NET8_0_OR_GREATER
-        if (Avx.IsSupported
-            && SinCosDirect(Vector256.Create(angle0, angle1, angle2, angle3), out Vector256<double> s, out Vector256<double> c))
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
         {
+            if (SinCosDirect(Vector256.Create(angle0, angle1, angle2, angle3).AsVector(), out WideDouble s, out WideDouble c))
+            {
+                s.Store(sin);
+                c.Store(cos);
+                return;
+            }
+        }
+        else
+        {
+            bool areDirect = SinCosDirect(Vector128.Create(angle0, angle1).AsVector(), out WideDouble s, out WideDouble c);
             s.Store(sin);
             c.Store(cos);
-            return;
+            areDirect &= SinCosDirect(Vector128.Create(angle2, angle3).AsVector(), out s, out c);
+            s.Store(sin + 2);
+            c.Store(cos + 2);
+            if (areDirect)
+            {
+                return;
+            }
         }
 #endif
         SinCos(angle0, out sin[0], out cos[0]);
@@ -149,19 +142,6 @@ internal static unsafe partial class StableMath
         cos = WideDouble.Select(odd, s, c) ^ cosSign;
     }
 
-#if NET8_0_OR_GREATER
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool AreWithin(WideDouble size, double limit) => Vector256.LessThanOrEqualAll(size, Vector256.Create(limit));
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Quadrants(WideDouble shifted, out WideDoubleMask odd, out WideDouble sinSign, out WideDouble cosSign)
-    {
-        Vector256<long> quadrant = shifted.AsInt64();
-        odd = (Vector256<long>.Zero - (quadrant & Vector256<long>.One)).AsDouble();
-        sinSign = ((quadrant & Vector256.Create(2L)) << 62).AsDouble();
-        cosSign = (((quadrant + Vector256<long>.One) & Vector256.Create(2L)) << 62).AsDouble();
-    }
-#else
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool AreWithin(WideDouble size, double limit) => Vector.LessThanOrEqualAll(size, new WideDouble(limit));
 
@@ -175,7 +155,6 @@ internal static unsafe partial class StableMath
         sinSign = Vector.AsVectorDouble(Vector.Equals(quadrant & two, two) & sign);
         cosSign = Vector.AsVectorDouble(Vector.Equals((quadrant + Vector<long>.One) & two, two) & sign);
     }
-#endif
 
     /// <summary>The same bits for angles of the first quadrant, of which nothing is to be taken away and nothing left over.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,16 +1,13 @@
-#if NET8_0_OR_GREATER
-global using Wide = System.Runtime.Intrinsics.Vector256<float>;
-global using WideMask = System.Runtime.Intrinsics.Vector256<float>;
-using System.Runtime.Intrinsics;
-using System.Runtime.Intrinsics.X86;
-#else
 global using Wide = System.Numerics.Vector<float>;
 global using WideMask = System.Numerics.Vector<int>;
 using System;
 using System.Numerics;
-using System.Runtime.InteropServices;
-#endif
 using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+#endif
 
 namespace Farseer.Engine.Numerics;
 
@@ -26,6 +23,18 @@ internal static unsafe class WideLanes
     /// <summary>Lanes of a stored bundle, the same everywhere so that the state has one layout.</summary>
     public const int BundleLanes = 8;
 
+    /// <summary>Vectors longer than a bundle would reach into the next one.</summary>
+    /// <exception cref="PlatformNotSupportedException">They are: the runtime makes them so only if it is told to.</exception>
+    public static void RequireFit()
+    {
+        if (Wide.Count > BundleLanes)
+        {
+            throw new PlatformNotSupportedException(
+                $"Vector<float> has {Wide.Count} lanes in this process, and Farseer computes with at most {BundleLanes} of them: leave DOTNET_MaxVectorTBitWidth unset, or set it to {BundleLanes * 32}. "
+                + "(Where processors have AVX-512, long passes take sixteen lanes all the same.)");
+        }
+    }
+
     /// <summary>Every lane set.</summary>
     public static WideMask AllSet => ~WideMask.Zero;
 
@@ -33,61 +42,31 @@ internal static unsafe class WideLanes
     {
 #if NET8_0_OR_GREATER
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Splat(float value) => Vector256.Create(value);
+        public static Wide Splat(float value) => Wide.Count == BundleLanes ? Vector256.Create(value).AsVector() : Vector128.Create(value).AsVector();
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Load(float* source) => Vector256.Load(source);
+        public static Wide Load(float* source) => *(Wide*)source;
 
         /// <summary>a &gt; b ? a : b, in every lane and on every processor.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Max(Wide a, Wide b) => Avx.IsSupported
-            ? Avx.Max(a, b)
-            : Vector256.ConditionalSelect(Vector256.GreaterThan(a, b), a, b);
+        public static Wide Max(Wide a, Wide b) => Avx2.IsSupported && Wide.Count == BundleLanes
+            ? Avx.Max(a.AsVector256(), b.AsVector256()).AsVector()
+            : Vector.ConditionalSelect(Vector.GreaterThan(a, b), a, b);
 
         /// <summary>a &lt; b ? a : b, in every lane and on every processor.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Min(Wide a, Wide b) => Avx.IsSupported
-            ? Avx.Min(a, b)
-            : Vector256.ConditionalSelect(Vector256.LessThan(a, b), a, b);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Sqrt(Wide a) => Vector256.Sqrt(a);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Abs(Wide a) => Vector256.Abs(a);
+        public static Wide Min(Wide a, Wide b) => Avx2.IsSupported && Wide.Count == BundleLanes
+            ? Avx.Min(a.AsVector256(), b.AsVector256()).AsVector()
+            : Vector.ConditionalSelect(Vector.LessThan(a, b), a, b);
 
         /// <summary>
         /// Where the mask is set <paramref name="a"/>, elsewhere <paramref name="b"/>. Of a mask that is not itself a comparison the compiler does not know that
         /// lanes are set or not as a whole, and takes three instructions where AVX-512 has one for it; a blend is one as well.
         /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Select(WideMask mask, Wide a, Wide b) => Avx.IsSupported && !Avx512F.VL.IsSupported
-            ? Avx.BlendVariable(b, a, mask)
-            : Vector256.ConditionalSelect(mask, a, b);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideMask operator >(Wide a, Wide b) => Vector256.GreaterThan(a, b);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideMask operator <(Wide a, Wide b) => Vector256.LessThan(a, b);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideMask operator >=(Wide a, Wide b) => Vector256.GreaterThanOrEqual(a, b);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideMask operator <=(Wide a, Wide b) => Vector256.LessThanOrEqual(a, b);
-
-        /// <summary>Lanes whose bits are those of the integer.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide FromBits(int bits) => Vector256.Create(bits).AsSingle();
-
-        /// <summary>Where both have the same bits, whatever number these stand for.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideMask SameBits(Wide a, Wide b) => Vector256.Equals(a.AsInt32(), b.AsInt32()).AsSingle();
-
-        /// <summary>Where the mask is set <paramref name="a"/>, elsewhere 0.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Keep(WideMask mask, Wide a) => mask & a;
+        public static Wide Select(WideMask mask, Wide a, Wide b) => Avx2.IsSupported && Wide.Count == BundleLanes && !Avx512F.VL.IsSupported
+            ? Avx.BlendVariable(b.AsVector256(), a.AsVector256(), mask.AsVector256().AsSingle()).AsVector()
+            : Vector.ConditionalSelect(mask, a, b);
 #else
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Splat(float value) => new Wide(value);
@@ -103,15 +82,16 @@ internal static unsafe class WideLanes
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Min(Wide a, Wide b) => Vector.ConditionalSelect(Vector.LessThan(a, b), a, b);
 
+        /// <summary>Where the mask is set <paramref name="a"/>, elsewhere <paramref name="b"/>.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Wide Select(WideMask mask, Wide a, Wide b) => Vector.ConditionalSelect(mask, a, b);
+#endif
+
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Sqrt(Wide a) => Vector.SquareRoot(a);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Abs(Wide a) => Vector.Abs(a);
-
-        /// <summary>Where the mask is set <paramref name="a"/>, elsewhere <paramref name="b"/>.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Select(WideMask mask, Wide a, Wide b) => Vector.ConditionalSelect(mask, a, b);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static WideMask operator >(Wide a, Wide b) => Vector.GreaterThan(a, b);
@@ -136,7 +116,6 @@ internal static unsafe class WideLanes
         /// <summary>Where the mask is set <paramref name="a"/>, elsewhere 0.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Keep(WideMask mask, Wide a) => Vector.AsVectorSingle(mask) & a;
-#endif
     }
 
     /// <summary>Where all of <paramref name="bits"/> are set in <paramref name="value"/>, both taken as bits.</summary>
@@ -155,15 +134,33 @@ internal static unsafe class WideLanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Replace(WideMask mask, Wide value, float* target) => Wide.Select(mask, value, Wide.Load(target)).Store(target);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
 #if NET8_0_OR_GREATER
+    public static void Store(this Wide value, float* target) => *(Wide*)target = value;
+#else
+    public static void Store(this Wide value, float* target) => Unsafe.WriteUnaligned(target, value);
+#endif
+
     /// <summary>The mask whose lane i is set where bit i is: the reverse of <see cref="Bits(WideMask)"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WideMask Mask(int bits)
     {
-        Vector256<int> each = Vector256.Create(1, 2, 4, 8, 16, 32, 64, 128);
-        return Vector256.Equals(Vector256.Create(bits) & each, each).AsSingle();
+#if NET8_0_OR_GREATER
+        if (Avx2.IsSupported && Wide.Count == BundleLanes)
+        {
+            Vector256<int> eight = Vector256.Create(1, 2, 4, 8, 16, 32, 64, 128);
+            return Vector256.Equals(Vector256.Create(bits) & eight, eight).AsVector();
+        }
+#endif
+        Vector<int> each = Unsafe.ReadUnaligned<Vector<int>>(ref MemoryMarshal.GetReference(EachBytes));
+        return Vector.Equals(new Vector<int>(bits) & each, each);
     }
 
+    // 1, 2, 4 … 128. Bytes, which need no array: they are read where they lie in the assembly.
+    private static ReadOnlySpan<byte> EachBytes =>
+        [1, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 8, 0, 0, 0, 16, 0, 0, 0, 32, 0, 0, 0, 64, 0, 0, 0, 128, 0, 0, 0];
+
+#if NET8_0_OR_GREATER
     /// <summary>Transposes 4x4 blocks in both 128-bit halves; its own inverse.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Transpose(ref Vector256<float> r0, ref Vector256<float> r1, ref Vector256<float> r2, ref Vector256<float> r3)
@@ -180,7 +177,9 @@ internal static unsafe class WideLanes
 
     /// <summary>Bit i is set where lane i of the mask is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Bits(WideMask mask) => (int)Vector256.ExtractMostSignificantBits(mask);
+    public static int Bits(WideMask mask) => (int)(Avx2.IsSupported && Wide.Count == BundleLanes
+        ? mask.AsVector256().ExtractMostSignificantBits()
+        : mask.AsVector128().ExtractMostSignificantBits());
 
     /// <summary>The bits of four masks.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -192,21 +191,6 @@ internal static unsafe class WideLanes
         bitsD = Bits(d);
     }
 #else
-    /// <summary>1, 2, 4 … 128: lane i holds bit i.</summary>
-    private static Vector<int> Each
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Unsafe.ReadUnaligned<Vector<int>>(ref MemoryMarshal.GetReference(EachBytes));
-    }
-
-    // Bytes, which need no array: they are read where they lie in the assembly.
-    private static ReadOnlySpan<byte> EachBytes =>
-        [1, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 8, 0, 0, 0, 16, 0, 0, 0, 32, 0, 0, 0, 64, 0, 0, 0, 128, 0, 0, 0];
-
-    /// <summary>The mask whose lane i is set where bit i is: the reverse of <see cref="Bits(WideMask)"/>.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WideMask Mask(int bits) => Vector.Equals(new Vector<int>(bits) & Each, Each);
-
     /// <summary>Bit i is set where lane i of the mask is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Bits(WideMask mask)
@@ -231,10 +215,5 @@ internal static unsafe class WideLanes
     private static int BitsOf(Vector<sbyte> bytes, int quarter) => WideMask.Count == BundleLanes
         ? (int)(((Vector.AsVectorUInt64(bytes)[quarter] & 0x8040201008040201UL) * 0x0101010101010101UL) >> 56)
         : (int)(((Vector.AsVectorUInt32(bytes)[quarter] & 0x08040201u) * 0x01010101u) >> 24);
-#endif
-
-#if !NET8_0_OR_GREATER
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Store(this Wide value, float* target) => Unsafe.WriteUnaligned(target, value);
 #endif
 }

@@ -2,6 +2,7 @@ using System.Numerics;
 using System.Runtime.CompilerServices;
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
 #else
 using System;
 using System.Runtime.InteropServices;
@@ -28,20 +29,15 @@ internal unsafe struct WideBoxes
     public readonly uint Overlaps(int index, in SpreadBox box)
     {
 #if NET8_0_OR_GREATER
-        Vector256<float> inside = Vector256.LessThanOrEqual(Vector256.Load(MinX + index), box.MaxX)
-            & Vector256.GreaterThanOrEqual(Vector256.Load(MaxX + index), box.MinX)
-            & Vector256.LessThanOrEqual(Vector256.Load(MinY + index), box.MaxY)
-            & Vector256.GreaterThanOrEqual(Vector256.Load(MaxY + index), box.MinY);
-        return inside.ExtractMostSignificantBits();
-#else
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
+        {
+            return (uint)WideLanes.Bits(Inside(index, box));
+        }
+#endif
         uint mask = 0;
         for (int lane = 0; lane < Width; lane += Vector<float>.Count)
         {
-            int i = index + lane;
-            Vector<int> inside = Vector.LessThanOrEqual(Read(MinX + i), box.MaxX)
-                & Vector.GreaterThanOrEqual(Read(MaxX + i), box.MinX)
-                & Vector.LessThanOrEqual(Read(MinY + i), box.MaxY)
-                & Vector.GreaterThanOrEqual(Read(MaxY + i), box.MinY);
+            Vector<int> inside = Inside(index + lane, box);
             if (!inside.Equals(Vector<int>.Zero))
             {
                 mask |= (uint)WideLanes.Bits(inside) << lane;
@@ -49,8 +45,18 @@ internal unsafe struct WideBoxes
         }
 
         return mask & 0xFF;
-#endif
     }
+
+    /// <summary>The same of as many as a vector holds.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly Vector<int> Inside(int index, in SpreadBox box) =>
+        Vector.LessThanOrEqual(Read(MinX + index), box.MaxX)
+        & Vector.GreaterThanOrEqual(Read(MaxX + index), box.MinX)
+        & Vector.LessThanOrEqual(Read(MinY + index), box.MaxY)
+        & Vector.GreaterThanOrEqual(Read(MaxY + index), box.MinY);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector<float> Read(float* from) => Unsafe.ReadUnaligned<Vector<float>>(from);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Set(int index, in Box box)
@@ -101,30 +107,12 @@ internal unsafe struct WideBoxes
 #if !NET8_0_OR_GREATER
     private static ReadOnlySpan<byte> LaneOfRun =>
         [0, 1, 28, 2, 29, 14, 24, 3, 30, 22, 20, 15, 25, 17, 4, 8, 31, 27, 13, 23, 21, 19, 16, 7, 26, 12, 18, 6, 11, 5, 10, 9];
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector<float> Read(float* from) => Unsafe.ReadUnaligned<Vector<float>>(from);
 #endif
 }
 
 /// <summary>One box with every bound in all lanes, made once and tested against many groups of eight.</summary>
 internal readonly struct SpreadBox
 {
-#if NET8_0_OR_GREATER
-    public readonly Vector256<float> MinX;
-    public readonly Vector256<float> MinY;
-    public readonly Vector256<float> MaxX;
-    public readonly Vector256<float> MaxY;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public SpreadBox(in Box box)
-    {
-        MinX = Vector256.Create(box.MinX);
-        MinY = Vector256.Create(box.MinY);
-        MaxX = Vector256.Create(box.MaxX);
-        MaxY = Vector256.Create(box.MaxY);
-    }
-#else
     public readonly Vector<float> MinX;
     public readonly Vector<float> MinY;
     public readonly Vector<float> MaxX;
@@ -138,5 +126,4 @@ internal readonly struct SpreadBox
         MaxX = new Vector<float>(box.MaxX);
         MaxY = new Vector<float>(box.MaxY);
     }
-#endif
 }

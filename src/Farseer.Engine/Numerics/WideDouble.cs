@@ -1,13 +1,11 @@
-#if NET8_0_OR_GREATER
-global using WideDouble = System.Runtime.Intrinsics.Vector256<double>;
-global using WideDoubleMask = System.Runtime.Intrinsics.Vector256<double>;
-using System.Runtime.Intrinsics;
-#else
 global using WideDouble = System.Numerics.Vector<double>;
 global using WideDoubleMask = System.Numerics.Vector<long>;
 using System.Numerics;
-#endif
 using System.Runtime.CompilerServices;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+#endif
 
 namespace Farseer.Engine.Numerics;
 
@@ -24,53 +22,18 @@ internal static unsafe class DoubleLanes
     {
 #if NET8_0_OR_GREATER
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideDouble Splat(double value) => Vector256.Create(value);
+        public static WideDouble Splat(double value) =>
+            WideDouble.Count == BundleLanes ? Vector256.Create(value).AsVector() : Vector128.Create(value).AsVector();
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideDouble Load(double* source) => Vector256.Load(source);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideDouble Sqrt(WideDouble a) => Vector256.Sqrt(a);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideDouble Abs(WideDouble a) => Vector256.Abs(a);
-
-        /// <summary>The other sign, of 0 as well.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideDouble Negate(WideDouble a) => a ^ Vector256.Create(-0.0);
-
-        /// <summary>Where the mask is set <paramref name="a"/>, elsewhere <paramref name="b"/>.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideDouble Select(WideDoubleMask mask, WideDouble a, WideDouble b) => Vector256.ConditionalSelect(mask, a, b);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideDoubleMask operator >(WideDouble a, WideDouble b) => Vector256.GreaterThan(a, b);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideDoubleMask operator <(WideDouble a, WideDouble b) => Vector256.LessThan(a, b);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideDoubleMask operator >=(WideDouble a, WideDouble b) => Vector256.GreaterThanOrEqual(a, b);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideDoubleMask operator <=(WideDouble a, WideDouble b) => Vector256.LessThanOrEqual(a, b);
-
-        /// <summary>Lanes that are not numbers.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideDoubleMask IsNotNumber(WideDouble a) => ~Vector256.Equals(a, a);
-
-        /// <summary>A mask that was stored: all bits of a lane, or none.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideDoubleMask LoadMask(long* source) => Vector256.Load(source).AsDouble();
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void StoreMask(WideDoubleMask mask, long* target) => mask.AsInt64().Store(target);
+        public static WideDouble Load(double* source) => *(WideDouble*)source;
 #else
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static WideDouble Splat(double value) => new WideDouble(value);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static WideDouble Load(double* source) => Unsafe.ReadUnaligned<WideDouble>(source);
+#endif
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static WideDouble Sqrt(WideDouble a) => Vector.SquareRoot(a);
@@ -108,7 +71,6 @@ internal static unsafe class DoubleLanes
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void StoreMask(WideDoubleMask mask, long* target) => Unsafe.WriteUnaligned(target, mask);
-#endif
     }
 
     /// <summary>A pointer to a bundle's record, of which all is in groups of lanes, moved on to later lanes.</summary>
@@ -116,12 +78,21 @@ internal static unsafe class DoubleLanes
     public static T* Shift<T>(T* record, int lane)
         where T : unmanaged => (T*)((double*)record + lane);
 
-#if NET8_0_OR_GREATER
-    /// <summary>Bit i is set where lane i of the mask is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Bits(WideDoubleMask mask) => (int)Vector256.ExtractMostSignificantBits(mask);
+#if NET8_0_OR_GREATER
+    public static void Store(this WideDouble value, double* target) => *(WideDouble*)target = value;
 #else
+    public static void Store(this WideDouble value, double* target) => Unsafe.WriteUnaligned(target, value);
+#endif
+
     /// <summary>Bit i is set where lane i of the mask is.</summary>
+#if NET8_0_OR_GREATER
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Bits(WideDoubleMask mask) =>
+        (int)(Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes
+            ? mask.AsVector256().ExtractMostSignificantBits()
+            : mask.AsVector128().ExtractMostSignificantBits());
+#else
     public static int Bits(WideDoubleMask mask)
     {
         int bits = 0;
@@ -132,8 +103,5 @@ internal static unsafe class DoubleLanes
 
         return bits;
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Store(this WideDouble value, double* target) => Unsafe.WriteUnaligned(target, value);
 #endif
 }

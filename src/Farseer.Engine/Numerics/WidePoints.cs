@@ -21,12 +21,12 @@ internal static unsafe class WidePoints
     public static void Gather(Vector2* pool, int* index, out Wide x, out Wide y)
     {
 #if NET8_0_OR_GREATER
-        if (Avx.IsSupported)
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
         {
             Vector256<float> low = Vector256.Create(Pair(pool, index[0], index[1]), Pair(pool, index[4], index[5]));
             Vector256<float> high = Vector256.Create(Pair(pool, index[2], index[3]), Pair(pool, index[6], index[7]));
-            x = Avx.Shuffle(low, high, 0x88);
-            y = Avx.Shuffle(low, high, 0xDD);
+            x = Avx.Shuffle(low, high, 0x88).AsVector();
+            y = Avx.Shuffle(low, high, 0xDD).AsVector();
             return;
         }
 #endif
@@ -63,14 +63,14 @@ internal static unsafe class WidePoints
             Vector256<float> r2 = Vector256.Create(Vector128.Load(p2 + (2 * i)), Vector128.Load(p6 + (2 * i)));
             Vector256<float> r3 = Vector256.Create(Vector128.Load(p3 + (2 * i)), Vector128.Load(p7 + (2 * i)));
             WideLanes.Transpose(ref r0, ref r1, ref r2, ref r3);
-            WideMask has = Vector256.GreaterThanOrEqual(last, Vector256.Create(i)).AsSingle();
-            beforeX = Wide.Select(has, r0, beforeX);
-            beforeY = Wide.Select(has, r1, beforeY);
+            WideMask has = Vector256.GreaterThanOrEqual(last, Vector256.Create(i)).AsVector();
+            beforeX = Wide.Select(has, r0.AsVector(), beforeX);
+            beforeY = Wide.Select(has, r1.AsVector(), beforeY);
             beforeX.Store(x + (i * LineLanes));
             beforeY.Store(y + (i * LineLanes));
-            has = Vector256.GreaterThan(last, Vector256.Create(i)).AsSingle();
-            beforeX = Wide.Select(has, r2, beforeX);
-            beforeY = Wide.Select(has, r3, beforeY);
+            has = Vector256.GreaterThan(last, Vector256.Create(i)).AsVector();
+            beforeX = Wide.Select(has, r2.AsVector(), beforeX);
+            beforeY = Wide.Select(has, r3.AsVector(), beforeY);
             beforeX.Store(x + ((i + 1) * LineLanes));
             beforeY.Store(y + ((i + 1) * LineLanes));
         }
@@ -80,7 +80,8 @@ internal static unsafe class WidePoints
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<float> Pair(Vector2* pool, int first, int second) =>
         Sse2.LoadHigh(Sse2.LoadScalarVector128((double*)(pool + first)), (double*)(pool + second)).AsSingle();
-#else
+#endif
+
     /// <summary>
     /// Brings four points in a row of each lane of a bundle into columns, whatever lies behind the last one of a lane: see <see cref="RepeatLast"/>.
     /// </summary>
@@ -113,7 +114,6 @@ internal static unsafe class WidePoints
             before.Store(column);
         }
     }
-#endif
 
     private static void GatherByElement(Vector2* pool, int* index, out Wide x, out Wide y)
     {

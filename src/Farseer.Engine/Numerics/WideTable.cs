@@ -1,9 +1,8 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
-#else
-using System.Numerics;
 #endif
 
 namespace Farseer.Engine.Numerics;
@@ -19,14 +18,16 @@ internal static unsafe class WideTable
     public static Wide Read(float* table, int* places)
     {
 #if NET8_0_OR_GREATER
-        if (Avx2.IsSupported)
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
         {
-            return Avx2.GatherVector256(table, Vector256.Load(places), sizeof(float));
+            return Avx2.GatherVector256(table, Vector256.Load(places), sizeof(float)).AsVector();
         }
 
-        return Vector256.Create(
-            table[places[0]], table[places[1]], table[places[2]], table[places[3]], table[places[4]], table[places[5]], table[places[6]], table[places[7]]);
-#else
+        if (Wide.Count == 4)
+        {
+            return Vector128.Create(table[places[0]], table[places[1]], table[places[2]], table[places[3]]).AsVector();
+        }
+#endif
         float* entries = stackalloc float[Wide.Count];
         for (int lane = 0; lane < Wide.Count; lane++)
         {
@@ -34,7 +35,6 @@ internal static unsafe class WideTable
         }
 
         return Wide.Load(entries);
-#endif
     }
 
     /// <summary>The entries of a table at the numbers that another holds at some places.</summary>
@@ -51,10 +51,5 @@ internal static unsafe class WideTable
 
     /// <summary>The larger of two, taken as whole numbers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Wide LargerNumber(Wide a, Wide b) =>
-#if NET8_0_OR_GREATER
-        Vector256.Max(a.AsInt32(), b.AsInt32()).AsSingle();
-#else
-        Vector.AsVectorSingle(Vector.Max(Vector.AsVectorInt32(a), Vector.AsVectorInt32(b)));
-#endif
+    public static Wide LargerNumber(Wide a, Wide b) => Vector.AsVectorSingle(Vector.Max(Vector.AsVectorInt32(a), Vector.AsVectorInt32(b)));
 }

@@ -4,9 +4,6 @@ using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Numerics;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.Simulation;
 

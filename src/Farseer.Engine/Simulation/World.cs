@@ -6,6 +6,7 @@ using Farseer.Engine.Continuous;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Queries;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
@@ -40,8 +41,10 @@ internal sealed partial class World
     /// </summary>
     private float _recovery;
 
+    /// <exception cref="PlatformNotSupportedException">The runtime was told to make vectors longer than a stored bundle.</exception>
     public World()
     {
+        WideLanes.RequireFit();
         _contacts = new ContactStore(Shapes);
         _jointSolver = new JointSolver(Joints);
         Queries = new WorldQueries(Shapes, Bodies);

@@ -2,9 +2,6 @@ using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.Joints.Chains;
 

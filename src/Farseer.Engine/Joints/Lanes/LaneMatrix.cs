@@ -1,9 +1,6 @@
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.Joints.Lanes;
 

@@ -4,6 +4,7 @@ using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
 #endif
 
 namespace Farseer.Engine.Joints.Loose;
@@ -18,12 +19,20 @@ internal static unsafe class LooseKernel
     public static WideDouble Gather(LooseBody* bodies, int number, int* index)
     {
 #if NET8_0_OR_GREATER
-        return Vector256.Create(
-            ((double*)(bodies + index[0]))[number],
-            ((double*)(bodies + index[1]))[number],
-            ((double*)(bodies + index[2]))[number],
-            ((double*)(bodies + index[3]))[number]);
-#else
+        if (Avx2.IsSupported && Wide.Count == WideLanes.BundleLanes)
+        {
+            return Vector256.Create(
+                ((double*)(bodies + index[0]))[number],
+                ((double*)(bodies + index[1]))[number],
+                ((double*)(bodies + index[2]))[number],
+                ((double*)(bodies + index[3]))[number]).AsVector();
+        }
+
+        if (WideDouble.Count == 2)
+        {
+            return Vector128.Create(((double*)(bodies + index[0]))[number], ((double*)(bodies + index[1]))[number]).AsVector();
+        }
+#endif
         double* all = stackalloc double[LanesOf];
         for (int i = 0; i < WideDouble.Count; i++)
         {
@@ -31,7 +40,6 @@ internal static unsafe class LooseKernel
         }
 
         return WideDouble.Load(all);
-#endif
     }
 
     /// <summary>Responses and springs at the present poses.</summary>
@@ -316,17 +324,10 @@ internal static unsafe class LooseKernel
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Scatter(LooseBody* bodies, int* index, in Velocity v)
     {
-#if NET8_0_OR_GREATER
-        Put(bodies + index[0], v.X.GetElement(0), v.Y.GetElement(0), v.W.GetElement(0));
-        Put(bodies + index[1], v.X.GetElement(1), v.Y.GetElement(1), v.W.GetElement(1));
-        Put(bodies + index[2], v.X.GetElement(2), v.Y.GetElement(2), v.W.GetElement(2));
-        Put(bodies + index[3], v.X.GetElement(3), v.Y.GetElement(3), v.W.GetElement(3));
-#else
         for (int i = 0; i < WideDouble.Count; i++)
         {
             Put(bodies + index[i], v.X[i], v.Y[i], v.W[i]);
         }
-#endif
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

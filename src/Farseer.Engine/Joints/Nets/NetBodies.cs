@@ -4,9 +4,6 @@ using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.Joints.Nets;
 

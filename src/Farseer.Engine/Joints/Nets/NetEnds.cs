@@ -2,9 +2,6 @@ using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Numerics;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-#endif
 
 namespace Farseer.Engine.Joints.Nets;
 
@@ -53,7 +50,7 @@ internal unsafe struct NetEnds
     {
         WideDelta a;
         WideDelta b = default;
-        if (MatrixTurn.IsUsed)
+        if (Wide.Count <= MatrixTurn.MostLanes)
         {
             BodyLanes.GatherDeltas(bodies, e->BodyA + lane, e->BodyB + lane, out a, out b);
         }
@@ -65,7 +62,7 @@ internal unsafe struct NetEnds
         Turn(a, Wide.Load(e->MiddleAX + lane), Wide.Load(e->MiddleAY + lane), out Wide ax, out Wide ay);
         (Wide.Load(e->MiddleAX + lane) + ax).Store(e->ArmAX + lane);
         (Wide.Load(e->MiddleAY + lane) + ay).Store(e->ArmAY + lane);
-        if (!MatrixTurn.IsUsed)
+        if (Wide.Count > MatrixTurn.MostLanes)
         {
             BodyLanes.GatherDelta(bodies, e->BodyB + lane, out b);
         }
