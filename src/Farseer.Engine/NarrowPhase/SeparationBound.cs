@@ -74,7 +74,35 @@ internal readonly unsafe ref struct SeparationBound
     public void At(double first, double second, out double atFirst, out double atSecond)
     {
 #if NET8_0_OR_GREATER
-        Vector256<double> turn = _spin * Vector256.Create(first, second, first, second);
+        Vector128<double> time = Vector128.Create(first, second);
+        Vector128<double> lowestB;
+        Vector128<double> lowestA;
+        if (Avx.IsSupported)
+        {
+            LowestOfBoth(time, out lowestB, out lowestA);
+        }
+        else
+        {
+            lowestB = Lowest(_verticesB, _lastB, _x.GetLower(), _y.GetLower(), _cos.GetLower(), _sin.GetLower(), _spin.GetLower() * time);
+            lowestA = Lowest(_verticesA, _lastA, _x.GetUpper(), _y.GetUpper(), _cos.GetUpper(), _sin.GetUpper(), _spin.GetUpper() * time);
+        }
+
+        Vector128<double> along = Vector128.Create(_offset) + lowestB + lowestA;
+        along += time * (Vector128.Create(_speed) - (Vector128.Create(0.5) * time * Vector128.Create(_bend)));
+        atFirst = along.ToScalar();
+        atSecond = along.GetElement(1);
+#else
+        atFirst = At(first);
+        atSecond = At(second);
+#endif
+    }
+
+#if NET8_0_OR_GREATER
+    /// <summary>The lowest vertex of each piece at two times.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void LowestOfBoth(Vector128<double> time, out Vector128<double> lowestB, out Vector128<double> lowestA)
+    {
+        Vector256<double> turn = _spin * Vector256.Create(time, time);
         Vector256<double> dx = _x + (turn * _y);
         Vector256<double> dy = _y - (turn * _x);
         Vector256<double> x = (_cos * dx) + (_sin * dy);
@@ -86,38 +114,36 @@ internal readonly unsafe ref struct SeparationBound
             lowest = Vector256.ConditionalSelect(Vector256.LessThan(heights, lowest), heights, lowest);
         }
 
-        Vector128<double> time = Vector128.Create(first, second);
-        Vector128<double> along = Vector128.Create(_offset) + lowest.GetLower() + lowest.GetUpper();
-        along += time * (Vector128.Create(_speed) - (Vector128.Create(0.5) * time * Vector128.Create(_bend)));
-        atFirst = along.ToScalar();
-        atSecond = along.GetElement(1);
-#else
-        atFirst = At(first);
-        atSecond = At(second);
-#endif
+        lowestB = lowest.GetLower();
+        lowestA = lowest.GetUpper();
     }
 
-#if NET8_0_OR_GREATER
+    /// <summary>The same of one piece, with vectors that hold no more.</summary>
+    private static Vector128<double> Lowest(
+        Vector2* vertices, int last, Vector128<double> nx, Vector128<double> ny, Vector128<double> cos, Vector128<double> sin, Vector128<double> turn)
+    {
+        Vector128<double> dx = nx + (turn * ny);
+        Vector128<double> dy = ny - (turn * nx);
+        Vector128<double> x = (cos * dx) + (sin * dy);
+        Vector128<double> y = (cos * dy) - (sin * dx);
+        Vector128<double> lowest = Vector128.Create(double.PositiveInfinity);
+        for (int i = 0; i <= last; i++)
+        {
+            Vector128<double> heights = (x * Vector128.Create((double)vertices[i].X)) + (y * Vector128.Create((double)vertices[i].Y));
+            lowest = Vector128.ConditionalSelect(Vector128.LessThan(heights, lowest), heights, lowest);
+        }
+
+        return lowest;
+    }
+
     /// <summary>Of a vertex of each; a piece that has no more repeats its last one.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Vector256<double> Heights(int vertex, Vector256<double> x, Vector256<double> y)
     {
         double* b = (double*)(_verticesB + Math.Min(vertex, _lastB));
         double* a = (double*)(_verticesA + Math.Min(vertex, _lastA));
-        Vector256<double> both = Doubles(Vector128.Create(*b, *a).AsSingle());
+        Vector256<double> both = Avx.ConvertToVector256Double(Vector128.Create(*b, *a).AsSingle());
         return (x * Vector256.Shuffle(both, Vector256.Create(0, 0, 2, 2))) + (y * Vector256.Shuffle(both, Vector256.Create(1, 1, 3, 3)));
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<double> Doubles(Vector128<float> values)
-    {
-        if (Avx.IsSupported)
-        {
-            return Avx.ConvertToVector256Double(values);
-        }
-
-        (Vector128<double> lower, Vector128<double> upper) = Vector128.Widen(values);
-        return Vector256.Create(lower, upper);
     }
 
     private static Vector256<double> BThenA(double b, double a) => Vector256.Create(b, b, a, a);
