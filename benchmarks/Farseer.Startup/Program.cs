@@ -1,0 +1,79 @@
+using System;
+using System.Diagnostics;
+using System.Globalization;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+using Farseer.Scenes.Performance;
+using FarseerGames.FarseerPhysics;
+
+namespace Farseer.Startup;
+
+/// <summary>
+/// Arguments: a timing scene or scene=size, and steps to run. Prints what they took in this process, which has just started and compiles what nobody compiled before, then
+/// what the same steps take once that is done.
+/// </summary>
+internal static class Program
+{
+    private const int DefaultSteps = 200;
+
+    /// <summary>Steps that are told by themselves: the first, those to the tenth and to the hundredth.</summary>
+    private static readonly int[] _ends = [1, 10, 100];
+
+    private static int Main(string[] arguments)
+    {
+        string[] named = (arguments.Length > 0 ? arguments[0] : "compounds").Split('=');
+        int steps = DefaultSteps;
+        if (PerformanceScenes.Find(named[0]) is not { } scene)
+        {
+            Console.Error.WriteLine($"error: there is no timing scene '{named[0]}'");
+            return 2;
+        }
+
+        int size = scene.DefaultSize;
+        if ((named.Length > 1 && (!TryRead(named[1], out size) || size < 1 || size > scene.LargestSize)) || (arguments.Length > 1 && !TryRead(arguments[1], out steps)))
+        {
+            Console.Error.WriteLine($"error: give {scene.Name}=SIZE with a size of 1 to {scene.LargestSize}, and a number of steps");
+            return 2;
+        }
+
+        string form = RuntimeFeature.IsDynamicCodeCompiled ? "compiled in the process" : "native";
+        int lanes = Vector512.IsHardwareAccelerated ? Vector512<float>.Count : Vector<float>.Count;
+        Console.WriteLine(FormattableString.Invariant(
+            $"{scene.Name}={size}, {steps} steps, {form}, {lanes} lanes; {(DateTime.Now - Process.GetCurrentProcess().StartTime).TotalMilliseconds:F0} ms since the process began"));
+        Run("new process", scene, size, steps);
+        Run("again", scene, size, steps);
+        return 0;
+    }
+
+    private static bool TryRead(string text, out int number) => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out number);
+
+    private static void Run(string name, PerformanceScene scene, int size, int steps)
+    {
+        long begin = Stopwatch.GetTimestamp();
+        using PhysicsSimulator simulator = new();
+        scene.Build(simulator, size);
+        Console.WriteLine(name);
+        Print("build", begin);
+        int step = 0;
+        for (int i = 0; step < steps; i++)
+        {
+            int from = step;
+            int end = i < _ends.Length ? Math.Min(_ends[i], steps) : steps;
+            long start = Stopwatch.GetTimestamp();
+            for (; step < end; step++)
+            {
+                scene.Drive(step);
+                simulator.Update(scene.Dt);
+            }
+
+            Print(end == from + 1 ? $"step {end}" : $"steps {from + 1} to {end}", start);
+        }
+
+        Print("all", begin);
+        Console.WriteLine($"  hash {simulator.StateHash():x16}");
+    }
+
+    private static void Print(string what, long since) =>
+        Console.WriteLine(FormattableString.Invariant($"  {what,-18} {Stopwatch.GetElapsedTime(since).TotalMilliseconds,9:F1} ms"));
+}
