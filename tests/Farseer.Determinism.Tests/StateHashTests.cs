@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using System.Linq;
 using System.Runtime.Intrinsics;
 using Farseer.Tests.Shared;
@@ -14,12 +13,6 @@ namespace Farseer.Determinism.Tests;
 /// </summary>
 public sealed class StateHashTests
 {
-    // The slowest way, Debug without vectors, takes a quarter of a minute on two cores.
-    private static readonly TimeSpan _limit = TimeSpan.FromMinutes(4);
-
-    private static readonly object _once = new();
-    private static bool _renewed;
-
     public static TheoryData<string, string, string> Ways()
     {
         string[] settings = ["", "DOTNET_EnableAVX512", "DOTNET_EnableAVX2", "DOTNET_EnableAVX", "DOTNET_EnableHWIntrinsic"];
@@ -42,25 +35,14 @@ public sealed class StateHashTests
     [MemberData(nameof(Ways))]
     public void Scenes_RunThisWay_GiveTheGoldenHashes(string project, string configuration, string switchedOff)
     {
-        RenewIfAsked();
+        HashedRun run = HashedRun.OfBuilt(project, configuration, switchedOff);
 
-        (string asset, IReadOnlyList<string> hashes) = Run(project, configuration, switchedOff);
-
-        string framework = project.EndsWith("NetStandard", StringComparison.Ordinal) ? ".NETStandard,Version=v2.0" : ".NETCoreApp,Version=v8.0";
-        Assert.Equal($"{framework} {configuration}", asset);
-        List<string> wrong = [.. hashes.Except(GoldenHashes.Read())];
-        Assert.True(
-            wrong.Count == 0 && hashes.Count == GoldenHashes.Scenes.Count,
-            $"{project}, {configuration}, without '{switchedOff}': {string.Join("; ", wrong)} is not in tests/data/golden-hashes.txt.\n"
-            + $"If every way of running fails alike, the solver changed: renew with\n  {GoldenHashes.Renew}\n"
-            + "If only some do, a result depends on the machine: that is a fault.");
+        run.MustBeGolden($"{project}, {configuration}, without '{switchedOff}'", HashedRun.Asset(project, configuration));
     }
 
     [Fact]
     public void GoldenHashes_NameTheScenesOnce()
     {
-        RenewIfAsked();
-
         Assert.Equal(GoldenHashes.Scenes, GoldenHashes.Read().Select(l => l.Split(' ')[0]));
     }
 
@@ -70,10 +52,8 @@ public sealed class StateHashTests
     [InlineData("Farseer.Determinism.NetStandard")]
     public void Simulator_WithVectorsLongerThanABundle_TellsWhatToUnset(string project)
     {
-        string console = Path.Combine(Clone.Root, "tests", project, "bin", Clone.Configuration, "net10.0", project + ".dll");
-
         (int code, string output) = Command.Dotnet(
-            Clone.Root, ["exec", console, "1", "falling-stack"], new Dictionary<string, string> { ["DOTNET_MaxVectorTBitWidth"] = "512" }, _limit);
+            Clone.Root, ["exec", HashedRun.Console(project, Clone.Configuration), "1", "falling-stack"], new Dictionary<string, string> { ["DOTNET_MaxVectorTBitWidth"] = "512" }, HashedRun.Limit);
 
         if (Vector512.IsHardwareAccelerated)
         {
@@ -85,39 +65,5 @@ public sealed class StateHashTests
         {
             Assert.True(code == 0, output);
         }
-    }
-
-    private static void RenewIfAsked()
-    {
-        lock (_once)
-        {
-            if (!_renewed && Environment.GetEnvironmentVariable("FARSEER_UPDATE_HASHES") == "1")
-            {
-                GoldenHashes.Write(Run("Farseer.Determinism", Clone.Configuration, "").Hashes);
-                _renewed = true;
-            }
-        }
-    }
-
-    // Two runs in one process, except without vectors, where one is slow enough: a state that leaks from run to run shows elsewhere.
-    private static (string Asset, IReadOnlyList<string> Hashes) Run(string project, string configuration, string switchedOff)
-    {
-        int runs = switchedOff == "DOTNET_EnableHWIntrinsic" ? 1 : 2;
-        string console = Path.Combine(Clone.Root, "tests", project, "bin", configuration, "net10.0", project + ".dll");
-        Dictionary<string, string> environment = switchedOff.Length > 0 ? new() { [switchedOff] = "0" } : [];
-        (int code, string output) = Command.Dotnet(
-            Clone.Root, ["exec", console, runs.ToString(), .. GoldenHashes.Scenes], environment, _limit);
-        Assert.True(code == 0, output);
-
-        string[] lines = output.Split('\n', StringSplitOptions.RemoveEmptyEntries);
-        List<string> hashes = [];
-        foreach (string[] parts in lines.Skip(1).Select(l => l.Split(' ')))
-        {
-            Assert.Equal(runs + 1, parts.Length);
-            Assert.Single(parts.Skip(1).Distinct());
-            hashes.Add(parts[0] + " " + parts[1]);
-        }
-
-        return (lines[0], hashes);
     }
 }

@@ -15,9 +15,15 @@ internal static class Command
     /// <summary>Runs <c>dotnet</c>; the output is that of both streams, line by line.</summary>
     /// <exception cref="TimeoutException">The program was still running after <paramref name="limit"/> and was ended.</exception>
     public static (int Code, string Output) Dotnet(
-        string folder, IEnumerable<string> arguments, IReadOnlyDictionary<string, string> environment, TimeSpan limit)
+        string folder, IEnumerable<string> arguments, IReadOnlyDictionary<string, string> environment, TimeSpan limit) =>
+        Run(Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet", folder, arguments, environment, limit);
+
+    /// <summary>Runs a program; the output is that of both streams, line by line.</summary>
+    /// <exception cref="TimeoutException">The program was still running after <paramref name="limit"/> and was ended.</exception>
+    public static (int Code, string Output) Run(
+        string program, string folder, IEnumerable<string> arguments, IReadOnlyDictionary<string, string> environment, TimeSpan limit)
     {
-        ProcessStartInfo start = new(Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet", arguments)
+        ProcessStartInfo start = new(program, arguments)
         {
             WorkingDirectory = folder,
             RedirectStandardOutput = true,
@@ -45,7 +51,7 @@ internal static class Command
         if (!process.WaitForExit(limit))
         {
             process.Kill(entireProcessTree: true);
-            throw new TimeoutException($"'dotnet {string.Join(' ', start.ArgumentList)}' ran longer than {limit}.\n{output}");
+            throw new TimeoutException($"'{program} {string.Join(' ', start.ArgumentList)}' ran longer than {limit}.\n{output}");
         }
 
         process.WaitForExit(); // the overload without a limit also waits for the last lines
