@@ -2,6 +2,7 @@ using System;
 using System.Diagnostics;
 using System.Globalization;
 using System.Numerics;
+using System.Runtime;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Farseer.Scenes.Performance;
@@ -10,18 +11,20 @@ using FarseerGames.FarseerPhysics;
 namespace Farseer.Startup;
 
 /// <summary>
-/// Arguments: a timing scene or scene=size, and steps to run. Prints what they took in this process, which has just started and compiles what nobody compiled before, then
-/// what the same steps take once that is done.
+/// Arguments: a timing scene or scene=size, steps to run, and --warm-up to begin with <see cref="PhysicsSimulator.WarmUp"/>. Prints what they took in this process, which has just
+/// started and compiles what nobody compiled before, and how many methods that were, then what the same steps take once that is done.
 /// </summary>
 internal static class Program
 {
     private const int DefaultSteps = 200;
+    private const string WarmUp = "--warm-up";
 
     /// <summary>Steps that are told by themselves: the first, those to the tenth and to the hundredth.</summary>
     private static readonly int[] _ends = [1, 10, 100];
 
-    private static int Main(string[] arguments)
+    private static int Main(string[] all)
     {
+        string[] arguments = Array.FindAll(all, a => a != WarmUp);
         string[] named = (arguments.Length > 0 ? arguments[0] : "compounds").Split('=');
         int steps = DefaultSteps;
         if (PerformanceScenes.Find(named[0]) is not { } scene)
@@ -41,6 +44,11 @@ internal static class Program
         int lanes = Vector512.IsHardwareAccelerated ? Vector512<float>.Count : Vector<float>.Count;
         Console.WriteLine(FormattableString.Invariant(
             $"{scene.Name}={size}, {steps} steps, {form}, {lanes} lanes; {(DateTime.Now - Process.GetCurrentProcess().StartTime).TotalMilliseconds:F0} ms since the process began"));
+        if (arguments.Length < all.Length)
+        {
+            WarmUpTwice();
+        }
+
         Run("new process", scene, size, steps);
         Run("again", scene, size, steps);
         return 0;
@@ -48,9 +56,20 @@ internal static class Program
 
     private static bool TryRead(string text, out int number) => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out number);
 
+    private static void WarmUpTwice()
+    {
+        Console.WriteLine("warm-up");
+        foreach (string name in (string[])["first call", "second call"])
+        {
+            var begin = new Mark();
+            PhysicsSimulator.WarmUp();
+            Print(name, begin);
+        }
+    }
+
     private static void Run(string name, PerformanceScene scene, int size, int steps)
     {
-        long begin = Stopwatch.GetTimestamp();
+        var begin = new Mark();
         using PhysicsSimulator simulator = new();
         scene.Build(simulator, size);
         Console.WriteLine(name);
@@ -60,7 +79,7 @@ internal static class Program
         {
             int from = step;
             int end = i < _ends.Length ? Math.Min(_ends[i], steps) : steps;
-            long start = Stopwatch.GetTimestamp();
+            var start = new Mark();
             for (; step < end; step++)
             {
                 scene.Drive(step);
@@ -74,6 +93,14 @@ internal static class Program
         Console.WriteLine($"  hash {simulator.StateHash():x16}");
     }
 
-    private static void Print(string what, long since) =>
-        Console.WriteLine(FormattableString.Invariant($"  {what,-18} {Stopwatch.GetElapsedTime(since).TotalMilliseconds,9:F1} ms"));
+    private static void Print(string what, in Mark since) => Console.WriteLine(FormattableString.Invariant(
+        $"  {what,-18} {Stopwatch.GetElapsedTime(since.Time).TotalMilliseconds,9:F1} ms {JitInfo.GetCompiledMethodCount() - since.Methods,6} methods compiled"));
+
+    /// <summary>A moment, and how many methods had been compiled by then.</summary>
+    private readonly struct Mark()
+    {
+        public long Methods { get; } = JitInfo.GetCompiledMethodCount();
+
+        public long Time { get; } = Stopwatch.GetTimestamp();
+    }
 }
