@@ -167,9 +167,8 @@ internal sealed unsafe class StruckPairs : IStageWork
                     continue;
                 }
 
-                int contact = contacts.Idle(first + lane);
-                places[filled] = first + lane;
-                ContactLanes.Name(bundle, filled++, contact, contacts.Records[contact]);
+                Prefetch.Line(contacts.Records.Pointer + contacts.Idle(first + lane));
+                places[filled++] = first + lane;
                 if (filled == ContactBundle.Lanes)
                 {
                     Look(input, bundle, places, filled);
@@ -252,6 +251,13 @@ internal sealed unsafe class StruckPairs : IStageWork
 
     private void Look(in ContactUpdateInput input, ContactBundle* bundle, int* places, int filled)
     {
+        // Named together: their records lie anywhere, and are waited for at once.
+        for (int lane = 0; lane < filled; lane++)
+        {
+            int contact = input.Contacts.Idle(places[lane]);
+            ContactLanes.Name(bundle, lane, contact, input.Contacts.Records[contact]);
+        }
+
         for (int lane = filled; lane < ContactBundle.Lanes; lane++)
         {
             ContactLanes.Unname(bundle, lane);
