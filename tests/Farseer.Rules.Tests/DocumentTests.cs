@@ -27,6 +27,20 @@ public sealed class DocumentTests
     }
 
     [Fact]
+    public void Link_WithAnAnchor_PointsToAHeading()
+    {
+        List<(string File, string Path, string Anchor)> links = [.. from file in _documents
+            from Match link in Regex.Matches(File.ReadAllText(file), @"\]\(([^)#\s]*)#([^)\s]+)\)")
+            let target = link.Groups[1].Value
+            where !target.Contains("://", StringComparison.Ordinal)
+            let path = target.Length == 0 ? file : Path.Combine(Path.GetDirectoryName(file)!, target)
+            select (Repository.Relative(file), path, link.Groups[2].Value)];
+
+        Assert.NotEmpty(links);
+        Assert.DoesNotContain(links, l => !Anchors(l.Path).Contains(l.Anchor));
+    }
+
+    [Fact]
     public void Path_InBackticks_Exists()
     {
         IEnumerable<string> wrong =
@@ -67,4 +81,10 @@ public sealed class DocumentTests
 
         Assert.True(blocks >= 2, "only " + blocks + " blocks of code were found");
     }
+
+    /// <summary>What the headings of a document are called in links: lower case, without punctuation, hyphens for spaces.</summary>
+    private static IEnumerable<string> Anchors(string document) =>
+        from Match heading in Regex.Matches(File.ReadAllText(document), "^#+ (.+?)\r?$", RegexOptions.Multiline)
+        let words = Regex.Replace(heading.Groups[1].Value.ToLowerInvariant(), @"[^\p{L}\p{N}\s_-]", "")
+        select words.Trim().Replace(' ', '-');
 }
