@@ -99,6 +99,9 @@ internal sealed unsafe class ContactSides
     {
         _isKept = true;
         Keep(shapes);
+
+        // A world without pairs comes here before any narrow phase has begun.
+        _hulls.EnsureCapacity(shapes.PieceIds.End + 1);
         Prepare(shapes, bodies, proxies, moves, piece, piece + 1);
     }
 
