@@ -1,3 +1,4 @@
+using System;
 using Box2D.Collision;
 using Box2D.Collision.Shapes;
 using Box2D.Common.Math;
@@ -42,13 +43,14 @@ internal sealed class WarmUpWorld
     public static void Run()
     {
         var boxes = new WarmUpWorld();
-        boxes.AddColumnsOfBoxes();
+        AddColumns(boxes.Box);
+        boxes.AddTrianglesOnTop();
         boxes.AddPairsOfShapes();
         boxes.AddJointed();
         boxes.AddFlying();
         boxes.Step();
         var circles = new WarmUpWorld();
-        circles.AddColumnsOfCircles();
+        AddColumns((x, y) => circles.Circle(x, y));
         circles.Step();
         var few = new WarmUpWorld();
         few.AddFew();
@@ -70,6 +72,18 @@ internal sealed class WarmUpWorld
         var def = new b2PolygonDef { density = density, friction = 0.6f };
         def.SetAsBox(halfWidth, halfHeight);
         return def;
+    }
+
+    /// <summary>Columns of one shape, a unit wide and high, and two that overlap by half, one of which spins.</summary>
+    private static void AddColumns(Func<float, float, b2Body> add)
+    {
+        for (int i = 0; i < Columns * Levels; i++)
+        {
+            add(i % Columns * Spacing, 0.5f + (i / Columns));
+        }
+
+        add(Columns * Spacing, 0.5f);
+        add((Columns + 0.3f) * Spacing, 0.5f).SetAngularVelocity(FastSpin);
     }
 
     private void Step()
@@ -109,32 +123,12 @@ internal sealed class WarmUpWorld
         return Body(x, y, def);
     }
 
-    /// <summary>And two that overlap by half, one of which spins.</summary>
-    private void AddColumnsOfBoxes()
+    private void AddTrianglesOnTop()
     {
-        for (int i = 0; i < Columns * Levels; i++)
-        {
-            Box(i % Columns * Spacing, 0.5f + (i / Columns));
-        }
-
-        Box(Columns * Spacing, 0.5f);
-        Box((Columns + 0.3f) * Spacing, 0.5f).SetAngularVelocity(FastSpin);
         for (int i = 0; i < Columns; i++)
         {
             Triangle(i * Spacing, Levels);
         }
-    }
-
-    /// <summary>And two that overlap by half, one of which spins.</summary>
-    private void AddColumnsOfCircles()
-    {
-        for (int i = 0; i < Columns * Levels; i++)
-        {
-            Circle(i % Columns * Spacing, 0.5f + (i / Columns));
-        }
-
-        Circle(Columns * Spacing, 0.5f);
-        Circle((Columns + 0.3f) * Spacing, 0.5f).SetAngularVelocity(FastSpin);
     }
 
     private void AddPairsOfShapes()

@@ -79,9 +79,9 @@ internal sealed unsafe class ContactSides
         else
         {
             _first = scratch.Take<ContactSide>(shapes.PieceIds.End + 1);
+            _hulls.EnsureCapacity(shapes.PieceIds.End + 1);
         }
 
-        _hulls.EnsureCapacity(shapes.PieceIds.End + 1);
         _first[0] = new ContactSide { Cos = 1, HalfX = 1, HalfY = 1, Flags = SideFlags.Box };
     }
 
@@ -99,9 +99,6 @@ internal sealed unsafe class ContactSides
     {
         _isKept = true;
         Keep(shapes);
-
-        // A world without pairs comes here before any narrow phase has begun.
-        _hulls.EnsureCapacity(shapes.PieceIds.End + 1);
         Prepare(shapes, bodies, proxies, moves, piece, piece + 1);
     }
 
@@ -180,9 +177,11 @@ internal sealed unsafe class ContactSides
         }
     }
 
+    // All that is written of a piece: in a world without pairs bodies fall asleep before any narrow phase has begun.
     private void Keep(ShapeStore shapes)
     {
         _sides.EnsureCapacity(shapes.PieceIds.End + 1);
+        _hulls.EnsureCapacity(shapes.PieceIds.End + 1);
         _first = _sides.Pointer;
     }
 

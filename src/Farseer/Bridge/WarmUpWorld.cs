@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Numerics;
 using FarseerGames.FarseerPhysics.Collisions;
@@ -45,7 +46,7 @@ internal sealed class WarmUpWorld
     public static void Run()
     {
         var mixed = new WarmUpWorld();
-        mixed.AddColumnsOfBoxes();
+        AddColumns(mixed.Box);
         mixed.AddColumnsOfPolygons();
         mixed.AddPairsOfShapes(new Vector2(-4f, 0f));
         mixed.AddJointed(new Vector2(0f, 20f));
@@ -53,7 +54,7 @@ internal sealed class WarmUpWorld
         mixed.AddFlying(new Vector2(50f, 8f));
         mixed.Update();
         var circles = new WarmUpWorld(inGrid: true);
-        circles.AddColumnsOfCircles();
+        AddColumns((x, y) => circles.Circle(x, y));
         circles.Update();
         var few = new WarmUpWorld();
         few.AddFew();
@@ -105,16 +106,16 @@ internal sealed class WarmUpWorld
         return body;
     }
 
-    /// <summary>And two that overlap by half, one of which spins.</summary>
-    private void AddColumnsOfBoxes()
+    /// <summary>Columns of one shape, a unit wide and high, and two that overlap by half, one of which spins.</summary>
+    private static void AddColumns(Func<float, float, Body> add)
     {
         for (int i = 0; i < Columns * Levels; i++)
         {
-            Box(i % Columns * Spacing, 0.5f + (i / Columns));
+            add(i % Columns * Spacing, 0.5f + (i / Columns));
         }
 
-        Box(Columns * Spacing, 0.5f);
-        Box((Columns + 0.3f) * Spacing, 0.5f).AngularVelocity = FastSpin;
+        add(Columns * Spacing, 0.5f);
+        add((Columns + 0.3f) * Spacing, 0.5f).AngularVelocity = FastSpin;
     }
 
     private void AddColumnsOfPolygons()
@@ -124,18 +125,6 @@ internal sealed class WarmUpWorld
             Polygon(i * Spacing, Levels + 0.4f);
             Polygon(i * Spacing, Levels + 1.2f);
         }
-    }
-
-    /// <summary>And two that overlap by half, one of which spins.</summary>
-    private void AddColumnsOfCircles()
-    {
-        for (int i = 0; i < Columns * Levels; i++)
-        {
-            Circle(i % Columns * Spacing, 0.5f + (i / Columns));
-        }
-
-        Circle(Columns * Spacing, 0.5f);
-        Circle((Columns + 0.3f) * Spacing, 0.5f).AngularVelocity = FastSpin;
     }
 
     /// <summary>
