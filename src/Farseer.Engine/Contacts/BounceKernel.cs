@@ -6,10 +6,10 @@ namespace Farseer.Engine.Contacts;
 
 /// <summary>
 /// Restitution at the moment of impact. A point that approaches fast enough to bounce is held back from the passes of its substep,
-/// so the bodies fly on exactly and overlap at its end by what they flew too far. Then the impact is made up for: with the velocity w of
-/// the pair, its acceleration a and the overlap s at the end of the substep, the surfaces met a time t before it, s - w·t + a·t²/2 = 0,
-/// at the velocity w - a·t. The impulse that turns this into -e·(w - a·t), both points as a 2×2 block, changes velocities by Δ and
-/// places by Δ·t. A ball is then where the reflected flight has brought it, to rounding.
+/// so the bodies fly on exactly and overlap at its end by what they flew too far. Then the impact is made up for: the way back from the end of the substep
+/// (<see cref="WideFlight"/>) tells when the surfaces met, and with what velocities and arms (<see cref="ImpactArms"/>). The impulse that turns the speed of approach w
+/// into -e·w changes velocities by Δ and, t being the time since, places by Δ·t. A body is then where the reflected flight has brought it. Two points of a
+/// contact that land one after the other are two impacts, in their order; at the same moment they are solved together.
 /// </summary>
 internal static unsafe class BounceKernel
 {
@@ -21,6 +21,9 @@ internal static unsafe class BounceKernel
 
     /// <summary>Share of the substep within which impacts are at the same moment.</summary>
     public const double SameMoment = 1e-3;
+
+    /// <summary>Newton's steps to the moment of an impact: each doubles the digits.</summary>
+    private const int MomentSteps = 6;
 
     /// <summary>A contact of the bundle can bounce.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -53,7 +56,7 @@ internal static unsafe class BounceKernel
     /// <summary>Before a substep: notes where surfaces are, and holds back the points that approach fast.</summary>
     /// <returns>True if there are such points.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static bool Prepare(BounceLanes* bounce, BodyState* bodies, BodyDrive* drives, in ContactCoefficients c)
+    public static bool Prepare(BounceLanes* bounce, BodyState* bodies, BodyMotion* motions, BodyDrive* drives, in ContactCoefficients c)
     {
         ContactBundle* row = bounce->Row;
         Wide rest = Wide.Splat(c.Rest);
@@ -65,9 +68,17 @@ internal static unsafe class BounceKernel
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
             Wide restitution = Wide.Load(row->Restitution + lane);
-            ContactKernel.GatherSeparations(row, lane, bodies, out Wide s0, out Wide s1);
-            BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
-            ContactKernel.NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1);
+            var a = WideFlight.AtStart(bodies, motions, drives, row->BodyA + lane, Wide.Splat(c.InverseSubstep));
+            var b = WideFlight.AtStart(bodies, motions, drives, row->BodyB + lane, Wide.Splat(c.InverseSubstep));
+            ContactKernel.Separations(row, lane, a.Moved, b.Moved, out Wide s0, out Wide s1);
+            new ImpactArms(row, lane, a.Moved, b.Moved).Velocities(a.Velocity, b.Velocity, out Wide v0, out Wide v1);
+
+            // A corner that comes round may approach fast only at the end of the substep.
+            a.Before(Wide.Splat(-c.Substep), out WideDelta endA, out WideVelocity velocityA);
+            b.Before(Wide.Splat(-c.Substep), out WideDelta endB, out WideVelocity velocityB);
+            new ImpactArms(row, lane, endA, endB).Velocities(velocityA, velocityB, out Wide end0, out Wide end1);
+            v0 = Wide.Min(v0, end0);
+            v1 = Wide.Min(v1, end1);
             Wide slow = Slowest(row, lane, drives, c);
             slow.Store(bounce->Slow + lane);
             WideMask can = restitution > Wide.Zero;
@@ -96,6 +107,9 @@ internal static unsafe class BounceKernel
     {
         ContactBundle* row = bounce->Row;
         Wide rest = Wide.Splat(c.Rest);
+        Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
+        Wide none = Wide.Splat(-1f);
+        Wide same = Wide.Splat((float)SameMoment * c.Substep);
         int hits = 0;
         float* wanted = stackalloc float[ContactBundle.Lanes];
         Choose(lanes, wanted);
@@ -104,27 +118,34 @@ internal static unsafe class BounceKernel
             BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out WideDelta movedA, out WideDelta movedB);
             ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
             BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
-            TurnedArms.NormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
-            Wide restitution = Wide.Keep(Wide.Load(wanted + lane) > Wide.Zero, Wide.Load(row->Restitution + lane));
+            new ImpactArms(row, lane, movedA, movedB).Velocities(a, b, out Wide v0, out Wide v1);
+            WideMask can = (Wide.Load(wanted + lane) > Wide.Zero) & (Wide.Load(row->Restitution + lane) > Wide.Zero);
             Wide slow = Wide.Load(bounce->Slow + lane);
-            WideMask met = (Met(&bounce->Point0, lane, s0 - rest, v0, slow) | Met(&bounce->Point1, lane, s1 - rest, v1, slow))
-                & (restitution > Wide.Zero);
+            WideMask met0 = can & Met(&bounce->Point0, lane, s0 - rest, v0, slow);
+            WideMask met1 = can & Met(&bounce->Point1, lane, s1 - rest, v1, slow);
+            WideMask met = met0 | met1;
             if (!WideLanes.Any(met))
             {
                 continue;
             }
 
-            WideVelocity startA = StartOf(motions, row->BodyA + lane, a, Wide.Load(row->MassA + lane) + Wide.Load(row->InertiaA + lane));
-            WideVelocity startB = StartOf(motions, row->BodyB + lane, b, Wide.Load(row->MassB + lane) + Wide.Load(row->InertiaB + lane));
-            TurnedArms.NormalVelocities(row, lane, startA, startB, movedA, movedB, out Wide start0, out Wide start1);
-            Wide time0 = Meeting(&bounce->Point0, lane, s0 - rest, v0, v0 - start0, restitution, slow, c, out Wide target0);
-            Wide time1 = Meeting(&bounce->Point1, lane, s1 - rest, v1, v1 - start1, restitution, slow, c, out Wide target1);
+            Moments moments;
+            moments.A = WideFlight.AtEnd(bodies, motions, row->BodyA + lane, Wide.Load(row->MassA + lane) + Wide.Load(row->InertiaA + lane), inverseSubstep);
+            moments.B = WideFlight.AtEnd(bodies, motions, row->BodyB + lane, Wide.Load(row->MassB + lane) + Wide.Load(row->InertiaB + lane), inverseSubstep);
+            moments.Row = row;
+            moments.Lane = lane;
+            Wide time0 = Wide.Select(met0, Moment(moments, rest + Wide.Load(bounce->Point0.Level + lane), second: false, c.Substep, out Wide w0), none);
+            Wide time1 = Wide.Select(met1, Moment(moments, rest + Wide.Load(bounce->Point1.Level + lane), second: true, c.Substep, out Wide w1), none);
+
+            // Of two points the one that landed first has the first impact; the other comes after it.
             Wide time = Wide.Max(time0, time1);
-            WideMask hit = (time >= Wide.Zero) & (restitution > Wide.Zero);
-            Wide.Select(hit, time, Wide.Load(bounce->Time + lane)).Store(bounce->Time + lane);
-            Wide.Select(hit, target0, Wide.Load(bounce->Point0.Target + lane)).Store(bounce->Point0.Target + lane);
-            Wide.Select(hit, target1, Wide.Load(bounce->Point1.Target + lane)).Store(bounce->Point1.Target + lane);
-            hits |= WideLanes.Bits(hit) << lane;
+            met0 = met0 & (time0 >= (time - same));
+            met1 = met1 & (time1 >= (time - same));
+            WideLanes.Replace(met, time, bounce->Time + lane);
+            Wide restitution = Wide.Load(row->Restitution + lane);
+            Begin(&bounce->Point0, lane, met, met0, restitution, w0, slow);
+            Begin(&bounce->Point1, lane, met, met1, restitution, w1, slow);
+            hits |= WideLanes.Bits(met) << lane;
         }
 
         return hits;
@@ -136,39 +157,41 @@ internal static unsafe class BounceKernel
     {
         ContactBundle* row = bounce->Row;
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
-        Wide rest = Wide.Splat(c.Rest);
         float* active = stackalloc float[ContactBundle.Lanes];
         Choose(bounce->Hits, active);
 
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
             WideMask any = Wide.Load(active + lane) > Wide.Zero;
+            if (!WideLanes.Any(any))
+            {
+                continue;
+            }
+
+            Wide time = Wide.Keep(any, Wide.Load(bounce->Time + lane));
+            var a = WideFlight.AtEnd(bodies, motions, row->BodyA + lane, Wide.Load(row->MassA + lane) + Wide.Load(row->InertiaA + lane), inverseSubstep);
+            var b = WideFlight.AtEnd(bodies, motions, row->BodyB + lane, Wide.Load(row->MassB + lane) + Wide.Load(row->InertiaB + lane), inverseSubstep);
+            a.Before(time, out WideDelta movedA, out WideVelocity velocityA);
+            b.Before(time, out WideDelta movedB, out WideVelocity velocityB);
+            var arms = new ImpactArms(row, lane, movedA, movedB);
+            arms.Velocities(velocityA, velocityB, out Wide v0, out Wide v1);
             Wide target0 = Wide.Load(bounce->Point0.Target + lane);
             Wide target1 = Wide.Load(bounce->Point1.Target + lane);
-            Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
-            Wide lambda1 = Wide.Load(row->Point1.Normal + lane);
-            BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
-            BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out WideDelta movedA, out WideDelta movedB);
-            ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
-            TurnedArms.NormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
-
-            // A point without an impact may still come to push, but not before it touches.
-            Wide r0 = v0 + Wide.Select(target0 >= Wide.Zero, Wide.Zero - target0, Wide.Max(s0 - rest, Wide.Zero) * inverseSubstep);
-            Wide r1 = v1 + Wide.Select(target1 >= Wide.Zero, Wide.Zero - target1, Wide.Max(s1 - rest, Wide.Zero) * inverseSubstep);
-            ContactKernel.SolveBlock(row, lane, lambda0, lambda1, r0, r1, out Wide x0, out Wide x1);
-            x0 = Wide.Select(any, x0, lambda0);
-            x1 = Wide.Select(any, x1, lambda1);
-            WideVelocity oldA = a;
-            WideVelocity oldB = b;
-            ContactKernel.ApplyNormal(row, lane, ref a, ref b, x0 - lambda0, x1 - lambda1);
-            ContactFriction.Solve(row, lane, ref a, ref b, movedA, movedB, x0, x1, any);
-            x0.Store(row->Point0.Normal + lane);
-            x1.Store(row->Point1.Normal + lane);
-            Wide time = Wide.Keep(any, Wide.Load(bounce->Time + lane));
-            BodyLanes.ScatterVelocity(bodies, row->BodyA + lane, a);
-            CatchUp(bodies, motions, row->BodyA + lane, Change(oldA, a), movedA, time);
-            BodyLanes.ScatterVelocity(bodies, row->BodyB + lane, b);
-            CatchUp(bodies, motions, row->BodyB + lane, Change(oldB, b), movedB, time);
+            Wide old0 = Wide.Load(bounce->Point0.Push + lane);
+            Wide old1 = Wide.Load(bounce->Point1.Push + lane);
+            arms.Solve(
+                any & (target0 >= Wide.Zero), any & (target1 >= Wide.Zero), old0, old1, v0 - target0, v1 - target1, out Wide x0, out Wide x1);
+            x0 = Wide.Select(any, x0, old0);
+            x1 = Wide.Select(any, x1, old1);
+            arms.Push(x0 - old0, x1 - old1, out WideVelocity changeA, out WideVelocity changeB);
+            WideVelocity newA = Sum(velocityA, changeA);
+            WideVelocity newB = Sum(velocityB, changeB);
+            Note(&row->Point0, &bounce->Point0, lane, x0 - old0, x0);
+            Note(&row->Point1, &bounce->Point1, lane, x1 - old1, x1);
+            Rub(row, &row->Point0, &bounce->Point0, lane, movedA, movedB, any, x0, ref newA, ref newB);
+            Rub(row, &row->Point1, &bounce->Point1, lane, movedA, movedB, any, x1, ref newA, ref newB);
+            WideFlight.CatchUp(bodies, motions, row->BodyA + lane, Difference(any, velocityA, newA), time);
+            WideFlight.CatchUp(bodies, motions, row->BodyB + lane, Difference(any, velocityB, newB), time);
         }
     }
 
@@ -182,7 +205,7 @@ internal static unsafe class BounceKernel
         {
             BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out WideDelta movedA, out WideDelta movedB);
             BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
-            TurnedArms.NormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1);
+            new ImpactArms(row, lane, movedA, movedB).Velocities(a, b, out Wide v0, out Wide v1);
             Wide slow = Wide.Zero - Wide.Load(bounce->Slow + lane);
             again |= WideLanes.Bits(
                 ((Wide.Load(bounce->Point0.Target + lane) >= Wide.Zero) & (v0 < slow))
@@ -292,19 +315,6 @@ internal static unsafe class BounceKernel
         Wide.Keep(~held, value).Store(from);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideVelocity StartOf(BodyMotion* motions, int* index, in WideVelocity now, Wide answer)
-    {
-        // What cannot move is not integrated: its start is of another time.
-        BodyLanes.Gather((float*)motions, index, out Wide x, out Wide y, out Wide w, out _);
-        WideMask moves = answer > Wide.Zero;
-        WideVelocity start = now;
-        start.X = Wide.Select(moves, x, now.X);
-        start.Y = Wide.Select(moves, y, now.Y);
-        start.W = Wide.Select(moves, w, now.W);
-        return start;
-    }
-
     /// <summary>The surfaces of a point have come through each other and still approach, fast, or as they did when they were held back.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideMask Met(BouncePointLanes* point, int lane, Wide gap, Wide v, Wide slow)
@@ -313,51 +323,96 @@ internal static unsafe class BounceKernel
         return (gap <= Wide.Load(point->Level + lane)) & (v < Wide.Zero) & ((v < (Wide.Zero - slow)) | held);
     }
 
-    /// <summary>When the surfaces of a point met, before the end of the substep; -1: they did not, or not fast.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Wide Meeting(
-        BouncePointLanes* point, int lane, Wide gap, Wide v, Wide change, Wide restitution, Wide slow, in ContactCoefficients c, out Wide target)
+    /// <summary>
+    /// When the surfaces of a point met, as seconds before the end of the substep, and how fast. The overlap at the end is a function of that time; its root is between
+    /// 0 and the substep, and found by Newton's steps that are halvings where they would leave what is left of it.
+    /// </summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    private static Wide Moment(in Moments moments, Wide level, bool second, float substep, out Wide speed)
     {
-        Wide a = change * Wide.Splat(c.InverseSubstep);
-        Wide beyond = gap - Wide.Load(point->Level + lane);
-        WideMask met = Met(point, lane, gap, v, slow);
-        Wide speed = Wide.Sqrt(Wide.Max((v * v) - (Wide.Splat(2f) * (a * beyond)), Wide.Zero));
-        Wide zero = Wide.Zero;
-        Wide sum = speed - v;
-        Wide time = Wide.Min(Wide.Max((Wide.Splat(-2f) * beyond) / sum, zero), Wide.Splat(c.Substep));
-        Wide back = Wide.Select(speed > slow, restitution * speed, zero);
-        target = Wide.Select(met, Wide.Max(back + (a * time), zero), Wide.Splat(-1f));
-        return Wide.Select(met, time, Wide.Splat(-1f));
+        Wide after = Wide.Zero;
+        Wide before = Wide.Splat(substep);
+        Wide time = Wide.Zero;
+        speed = Wide.Zero;
+        for (int i = 0; i < MomentSteps; i++)
+        {
+            moments.A.Before(time, out WideDelta movedA, out WideVelocity a);
+            moments.B.Before(time, out WideDelta movedB, out WideVelocity b);
+            ContactKernel.Separations(moments.Row, moments.Lane, movedA, movedB, out Wide s0, out Wide s1);
+            new ImpactArms(moments.Row, moments.Lane, movedA, movedB).Velocities(a, b, out Wide v0, out Wide v1);
+            Wide beyond = (second ? s1 : s0) - level;
+            speed = second ? v1 : v0;
+            if (i + 1 == MomentSteps)
+            {
+                break;
+            }
+
+            WideMask late = beyond < Wide.Zero;
+            after = Wide.Select(late, time, after);
+            before = Wide.Select(late, before, time);
+            Wide next = time + (beyond / Wide.Min(speed, Wide.Splat(-float.Epsilon)));
+            WideMask within = (speed < Wide.Zero) & (next >= after) & (next <= before);
+            time = Wide.Select(within, next, Wide.Splat(0.5f) * (after + before));
+        }
+
+        return time;
+    }
+
+    /// <summary>An impact begins: it has no impulse yet, and a speed at which the surfaces are to part, if the point is struck.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Begin(BouncePointLanes* point, int lane, WideMask met, WideMask struck, Wide restitution, Wide velocity, Wide slow)
+    {
+        Wide speed = Wide.Max(Wide.Zero - velocity, Wide.Zero);
+        Wide target = Wide.Keep(speed > slow, restitution * speed);
+        WideLanes.Replace(met, Wide.Select(struck, target, Wide.Splat(-1f)), point->Target + lane);
+        WideLanes.Replace(met, Wide.Zero, point->Push + lane);
+        WideLanes.Replace(met, Wide.Zero, point->Rub + lane);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideVelocity Change(in WideVelocity old, in WideVelocity now)
+    private static void Note(ContactPointLanes* point, BouncePointLanes* bounce, int lane, Wide more, Wide push)
+    {
+        (Wide.Load(point->Normal + lane) + more).Store(point->Normal + lane);
+        push.Store(bounce->Push + lane);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Rub(
+        ContactBundle* row, ContactPointLanes* point, BouncePointLanes* bounce, int lane, in WideDelta movedA, in WideDelta movedB, WideMask any, Wide push,
+        ref WideVelocity a, ref WideVelocity b)
+    {
+        Wide old = Wide.Load(bounce->Rub + lane);
+        Wide rub = ImpactArms.Rub(row, point, lane, movedA, movedB, Wide.Keep(any, push), old, ref a, ref b);
+        WideLanes.Replace(any, rub, bounce->Rub + lane);
+        (Wide.Load(point->Tangent + lane) + Wide.Keep(any, rub - old)).Store(point->Tangent + lane);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideVelocity Sum(in WideVelocity v, in WideVelocity change)
+    {
+        WideVelocity sum;
+        sum.X = v.X + change.X;
+        sum.Y = v.Y + change.Y;
+        sum.W = v.W + change.W;
+        return sum;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideVelocity Difference(WideMask any, in WideVelocity old, in WideVelocity now)
     {
         WideVelocity change;
-        change.X = now.X - old.X;
-        change.Y = now.Y - old.Y;
-        change.W = now.W - old.W;
+        change.X = Wide.Keep(any, now.X - old.X);
+        change.Y = Wide.Keep(any, now.Y - old.Y);
+        change.W = Wide.Keep(any, now.W - old.W);
         return change;
     }
 
-    /// <summary>
-    /// Moves bodies by what their change of velocity would have brought since the impact, and takes the change into the velocity of the
-    /// substep's start, so that the next one sees the steady acceleration alone.
-    /// </summary>
-    /// <remarks>By value, for a local whose place is given away stays in memory; and by itself, for twice within <see cref="Apply"/> was more than the compiler takes in.</remarks>
-    [MethodImpl(KernelMethod.Optimized)]
-    private static void CatchUp(BodyState* bodies, BodyMotion* motions, int* index, WideVelocity change, WideDelta moved, Wide time)
+    /// <summary>Both bodies of some contacts along their way.</summary>
+    private ref struct Moments
     {
-        WideDelta d = moved;
-        d.X = d.X + (change.X * time);
-        d.Y = d.Y + (change.Y * time);
-        BodyLanes.Gather((float*)motions, index, out Wide startX, out Wide startY, out Wide startW, out Wide turned);
-        turned = turned + (change.W * time);
-        BodyLanes.Scatter((float*)motions, index, startX + change.X, startY + change.Y, startW + change.W, turned);
-        Integrator.Show(turned, ref d);
-        WideMask turns = Wide.Abs(change.W * time) > Wide.Zero;
-        d.Sin = Wide.Select(turns, d.Sin, moved.Sin);
-        d.Cos = Wide.Select(turns, d.Cos, moved.Cos);
-        BodyLanes.ScatterDelta(bodies, index, d);
+        public WideFlight A;
+        public WideFlight B;
+        public ContactBundle* Row;
+        public int Lane;
     }
 }

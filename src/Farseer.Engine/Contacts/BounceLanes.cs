@@ -50,4 +50,8 @@ internal unsafe struct BouncePointLanes
 
     /// <summary>Speed at which the surfaces are to part; negative: no impact.</summary>
     public fixed float Target[Lanes];
+
+    /// <summary>Impulses of the impact that is being solved.</summary>
+    public fixed float Push[Lanes];
+    public fixed float Rub[Lanes];
 }

@@ -394,7 +394,15 @@ internal static unsafe class ContactKernel
     {
         Wide k11 = Wide.Load(row->K11 + lane);
         Wide k22 = Wide.Load(row->K22 + lane);
-        Wide k12 = NormalCoupling(row, lane);
+        WideMask block = ContactBundle.Has(row, lane, ContactBundle.BlockMark);
+        SolveBlock(k11, k22, NormalCoupling(row, lane), block, lambda0, lambda1, r0, r1, out x0, out x1);
+    }
+
+    /// <summary>The same for given responses; lanes that are no <paramref name="block"/> are solved row by row.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void SolveBlock(
+        Wide k11, Wide k22, Wide k12, WideMask block, Wide lambda0, Wide lambda1, Wide r0, Wide r1, out Wide x0, out Wide x1)
+    {
         Wide inverse11 = Wide.One / k11;
         Wide inverse22 = Wide.One / k22;
         Wide inverse = Wide.One / ((k11 * k22) - (k12 * k12));
@@ -414,7 +422,6 @@ internal static unsafe class ContactKernel
         WideMask second = (b0 + (k12 * only1)) >= zero;
         WideMask first = (b1 + (k12 * only0)) >= zero;
         WideMask none = (b0 >= zero) & (b1 >= zero);
-        WideMask block = ContactBundle.Has(row, lane, ContactBundle.BlockMark);
         WideMask pair = (both0 >= zero) & (both1 >= zero);
         x0 = Wide.Select(second, zero, turn0);
         x1 = Wide.Select(second, only1, turn1);

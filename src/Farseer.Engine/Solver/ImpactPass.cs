@@ -110,7 +110,7 @@ internal sealed unsafe class ImpactPass
         _any = false;
         for (int i = 0; i < _count; i++)
         {
-            _any |= BounceKernel.Prepare(_bounces.Pointer + i, bodies.State.Pointer, bodies.Drive.Pointer, c);
+            _any |= BounceKernel.Prepare(_bounces.Pointer + i, bodies.State.Pointer, bodies.Motion.Pointer, bodies.Drive.Pointer, c);
         }
     }
 
