@@ -81,7 +81,8 @@ internal static unsafe class BounceKernel
             v1 = Wide.Min(v1, end1);
             Wide slow = Slowest(row, lane, drives, c);
             slow.Store(bounce->Slow + lane);
-            WideMask can = restitution > Wide.Zero;
+            WideMask can = (restitution > Wide.Zero)
+                & ((Wide.Load(row->Point0.Normal + lane) + Wide.Load(row->Point1.Normal + lane)) <= Wide.Zero);
             WideMask held0 = can & HoldBack(&bounce->Point0, lane, s0 - rest, v0, slow);
             WideMask held1 = can & HoldBack(&bounce->Point1, lane, s1 - rest, v1, slow);
             Mute(&row->Point0, &bounce->Point0, lane, held0);
@@ -101,12 +102,16 @@ internal static unsafe class BounceKernel
     /// <param name="motions">What their velocities were at the start of the substep.</param>
     /// <param name="c">Of the substep.</param>
     /// <param name="lanes">Bits of the lanes to look at.</param>
+    /// <param name="onlyHeld">
+    /// Nothing has been struck yet: what was not held back and approaches all the same is a load that the passes have not found, and no impact.
+    /// </param>
     /// <returns>A bit for each lane with an impact.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static int Find(BounceLanes* bounce, BodyState* bodies, BodyMotion* motions, in ContactCoefficients c, int lanes)
+    public static int Find(BounceLanes* bounce, BodyState* bodies, BodyMotion* motions, in ContactCoefficients c, int lanes, bool onlyHeld)
     {
         ContactBundle* row = bounce->Row;
         Wide rest = Wide.Splat(c.Rest);
+        Wide fastest = Wide.Splat(onlyHeld ? float.MaxValue : 0f);
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide none = Wide.Splat(-1f);
         Wide same = Wide.Splat((float)SameMoment * c.Substep);
@@ -121,8 +126,8 @@ internal static unsafe class BounceKernel
             new ImpactArms(row, lane, movedA, movedB).Velocities(a, b, out Wide v0, out Wide v1);
             WideMask can = (Wide.Load(wanted + lane) > Wide.Zero) & (Wide.Load(row->Restitution + lane) > Wide.Zero);
             Wide slow = Wide.Load(bounce->Slow + lane);
-            WideMask met0 = can & Met(&bounce->Point0, lane, s0 - rest, v0, slow);
-            WideMask met1 = can & Met(&bounce->Point1, lane, s1 - rest, v1, slow);
+            WideMask met0 = can & Met(&bounce->Point0, lane, s0 - rest, v0, Wide.Max(slow, fastest));
+            WideMask met1 = can & Met(&bounce->Point1, lane, s1 - rest, v1, Wide.Max(slow, fastest));
             WideMask met = met0 | met1;
             if (!WideLanes.Any(met))
             {

@@ -75,6 +75,9 @@ internal sealed unsafe class ImpactPass
     private int _rows;
     private bool _any;
 
+    /// <summary>The rounds have ended before the impacts did.</summary>
+    private bool _goesOn;
+
     /// <summary>Lists the bundles that can bounce.</summary>
     public void Begin(ReadOnlySpan<GraphColor> colors, BodyStore bodies)
     {
@@ -128,10 +131,12 @@ internal sealed unsafe class ImpactPass
         bool struck = false;
         int weakRounds = 0;
         _visits = PassVisits * _count;
+        _goesOn = true;
         for (int round = 0; round < MostRounds && weakRounds < MostWeakRounds && (round < LeastRounds || _visits < MostVisits); round++)
         {
             if (!FindFirst(bodies, input.Coefficients, round > 0))
             {
+                _goesOn = false;
                 break;
             }
 
@@ -146,12 +151,20 @@ internal sealed unsafe class ImpactPass
         }
     }
 
-    /// <summary>Lets the impulses of the substep's impacts go.</summary>
-    public void Finish()
+    /// <summary>
+    /// Lets the impulses of the substep's impacts go. If impacts are left, what approaches still is stopped without a bounce, all of it together: the series of impacts in a pile has
+    /// no end, and what it tends to is that nothing approaches. Left as it is, it would fly on, and the pile sink into itself.
+    /// </summary>
+    public void Finish(in SolverInput input, ContactPasses passes)
     {
         for (int i = 0; _any && i < _count; i++)
         {
             BounceKernel.Finish(_bounces.Pointer + i);
+        }
+
+        for (int turn = 0; _any && _goesOn && turn < (_visits < MostVisits ? Turns : LeastTurns); turn++)
+        {
+            passes.Relax(input.Colors, true, false);
         }
     }
 
@@ -166,7 +179,7 @@ internal sealed unsafe class ImpactPass
         int count = again ? _neighbors.Taken.Count : _count;
         for (int i = 0; i < count; i++)
         {
-            Look(again ? _neighbors.Taken[i] : i, bodies, c);
+            Look(again ? _neighbors.Taken[i] : i, bodies, c, again);
         }
 
         if (_hits.Count == 0)
@@ -222,11 +235,11 @@ internal sealed unsafe class ImpactPass
         return strong == 0;
     }
 
-    private void Look(int index, BodyStore bodies, in ContactCoefficients c)
+    private void Look(int index, BodyStore bodies, in ContactCoefficients c, bool again)
     {
         _visits++;
         BounceLanes* bounce = _bounces.Pointer + index;
-        bounce->Hits = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c, AllLanes);
+        bounce->Hits = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c, AllLanes, onlyHeld: !again);
         if (bounce->Hits == 0)
         {
             return;
@@ -296,7 +309,7 @@ internal sealed unsafe class ImpactPass
                 BounceLanes* bounce = _bounces.Pointer + _hits[i];
                 if (sweep == 0 && bounce->Heavy != 0)
                 {
-                    int now = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c, bounce->Heavy);
+                    int now = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c, bounce->Heavy, onlyHeld: false);
                     bounce->Hits &= now | ~bounce->Heavy;
                     bounce->Heavy = 0;
                 }

@@ -193,7 +193,7 @@ internal sealed unsafe class SubstepSolver
             input.Joints?.NoteLoads();
             if (input.AnyBounce)
             {
-                _impacts.Finish();
+                _impacts.Finish(input, _passes);
                 input.Joints?.Bounce();
                 input.Audit?.Book(SolverPart.Impacts);
                 input.Joints?.Settle();
