@@ -233,7 +233,10 @@ internal static unsafe class BounceKernel
         }
     }
 
-    /// <summary>After the impacts: their impulses are noted, and let go, for they are not to be repeated.</summary>
+    /// <summary>
+    /// After the impacts: their impulses are noted, and let go, for they are not to be repeated. What a contact bears besides it goes on bearing: a pile in which each blow
+    /// made its contacts forget their loads sank into itself.
+    /// </summary>
     public static void Finish(BounceLanes* bounce)
     {
         ContactBundle* row = bounce->Row;
@@ -241,9 +244,9 @@ internal static unsafe class BounceKernel
         {
             if (((bounce->Struck >> lane) & 1) != 0)
             {
-                row->Struck[lane] = System.Math.Max(row->Point0.Normal[lane] + row->Point1.Normal[lane], float.Epsilon);
-                Release(&row->Point0, lane);
-                Release(&row->Point1, lane);
+                row->Struck[lane] += System.Math.Max(bounce->Point0.Pushed[lane] + bounce->Point1.Pushed[lane], float.Epsilon);
+                Release(&row->Point0, &bounce->Point0, lane);
+                Release(&row->Point1, &bounce->Point1, lane);
             }
         }
     }
@@ -258,12 +261,10 @@ internal static unsafe class BounceKernel
         }
     }
 
-    private static void Release(ContactPointLanes* point, int lane)
+    private static void Release(ContactPointLanes* point, BouncePointLanes* bounce, int lane)
     {
-        point->Normal[lane] = 0;
-        point->PreviousNormal[lane] = 0;
-        point->Tangent[lane] = 0;
-        point->PreviousTangent[lane] = 0;
+        point->Normal[lane] = System.Math.Max(point->Normal[lane] - bounce->Pushed[lane], 0);
+        point->Tangent[lane] -= bounce->Rubbed[lane];
     }
 
     // Finite speeds only: a point that does not exist has a separation of 1e30 and must not bounce.
@@ -283,6 +284,8 @@ internal static unsafe class BounceKernel
         Wide.Select(held, none, Wide.Load(point->Base + lane)).Store(point->Base + lane);
         Wide.Zero.Store(bounce->Normal + lane);
         Wide.Zero.Store(bounce->Tangent + lane);
+        Wide.Zero.Store(bounce->Pushed + lane);
+        Wide.Zero.Store(bounce->Rubbed + lane);
         Wide.Keep(~held, Wide.Load(point->Normal + lane)).Store(point->Normal + lane);
         Wide.Keep(~held, Wide.Load(point->PreviousNormal + lane)).Store(point->PreviousNormal + lane);
         Wide.Keep(~held, Wide.Load(point->Tangent + lane)).Store(point->Tangent + lane);
@@ -378,6 +381,7 @@ internal static unsafe class BounceKernel
     private static void Note(ContactPointLanes* point, BouncePointLanes* bounce, int lane, Wide more, Wide push)
     {
         (Wide.Load(point->Normal + lane) + more).Store(point->Normal + lane);
+        (Wide.Load(bounce->Pushed + lane) + more).Store(bounce->Pushed + lane);
         push.Store(bounce->Push + lane);
     }
 
@@ -389,7 +393,9 @@ internal static unsafe class BounceKernel
         Wide old = Wide.Load(bounce->Rub + lane);
         Wide rub = ImpactArms.Rub(row, point, lane, movedA, movedB, Wide.Keep(any, push), old, ref a, ref b);
         WideLanes.Replace(any, rub, bounce->Rub + lane);
-        (Wide.Load(point->Tangent + lane) + Wide.Keep(any, rub - old)).Store(point->Tangent + lane);
+        Wide more = Wide.Keep(any, rub - old);
+        (Wide.Load(point->Tangent + lane) + more).Store(point->Tangent + lane);
+        (Wide.Load(bounce->Rubbed + lane) + more).Store(bounce->Rubbed + lane);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

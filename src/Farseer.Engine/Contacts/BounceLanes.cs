@@ -54,4 +54,8 @@ internal unsafe struct BouncePointLanes
     /// <summary>Impulses of the impact that is being solved.</summary>
     public fixed float Push[Lanes];
     public fixed float Rub[Lanes];
+
+    /// <summary>Impulses of all impacts of the substep.</summary>
+    public fixed float Pushed[Lanes];
+    public fixed float Rubbed[Lanes];
 }

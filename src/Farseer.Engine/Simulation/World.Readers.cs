@@ -128,11 +128,11 @@ internal sealed partial class World
 
     private static unsafe float ShareOfPoint(ContactBundle* bundle, int lane) => (bundle->Flags[lane] & ContactBundle.SingleMark) != 0 ? 1f : 0.5f;
 
-    /// <summary>A point that bounced has let go of its impulse: then that of the blow counts, which the points of the contact share.</summary>
+    /// <summary>What it bears, and its share of the blows that it had in the step, which are let go when they are over.</summary>
     private unsafe float ImpulseOf(ContactBundle* bundle, int lane, float normal)
     {
         float blow = bundle->Struck[lane] * ShareOfPoint(bundle, lane);
-        return normal > 0 ? normal * Settings.Substeps : blow;
+        return (normal * Settings.Substeps) + blow;
     }
 
     /// <summary>64-bit hash (FNV-1a) of the poses and velocities of all live bodies, in order; equal on every platform.</summary>
