@@ -22,6 +22,12 @@ internal static unsafe class BounceKernel
     /// <summary>Share of the substep within which impacts are at the same moment.</summary>
     public const double SameMoment = 1e-3;
 
+    /// <summary>Share of the speeds of two bodies by which their approach may be wrong: a few units in the last place of a float.</summary>
+    private const float Rounding = 1e-6f;
+
+    /// <summary>The least restitution of bounces that are not weak.</summary>
+    private const float Strong = 0.5f;
+
     /// <summary>Newton's steps to the moment of an impact: each doubles the digits.</summary>
     private const int MomentSteps = 6;
 
@@ -37,6 +43,32 @@ internal static unsafe class BounceKernel
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
             bits |= WideLanes.Bits(Wide.Load(row->Restitution + lane) > Wide.Zero) << lane;
+        }
+
+        return bits;
+    }
+
+    /// <summary>A bit for each lane with a contact that nothing presses yet.</summary>
+    public static int UnloadedLanes(ContactBundle* row)
+    {
+        int bits = 0;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            WideMask unloaded = ((Wide.Load(row->Point0.Normal + lane) + Wide.Load(row->Point1.Normal + lane)) <= Wide.Zero)
+                & (Wide.Load(row->Point0.Base + lane) < Wide.Splat(ContactBundle.NoPoint));
+            bits |= WideLanes.Bits(unloaded) << lane;
+        }
+
+        return bits;
+    }
+
+    /// <summary>A bit for each lane whose contact gives back a quarter of the energy or more.</summary>
+    public static int StrongLanes(ContactBundle* row)
+    {
+        int bits = 0;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
+        {
+            bits |= WideLanes.Bits(Wide.Load(row->Restitution + lane) >= Wide.Splat(Strong)) << lane;
         }
 
         return bits;
@@ -67,7 +99,6 @@ internal static unsafe class BounceKernel
         bounce->Heavy = 0;
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            Wide restitution = Wide.Load(row->Restitution + lane);
             var a = WideFlight.AtStart(bodies, motions, drives, row->BodyA + lane, Wide.Splat(c.InverseSubstep));
             var b = WideFlight.AtStart(bodies, motions, drives, row->BodyB + lane, Wide.Splat(c.InverseSubstep));
             ContactKernel.Separations(row, lane, a.Moved, b.Moved, out Wide s0, out Wide s1);
@@ -81,7 +112,7 @@ internal static unsafe class BounceKernel
             v1 = Wide.Min(v1, end1);
             Wide slow = Slowest(row, lane, drives, c);
             slow.Store(bounce->Slow + lane);
-            WideMask can = (restitution > Wide.Zero)
+            WideMask can = WideLanes.Mask(bounce->Can >> lane)
                 & ((Wide.Load(row->Point0.Normal + lane) + Wide.Load(row->Point1.Normal + lane)) <= Wide.Zero);
             WideMask held0 = can & HoldBack(&bounce->Point0, lane, s0 - rest, v0, slow);
             WideMask held1 = can & HoldBack(&bounce->Point1, lane, s1 - rest, v1, slow);
@@ -116,18 +147,17 @@ internal static unsafe class BounceKernel
         Wide none = Wide.Splat(-1f);
         Wide same = Wide.Splat((float)SameMoment * c.Substep);
         int hits = 0;
-        float* wanted = stackalloc float[ContactBundle.Lanes];
-        Choose(lanes, wanted);
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
             BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out WideDelta movedA, out WideDelta movedB);
             ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1);
             BodyLanes.GatherVelocities(bodies, row->BodyA + lane, row->BodyB + lane, out WideVelocity a, out WideVelocity b);
             new ImpactArms(row, lane, movedA, movedB).Velocities(a, b, out Wide v0, out Wide v1);
-            WideMask can = (Wide.Load(wanted + lane) > Wide.Zero) & (Wide.Load(row->Restitution + lane) > Wide.Zero);
+            Wide rounding = RoundingOf(a, b);
+            WideMask can = WideLanes.Mask((bounce->Can & lanes) >> lane);
             Wide slow = Wide.Load(bounce->Slow + lane);
-            WideMask met0 = can & Met(&bounce->Point0, lane, s0 - rest, v0, Wide.Max(slow, fastest));
-            WideMask met1 = can & Met(&bounce->Point1, lane, s1 - rest, v1, Wide.Max(slow, fastest));
+            WideMask met0 = can & Met(&bounce->Point0, lane, s0 - rest, v0 + rounding, Wide.Max(slow, fastest));
+            WideMask met1 = can & Met(&bounce->Point1, lane, s1 - rest, v1 + rounding, Wide.Max(slow, fastest));
             WideMask met = met0 | met1;
             if (!WideLanes.Any(met))
             {
@@ -162,12 +192,9 @@ internal static unsafe class BounceKernel
     {
         ContactBundle* row = bounce->Row;
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
-        float* active = stackalloc float[ContactBundle.Lanes];
-        Choose(bounce->Hits, active);
-
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            WideMask any = Wide.Load(active + lane) > Wide.Zero;
+            WideMask any = WideLanes.Mask(bounce->Hits >> lane);
             if (!WideLanes.Any(any))
             {
                 continue;
@@ -251,16 +278,6 @@ internal static unsafe class BounceKernel
         }
     }
 
-    /// <summary>A 1 for each bit.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Choose(int bits, float* lanes)
-    {
-        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
-        {
-            lanes[lane] = (bits >> lane) & 1;
-        }
-    }
-
     private static void Release(ContactPointLanes* point, BouncePointLanes* bounce, int lane)
     {
         point->Normal[lane] = System.Math.Max(point->Normal[lane] - bounce->Pushed[lane], 0);
@@ -322,6 +339,11 @@ internal static unsafe class BounceKernel
         Wide.Select(held, value, Wide.Load(to)).Store(to);
         Wide.Keep(~held, value).Store(from);
     }
+
+    /// <summary>Speeds below this are rounding of those of the bodies: what has just been stopped does not approach.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Wide RoundingOf(in WideVelocity a, in WideVelocity b) =>
+        Wide.Splat(Rounding) * (Wide.Abs(a.X) + Wide.Abs(a.Y) + Wide.Abs(b.X) + Wide.Abs(b.Y));
 
     /// <summary>The surfaces of a point have come through each other and still approach, fast, or as they did when they were held back.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -10,6 +10,10 @@ internal unsafe struct BounceLanes
 
     public ContactBundle* Row;
 
+    /// <summary>Bits of the lanes that can have impacts, and of those among them whose impacts concern nobody else.</summary>
+    public int Can;
+    public int Free;
+
     /// <summary>A bit for each lane whose impact is being solved.</summary>
     public int Hits;
 

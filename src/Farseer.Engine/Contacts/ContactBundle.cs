@@ -93,13 +93,10 @@ internal unsafe struct ContactBundle
     /// <summary>η: the share of the load that the feed-forward carries.</summary>
     public fixed float FeedShare[LineLanes];
 
-    /// <summary>
-    /// Combined restitution; 0: the restitution pass skips the contact. Below 0: the restitution, with the other sign, of one that bounces by
-    /// Newton's rule, which that pass skips as well: see <see cref="ReboundKernel"/>.
-    /// </summary>
+    /// <summary>Combined restitution.</summary>
     public fixed float Restitution[LineLanes];
 
-    /// <summary>Impulse of the last bounce of the pair in this step, else 0: by the step's end nothing else tells of an impact.</summary>
+    /// <summary>Impulses of the impacts of the pair in this step, else 0: by the step's end nothing else tells of them.</summary>
     public fixed float Struck[LineLanes];
 
     /// <summary>Index of the contact record; -1 in an empty lane.</summary>

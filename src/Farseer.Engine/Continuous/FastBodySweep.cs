@@ -23,6 +23,12 @@ internal sealed class FastBodySweep
     /// <summary>Searches of one body in a step that end in something to look at.</summary>
     private const int MostSearches = 96;
 
+    /// <summary>Things that a body meets at the same moment and that are resolved together.</summary>
+    private const int MostTogether = 8;
+
+    /// <summary>Turns of these, until none changes the velocities any more.</summary>
+    private const int MostTurns = 256;
+
     /// <summary>
     /// Share of its extent by which a body that the solver handled may sink into something: what it does there is the solver's
     /// business, as long as it does not get through.
@@ -98,8 +104,7 @@ internal sealed class FastBodySweep
                 return;
             }
 
-            ref SweepCandidate candidate = ref _candidates[found];
-            Meeting meeting = Meet(input, leg, time, left, ref candidate);
+            Meeting meeting = Meet(input, leg, time, left, found);
             if (meeting == Meeting.Gone)
             {
                 return;
@@ -144,48 +149,56 @@ internal sealed class FastBodySweep
         return obstacle;
     }
 
-    /// <summary>The impact of a free body with a candidate.</summary>
-    private static Meeting Meet(in SweepInput input, in FreeLeg leg, double time, double left, ref SweepCandidate candidate)
+    /// <summary>The impact of a free body with a candidate, and with what else it meets at that moment.</summary>
+    private Meeting Meet(in SweepInput input, in FreeLeg leg, double time, double left, int found)
     {
-        int body = leg.Body;
-        BodyPath path = leg.Path;
-        ContactRecord record = input.Contacts.Records[candidate.Contact];
-        bool isA = record.BodyA == body;
-        int other = isA ? record.BodyB : record.BodyA;
-        float extent = Extent(input.Shapes, record, isA);
-        double tolerance = FastPairs.Tolerance(extent);
-        BodyPath otherPath = PathOf(input, other, left);
-        PairInput pair = ImpactPose.Pair(
-            input.Shapes, record.PieceA, record.PieceB, isA ? path : otherPath, isA ? otherPath : path, time, (float)(4 * tolerance));
-        Collision.Collide(pair, out Manifold manifold);
-        double depth = manifold.Count > 0 ? manifold.Point0.Separation : -CoreShare * extent;
-        depth = manifold.Count > 1 ? Math.Min(depth, manifold.Point1.Separation) : depth;
-        if (manifold.Count == 0 && candidate.Mode == SweepMode.Met)
+        ref SweepCandidate candidate = ref _candidates[found];
+        Surface met = Look(input, leg, time, left, candidate);
+        if (met.Manifold.Count == 0)
         {
-            candidate.Mode = SweepMode.Passed;
+            bool missed = candidate.Mode == SweepMode.Met;
+            candidate.Mode = missed ? SweepMode.Passed : SweepMode.Met;
+            candidate.Target = missed ? candidate.Target : met.Target;
             return Meeting.Missed;
         }
 
         candidate.Mode = SweepMode.Met;
-        candidate.Target = Math.Min(depth, tolerance) - (2 * tolerance);
-        if (manifold.Count == 0)
-        {
-            return Meeting.Missed;
-        }
-
+        candidate.Target = met.Target;
         Mover after = leg.MoverAt(input.Bodies, time, left);
-        Obstacle obstacle = Describe(input, candidate.Contact, isA, otherPath.XAt(time) - path.XAt(time), otherPath.YAt(time) - path.YAt(time));
-        obstacle.Slowest = Slowest(input, leg.Gain, manifold.Normal);
-        Manifold own = isA ? Impact.Flip(manifold) : Impact.Shift(manifold, pair.Offset);
-        if (!Impact.Resolve(ref after, ref obstacle, own))
+        if (!Impact.Approaches(after, met.Obstacle, met.Own))
         {
             return Meeting.Missed;
         }
 
         leg.Place(input, time, left);
-        var seen = new BodySeen(input.Bodies, body);
-        bool accepted = input.Listener.OnImpact(candidate.Contact, manifold);
-        if (seen.HasChanged(input.Bodies, body))
+        var seen = new BodySeen(input.Bodies, leg.Body);
+        Span<Surface> surfaces = stackalloc Surface[MostTogether];
+        int count = 0;
+        bool accepted = input.Listener.OnImpact(candidate.Contact, met.Manifold);
+        if (accepted)
+        {
+            surfaces[count++] = met;
+        }
+
+        for (int i = 0; accepted && i < _count && count < MostTogether && !seen.HasChanged(input.Bodies, leg.Body); i++)
+        {
+            ref SweepCandidate other = ref _candidates[i];
+            if (i == found || other.Moves != 0 || other.Mode == SweepMode.Passed)
+            {
+                continue;
+            }
+
+            Surface beside = Look(input, leg, time, left, other);
+            if (beside.Manifold.Count > 0 && beside.Depth <= 2 * beside.Tolerance && Impact.Approaches(after, beside.Obstacle, beside.Own))
+            {
+                other.Mode = input.Listener.OnImpact(other.Contact, beside.Manifold) ? SweepMode.Met : SweepMode.Passed;
+                other.Target = beside.Target;
+                surfaces[count] = beside;
+                count += other.Mode == SweepMode.Met ? 1 : 0;
+            }
+        }
+
+        if (seen.HasChanged(input.Bodies, leg.Body))
         {
             // A handler took the body into its own hands.
             return Meeting.Gone;
@@ -197,18 +210,78 @@ internal sealed class FastBodySweep
             return Meeting.Refused;
         }
 
-        ref BodyState now = ref input.Bodies.State[body];
+        Resolve(ref after, surfaces.Slice(0, count));
+        ref BodyState now = ref input.Bodies.State[leg.Body];
         now.LinearVelocity = new Vector2((float)after.VelocityX, (float)after.VelocityY);
         now.AngularVelocity = (float)after.Spin;
-        if (depth < 0 && depth > -4 * tolerance)
+        if (met.Depth < 0 && met.Depth > -4 * met.Tolerance)
         {
-            ref BodyPose pose = ref input.Bodies.Pose[body];
-            pose.X -= depth * own.Normal.X;
-            pose.Y -= depth * own.Normal.Y;
-            candidate.Target = -tolerance;
+            ref BodyPose pose = ref input.Bodies.Pose[leg.Body];
+            pose.X -= met.Depth * met.Own.Normal.X;
+            pose.Y -= met.Depth * met.Own.Normal.Y;
+            candidate.Target = -met.Tolerance;
         }
 
         return Meeting.Struck;
+    }
+
+    private static void Resolve(ref Mover mover, Span<Surface> surfaces)
+    {
+        if (surfaces.Length == 1)
+        {
+            Impact.Resolve(ref mover, ref surfaces[0].Obstacle, surfaces[0].Own);
+            return;
+        }
+
+        // Each by itself first, then in turns until nothing changes: one after the other alone would throw a symmetric body into a spin.
+        for (int i = 0; i < surfaces.Length; i++)
+        {
+            surfaces[i].Impact = new ImpactInTurns(mover, surfaces[i].Obstacle, surfaces[i].Own);
+        }
+
+        bool changed = true;
+        for (int turn = 0; turn < MostTurns && changed; turn++)
+        {
+            changed = false;
+            for (int i = 0; i < surfaces.Length; i++)
+            {
+                changed |= surfaces[i].Impact.Solve(ref mover, surfaces[i].Obstacle);
+            }
+        }
+
+        for (int i = 0; i < surfaces.Length; i++)
+        {
+            surfaces[i].Impact.Rub(ref mover, ref surfaces[i].Obstacle, surfaces[i].Own);
+        }
+    }
+
+    /// <summary>What a candidate shows to a body at a moment of its way.</summary>
+    private static Surface Look(in SweepInput input, in FreeLeg leg, double time, double left, in SweepCandidate candidate)
+    {
+        int body = leg.Body;
+        BodyPath path = leg.Path;
+        ContactRecord record = input.Contacts.Records[candidate.Contact];
+        bool isA = record.BodyA == body;
+        int other = isA ? record.BodyB : record.BodyA;
+        float extent = Extent(input.Shapes, record, isA);
+        Surface surface = default;
+        surface.Tolerance = FastPairs.Tolerance(extent);
+        BodyPath otherPath = PathOf(input, other, left);
+        PairInput pair = ImpactPose.Pair(
+            input.Shapes, record.PieceA, record.PieceB, isA ? path : otherPath, isA ? otherPath : path, time, (float)(4 * surface.Tolerance));
+        Collision.Collide(pair, out surface.Manifold);
+        double depth = surface.Manifold.Count > 0 ? surface.Manifold.Point0.Separation : -CoreShare * extent;
+        depth = surface.Manifold.Count > 1 ? Math.Min(depth, surface.Manifold.Point1.Separation) : depth;
+        surface.Depth = depth;
+        surface.Target = Math.Min(depth, surface.Tolerance) - (2 * surface.Tolerance);
+        if (surface.Manifold.Count > 0)
+        {
+            surface.Obstacle = Describe(input, candidate.Contact, isA, otherPath.XAt(time) - path.XAt(time), otherPath.YAt(time) - path.YAt(time));
+            surface.Obstacle.Slowest = Slowest(input, leg.Gain, surface.Manifold.Normal);
+            surface.Own = isA ? Impact.Flip(surface.Manifold) : Impact.Shift(surface.Manifold, pair.Offset);
+        }
+
+        return surface;
     }
 
     /// <summary>An approach slower than this is rest.</summary>
@@ -396,6 +469,22 @@ internal sealed class FastBodySweep
         }
 
         return path;
+    }
+
+    /// <summary>A candidate at the moment of an impact.</summary>
+    private struct Surface
+    {
+        public Manifold Manifold;
+
+        /// <summary>The same as the mover sees it.</summary>
+        public Manifold Own;
+        public Obstacle Obstacle;
+        public ImpactInTurns Impact;
+        public double Depth;
+        public double Tolerance;
+
+        /// <summary>How deep it may come before it is met again.</summary>
+        public double Target;
     }
 
     private enum Meeting

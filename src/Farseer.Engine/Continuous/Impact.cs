@@ -52,13 +52,13 @@ internal static class Impact
     /// <returns>False if no point approaches.</returns>
     public static bool Resolve(ref Mover mover, ref Obstacle other, in Manifold manifold)
     {
-        var first = new Row(mover, other, manifold.Point0.Anchor, manifold.Normal);
-        Row second = manifold.Count > 1 ? new Row(mover, other, manifold.Point1.Anchor, manifold.Normal) : default;
-        double least = -LeastApproach * mover.Speed;
-        if (first.Velocity >= least && (manifold.Count < 2 || second.Velocity >= least))
+        if (!Approaches(mover, other, manifold))
         {
             return false;
         }
+
+        var first = new Row(mover, other, manifold.Point0.Anchor, manifold.Normal);
+        Row second = manifold.Count > 1 ? new Row(mover, other, manifold.Point1.Anchor, manifold.Normal) : default;
 
         double b0 = first.Velocity - first.Target(other);
         double x0;
@@ -88,6 +88,10 @@ internal static class Impact
         return true;
     }
 
+    /// <summary>Whether a point approaches, more than by rounding.</summary>
+    public static bool Approaches(in Mover mover, in Obstacle other, in Manifold manifold) =>
+        Approach(mover, other, manifold) > LeastApproach * mover.Speed;
+
     /// <summary>The greatest speed at which a point approaches; negative if all part.</summary>
     public static double Approach(in Mover mover, in Obstacle other, in Manifold manifold)
     {
@@ -110,11 +114,11 @@ internal static class Impact
         return manifold;
     }
 
-    private static double Coupling(in Mover mover, in Obstacle other, in Row a, in Row b) =>
+    internal static double Coupling(in Mover mover, in Obstacle other, in Row a, in Row b) =>
         mover.InverseMass + (mover.InverseInertia * a.Arm * b.Arm) + (other.InverseMass + (other.InverseInertia * a.OtherArm * b.OtherArm));
 
     // Finds x ≥ 0 with w = K·x + b ≥ 0 and x·w = 0, case by case: both, the first, the second.
-    private static void Solve(double k11, double k22, double k12, double b0, double b1, out double x0, out double x1)
+    internal static void Solve(double k11, double k22, double k12, double b0, double b1, out double x0, out double x1)
     {
         const double LeastDeterminant = 1e-9;
         double determinant = (k11 * k22) - (k12 * k12);
@@ -139,7 +143,7 @@ internal static class Impact
         x0 = 0;
     }
 
-    private static void Rub(ref Mover mover, ref Obstacle other, Vector2 arm, Vector2 normal, double push)
+    internal static void Rub(ref Mover mover, ref Obstacle other, Vector2 arm, Vector2 normal, double push)
     {
         // t = (ny, -nx), and r×t = -r·n.
         double turn = -(((double)arm.X * normal.X) + ((double)arm.Y * normal.Y));
@@ -165,7 +169,7 @@ internal static class Impact
         y = mover.VelocityY + (mover.Spin * arm.X) - (other.VelocityY + (other.Spin * (arm.X - other.X)));
     }
 
-    private readonly struct Row
+    internal readonly struct Row
     {
         public readonly double Arm;
         public readonly double OtherArm;
@@ -182,5 +186,68 @@ internal static class Impact
         }
 
         public double Target(in Obstacle other) => Velocity < -other.Slowest ? -other.Restitution * Velocity : 0;
+    }
+}
+
+/// <summary>
+/// The impact of a body with one of several things that it meets at the same moment. Each point has the speed at which it is to part from what it was before all of
+/// them; the impulses are found in turns, x ≥ 0 with v' ≥ -e·v and x·(v' + e·v) = 0, and of these energies none is gained: Σ x·(v + v')/2 = (1 - e)·Σ x·v/2 ≤ 0.
+/// </summary>
+internal struct ImpactInTurns
+{
+    /// <summary>Share of the speeds below which a change is none.</summary>
+    private const double LeastChange = 1e-12;
+
+    private readonly Manifold _own;
+    private readonly double _target0;
+    private readonly double _target1;
+    private double _x0;
+    private double _x1;
+
+    public ImpactInTurns(in Mover mover, in Obstacle other, in Manifold own)
+    {
+        this = default;
+        _own = own;
+        _target0 = Math.Max(0, new Impact.Row(mover, other, own.Point0.Anchor, own.Normal).Target(other));
+        _target1 = own.Count > 1 ? Math.Max(0, new Impact.Row(mover, other, own.Point1.Anchor, own.Normal).Target(other)) : 0;
+    }
+
+    /// <summary>One turn.</summary>
+    /// <returns>True if it changed the velocities.</returns>
+    public bool Solve(ref Mover mover, in Obstacle other)
+    {
+        var first = new Impact.Row(mover, other, _own.Point0.Anchor, _own.Normal);
+        double old0 = _x0;
+        double old1 = _x1;
+        double b0 = first.Velocity - _target0 - (first.K * _x0);
+        Impact.Row second = default;
+        if (_own.Count < 2)
+        {
+            _x0 = Math.Max(0, -b0 / first.K);
+        }
+        else
+        {
+            second = new Impact.Row(mover, other, _own.Point1.Anchor, _own.Normal);
+            double coupling = Impact.Coupling(mover, other, first, second);
+            double b1 = second.Velocity - _target1 - (second.K * _x1) - (coupling * _x0);
+            Impact.Solve(first.K, second.K, coupling, b0 - (coupling * _x1), b1, out _x0, out _x1);
+        }
+
+        double sum = _x0 - old0 + (_x1 - old1);
+        mover.VelocityX += mover.InverseMass * sum * _own.Normal.X;
+        mover.VelocityY += mover.InverseMass * sum * _own.Normal.Y;
+        double spin = mover.InverseInertia * ((first.Arm * (_x0 - old0)) + (second.Arm * (_x1 - old1)));
+        mover.Spin += spin;
+        return (mover.InverseMass * Math.Abs(sum)) + (Math.Abs(spin) * mover.Reach) > LeastChange * mover.Speed;
+    }
+
+    /// <summary>Friction, within the cones of what was found.</summary>
+    public readonly void Rub(ref Mover mover, ref Obstacle other, in Manifold own)
+    {
+        Impact.Rub(ref mover, ref other, own.Point0.Anchor, own.Normal, _x0);
+        if (own.Count > 1)
+        {
+            Impact.Rub(ref mover, ref other, own.Point1.Anchor, own.Normal, _x1);
+        }
     }
 }

@@ -212,7 +212,7 @@ internal sealed unsafe partial class JointSolver
         {
             int item = _agenda[i];
             ref RowEnds ends = ref EndsOf(item);
-            bool plain = item < 0 && !_contacts[~item].Deep && _contacts[~item].Restitution + _contacts[~item].Rebound <= 0;
+            bool plain = item < 0 && !_contacts[~item].Deep && _contacts[~item].Restitution <= 0;
             Press(ends.NodeA, plain);
             Press(ends.NodeB, plain);
         }

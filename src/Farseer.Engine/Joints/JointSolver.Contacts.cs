@@ -125,8 +125,7 @@ internal sealed unsafe partial class JointSolver
         contact->NormalX = bundle->NormalX[lane];
         contact->NormalY = bundle->NormalY[lane];
         contact->Friction = bundle->Friction[lane];
-        contact->Restitution = Math.Max(bundle->Restitution[lane], 0);
-        contact->Rebound = Math.Max(-bundle->Restitution[lane], 0);
+        contact->Restitution = bundle->Restitution[lane];
         contact->RadiusA = bundle->RadiusA[lane];
         contact->RadiusB = bundle->RadiusB[lane];
         contact->FeedRate = bundle->FeedRate[lane];

@@ -48,7 +48,6 @@ internal sealed unsafe partial class JointSolver
     {
         TurnWheels();
         LoadVelocities();
-        bool rebounds = Rebound();
         bool struck = false;
         for (int round = 0; _anyHeld && round < ImpactRounds && FindImpacts(); round++)
         {
@@ -70,29 +69,12 @@ internal sealed unsafe partial class JointSolver
             Factor();
         }
 
-        for (int i = 0; (_anyHeld || rebounds) && i < _contactCount; i++)
+        for (int i = 0; _anyHeld && i < _contactCount; i++)
         {
             TreeContactPass.FinishImpact(_contacts.Pointer + i);
         }
 
         StoreVelocities();
-    }
-
-    /// <summary>Parts what the passes have stopped and is to part by Newton's rule.</summary>
-    private bool Rebound()
-    {
-        bool any = false;
-        for (int i = 0; i < _contactCount; i++)
-        {
-            any |= TreeContactPass.FindRebound(_contacts.Pointer + i);
-        }
-
-        if (any)
-        {
-            Sweep(Pass.Impact);
-        }
-
-        return any;
     }
 
     /// <summary>After impacts that do not see the trees: what they took out of joint is put right.</summary>

@@ -24,7 +24,7 @@ internal sealed unsafe partial class JointSolver
     private bool IsOrdinary(TreeContact* contact)
     {
         ref RowEnds ends = ref contact->Ends;
-        return !contact->Deep && contact->Restitution + contact->Rebound <= 0 && (ends.NodeA < 0 || ends.NodeB < 0 || ends.Coupled);
+        return !contact->Deep && contact->Restitution <= 0 && (ends.NodeA < 0 || ends.NodeB < 0 || ends.Coupled);
     }
 
     /// <summary>The impulses that the rows of trees with contacts on lanes start from.</summary>

@@ -77,9 +77,6 @@ internal unsafe struct TreeContact
     public double FeedShare;
     public double Restitution;
 
-    /// <summary>The same if it bounces by Newton's rule, and the restitution is 0: see <see cref="ReboundKernel"/>.</summary>
-    public double Rebound;
-
     public TreeContactPoint Point0;
     public TreeContactPoint Point1;
 

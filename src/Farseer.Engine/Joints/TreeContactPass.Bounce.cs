@@ -12,7 +12,7 @@ internal sealed unsafe partial class TreeContactPass
     public bool HoldBack(TreeContact* contact)
     {
         contact->Held = false;
-        if (contact->Restitution + contact->Rebound <= 0)
+        if (contact->Restitution <= 0)
         {
             return false;
         }
@@ -24,15 +24,8 @@ internal sealed unsafe partial class TreeContactPass
         double driveB = contact->Ends.NodeB < 0 ? 0 : (contact->NormalX * b.X) + (contact->NormalY * b.Y);
         contact->Acceleration = (driveB - driveA) * _c.InverseSubstep;
         contact->Slow = Math.Max(BounceKernel.RestSubsteps * Math.Max(Math.Abs(driveA), Math.Abs(driveB)), _c.BounceThreshold);
-        if (contact->Rebound > 0)
-        {
-            bool pressed = contact->Point0.Normal + contact->Point1.Normal > 0;
-            contact->Point0.Bounce = v0 < -contact->Slow && !pressed ? -contact->Rebound * v0 : -1;
-            contact->Point1.Bounce = v1 < -contact->Slow && !pressed && contact->Points > 1 ? -contact->Rebound * v1 : -1;
-            return false;
-        }
-
-        contact->Held = v0 < -contact->Slow || (contact->Points > 1 && v1 < -contact->Slow);
+        bool pressed = contact->Point0.Normal + contact->Point1.Normal > 0;
+        contact->Held = !pressed && (v0 < -contact->Slow || (contact->Points > 1 && v1 < -contact->Slow));
         NoteLevel(&contact->Point0);
         NoteLevel(&contact->Point1);
         if (contact->Held)
@@ -61,21 +54,6 @@ internal sealed unsafe partial class TreeContactPass
         }
 
         return contact->Since >= 0;
-    }
-
-    /// <summary>After the passes: whether a contact that bounces by Newton's rule was stopped by them, and is to part.</summary>
-    public static bool FindRebound(TreeContact* contact)
-    {
-        contact->Hit = false;
-        if (contact->Rebound > 0)
-        {
-            contact->Point0.Bounce = contact->Point0.Normal > 0 ? contact->Point0.Bounce : -1;
-            contact->Point1.Bounce = contact->Point1.Normal > 0 ? contact->Point1.Bounce : -1;
-            contact->Hit = Math.Max(contact->Point0.Bounce, contact->Point1.Bounce) > 0;
-            contact->Impact |= contact->Hit;
-        }
-
-        return contact->Hit;
     }
 
     /// <summary>One sweep over an impact.</summary>

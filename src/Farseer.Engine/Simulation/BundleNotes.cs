@@ -62,6 +62,9 @@ internal struct BundleSums
     /// <summary>A contact can bounce.</summary>
     public bool AnyBounce;
 
+    /// <summary>Some contacts are not pressed yet.</summary>
+    public bool AnyFresh;
+
     /// <summary>Adds the pairs of a bundle.</summary>
     public void Add(in ContactFates fates)
     {
@@ -71,6 +74,13 @@ internal struct BundleSums
         AnyHeard |= fates.Heard != 0;
     }
 
+    /// <summary>Notes whether contacts of a bundle may have impacts.</summary>
+    public unsafe void NoteImpacts(ContactBundle* bundle)
+    {
+        AnyBounce |= BounceKernel.Bounces(bundle);
+        AnyFresh |= BounceKernel.UnloadedLanes(bundle) != 0;
+    }
+
     public void Add(in BundleSums other)
     {
         Touching += other.Touching;
@@ -78,5 +88,6 @@ internal struct BundleSums
         Hulls += other.Hulls;
         AnyHeard |= other.AnyHeard;
         AnyBounce |= other.AnyBounce;
+        AnyFresh |= other.AnyFresh;
     }
 }

@@ -84,14 +84,14 @@ internal sealed unsafe class ContactWork : IStageWork
     }
 
     /// <summary>Writes the constraints of pairs that have just been given rows, eight at a time, and moves them to their places.</summary>
-    /// <returns>True if one of them can bounce.</returns>
-    public bool FillRows(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph, int* gained, int count)
+    /// <returns>Whether they can have impacts.</returns>
+    public BundleSums FillRows(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph, int* gained, int count)
     {
         _graph = graph;
         _gained = gained;
         _gainedCount = count;
         int bundles = (count + ContactBundle.Lanes - 1) / ContactBundle.Lanes;
-        return Run(runner, input, Part.Given, bundles, 1).AnyBounce;
+        return Run(runner, input, Part.Given, bundles, 1);
     }
 
     /// <summary>Keeps what is to become of the pairs of a bundle of which something follows, and how deep those that are struck would sink in.</summary>
@@ -188,7 +188,7 @@ internal sealed unsafe class ContactWork : IStageWork
 
             ContactUpdate.UpdateRows(input, bundle, out ContactFates fates);
             sums.Add(fates);
-            sums.AnyBounce |= BounceKernel.Bounces(bundle);
+            sums.NoteImpacts(bundle);
             int follows = fates.Follows;
             _notes.Note(number, follows);
             if (follows != 0)
@@ -221,7 +221,8 @@ internal sealed unsafe class ContactWork : IStageWork
 
             ContactUpdate.UpdateRecord(input, bundle, out ContactFates fates);
             sums.Add(fates);
-            sums.AnyBounce |= BounceKernel.Bounces(bundle) || BounceKernel.Bounces(ContactBundle.Next(bundle));
+            sums.NoteImpacts(bundle);
+            sums.NoteImpacts(ContactBundle.Next(bundle));
             int follows = fates.Follows;
             _notes.Note(number, PairBits.Of(follows, 0));
             _notes.Note(number + 1, PairBits.Of(follows, 1));
@@ -267,7 +268,7 @@ internal sealed unsafe class ContactWork : IStageWork
             }
 
             ContactUpdate.FillRows(input, bundle);
-            sums.AnyBounce |= BounceKernel.Bounces(bundle);
+            sums.NoteImpacts(bundle);
             for (int lane = 0; lane < count; lane++)
             {
                 ref ContactRecord record = ref records[gained[lane]];

@@ -221,6 +221,8 @@ internal sealed partial class World
         input.Springs = _springs;
         input.AnyDeep = anyDeep;
         input.AnyBounce = _contactStage.AnyBounce;
+        input.AnyFresh = _contactStage.AnyFresh;
+        input.Degrees = _graph.Degrees;
         input.ColdStart = _contactStage.ColdStart;
         input.Joints = joints;
         input.UserJoints = anyUserJoints ? UserJoints : null;

@@ -75,11 +75,18 @@ internal sealed unsafe class ImpactPass
     private int _rows;
     private bool _any;
 
-    /// <summary>The rounds have ended before the impacts did.</summary>
+    /// <summary>An impact of the last round concerns others than its two bodies.</summary>
+    private bool _concerned;
+
+    /// <summary>The rounds have ended before such impacts did.</summary>
     private bool _goesOn;
 
     /// <summary>Lists the bundles that can bounce.</summary>
-    public void Begin(ReadOnlySpan<GraphColor> colors, BodyStore bodies)
+    /// <param name="colors">The rows.</param>
+    /// <param name="bodies">The store.</param>
+    /// <param name="free">Contacts whose impacts concern nobody else; null: there are none.</param>
+    /// <returns>True if there are some.</returns>
+    public bool Begin(ReadOnlySpan<GraphColor> colors, BodyStore bodies, FreeImpacts? free)
     {
         _count = 0;
         _rows = 0;
@@ -94,17 +101,26 @@ internal sealed unsafe class ImpactPass
             foreach (ContactBundle* row in colors[k].Bundles)
             {
                 ContactBundle.AskAhead(row->Restitution);
-                int can = BounceKernel.BouncingLanes(row);
+                int alone = free != null ? free.LanesOf(row) : 0;
+                int can = BounceKernel.BouncingLanes(row) | alone;
                 if (can != 0)
                 {
                     _rows += BitSet.CountBits((uint)can);
                     _bounces.EnsureCapacity(_count + 1);
-                    _bounces[_count++].Row = row;
+                    BounceLanes* bounce = _bounces.Pointer + _count++;
+                    bounce->Row = row;
+                    bounce->Can = can;
+                    bounce->Free = alone;
                 }
             }
         }
 
-        _neighbors.Begin(_bounces.Capacity, bodies.Ids.End);
+        if (_count > 0)
+        {
+            _neighbors.Begin(_bounces.Capacity, bodies.Ids.End);
+        }
+
+        return _count > 0;
     }
 
     /// <summary>Before the velocities of a substep are integrated.</summary>
@@ -131,16 +147,16 @@ internal sealed unsafe class ImpactPass
         bool struck = false;
         int weakRounds = 0;
         _visits = PassVisits * _count;
-        _goesOn = true;
+        _goesOn = false;
         for (int round = 0; round < MostRounds && weakRounds < MostWeakRounds && (round < LeastRounds || _visits < MostVisits); round++)
         {
-            if (!FindFirst(bodies, input.Coefficients, round > 0))
+            _goesOn = FindFirst(bodies, input.Coefficients, round > 0) && _concerned;
+            if (_hits.Count == 0)
             {
-                _goesOn = false;
                 break;
             }
 
-            struck = true;
+            struck |= _concerned;
             weakRounds += AreAllWeak() ? 1 : 0;
             Sweep(bodies, input.Coefficients);
         }
@@ -175,6 +191,7 @@ internal sealed unsafe class ImpactPass
     private bool FindFirst(BodyStore bodies, in ContactCoefficients c, bool again)
     {
         _hits.Clear();
+        _concerned = false;
         _neighbors.Take();
         int count = again ? _neighbors.Taken.Count : _count;
         for (int i = 0; i < count; i++)
@@ -216,6 +233,7 @@ internal sealed unsafe class ImpactPass
             }
 
             bounce->Struck |= bounce->Hits;
+            _concerned |= (bounce->Hits & ~bounce->Free) != 0;
             bounce->Heavy = HeavyLanes(bounce->Row, bounce->Hits);
         }
 
@@ -229,7 +247,7 @@ internal sealed unsafe class ImpactPass
         for (int i = 0; i < _hits.Count; i++)
         {
             BounceLanes* bounce = _bounces.Pointer + _hits[i];
-            strong |= bounce->Hits & ~ReboundKernel.WeakLanes(bounce->Row);
+            strong |= bounce->Hits & BounceKernel.StrongLanes(bounce->Row);
         }
 
         return strong == 0;

@@ -38,6 +38,8 @@ internal sealed unsafe class SolverUnits : IStageWork
     private float _recovery;
     private bool _anyDeep;
     private bool _coldStart;
+    private bool _anyFresh;
+    private int* _degrees;
 
     /// <summary>Places that so many bodies may take, each group filled up to whole bundles.</summary>
     public static int MostListed(int bodies, int groups) => bodies + (groups * WideLanes.BundleLanes);
@@ -86,6 +88,8 @@ internal sealed unsafe class SolverUnits : IStageWork
         _recovery = input.Recovery;
         _anyDeep = input.AnyDeep;
         _coldStart = input.ColdStart;
+        _anyFresh = input.AnyFresh;
+        _degrees = input.Degrees;
         input.Runner.RunEach(this, _count);
     }
 
@@ -114,6 +118,8 @@ internal sealed unsafe class SolverUnits : IStageWork
             input.Recovery = _recovery;
             input.AnyDeep = _anyDeep;
             input.ColdStart = _coldStart;
+            input.AnyFresh = _anyFresh;
+            input.Degrees = _degrees;
             _solvers[worker].Solve(input);
         }
     }

@@ -50,6 +50,10 @@ internal unsafe ref struct SolverInput
     public bool AnyDeep;
     public bool AnyBounce;
 
+    /// <summary>Some contacts are new, and how many rows each body has.</summary>
+    public bool AnyFresh;
+    public int* Degrees;
+
     /// <summary>Most contacts are new in this step and have no impulses to start from.</summary>
     public bool ColdStart;
 
@@ -84,7 +88,7 @@ internal sealed unsafe class SubstepSolver
     private readonly ContactPasses _passes = new ContactPasses();
     private readonly UserJointPass _userJoints = new UserJointPass();
     private readonly ImpactPass _impacts = new ImpactPass();
-    private readonly ReboundPass _rebounds = new ReboundPass();
+    private readonly FreeImpacts _free = new FreeImpacts();
 
     /// <summary>Makes room ahead for so many bundles of rows.</summary>
     public void Reserve(int bundles) => _passes.ReserveBundles(bundles);
@@ -94,11 +98,6 @@ internal sealed unsafe class SubstepSolver
         ContactCoefficients coefficients = input.Coefficients;
         _bodies.Begin(input);
         double recovery = input.AnyDeep ? RecoveryRate(input.Recovery, input.Substeps) : 0;
-        if (input.AnyBounce)
-        {
-            _rebounds.Begin(input.Colors, input.RowCount, input.Islands, input.Bodies, coefficients);
-        }
-
         ReadOnlySpan<GraphColor> colors = input.Colors;
         if (input.Joints != null)
         {
@@ -107,11 +106,7 @@ internal sealed unsafe class SubstepSolver
             _bodies.Use(input.Joints.Movers(input.List, input.PaddedCount, out int movers), movers);
         }
 
-        if (input.AnyBounce)
-        {
-            _impacts.Begin(input.Colors, input.Bodies);
-            _passes.ReserveChosen(input.Bodies.Ids.End);
-        }
+        bool impacts = FindImpacts(input);
 
         _passes.Begin(input.Runner, input.Bodies, coefficients, input.Colors, input.BundleRoom, input.MiddleBody > 0);
 
@@ -121,9 +116,9 @@ internal sealed unsafe class SubstepSolver
         int jointSweeps = sweeps > 1 && input.Joints != null && IsApart(colors, input.Joints) ? 1 : sweeps;
         for (int substep = 0; substep < input.Substeps; substep++)
         {
-            if (input.AnyBounce)
+            if (impacts)
             {
-                PrepareBounces(input);
+                PrepareImpacts(input);
             }
 
             input.Runner.Call();
@@ -184,14 +179,13 @@ internal sealed unsafe class SubstepSolver
                 input.Audit?.Book(SolverPart.Joints);
             }
 
-            if (input.AnyBounce)
+            if (impacts)
             {
-                _rebounds.Run(input.Bodies, coefficients);
                 _impacts.Run(input, _passes);
             }
 
             input.Joints?.NoteLoads();
-            if (input.AnyBounce)
+            if (impacts)
             {
                 _impacts.Finish(input, _passes);
                 input.Joints?.Bounce();
@@ -253,9 +247,32 @@ internal sealed unsafe class SubstepSolver
         return apart;
     }
 
-    private void PrepareBounces(in SolverInput input)
+    /// <returns>False: no contact can have an impact by itself in this step.</returns>
+    private bool FindImpacts(in SolverInput input)
     {
-        _rebounds.Prepare(input.Bodies, input.Coefficients);
+        bool jointed = input.Joints != null && input.AnyBounce;
+        if (!input.AnyFresh && !jointed)
+        {
+            return false;
+        }
+
+        bool free = input.AnyFresh && input.UserJoints == null;
+        if (free)
+        {
+            _free.Find(input.Colors, input.Degrees, input.Bodies, input.Joints, input.Springs);
+        }
+
+        bool any = _impacts.Begin(input.Colors, input.Bodies, free ? _free : null);
+        if (any)
+        {
+            _passes.ReserveChosen(input.Bodies.Ids.End);
+        }
+
+        return any || jointed;
+    }
+
+    private void PrepareImpacts(in SolverInput input)
+    {
         _impacts.Prepare(input.Bodies, input.Coefficients);
         input.Joints?.PrepareBounce();
     }

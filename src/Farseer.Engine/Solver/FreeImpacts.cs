@@ -1,0 +1,123 @@
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Joints;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Springs;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Solver;
+
+/// <summary>
+/// The contacts of bodies that fly free until they meet: nothing presses on them yet, and they have contacts with what cannot move, or with one other
+/// such body, only. What happens when they meet concerns nobody else, so it happens at its own moment whatever their restitution: without one a
+/// body stops there as exactly as it bounces with one. (What others hold besides is stopped with all of them together, by the passes.)
+/// </summary>
+internal sealed unsafe class FreeImpacts
+{
+    private readonly Column<Entry> _entries = new Column<Entry>();
+
+    /// <summary>Contacts of a body with what cannot move that nothing presses yet.</summary>
+    private readonly Column<int> _atRest = new Column<int>();
+    private int _count;
+    private int _next;
+
+    /// <summary>Finds them among the rows.</summary>
+    /// <param name="colors">The rows.</param>
+    /// <param name="degrees">How many rows each body has.</param>
+    /// <param name="bodies">The store.</param>
+    /// <param name="joints">What they may hang on.</param>
+    /// <param name="springs">The same.</param>
+    public void Find(System.ReadOnlySpan<GraphColor> colors, int* degrees, BodyStore bodies, JointSolver? joints, SpringStore? springs)
+    {
+        _count = 0;
+        _next = 0;
+        _atRest.EnsureCapacity(bodies.Ids.End);
+        for (int k = 0; k < colors.Length; k++)
+        {
+            foreach (ContactBundle* row in colors[k].Bundles)
+            {
+                int fresh = BounceKernel.UnloadedLanes(row);
+                if (fresh != 0)
+                {
+                    _entries.EnsureCapacity(_count + 1);
+                    _entries[_count++] = new Entry { Row = row, Lanes = fresh };
+                }
+            }
+        }
+
+        for (int step = 0; step < 2; step++)
+        {
+            for (int i = 0; i < _count; i++)
+            {
+                CountAtRest(_entries[i], step);
+            }
+        }
+
+        for (int i = 0; i < _count; i++)
+        {
+            ref Entry entry = ref _entries[i];
+            int lanes = 0;
+            for (int lane = 0; entry.Lanes >> lane != 0; lane++)
+            {
+                bool free = ((entry.Lanes >> lane) & 1) != 0 && IsFree(entry.Row, lane, degrees, joints, springs);
+                lanes |= free ? 1 << lane : 0;
+            }
+
+            entry.Lanes = lanes;
+        }
+    }
+
+    /// <summary>The lanes of such contacts of a bundle. Bundles are asked for in the order of the rows.</summary>
+    public int LanesOf(ContactBundle* row)
+    {
+        if (_next < _count && _entries[_next].Row == row)
+        {
+            return _entries[_next++].Lanes;
+        }
+
+        return 0;
+    }
+
+    /// <summary>Counts the contacts at what cannot move; 0 in <paramref name="step"/> begins anew.</summary>
+    private void CountAtRest(in Entry entry, int step)
+    {
+        for (int lane = 0; entry.Lanes >> lane != 0; lane++)
+        {
+            if (((entry.Lanes >> lane) & 1) != 0 && Mover(entry.Row, lane) is int mover and >= 0)
+            {
+                _atRest[mover] = step * (_atRest[mover] + 1);
+            }
+        }
+    }
+
+    /// <summary>The one body of a contact that can move; -1: both can.</summary>
+    private static int Mover(ContactBundle* row, int lane)
+    {
+        bool a = row->MassA[lane] + row->InertiaA[lane] > 0;
+        bool b = row->MassB[lane] + row->InertiaB[lane] > 0;
+        return a == b ? -1 : a ? row->BodyA[lane] : row->BodyB[lane];
+    }
+
+    private bool IsFree(ContactBundle* row, int lane, int* degrees, JointSolver? joints, SpringStore? springs)
+    {
+        int mover = Mover(row, lane);
+        if (mover >= 0)
+        {
+            return degrees[mover] == _atRest[mover] && !IsHeld(mover, joints, springs);
+        }
+
+        int a = row->BodyA[lane];
+        int b = row->BodyB[lane];
+        return degrees[a] == 1 && degrees[b] == 1 && !IsHeld(a, joints, springs) && !IsHeld(b, joints, springs);
+    }
+
+    private static bool IsHeld(int body, JointSolver? joints, SpringStore? springs) =>
+        (joints != null && joints.Holds(body)) || (springs != null && springs.Touches(body));
+
+    private struct Entry
+    {
+        public ContactBundle* Row;
+        public int Lanes;
+    }
+}
