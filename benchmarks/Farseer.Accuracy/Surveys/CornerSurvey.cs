@@ -10,7 +10,7 @@ internal sealed class CornerSurvey : Survey
 {
     private const int TileCount = 20;
 
-    private static readonly string[] _ways = ["flies over a floor", "falls along a wall", "slides over a floor"];
+    private static readonly string[] _ways = ["flies over a floor", "falls along a wall", "slides over a floor", "lands on a floor"];
 
     public override string Name => "K7d";
 
@@ -26,7 +26,8 @@ internal sealed class CornerSurvey : Survey
             {
                 foreach (float speed in (float[])[0.5f, 2, 8, 20])
                 {
-                    foreach (string way in _ways)
+                    // Beside a gap what lands may as well meet the side of the next tile.
+                    foreach (string way in gap == 0 ? _ways : _ways[..3])
                     {
                         yield return Flight(way, piece, gap, 0.5f, speed, 0);
                         yield return Flight(way, piece, gap, 1, speed, 0.005f);
@@ -42,7 +43,7 @@ internal sealed class CornerSurvey : Survey
     {
         int size = dice.Whole(4, 16);
         string way = dice.Of(_ways);
-        int gap = dice.Whole(0, way == _ways[2] ? size / 2 : 32);
+        int gap = way == _ways[3] ? 0 : dice.Whole(0, way == _ways[2] ? size / 2 : 32);
         return Flight(way, dice.Of(Tiles.Pieces), gap / 16f, size / 16f, dice.Wide(0.5, 30), dice.Of(0, 0.001f, 0.005f, Yard.UsualDepth));
     }
 
@@ -55,6 +56,7 @@ internal sealed class CornerSurvey : Survey
     {
         bool falls = way == _ways[1];
         bool slides = way == _ways[2];
+        bool lands = way == _ways[3];
         using var yard = new Yard(depth, falls || slides ? -10 : 0);
         for (int i = 0; i < TileCount; i++)
         {
@@ -64,10 +66,11 @@ internal sealed class CornerSurvey : Survey
             yard.LayOne(piece, from, to);
         }
 
-        // What slides begins with its front exactly at the second tile.
+        // What slides begins with its front exactly at the second tile; what lands comes to it there at an angle of 45 degrees.
         float half = size / 2;
-        Body body = Yard.Upright(yard.Box(slides ? 2 + gap - half : -half, half, size, size, 1, 0));
-        body.LinearVelocity = speed * (falls ? -Vector2.UnitY : Vector2.UnitX);
+        float front = slides ? 2 + gap : lands ? 2 + gap - half : 0;
+        Body body = Yard.Upright(yard.Box(front - half, lands ? size : half, size, size, 1, 0));
+        body.LinearVelocity = speed * (falls ? -Vector2.UnitY : lands ? new Vector2(1, -1) : Vector2.UnitX);
         double lost = double.NegativeInfinity;
         double time = 0;
         int steps = Math.Min(90, (int)((TileCount - 4) / speed / Yard.UsualDt));

@@ -23,7 +23,7 @@ internal sealed class PileSurvey : Survey
     public override string What =>
         "piles with restitution: the larger of depth / 4 mm and speed / 0.02 m/s in the last 4 of 15 s; at most 1";
 
-    public override int Draws => 140;
+    public override int Draws => 160;
 
     public override IEnumerable<Variation> Grid()
     {

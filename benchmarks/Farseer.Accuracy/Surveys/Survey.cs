@@ -44,8 +44,9 @@ internal abstract class Survey
 
     public static IReadOnlyList<Survey> All { get; } =
     [
-        new PileSurvey(), new LandingSurvey(), new ImpactSurvey(), new EnergySurvey(),
+        new DragSurvey(), new FlashDragSurvey(), new PileSurvey(), new LandingSurvey(), new ImpactSurvey(), new EnergySurvey(),
         new TileLandingSurvey(), new PressedWalkSurvey(), new BendSurvey(), new CornerSurvey(),
-        new ThinWallSurvey(), new HoleSurvey(), new SupportSurvey(),
+        new ThinWallSurvey(), new HoleSurvey(), new SupportSurvey(), new FloatSurvey(),
+        new ColumnSurvey(), new GrowingBounceSurvey(), new ChainBodySurvey(),
     ];
 }

@@ -117,6 +117,14 @@ internal sealed class Yard : IDisposable
         return body;
     }
 
+    /// <summary>The mass and inertia of a polygon of 1 kg, whose outline is a chain; the outline is about its centroid.</summary>
+    public Body Chain(float x, float y, Vertices outline, bool loop, float bounce)
+    {
+        Body body = Placed(BodyFactory.Instance.CreatePolygonBody(Simulator, new Vertices(outline.ToArray()), 1), x, y);
+        Touching(GeomFactory.Instance.CreateChainGeom(Simulator, body, outline, loop), 0.5f, bounce);
+        return body;
+    }
+
     /// <summary>Fixed pieces of ground between each two neighbours of some points; what they hold up is on the left of the way along them.</summary>
     public void Lay(Piece piece, IReadOnlyList<Vector2> points, bool oneBody = false, float friction = 0)
     {
