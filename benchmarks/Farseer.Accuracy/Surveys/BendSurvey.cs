@@ -37,13 +37,15 @@ internal sealed class BendSurvey : Survey
     {
         int bends = dice.Whole(1, 4);
         return Slide(
-            dice.Of(Tiles.Pieces), dice.Between(1, 45.0 / bends), bends, dice.Between(0.7, 3), dice.Of(Tiles.Shapes), dice.Between(0.2, 1), dice.Wide(0.5, 10),
-            dice.Of(0, 0.001f, 0.005f, Yard.UsualDepth));
+            dice.Of(Tiles.Pieces), dice.Between(1, 45.0 / bends), bends, dice.Between(0.7, 3), dice.Of(Tiles.Shapes),
+            dice.Between(0.2, 1), dice.Wide(0.5, 10), dice.Of(0, 0.001f, 0.005f, Yard.UsualDepth));
     }
 
-    private static Variation Slide(Piece piece, float bend, int bends, float length, string shape, float size, float speed, float depth) => new(
+    private static Variation Slide(
+        Piece piece, float bend, int bends, float length, string shape, float size, float speed, float depth) => new(
         FormattableString.Invariant(
-            $"{shape} of {size} m at {speed} m/s over {bends + 1} tiles of {length} m ({piece}) that bend down by {bend:G4}° each, depth {depth}"),
+            $"{shape} of {size} m at {speed} m/s over {bends + 1} tiles of {length} m ({piece}) ")
+            + FormattableString.Invariant($"that bend down by {bend:G4}° each, depth {depth}"),
         Tiles.Limit,
         () =>
         {

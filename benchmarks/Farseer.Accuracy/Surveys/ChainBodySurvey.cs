@@ -6,7 +6,10 @@ using FarseerGames.FarseerPhysics.Dynamics;
 
 namespace Farseer.Accuracy.Surveys;
 
-/// <summary>A body whose outline is a chain, thrown on a floor, behaves as the polygon of that outline: it gains no energy and stays above.</summary>
+/// <summary>
+/// A body whose outline is a chain, thrown on a floor, behaves as the polygon of that outline: it gains no energy and
+/// stays above.
+/// </summary>
 internal sealed class ChainBodySurvey : Survey
 {
     /// <summary>Energy is that above the floor; a hundredth of it leaves room for the depth of rest.</summary>
@@ -16,7 +19,8 @@ internal sealed class ChainBodySurvey : Survey
 
     public override string Name => "F20";
 
-    public override string What => "chains on dynamic bodies: energy gained at the most / energy at first, infinite below the floor; at most 0.01";
+    public override string What =>
+        "chains on dynamic bodies: energy gained at the most / energy at first, infinite below the floor; at most 0.01";
 
     public override int Draws => 300;
 
@@ -54,7 +58,8 @@ internal sealed class ChainBodySurvey : Survey
         float way = dice.Between(0, 6.28);
         float spin = dice.Between(-4, 4);
         string what = FormattableString.Invariant(
-            $"{(loop ? "closed" : "open")} chain of {count}, restitution {bounce}, {speed} m/s, spin {spin}, 1/{1 / dt:F0} s, depth {depth}, seed {seed}");
+            $"{(loop ? "closed" : "open")} chain of {count}, restitution {bounce}, {speed} m/s, spin {spin}, ")
+            + FormattableString.Invariant($"1/{1 / dt:F0} s, depth {depth}, seed {seed}");
         return new Variation(what, Limit, () =>
         {
             using var yard = new Yard(depth, dt: dt);

@@ -5,7 +5,10 @@ using FarseerGames.FarseerPhysics.Dynamics;
 
 namespace Farseer.Accuracy.Surveys;
 
-/// <summary>A column of boxes without restitution, in pixels, with gaps between them, falls on a floor and none of them goes up again.</summary>
+/// <summary>
+/// A column of boxes without restitution, in pixels, with gaps between them, falls on a floor and none of them goes up
+/// again.
+/// </summary>
 internal sealed class ColumnSurvey : Survey
 {
     private const double Limit = 0.01;
@@ -35,12 +38,14 @@ internal sealed class ColumnSurvey : Survey
     {
         float size = dice.Between(10, 60);
         return Fall(
-            dice.Whole(1, 8), size, size * dice.Between(0, 0.5), dice.Wide(20, 1500), dice.Of(0, -100, -500), dice.Of(0.01f, Yard.UsualDt, 0.02f),
-            dice.Of(5, 10, 20), dice.Of(1f, 1, 0.5f, 2), dice.Of(0.01f, Yard.UsualDepth, 0.5f), dice.Between(1, 200));
+            dice.Whole(1, 8), size, size * dice.Between(0, 0.5), dice.Wide(20, 1500), dice.Of(0, -100, -500),
+            dice.Of(0.01f, Yard.UsualDt, 0.02f), dice.Of(5, 10, 20), dice.Of(1f, 1, 0.5f, 2), dice.Of(0.01f, Yard.UsualDepth, 0.5f),
+            dice.Between(1, 200));
     }
 
     private static Variation Fall(
-        int count, float size, float gap, float speed, float gravity, float dt, int iterations, float heavier, float depth, float lift) => new(
+        int count, float size, float gap, float speed, float gravity, float dt, int iterations, float heavier, float depth,
+        float lift) => new(
         FormattableString.Invariant($"{count} boxes of {size} with gaps of {gap} from {lift} at {speed}/s, gravity {gravity}, {dt:G4} s, ")
             + FormattableString.Invariant($"iterations {iterations}, each {heavier} times the one below, depth {depth}"),
         Limit,

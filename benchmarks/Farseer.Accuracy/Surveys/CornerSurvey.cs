@@ -5,7 +5,10 @@ using FarseerGames.FarseerPhysics.Dynamics;
 
 namespace Farseer.Accuracy.Surveys;
 
-/// <summary>What goes exactly level with the corners of tiles, its own corner coming exactly to theirs, passes: there is nothing in its way.</summary>
+/// <summary>
+/// What goes exactly level with the corners of tiles, its own corner coming exactly to theirs, passes: there is nothing in
+/// its way.
+/// </summary>
 internal sealed class CornerSurvey : Survey
 {
     private const int TileCount = 20;

@@ -3,7 +3,10 @@ using System.Globalization;
 
 namespace Farseer.Accuracy.Surveys;
 
-/// <summary>Random parameters, the same for the same seed and word on every machine, of four digits so that a printed one can be typed in.</summary>
+/// <summary>
+/// Random parameters, the same for the same seed and word on every machine, of four digits so that a printed one can be
+/// typed in.
+/// </summary>
 internal sealed class Dice
 {
     private uint _state;

@@ -19,11 +19,13 @@ internal sealed class DragSurvey : Survey
     /// <summary>What a contact may sink in beyond the allowed depth.</summary>
     private const double Slack = 1e-3;
 
-    private static readonly string[] _wishes = ["target joint", "motor joint", "slide with a motor", "velocity set each step", "spring", "force"];
+    private static readonly string[] _wishes =
+        ["target joint", "motor joint", "slide with a motor", "velocity set each step", "spring", "force"];
 
     public override string Name => "K1a";
 
-    public override string What => "drawn at a static wall: metres beyond its face in the last 2 of 10 s; at most AllowedPenetration + 0.001";
+    public override string What =>
+        "drawn at a static wall: metres beyond its face in the last 2 of 10 s; at most AllowedPenetration + 0.001";
 
     public override int Draws => 150;
 
@@ -55,10 +57,12 @@ internal sealed class DragSurvey : Survey
     }
 
     public override Variation Draw(Dice dice) => Drag(
-        dice.Of(["target joint", "target joint", .. _wishes]), dice.Of("box", "ball"), dice.Wide(0.02, 1), dice.Wide(0.2, 20), dice.Wide(15, 1e4),
+        dice.Of(["target joint", "target joint", .. _wishes]), dice.Of("box", "ball"), dice.Wide(0.02, 1), dice.Wide(0.2, 20),
+        dice.Wide(15, 1e4),
         dice.Whole(1, 20), dice.Of(0, 0.001f, 0.005f, Yard.UsualDepth), dice.Of(true, false));
 
-    private static Variation Drag(string wish, string shape, float thick, float mass, float force, int iterations, float depth, bool bullet) => new(
+    private static Variation Drag(
+        string wish, string shape, float thick, float mass, float force, int iterations, float depth, bool bullet) => new(
         FormattableString.Invariant($"{wish} of {force} on a {(bullet ? "bullet, " : "")}{shape} of {mass} kg, wall of {thick} m, ")
             + FormattableString.Invariant($"iterations {iterations}, depth {depth}"),
         depth + Slack,
@@ -90,7 +94,9 @@ internal sealed class DragSurvey : Survey
                 yard.Simulator.Add(motor);
                 return () => motor.Offset = place - ground.Position;
             case "slide with a motor":
-                yard.Simulator.Add(new FixedPrismaticJoint(body, body.Position, Vector2.UnitX) { IsMotorEnabled = true, MotorSpeed = 3, MaxMotorForce = force });
+                var slide = new FixedPrismaticJoint(body, body.Position, Vector2.UnitX) { IsMotorEnabled = true, MotorSpeed = 3 };
+                slide.MaxMotorForce = force;
+                yard.Simulator.Add(slide);
                 return () => { };
             case "velocity set each step":
                 return () => body.LinearVelocity.X = Math.Min(force / 50, FastestSet);

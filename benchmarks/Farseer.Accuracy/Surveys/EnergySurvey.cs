@@ -8,7 +8,10 @@ namespace Farseer.Accuracy.Surveys;
 /// <summary>What goes on bouncing without loss keeps its energy for long: in a room without gravity, and on a floor with it.</summary>
 internal sealed class EnergySurvey : Survey
 {
-    /// <summary>Hundreds of impacts, each of which may be wrong by what a float rounds off, and the fall between two under gravity.</summary>
+    /// <summary>
+    /// Hundreds of impacts, each of which may be wrong by what a float rounds off, and the fall between two under
+    /// gravity.
+    /// </summary>
     private const double Limit = 0.01;
 
     private static readonly string[] _shapes = ["box", "square", "triangle", "capsule", "rounded box", "hexagon"];

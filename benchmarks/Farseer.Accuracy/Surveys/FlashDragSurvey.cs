@@ -41,14 +41,17 @@ internal sealed class FlashDragSurvey : Survey
         dice.Of("box", "ball"), dice.Wide(0.02, 1), dice.Wide(0.2, 20), dice.Wide(15, 1e6), dice.Whole(1, 20), dice.Of(true, false));
 
     private static Variation Drag(string shape, float thick, float density, float force, int iterations, bool bullet) => new(
-        FormattableString.Invariant($"{force} N on a {(bullet ? "bullet, " : "")}{shape} of density {density}, wall of {thick} m, iterations {iterations}"),
+        FormattableString.Invariant($"{force} N on a {(bullet ? "bullet, " : "")}{shape} of density {density}, ")
+            + FormattableString.Invariant($"wall of {thick} m, iterations {iterations}"),
         Limit,
         () =>
         {
             var room = new FlashRoom(-10);
             room.Box(0, -0.5f, 40, 1, 0);
             room.Box(WallFace + (thick / 2), 2, thick, 6, 0);
-            b2Body body = shape == "ball" ? room.Ball(0, 0.5f, 0.5f, density, bullet: bullet) : room.Box(0, 0.5f, 1, 1, density, bullet: bullet);
+            b2Body body = shape == "ball"
+                ? room.Ball(0, 0.5f, 0.5f, density, bullet: bullet)
+                : room.Box(0, 0.5f, 1, 1, density, bullet: bullet);
             room.Steps(1, iterations);
             b2Vec2 start = body.GetPosition();
             var def = new b2MouseJointDef { body1 = room.World.GetGroundBody(), body2 = body, maxForce = force };

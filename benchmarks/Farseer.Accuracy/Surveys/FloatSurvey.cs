@@ -16,7 +16,8 @@ internal sealed class FloatSurvey : Survey
 
     public override string Name => "K15";
 
-    public override string What => "floating bodies at rest: share under the surface less density, at the most in the last 2 of 40 s; at most 0.02";
+    public override string What =>
+        "floating bodies at rest: share under the surface less density, at the most in the last 2 of 40 s; at most 0.02";
 
     public override int Draws => 110;
 
@@ -67,7 +68,11 @@ internal sealed class FloatSurvey : Survey
         yard.Simulator.Add(sea);
         yard.Steps(2280);
         double worst = 0;
-        yard.Steps(120, after: () => worst = Math.Max(worst, Math.Abs((AreaUnder(geom.WorldVertices) / geom.WorldVertices.GetArea()) - density)));
+        yard.Steps(120, after: () =>
+        {
+            double under = AreaUnder(geom.WorldVertices) / geom.WorldVertices.GetArea();
+            worst = Math.Max(worst, Math.Abs(under - density));
+        });
         return yard.Figure(worst);
     }
 

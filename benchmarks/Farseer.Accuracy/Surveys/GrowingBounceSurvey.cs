@@ -5,14 +5,18 @@ using Box2D.Dynamics;
 
 namespace Farseer.Accuracy.Surveys;
 
-/// <summary>Restitution above 1 in a closed room of the other facade: bodies get fast, but none leaves the room and every number stays one.</summary>
+/// <summary>
+/// Restitution above 1 in a closed room of the other facade: bodies get fast, but none leaves the room and every number
+/// stays one.
+/// </summary>
 internal sealed class GrowingBounceSurvey : Survey
 {
     private const float Half = 10;
 
     public override string Name => "F12";
 
-    public override string What => "restitution above 1 in a closed room: metres that the middle of a body is outside of it at the farthest; at most 0";
+    public override string What =>
+        "restitution above 1 in a closed room: metres that the middle of a body is outside of it at the farthest; at most 0";
 
     public override int Draws => 120;
 
@@ -35,11 +39,13 @@ internal sealed class GrowingBounceSurvey : Survey
     }
 
     public override Variation Draw(Dice dice) => Room(
-        dice.Whole(1, 12), dice.Between(1.01, 2), dice.Of("boxes", "balls"), dice.Wide(1, 50), dice.Of(0, -10), dice.Whole(2, 20), dice.Of(true, false));
+        dice.Whole(1, 12), dice.Between(1.01, 2), dice.Of("boxes", "balls"), dice.Wide(1, 50), dice.Of(0, -10), dice.Whole(2, 20),
+        dice.Of(true, false));
 
     private static Variation Room(int count, float bounce, string shape, float speed, float gravity, int iterations, bool bullets) => new(
         FormattableString.Invariant(
-            $"{count} {shape}{(bullets ? " that are bullets" : "")}, restitution {bounce}, {speed} m/s at first, gravity {gravity}, iterations {iterations}"),
+            $"{count} {shape}{(bullets ? " that are bullets" : "")}, restitution {bounce}, ")
+            + FormattableString.Invariant($"{speed} m/s at first, gravity {gravity}, iterations {iterations}"),
         0,
         () => Play(count, bounce, shape, speed, gravity, iterations, bullets));
 

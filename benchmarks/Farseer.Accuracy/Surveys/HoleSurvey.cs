@@ -11,7 +11,8 @@ internal sealed class HoleSurvey : Survey
 
     public override string Name => "K8b";
 
-    public override string What => "boxes dropped on a hole narrower than they are: metres below the edges at the end; at most AllowedPenetration + 0.001";
+    public override string What =>
+        "boxes dropped on a hole narrower than they are: metres below the edges at the end; at most AllowedPenetration + 0.001";
 
     public override int Draws => 120;
 
@@ -35,7 +36,9 @@ internal sealed class HoleSurvey : Survey
     {
         float width = dice.Wide(0.1, 4);
         float share = dice.Between(0.5, 0.99);
-        return Drop(width, share, dice.Between(0, 5), width * (1 - share) / 2 * dice.Between(-0.8, 0.8), dice.Of(0, 0.001f, 0.005f, Yard.UsualDepth));
+        float height = dice.Between(0, 5);
+        float aside = width * (1 - share) / 2 * dice.Between(-0.8, 0.8);
+        return Drop(width, share, height, aside, dice.Of(0, 0.001f, 0.005f, Yard.UsualDepth));
     }
 
     private static Variation Drop(float width, float share, float height, float aside, float depth) => new(

@@ -5,7 +5,10 @@ using FarseerGames.FarseerPhysics.Dynamics;
 
 namespace Farseer.Accuracy.Surveys;
 
-/// <summary>A body of restitution 1 that meets a floor without friction and gravity keeps its energy, whatever its shape and spin.</summary>
+/// <summary>
+/// A body of restitution 1 that meets a floor without friction and gravity keeps its energy, whatever its shape and
+/// spin.
+/// </summary>
 internal sealed class ImpactSurvey : Survey
 {
     /// <summary>A share that no eye sees and float rounding never makes.</summary>
@@ -41,7 +44,8 @@ internal sealed class ImpactSurvey : Survey
         dice.Of(_shapes), dice.Wide(0.5, 40), dice.Between(-12, 12), dice.Between(-3.1, 3.1), dice.Between(1.2, 3), dice.Of(5, 5, 10, 20),
         dice.Of(Yard.UsualDt, Yard.UsualDt, 1 / 30f, 1 / 240f));
 
-    private static Variation Impact(string shape, float speed, float spin, float turn, float height, int iterations, float dt, int? steps = null) => new(
+    private static Variation Impact(
+        string shape, float speed, float spin, float turn, float height, int iterations, float dt, int? steps = null) => new(
         FormattableString.Invariant(
             $"{shape} at {speed} m/s, spin {spin}, turned by {turn}, from {height} m, iterations {iterations}, 1/{1 / dt:F0} s"),
         Limit,

@@ -9,10 +9,13 @@ internal sealed class PileSurvey : Survey
 {
     private const float Depth = 0.002f;
 
-    /// <summary>Without restitution the points of piles rest at the allowed depth; twice that leaves room for those that are wedged in.</summary>
+    /// <summary>
+    /// Without restitution the points of piles rest at the allowed depth; twice that leaves room for those that are wedged
+    /// in.
+    /// </summary>
     private const double DeepestAtRest = 2 * Depth;
 
-    /// <summary>Twice the speed below which a simulator lets bodies sleep by default would be 0.02 m/s here: less is rest to the eye.</summary>
+    /// <summary>A disc that moves by its own size in half a minute rests to the eye.</summary>
     private const double FastestAtRest = 0.02;
 
     private const double UsualSeconds = 15;
@@ -58,7 +61,8 @@ internal sealed class PileSurvey : Survey
         dice.Of("disc", "disc", "disc", "box", "triangle"), dice.Whole(5, 45), dice.Between(0.02, 0.5), dice.Of(5, 5, 5, 10),
         dice.Of(Yard.UsualDt, Yard.UsualDt, 1 / 50f, 1 / 90f), dice.Whole(1, 1000));
 
-    private static Variation Pile(string shape, int count, float bounce, int iterations, float dt, int seed, double seconds = UsualSeconds) => new(
+    private static Variation Pile(
+        string shape, int count, float bounce, int iterations, float dt, int seed, double seconds = UsualSeconds) => new(
         FormattableString.Invariant($"{count} of {shape}, restitution {bounce}, iterations {iterations}, 1/{1 / dt:F0} s, seed {seed}"),
         1,
         () => Play(shape, count, bounce, iterations, dt, seed, seconds));

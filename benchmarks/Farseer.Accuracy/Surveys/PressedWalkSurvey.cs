@@ -5,7 +5,10 @@ using FarseerGames.FarseerPhysics.Dynamics;
 
 namespace Farseer.Accuracy.Surveys;
 
-/// <summary>What is pressed on tiles while it goes along them, by a force or by a velocity set before each step, goes as along one piece.</summary>
+/// <summary>
+/// What is pressed on tiles while it goes along them, by a force or by a velocity set before each step, goes as along one
+/// piece.
+/// </summary>
 internal sealed class PressedWalkSurvey : Survey
 {
     private const int TileCount = 30;
@@ -40,19 +43,23 @@ internal sealed class PressedWalkSurvey : Survey
     {
         bool sets = dice.Of(true, false);
         return Walk(
-            dice.Of(Tiles.Pieces), dice.Of(true, false), sets, dice.Of(Tiles.Shapes), dice.Between(0.3, 1.4), sets ? dice.Wide(0.2, 10) : dice.Wide(1, 300),
-            dice.Wide(0.3, 8), dice.Of(0, 0.001f, 0.005f, Yard.UsualDepth));
+            dice.Of(Tiles.Pieces), dice.Of(true, false), sets, dice.Of(Tiles.Shapes), dice.Between(0.3, 1.4),
+            sets ? dice.Wide(0.2, 10) : dice.Wide(1, 300), dice.Wide(0.3, 8), dice.Of(0, 0.001f, 0.005f, Yard.UsualDepth));
     }
 
-    private static Variation Walk(Piece piece, bool falls, bool sets, string shape, float size, float press, float speed, float depth) => new(
+    private static Variation Walk(
+        Piece piece, bool falls, bool sets, string shape, float size, float press, float speed, float depth) => new(
         FormattableString.Invariant(
             $"{shape} of {size} m {(falls ? "falls along a wall" : "goes over a floor")} of {piece} at {speed} m/s, ")
             + FormattableString.Invariant($"pressed by {press} {(sets ? "m/s set each step" : "N")}, depth {depth}"),
         Tiles.Limit,
-        () => Tiles.Lost(Way(piece, TileCount, falls, sets, shape, size, press, speed, depth), Way(piece, 1, falls, sets, shape, size, press, speed, depth)));
+        () => Tiles.Lost(
+            Way(piece, TileCount, falls, sets, shape, size, press, speed, depth),
+            Way(piece, 1, falls, sets, shape, size, press, speed, depth)));
 
     /// <summary>How far a body comes in a second along a row of tiles, or one piece as long.</summary>
-    private static double Way(Piece piece, int tiles, bool falls, bool sets, string shape, float size, float press, float speed, float depth)
+    private static double Way(
+        Piece piece, int tiles, bool falls, bool sets, string shape, float size, float press, float speed, float depth)
     {
         using var yard = new Yard(depth);
         Vector2 along = falls ? -Vector2.UnitY : Vector2.UnitX;

@@ -45,13 +45,16 @@ internal sealed class SupportSurvey : Survey
         float size = dice.Wide(0.1, 2);
         int supports = dice.Whole(2, 4);
         return Landing(
-            dice.Of("box", "hexagon", "two balls"), size, supports, size * dice.Between(0.05, supports == 2 ? 0.45 : 0.12), size * dice.Between(1, 6),
+            dice.Of("box", "hexagon", "two balls"), size, supports, size * dice.Between(0.05, supports == 2 ? 0.45 : 0.12),
+            size * dice.Between(1, 6),
             dice.Wide(0.5, 100), dice.Of(0, 0.3f, 0.5f, 1), dice.Of(0, 0.001f, Yard.UsualDepth));
     }
 
-    private static Variation Landing(string shape, float size, int supports, float gap, float height, float speed, float bounce, float depth) => new(
+    private static Variation Landing(
+        string shape, float size, int supports, float gap, float height, float speed, float bounce, float depth) => new(
         FormattableString.Invariant(
-            $"{shape} of {size} m at {speed} m/s from {height} m on {supports} supports {gap} m apart, restitution {bounce}, depth {depth}"),
+            $"{shape} of {size} m at {speed} m/s from {height} m on {supports} supports ")
+            + FormattableString.Invariant($"{gap} m apart, restitution {bounce}, depth {depth}"),
         Limit,
         () => Play(shape, size, supports, gap, height, speed, bounce, depth));
 

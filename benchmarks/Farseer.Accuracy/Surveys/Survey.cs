@@ -12,7 +12,10 @@ internal sealed record Variation(string What, double Limit, Func<double> Measure
 /// <summary>A kind of fault that was found once, asked about in many variations.</summary>
 internal abstract class Survey
 {
-    /// <summary>Its word on the command line. What begins with a kind's word and goes on with a small letter is a part of that kind.</summary>
+    /// <summary>
+    /// Its word on the command line. What begins with a kind's word and goes on with a small letter is a part of that
+    /// kind.
+    /// </summary>
     public abstract string Name { get; }
 
     /// <summary>What the figure is and what it must not exceed.</summary>

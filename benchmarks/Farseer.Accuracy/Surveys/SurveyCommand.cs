@@ -84,7 +84,8 @@ internal static class SurveyCommand
                     names.Add(survey.Name);
                 }
 
-                throw new UsageException($"surveys: '{word}' is none of {string.Join(", ", names)}; --seed N, --count N and --csv FILE are known.");
+                string known = string.Join(", ", names);
+                throw new UsageException($"surveys: '{word}' is none of {known}; --seed N, --count N and --csv FILE are known.");
             }
         }
 

@@ -35,9 +35,11 @@ internal sealed class TileLandingSurvey : Survey
         dice.Of(Tiles.Pieces), dice.Of(true, false), dice.Of(Tiles.Shapes), dice.Between(0.2, 1.5), dice.Between(0, 3),
         new Vector2(dice.Wide(0.5, 10), -dice.Between(0, 15)), dice.Between(0.1, 2), dice.Of(0, 0.001f, 0.005f, Yard.UsualDepth));
 
-    private static Variation Landing(Piece piece, bool oneBody, string shape, float size, float x, Vector2 velocity, float height, float depth) => new(
+    private static Variation Landing(
+        Piece piece, bool oneBody, string shape, float size, float x, Vector2 velocity, float height, float depth) => new(
         FormattableString.Invariant(
-            $"{shape} of {size} m at x {x} with velocity {velocity.X} {velocity.Y} from {height} m on tiles ({piece}{(oneBody ? ", one body" : "")}), depth {depth}"),
+            $"{shape} of {size} m at x {x} with velocity {velocity.X} {velocity.Y} from {height} m ")
+            + FormattableString.Invariant($"on tiles ({piece}{(oneBody ? ", one body" : "")}), depth {depth}"),
         Tiles.Limit,
         () =>
         {

@@ -28,7 +28,8 @@ internal static class Tiles
     }
 
     /// <summary>A body that nothing turns, with its lowest point at a height.</summary>
-    public static Body Upright(Yard yard, string shape, float x, float bottom, float size) => Yard.Upright(Free(yard, shape, x, bottom, size));
+    public static Body Upright(
+        Yard yard, string shape, float x, float bottom, float size) => Yard.Upright(Free(yard, shape, x, bottom, size));
 
     /// <summary>A body with its lowest point at a height.</summary>
     public static Body Free(Yard yard, string shape, float x, float bottom, float size)

@@ -125,7 +125,10 @@ internal sealed class Yard : IDisposable
         return body;
     }
 
-    /// <summary>Fixed pieces of ground between each two neighbours of some points; what they hold up is on the left of the way along them.</summary>
+    /// <summary>
+    /// Fixed pieces of ground between each two neighbours of some points; what they hold up is on the left of the way along
+    /// them.
+    /// </summary>
     public void Lay(Piece piece, IReadOnlyList<Vector2> points, bool oneBody = false, float friction = 0)
     {
         Body? shared = oneBody ? Anchor(Vector2.Zero) : null;
@@ -148,7 +151,8 @@ internal sealed class Yard : IDisposable
         {
             Piece.Segment => GeomFactory.Instance.CreateSegmentGeom(Simulator, body, from - body.Position, to - body.Position),
             Piece.Polygon => GeomFactory.Instance.CreatePolygonGeom(
-                Simulator, body, new Vertices(new[] { from - centre, from + down - centre, to + down - centre, to - centre }), offset, 0, 0),
+                Simulator, body, new Vertices(new[] { from - centre, from + down - centre, to + down - centre, to - centre }),
+                offset, 0, 0),
             _ => GeomFactory.Instance.CreateRectangleGeom(Simulator, body, length, 1, offset, MathF.Atan2(along.Y, along.X)),
         };
         Touching(geom, friction, 0);
@@ -168,7 +172,8 @@ internal sealed class Yard : IDisposable
     }
 
     public static double Energy(Body body) =>
-        0.5 * ((body.Mass * body.LinearVelocity.LengthSquared()) + (body.MomentOfInertia * (double)body.AngularVelocity * body.AngularVelocity));
+        0.5 * ((body.Mass * body.LinearVelocity.LengthSquared())
+            + (body.MomentOfInertia * (double)body.AngularVelocity * body.AngularVelocity));
 
     public void Dispose() => Simulator.Dispose();
 
