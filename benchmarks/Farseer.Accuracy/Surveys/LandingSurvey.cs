@@ -18,7 +18,7 @@ internal sealed class LandingSurvey : Survey
 
     public override IEnumerable<Variation> Grid()
     {
-        yield return Landing("three boxes", 10, 4.5f, 5, 0.001f, 1);
+        yield return Landing("three boxes", 10, 5, 5, 0.001f, 1);
         foreach (string stands in (string[])["nothing", "one box", "three boxes", "plank on balls", "plank on boxes"])
         {
             foreach (float mass in (float[])[1, 3, 10, 30, 100, 300, 1000, 10000])
