@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using Farseer.Accuracy.Extremes;
 using Farseer.Accuracy.Reporting;
+using Farseer.Accuracy.Surveys;
 using Farseer.Accuracy.Sweeping;
 
 namespace Farseer.Accuracy;
@@ -31,6 +32,8 @@ internal static class Cli
           neighbours [SCENE..] [--seed N] [--count N]
                                 the aims at parameters that nobody published: ends of ranges and random values between
           extremes [WORD..]     how far masses, sizes, steps, speeds can be driven until a scene stops holding
+          surveys [K1 K3 ..] [--seed N] [--count N] [--csv FILE]
+                                kinds of faults found before, each in a grid of variations and N random ones; exit code 1 if one fails
           report [--docs FOLDER] writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs
           goals [SCENE..]       the figures at the default dial beside their limits; exit code 1 if one fails
         """;
@@ -62,6 +65,8 @@ internal static class Cli
                     return Neighbours.Run(args[1..], output) ? 0 : Failed;
                 case "extremes":
                     return ExtremesCommand.Run(args[1..], output) ? 0 : Failed;
+                case "surveys":
+                    return SurveyCommand.Run(args[1..], output) ? 0 : Failed;
                 case "report":
                     ReportCommand.Run(args[1..], output);
                     return 0;
@@ -121,7 +126,7 @@ internal static class Cli
         }
     }
 
-    private static StreamWriter? OpenCsv(string? path)
+    public static StreamWriter? OpenCsv(string? path)
     {
         try
         {
