@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using Farseer.Accuracy.Extremes;
+using Farseer.Accuracy.General;
 using Farseer.Accuracy.Reporting;
 using Farseer.Accuracy.Sweeping;
 
@@ -31,6 +32,10 @@ internal static class Cli
           neighbours [SCENE..] [--seed N] [--count N]
                                 the aims at parameters that nobody published: ends of ranges and random values between
           extremes [WORD..]     how far masses, sizes, steps, speeds can be driven until a scene stops holding
+          general [G01 ..] [--seed N] [--csv FILE] [--iterations N] [--dt S] [--full] [--each]
+                                scenes that must hold for a whole range of parameters, with parameters drawn by the seed
+                                (default 1): the worst of each figure beside its limit; exit code 1 if one is missed.
+                                --full runs G19 and G27 for their stated 10 minutes instead of 1; --each tells every sample
           report [--docs FOLDER] writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs
           goals [SCENE..]       the figures at the default dial beside their limits; exit code 1 if one fails
         """;
@@ -62,6 +67,8 @@ internal static class Cli
                     return Neighbours.Run(args[1..], output) ? 0 : Failed;
                 case "extremes":
                     return ExtremesCommand.Run(args[1..], output) ? 0 : Failed;
+                case "general":
+                    return GeneralCommand.Run(args[1..], output) ? 0 : Failed;
                 case "report":
                     ReportCommand.Run(args[1..], output);
                     return 0;
@@ -121,7 +128,7 @@ internal static class Cli
         }
     }
 
-    private static StreamWriter? OpenCsv(string? path)
+    internal static StreamWriter? OpenCsv(string? path)
     {
         try
         {
