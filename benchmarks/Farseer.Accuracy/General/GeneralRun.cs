@@ -58,6 +58,13 @@ internal sealed class GeneralRun
     /// <summary>An empty world with the dial of the run, or with another.</summary>
     public Rig World(double gravity = 10, Dial? dial = null) => new(dial ?? Dial, gravity, 1);
 
+    /// <summary>A figure of a scene of the other catalogue.</summary>
+    public double Published(string scene, double parameter, string metric, Dial dial)
+    {
+        SceneChoice choice = Options.ParseScene(FormattableString.Invariant($"{scene}={parameter:R}"));
+        return Runner.Run(choice, dial, 1).Find(row => row.Metric == metric)!.Value;
+    }
+
     /// <summary>Plays what belongs to one set of parameters; a world that explodes is the worst that can be, in every figure.</summary>
     public void Sample(string parameters, Action play)
     {

@@ -29,10 +29,17 @@ internal static class GeneralCatalogue
 {
     public static IReadOnlyList<GeneralScene> Scenes { get; } =
     [
-        .. SingleHits.Scenes,
-        .. Rooms.Scenes,
-        .. Meetings.Scenes,
-        .. Throws.Scenes,
+        .. InOrder(
+            SingleHits.Scenes,
+            Rooms.Scenes,
+            Meetings.Scenes,
+            Throws.Scenes,
+            SpringRows.Scenes,
+            Drives.Scenes,
+            Contacts.Scenes,
+            TautBridges.Scenes,
+            Pits.Scenes),
+        .. InOrder(Towing.Scenes, HungChains.Scenes, Loops.Scenes, Ragdolls.Scenes),
     ];
 
     public static GeneralScene? Find(string id)
@@ -46,5 +53,17 @@ internal static class GeneralCatalogue
         }
 
         return null;
+    }
+
+    private static List<GeneralScene> InOrder(params IReadOnlyList<GeneralScene>[] groups)
+    {
+        var scenes = new List<GeneralScene>();
+        foreach (IReadOnlyList<GeneralScene> group in groups)
+        {
+            scenes.AddRange(group);
+        }
+
+        scenes.Sort((a, b) => string.CompareOrdinal(a.Id, b.Id));
+        return scenes;
     }
 }

@@ -58,8 +58,6 @@ internal static class Meetings
     private static void Meet(GeneralRun run, bool any, double e, string parameters)
     {
         using Rig rig = run.World(gravity: 0);
-
-        // Of two coefficients the engine takes the one that the pair shares here.
         rig.Restitution = e;
         (Actor a, Actor b) = AddPair(rig, run.Dice, any);
         Touch? touch = FirstTouch.Find(Flyer.Of(a), Flyer.Of(b), 2);
