@@ -6,6 +6,7 @@ using Farseer.Accuracy.Extremes;
 using Farseer.Accuracy.General;
 using Farseer.Accuracy.Reporting;
 using Farseer.Accuracy.Sweeping;
+using Farseer.Accuracy.Truth;
 
 namespace Farseer.Accuracy;
 
@@ -35,7 +36,12 @@ internal static class Cli
           general [G01 ..] [--seed N] [--csv FILE] [--iterations N] [--dt S] [--full] [--each]
                                 scenes that must hold for a whole range of parameters, with parameters drawn by the seed
                                 (default 1): the worst of each figure beside its limit; exit code 1 if one is missed.
-                                --full runs G19 and G27 for their stated 10 minutes instead of 1; --each tells every sample
+                                --full runs G19 and G27 for their stated 10 minutes instead of 60 and 30 s; --each tells every sample
+          truth --csv FILE [--seed N]
+                                writes every figure of goals, aims, general scenes, recorded scenes and the energy of 40
+                                random worlds with its limit, one a line; run it inside the repository
+          compare-truth BEFORE.csv AFTER.csv
+                                what differs by more than a tenth between two builds, lost limits first; exit code 1 if one is lost
           report [--docs FOLDER] writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs
           goals [SCENE..]       the figures at the default dial beside their limits; exit code 1 if one fails
         """;
@@ -69,6 +75,11 @@ internal static class Cli
                     return ExtremesCommand.Run(args[1..], output) ? 0 : Failed;
                 case "general":
                     return GeneralCommand.Run(args[1..], output) ? 0 : Failed;
+                case "truth":
+                    TruthCommand.Run(args[1..], output);
+                    return 0;
+                case "compare-truth":
+                    return CompareTruth.Run(args[1..], output) ? 0 : Failed;
                 case "report":
                     ReportCommand.Run(args[1..], output);
                     return 0;

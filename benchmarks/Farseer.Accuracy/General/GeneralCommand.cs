@@ -28,7 +28,8 @@ internal static class GeneralCommand
                     path = Value();
                     break;
                 case "--iterations":
-                    settings = settings with { Dial = settings.Dial with { Iterations = Options.WholeNumber("--iterations", Value(), 1, 1000) } };
+                    int iterations = Options.WholeNumber("--iterations", Value(), 1, 1000);
+                    settings = settings with { Dial = settings.Dial with { Iterations = iterations } };
                     break;
                 case "--dt":
                     settings = settings with { Dial = settings.Dial with { Dt = Options.Duration("--dt", Value()) } };
@@ -40,7 +41,8 @@ internal static class GeneralCommand
                     settings = settings with { Each = output };
                     break;
                 default:
-                    only.Add(GeneralCatalogue.Find(args[i]) ?? throw new UsageException($"general: '{args[i]}' is no scene and no option; see --help."));
+                    only.Add(GeneralCatalogue.Find(args[i])
+                        ?? throw new UsageException($"general: '{args[i]}' is no scene and no option; see --help."));
                     break;
             }
         }
@@ -49,12 +51,13 @@ internal static class GeneralCommand
         return Print(only.Count > 0 ? only : GeneralCatalogue.Scenes, settings, output, csv);
     }
 
-    private static bool Print(IReadOnlyList<GeneralScene> scenes, GeneralSettings settings, TextWriter output, StreamWriter? csv)
+    private static bool Print(
+        IReadOnlyList<GeneralScene> scenes, GeneralSettings settings, TextWriter output, StreamWriter? csv)
     {
         output.WriteLine(Cli.Settings(settings.Dial.PenetrationShare));
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"Iterations {settings.Dial.Iterations}, dt {settings.Dial.Dt:G6}, seed {settings.Seed}; the worst over the parameters of a scene"));
+            $"Iterations {settings.Dial.Iterations}, dt {settings.Dial.Dt:G6}, seed {settings.Seed}; the worst of each figure"));
         output.WriteLine($"{"id",-4} {"metric",-28} {"figure",12} {"limit",10}  {"result",-6}  parameters");
         csv?.WriteLine(CsvHeader);
         int passed = 0;
@@ -65,9 +68,11 @@ internal static class GeneralCommand
             {
                 passed += outcome.IsMet ? 1 : 0;
                 failed += outcome.IsMet ? 0 : 1;
+                string result = outcome.IsMet ? "met" : "MISSED";
                 output.WriteLine(string.Create(
                     CultureInfo.InvariantCulture,
-                    $"{scene.Id,-4} {outcome.Figure.Name,-28} {outcome.Value,12:G4} {Bound(outcome.Figure),10}  {(outcome.IsMet ? "met" : "MISSED"),-6}  {outcome.Parameters}"));
+                    $"{scene.Id,-4} {outcome.Figure.Name,-28} {outcome.Value,12:G4} {Bound(outcome.Figure),10}  {result,-6}  ")
+                    + outcome.Parameters);
                 output.Flush();
                 csv?.WriteLine(ToCsv(outcome));
             }
@@ -80,7 +85,12 @@ internal static class GeneralCommand
     private static string Bound(Figure figure) =>
         (figure.AtLeast ? ">= " : "<= ") + figure.Limit.ToString("G4", CultureInfo.InvariantCulture);
 
-    private static string ToCsv(Outcome outcome) => string.Create(
-        CultureInfo.InvariantCulture,
-        $"{outcome.Scene.Id},{outcome.Figure.Name},{outcome.Value:G6},{outcome.Figure.Limit:G6},{(outcome.Figure.AtLeast ? "more" : "less")},{(outcome.IsMet ? 1 : 0)},\"{outcome.Parameters}\"");
+    private static string ToCsv(Outcome outcome)
+    {
+        string better = outcome.Figure.AtLeast ? "more" : "less";
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"{outcome.Scene.Id},{outcome.Figure.Name},{outcome.Value:G6},{outcome.Figure.Limit:G6},{better},{(outcome.IsMet ? 1 : 0)},")
+            + $"\"{outcome.Parameters}\"";
+    }
 }

@@ -21,7 +21,7 @@ internal static class Pits
 
     private static void Pit(GeneralRun run)
     {
-        double seconds = run.IsFull ? 600 : 60;
+        double seconds = run.IsFull ? 600 : 30;
         for (int i = 0; i < 2; i++)
         {
             string parameters = $"pit {i}, {seconds} s";

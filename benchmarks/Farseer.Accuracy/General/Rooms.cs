@@ -39,7 +39,7 @@ internal static class Rooms
                     });
                 }
 
-                run.Note($"energy_median_g{gravity}", Bookkeeping.Median(changes), FormattableString.Invariant($"{solid.Name}, {Seeds} throws"));
+                run.Note($"energy_median_g{gravity}", Bookkeeping.Median(changes), $"{solid.Name}, {Seeds} throws");
             }
         }
     }

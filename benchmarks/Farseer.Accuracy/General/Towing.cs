@@ -12,7 +12,8 @@ internal static class Towing
 
     public static IReadOnlyList<GeneralScene> Scenes { get; } =
     [
-        new("G11", "tow: a slack chain between two free bodies, no gravity", [new("momentum_change", 1e-6), new("energy_gain", 1e-4)], Tows),
+        new("G11", "tow: a slack chain between two free bodies, no gravity",
+            [new("momentum_change", 1e-6), new("energy_gain", 1e-4)], Tows),
     ];
 
     private static void Tows(GeneralRun run)
