@@ -37,9 +37,9 @@ internal static class Cli
                                 scenes that must hold for a whole range of parameters, with parameters drawn by the seed
                                 (default 1): the worst of each figure beside its limit; exit code 1 if one is missed.
                                 --full runs G19 and G27 for their stated 10 minutes instead of 60 and 30 s; --each tells every sample
-          truth --csv FILE [--seed N]
-                                writes every figure of goals, aims, general scenes, recorded scenes and the energy of 40
-                                random worlds with its limit, one a line; run it inside the repository
+          truth --csv FILE [goals aims general worlds recordings] [--seed N]
+                                writes every figure of goals, aims, general scenes, the energy of 40 random worlds and the
+                                counts of recorded scenes with its limit, one a line; run it inside the repository
           compare-truth BEFORE.csv AFTER.csv
                                 what differs by more than a tenth between two builds, lost limits first; exit code 1 if one is lost
           report [--docs FOLDER] writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs

@@ -10,33 +10,52 @@ namespace Farseer.Accuracy.Truth;
 /// <summary>Writes all that is known of a build's accuracy, one line a figure, to be set beside another build's.</summary>
 internal static class TruthCommand
 {
+    private static readonly (string Name, Action<List<TruthFigure>, GeneralSettings> Add)[] _parts =
+    [
+        ("goals", (figures, _) => AddGoals(figures)),
+        ("aims", (figures, _) => AddAims(figures)),
+        ("general", AddGeneral),
+        ("worlds", (figures, settings) => RandomWorlds.Add(figures, settings.Seed)),
+        ("recordings", (figures, _) => Recordings.Add(figures)),
+    ];
+
     public static void Run(string[] args, TextWriter output)
     {
         string? path = null;
         GeneralSettings settings = GeneralSettings.Default;
-        for (int i = 0; i < args.Length; i += 2)
+        var only = new List<string>();
+        for (int i = 0; i < args.Length; i++)
         {
-            string value = i + 1 < args.Length ? args[i + 1] : throw new UsageException($"truth: {args[i]} needs a value.");
+            string Value() => ++i < args.Length ? args[i] : throw new UsageException($"truth: {args[i - 1]} needs a value.");
             switch (args[i])
             {
                 case "--csv":
-                    path = value;
+                    path = Value();
                     break;
                 case "--seed":
-                    settings = settings with { Seed = (uint)Options.WholeNumber("--seed", value, 0, int.MaxValue) };
+                    settings = settings with { Seed = (uint)Options.WholeNumber("--seed", Value(), 0, int.MaxValue) };
                     break;
                 default:
-                    throw new UsageException($"truth: unknown argument '{args[i]}'; --csv FILE and --seed N are known.");
+                    only.Add(Array.Exists(_parts, part => part.Name == args[i])
+                        ? args[i]
+                        : throw new UsageException($"truth: '{args[i]}' is no part and no option; see --help."));
+                    break;
             }
         }
 
         using StreamWriter csv = Cli.OpenCsv(path) ?? throw new UsageException("truth: name a file with --csv FILE.");
         var figures = new List<TruthFigure>();
-        Part("goals", () => Goals.Measure([], goal => figures.Add(new($"goal {goal.Scene} {goal.Metric}", goal.Value, goal.Limit, false))));
-        Part("aims", () => AddAims(figures));
-        Part("general scenes", () => AddGeneral(figures, settings));
-        Part("random worlds", () => RandomWorlds.Add(figures, settings.Seed));
-        Part("recorded scenes", () => Recordings.Add(figures));
+        foreach ((string name, Action<List<TruthFigure>, GeneralSettings> add) in _parts)
+        {
+            if (only.Count == 0 || only.Contains(name))
+            {
+                int before = figures.Count;
+                add(figures, settings);
+                output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{name}: {figures.Count - before} figures"));
+                output.Flush();
+            }
+        }
+
         TruthFigure.Write(csv, figures);
         int met = 0;
         foreach (TruthFigure figure in figures)
@@ -45,15 +64,10 @@ internal static class TruthCommand
         }
 
         output.WriteLine($"{figures.Count} figures, {met} met, {figures.Count - met} missed");
-
-        void Part(string name, Action measure)
-        {
-            int before = figures.Count;
-            measure();
-            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{name}: {figures.Count - before} figures"));
-            output.Flush();
-        }
     }
+
+    private static void AddGoals(List<TruthFigure> figures) => Goals.Measure(
+        [], goal => figures.Add(new($"goal {goal.Scene} {goal.Metric}", goal.Value, goal.Limit, false)));
 
     private static void AddAims(List<TruthFigure> figures)
     {
