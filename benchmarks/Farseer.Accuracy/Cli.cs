@@ -3,9 +3,11 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using Farseer.Accuracy.Extremes;
+using Farseer.Accuracy.General;
 using Farseer.Accuracy.Reporting;
 using Farseer.Accuracy.Surveys;
 using Farseer.Accuracy.Sweeping;
+using Farseer.Accuracy.Truth;
 
 namespace Farseer.Accuracy;
 
@@ -34,6 +36,15 @@ internal static class Cli
           extremes [WORD..]     how far masses, sizes, steps, speeds can be driven until a scene stops holding
           surveys [K1 K3 ..] [--seed N] [--count N] [--csv FILE]
                                 kinds of faults found before, each in a grid of variations and N random ones; exit code 1 if one fails
+          general [G01 ..] [--seed N] [--csv FILE] [--iterations N] [--dt S] [--full] [--each]
+                                scenes that must hold for a whole range of parameters, with parameters drawn by the seed
+                                (default 1): the worst of each figure beside its limit; exit code 1 if one is missed.
+                                --full runs G19 and G27 for their stated 10 minutes instead of 60 and 30 s; --each tells every sample
+          truth --csv FILE [goals aims general worlds recordings] [--seed N]
+                                writes every figure of goals, aims, general scenes, the energy of 40 random worlds and the
+                                counts of recorded scenes with its limit, one a line; run it inside the repository
+          compare-truth BEFORE.csv AFTER.csv
+                                what differs by more than a tenth between two builds, lost limits first; exit code 1 if one is lost
           report [--docs FOLDER] writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs
           goals [SCENE..]       the figures at the default dial beside their limits; exit code 1 if one fails
         """;
@@ -67,6 +78,13 @@ internal static class Cli
                     return ExtremesCommand.Run(args[1..], output) ? 0 : Failed;
                 case "surveys":
                     return SurveyCommand.Run(args[1..], output) ? 0 : Failed;
+                case "general":
+                    return GeneralCommand.Run(args[1..], output) ? 0 : Failed;
+                case "truth":
+                    TruthCommand.Run(args[1..], output);
+                    return 0;
+                case "compare-truth":
+                    return CompareTruth.Run(args[1..], output) ? 0 : Failed;
                 case "report":
                     ReportCommand.Run(args[1..], output);
                     return 0;
@@ -126,7 +144,7 @@ internal static class Cli
         }
     }
 
-    public static StreamWriter? OpenCsv(string? path)
+    internal static StreamWriter? OpenCsv(string? path)
     {
         try
         {

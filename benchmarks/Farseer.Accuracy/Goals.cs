@@ -5,6 +5,12 @@ using System.IO;
 
 namespace Farseer.Accuracy;
 
+/// <summary>A promised figure and what came out.</summary>
+internal sealed record GoalResult(string Scene, string Metric, double Value, double Limit)
+{
+    public bool IsMet => Value <= Limit && Value < Runner.Exploded;
+}
+
 /// <summary>The accuracy that the project promises at the default dial, checked by running.</summary>
 internal static class Goals
 {
@@ -137,9 +143,29 @@ internal static class Goals
             }
         }
 
-        var table = new Table(only, output);
         output.WriteLine(Cli.Settings(0));
         output.WriteLine($"{"scene",-38} {"metric",-27} {"value",13} {"limit",13}  result");
+        int passed = 0;
+        int failed = 0;
+        Measure(only, goal =>
+        {
+            passed += goal.IsMet ? 1 : 0;
+            failed += goal.IsMet ? 0 : 1;
+            output.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{goal.Scene,-38} {goal.Metric,-27} {goal.Value,13:G6} {goal.Limit,13:G6}  {(goal.IsMet ? "PASS" : "FAIL")}"));
+            output.Flush();
+        });
+        output.WriteLine($"{passed} passed, {failed} failed");
+        return failed == 0;
+    }
+
+    /// <summary>Runs the scenes and tells each figure as soon as it is known.</summary>
+    /// <param name="only">Names of scenes, full or short; empty for all.</param>
+    /// <param name="tell">Is told each figure.</param>
+    public static void Measure(string[] only, Action<GoalResult> tell)
+    {
+        var table = new Table(only, tell);
         foreach ((string scene, string metric, double limit) in _limits)
         {
             if (table.Wants(scene))
@@ -154,9 +180,6 @@ internal static class Goals
         {
             CheckNoFloor(table, scene, metric);
         }
-
-        output.WriteLine($"{table.Passed} passed, {table.FailedCount} failed");
-        return table.FailedCount == 0;
     }
 
     /// <summary>A million metres out, each figure of the stack is at most 1.1 times that at the origin.</summary>
@@ -218,21 +241,17 @@ internal static class Goals
     {
         private readonly List<SceneInfo> _only = [];
         private readonly Dictionary<string, List<Row>> _done = [];
-        private readonly TextWriter _output;
+        private readonly Action<GoalResult> _tell;
 
-        public Table(string[] only, TextWriter output)
+        public Table(string[] only, Action<GoalResult> tell)
         {
             foreach (string name in only)
             {
                 _only.Add(Catalogue.Find(name)!);
             }
 
-            _output = output;
+            _tell = tell;
         }
-
-        public int Passed { get; private set; }
-
-        public int FailedCount { get; private set; }
 
         public bool Wants(string scene) => _only.Count == 0 || _only.Contains(Options.ParseScene(scene).Scene);
 
@@ -248,15 +267,6 @@ internal static class Goals
             return rows.Find(row => row.Metric == metric)!.Value;
         }
 
-        public void Check(string scene, string metric, double value, double limit)
-        {
-            bool passes = value <= limit && value < Runner.Exploded;
-            Passed += passes ? 1 : 0;
-            FailedCount += passes ? 0 : 1;
-            _output.WriteLine(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{scene,-38} {metric,-27} {value,13:G6} {limit,13:G6}  {(passes ? "PASS" : "FAIL")}"));
-            _output.Flush();
-        }
+        public void Check(string scene, string metric, double value, double limit) => _tell(new GoalResult(scene, metric, value, limit));
     }
 }

@@ -114,7 +114,7 @@ internal sealed class Options
         return values;
     }
 
-    private static int WholeNumber(string what, string text, int least, int most)
+    internal static int WholeNumber(string what, string text, int least, int most)
     {
         if (!int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int value) || value < least || value > most)
         {
@@ -135,7 +135,7 @@ internal sealed class Options
     }
 
     /// <summary>Seconds, also as a fraction: 1/240.</summary>
-    private static double Duration(string what, string text)
+    internal static double Duration(string what, string text)
     {
         int slash = text.IndexOf('/', StringComparison.Ordinal);
         double value = slash < 0 ? Number(what, text) : Number(what, text[..slash]) / Number(what, text[(slash + 1)..]);

@@ -49,7 +49,7 @@ internal static class Springs
     /// Every damped oscillation sampled at steps h obeys x₂ = t·x₁ − d·x₀ with d = e^(−2λh) and t = 2√d·cos ωh; t and d by least
     /// squares. Crossings and maxima between three samples a period, as at 20 Hz, would measure the interpolation.
     /// </summary>
-    private static void Modes(List<double> x, double h, out double turn, out double decay)
+    internal static void Modes(List<double> x, double h, out double turn, out double decay)
     {
         double s00 = 0;
         double s01 = 0;
