@@ -178,8 +178,8 @@ internal static unsafe class BounceKernel
             met1 = met1 & (time1 >= (time - same));
             WideLanes.Replace(met, time, bounce->Time + lane);
             Wide restitution = Wide.Load(row->Restitution + lane);
-            Begin(&bounce->Point0, lane, met, met0, restitution, w0, slow);
-            Begin(&bounce->Point1, lane, met, met1, restitution, w1, slow);
+            Begin(&bounce->Point0, lane, met, met0, restitution, w0, v0, slow);
+            Begin(&bounce->Point1, lane, met, met1, restitution, w1, v1, slow);
             hits |= WideLanes.Bits(met) << lane;
         }
 
@@ -388,12 +388,15 @@ internal static unsafe class BounceKernel
         return time;
     }
 
-    /// <summary>An impact begins: it has no impulse yet, and a speed at which the surfaces are to part, if the point is struck.</summary>
+    /// <summary>
+    /// An impact begins: it has no impulse yet, and a speed at which the surfaces are to part, if the point is struck: that by which they do not approach any more by the end of
+    /// the substep, if what drives them on has a bounce of less than that.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Begin(BouncePointLanes* point, int lane, WideMask met, WideMask struck, Wide restitution, Wide velocity, Wide slow)
+    private static void Begin(BouncePointLanes* point, int lane, WideMask met, WideMask struck, Wide restitution, Wide velocity, Wide end, Wide slow)
     {
         Wide speed = Wide.Max(Wide.Zero - velocity, Wide.Zero);
-        Wide target = Wide.Keep(speed > slow, restitution * speed);
+        Wide target = Wide.Max(Wide.Keep(speed > slow, restitution * speed), velocity - end);
         WideLanes.Replace(met, Wide.Select(struck, target, Wide.Splat(-1f)), point->Target + lane);
         WideLanes.Replace(met, Wide.Zero, point->Push + lane);
         WideLanes.Replace(met, Wide.Zero, point->Rub + lane);

@@ -14,6 +14,9 @@ internal unsafe struct BounceLanes
     public int Can;
     public int Free;
 
+    /// <summary>Bits of the lanes of small islands, whose impacts are solved directly.</summary>
+    public int Direct;
+
     /// <summary>A bit for each lane whose impact is being solved.</summary>
     public int Hits;
 

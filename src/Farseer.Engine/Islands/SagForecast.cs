@@ -372,7 +372,7 @@ internal sealed unsafe class SagForecast
             return;
         }
 
-        _loads.Begin(_islandCount, scratch);
+        _loads.Begin(_islandCount);
         foreach (GraphColor color in graph.Used)
         {
             foreach (ContactBundle* bundle in color.Bundles)

@@ -20,26 +20,14 @@ internal sealed unsafe class StartingLoads
     /// <summary>Cosine to gravity from which on a contact is level: a steeper one needs its friction, which is not solved for.</summary>
     private const float LeastSteepness = 0.99f;
 
-    /// <summary>
-    /// Softness that makes loads on more supports than needed definite. An error of this share times the ratio of the masses is what it
-    /// costs, and rounding starts four digits below.
-    /// </summary>
-    private const double Softness = 1e-12;
-
-    /// <summary>Points found to pull are left out, and the others solved for again, so many times at most.</summary>
-    private const int Rounds = 8;
-
     private readonly Column<Entry> _entries = new Column<Entry>();
-    private readonly Column<Point> _points = new Column<Point>();
     private readonly Column<int> _heads = new Column<int>();
-    private double* _matrix;
-    private readonly double[] _load = new double[2 * MostContacts];
+    private readonly ContactSystem _system = new ContactSystem();
     private int _count;
 
     /// <summary>Forgets the contacts of the last time.</summary>
-    public void Begin(int islands, Scratch scratch)
+    public void Begin(int islands)
     {
-        _matrix = scratch.Take<double>(2 * MostContacts * 2 * MostContacts);
         _heads.EnsureCapacity(Math.Max(islands, 1));
         for (int i = 0; i < islands; i++)
         {
@@ -63,201 +51,85 @@ internal sealed unsafe class StartingLoads
     /// <param name="c">Of the step's own substep.</param>
     public void Give(int island, BodyStore bodies, Vector2 gravity, in ContactCoefficients c)
     {
-        int count = Collect(island, bodies, gravity, c);
-        if (count == 0 || !Solve(count))
+        if (!Collect(island, bodies, gravity, c) || !_system.Solve())
         {
             return;
         }
 
-        for (int i = 0; i < count; i++)
+        Feed(_system);
+    }
+
+    /// <summary>
+    /// Gives contacts the impulses that were found. All of them are fed forward, so that nothing sinks at first, and swings; what is to be left of the sag comes with the island's own
+    /// pace. That follows from the loads, and was found in this step before there were any.
+    /// </summary>
+    public static void Feed(ContactSystem system)
+    {
+        for (int i = 0; i < system.Count; i++)
         {
-            ref Point point = ref _points[i];
-            ContactPointLanes* lanes = point.Second ? &point.Bundle->Point1 : &point.Bundle->Point0;
-            float load = (float)_load[i];
-            lanes->Normal[point.Lane] = load;
-            lanes->PreviousNormal[point.Lane] = load;
+            ref SystemPoint point = ref system[i];
+            float load = (float)Math.Max(point.Impulse, 0);
+            point.Lanes->Normal[point.Lane] = load;
+            point.Lanes->PreviousNormal[point.Lane] = load;
         }
 
-        // All of it is fed forward, so that nothing sinks at first, and swings; what is to be left of the sag comes with the island's own
-        // pace. That follows from the loads, and was found in this step before there were any.
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < system.Count; i++)
         {
-            ref Point point = ref _points[i];
+            ref SystemPoint point = ref system[i];
             ContactBundle* bundle = point.Bundle;
             int lane = point.Lane;
             float shared = bundle->Point0.Normal[lane];
             shared = (bundle->Flags[lane] & ContactBundle.SingleMark) != 0 ? shared : Math.Min(shared, bundle->Point1.Normal[lane]);
-            ContactPointLanes* lanes = point.Second ? &bundle->Point1 : &bundle->Point0;
-            lanes->Feed[lane] = shared;
+            point.Lanes->Feed[lane] = shared;
             bundle->FeedRate[lane] = 0;
         }
     }
 
-    /// <returns>How many points the island has; 0: it is not one to be given loads.</returns>
-    private int Collect(int island, BodyStore bodies, Vector2 gravity, in ContactCoefficients c)
+    /// <returns>False: it is not an island to be given loads.</returns>
+    private bool Collect(int island, BodyStore bodies, Vector2 gravity, in ContactCoefficients c)
     {
-        int count = 0;
+        _system.Clear();
         for (int k = _heads[island]; k >= 0; k = _entries[k].Next)
         {
             ref Entry entry = ref _entries[k];
             ContactBundle* bundle = entry.Bundle;
             int lane = entry.Lane;
-            float steep = Math.Abs((bundle->NormalX[lane] * gravity.X) + (bundle->NormalY[lane] * gravity.Y));
-            if (count + 2 > 2 * MostContacts || steep < LeastSteepness * c.Gravity || bundle->Point0.Normal[lane] + bundle->Point1.Normal[lane] != 0)
+            if (_system.Count + 2 > 2 * MostContacts || !IsLevel(bundle, lane, gravity, c.Gravity) || bundle->Point0.Normal[lane] + bundle->Point1.Normal[lane] != 0)
             {
-                return 0;
+                return false;
             }
 
             // The points of a contact that is still open, or that does not exist, carry nothing.
             Vector2 fall = (Fall(bodies, bundle->BodyB[lane], bundle->MassB[lane], gravity)
                 - Fall(bodies, bundle->BodyA[lane], bundle->MassA[lane], gravity)) * c.Substep;
             float approach = (bundle->NormalX[lane] * fall.X) + (bundle->NormalY[lane] * fall.Y);
-            _points.EnsureCapacity(count + 2);
-            AddPoint(ref count, bundle, lane, second: false, approach);
+            AddPoint(bundle, lane, second: false, approach);
             if ((bundle->Flags[lane] & ContactBundle.SingleMark) == 0)
             {
-                AddPoint(ref count, bundle, lane, second: true, approach);
+                AddPoint(bundle, lane, second: true, approach);
             }
         }
 
-        return count;
+        return _system.Count > 0;
     }
+
+    /// <summary>A steeper contact needs its friction, which is not solved for.</summary>
+    public static bool IsLevel(ContactBundle* bundle, int lane, Vector2 gravity, float strength) =>
+        Math.Abs((bundle->NormalX[lane] * gravity.X) + (bundle->NormalY[lane] * gravity.Y)) >= LeastSteepness * strength;
 
     private static Vector2 Fall(BodyStore bodies, int body, float inverseMass, Vector2 gravity) =>
         inverseMass > 0 && (bodies.Flags[body] & BodyFlags.IgnoreGravity) == 0 ? gravity : Vector2.Zero;
 
-    private void AddPoint(ref int count, ContactBundle* bundle, int lane, bool second, float approach)
+    private void AddPoint(ContactBundle* bundle, int lane, bool second, float approach)
     {
-        ContactPointLanes* point = second ? &bundle->Point1 : &bundle->Point0;
-        _points[count++] = new Point
-        {
-            Bundle = bundle,
-            Lane = lane,
-            Second = second,
-            Pushes = true,
-            ArmA = point->TangentArmA[lane],
-            ArmB = point->TangentArmB[lane],
-            Approach = approach,
-        };
-    }
-
-    /// <summary>What the impulse of the second point changes in the approach of the first.</summary>
-    private static double Response(in Point p, in Point q)
-    {
-        double cosine = ((double)p.Bundle->NormalX[p.Lane] * q.Bundle->NormalX[q.Lane]) + ((double)p.Bundle->NormalY[p.Lane] * q.Bundle->NormalY[q.Lane]);
-        int a = p.Bundle->BodyA[p.Lane];
-        int b = p.Bundle->BodyB[p.Lane];
-        double sum = 0;
-        if (q.Bundle->BodyA[q.Lane] == a)
-        {
-            sum += Share(p.Bundle->MassA[p.Lane], p.Bundle->InertiaA[p.Lane], cosine, p.ArmA, q.ArmA);
-        }
-        else if (q.Bundle->BodyB[q.Lane] == a)
-        {
-            sum -= Share(p.Bundle->MassA[p.Lane], p.Bundle->InertiaA[p.Lane], cosine, p.ArmA, q.ArmB);
-        }
-
-        if (q.Bundle->BodyB[q.Lane] == b)
-        {
-            sum += Share(p.Bundle->MassB[p.Lane], p.Bundle->InertiaB[p.Lane], cosine, p.ArmB, q.ArmB);
-        }
-        else if (q.Bundle->BodyA[q.Lane] == b)
-        {
-            sum -= Share(p.Bundle->MassB[p.Lane], p.Bundle->InertiaB[p.Lane], cosine, p.ArmB, q.ArmA);
-        }
-
-        return sum;
-    }
-
-    private static double Share(double mass, double inertia, double cosine, double arm, double other) => (mass * cosine) + (inertia * arm * other);
-
-    /// <returns>False if the matrix cannot be solved.</returns>
-    private bool Solve(int count)
-    {
-        for (int round = 0; round < Rounds; round++)
-        {
-            if (!Factor(count))
-            {
-                return false;
-            }
-
-            Substitute(count);
-            bool pulls = false;
-            for (int i = 0; i < count; i++)
-            {
-                if (_load[i] < 0)
-                {
-                    _points[i].Pushes = false;
-                    pulls = true;
-                }
-            }
-
-            if (!pulls)
-            {
-                return true;
-            }
-        }
-
-        return false;
-    }
-
-    /// <summary>Cholesky factor of the responses of the points that push; the others have a row of their own, with no load.</summary>
-    private bool Factor(int count)
-    {
-        for (int i = 0; i < count; i++)
-        {
-            ref Point p = ref _points[i];
-            for (int j = 0; j <= i; j++)
-            {
-                bool coupled = p.Pushes && _points[j].Pushes;
-                double value = coupled ? Response(p, _points[j]) : i == j ? 1 : 0;
-                double sum = i == j ? value * (1 + Softness) : value;
-                for (int k = 0; k < j; k++)
-                {
-                    sum -= _matrix[(i * count) + k] * _matrix[(j * count) + k];
-                }
-
-                if (i != j)
-                {
-                    _matrix[(i * count) + j] = sum / _matrix[(j * count) + j];
-                }
-                else if (sum > 0)
-                {
-                    _matrix[(i * count) + i] = Math.Sqrt(sum);
-                }
-                else
-                {
-                    return false;
-                }
-            }
-        }
-
-        return true;
-    }
-
-    private void Substitute(int count)
-    {
-        for (int i = 0; i < count; i++)
-        {
-            double sum = _points[i].Pushes ? -_points[i].Approach : 0;
-            for (int k = 0; k < i; k++)
-            {
-                sum -= _matrix[(i * count) + k] * _load[k];
-            }
-
-            _load[i] = sum / _matrix[(i * count) + i];
-        }
-
-        for (int i = count - 1; i >= 0; i--)
-        {
-            double sum = _load[i];
-            for (int k = i + 1; k < count; k++)
-            {
-                sum -= _matrix[(k * count) + i] * _load[k];
-            }
-
-            _load[i] = sum / _matrix[(i * count) + i];
-        }
+        SystemPoint point = default;
+        point.Bundle = bundle;
+        point.Lane = lane;
+        point.Second = second;
+        point.ArmA = point.Lanes->TangentArmA[lane];
+        point.ArmB = point.Lanes->TangentArmB[lane];
+        point.Excess = approach;
+        _system.Add(point);
     }
 
     private struct Entry
@@ -265,20 +137,5 @@ internal sealed unsafe class StartingLoads
         public ContactBundle* Bundle;
         public int Lane;
         public int Next;
-    }
-
-    private struct Point
-    {
-        public ContactBundle* Bundle;
-        public int Lane;
-        public bool Second;
-
-        /// <summary>It carries a share of the load.</summary>
-        public bool Pushes;
-        public double ArmA;
-        public double ArmB;
-
-        /// <summary>Speed at which gravity opens the point in a substep if nothing pushes.</summary>
-        public double Approach;
     }
 }

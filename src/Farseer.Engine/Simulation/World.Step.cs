@@ -222,6 +222,7 @@ internal sealed partial class World
         input.AnyDeep = anyDeep;
         input.AnyBounce = _contactStage.AnyBounce;
         input.AnyFresh = _contactStage.AnyFresh;
+        input.GravityVector = Settings.Gravity;
         input.Degrees = _graph.Degrees;
         input.ColdStart = _contactStage.ColdStart;
         input.Joints = joints;

@@ -1,6 +1,7 @@
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Springs;
@@ -22,15 +23,23 @@ internal sealed unsafe class FreeImpacts
     private int _count;
     private int _next;
 
+    /// <summary>Some other contacts are new, and small islands are known.</summary>
+    public bool AnySmall { get; private set; }
+
+    public SmallIslands Small { get; } = new SmallIslands();
+
     /// <summary>Finds them among the rows.</summary>
     /// <param name="colors">The rows.</param>
     /// <param name="degrees">How many rows each body has.</param>
     /// <param name="bodies">The store.</param>
     /// <param name="joints">What they may hang on.</param>
     /// <param name="springs">The same.</param>
-    public void Find(System.ReadOnlySpan<GraphColor> colors, int* degrees, BodyStore bodies, JointSolver? joints, SpringStore? springs)
+    /// <param name="islands">All islands.</param>
+    public void Find(
+        System.ReadOnlySpan<GraphColor> colors, int* degrees, BodyStore bodies, JointSolver? joints, SpringStore? springs, IslandStore islands)
     {
         _count = 0;
+        AnySmall = false;
         _next = 0;
         _atRest.EnsureCapacity(bodies.Ids.End);
         for (int k = 0; k < colors.Length; k++)
@@ -64,19 +73,36 @@ internal sealed unsafe class FreeImpacts
                 lanes |= free ? 1 << lane : 0;
             }
 
-            entry.Lanes = lanes;
+            AnySmall |= entry.Lanes != lanes;
+            entry.Free = lanes;
+        }
+
+        if (AnySmall)
+        {
+            Small.Find(colors, islands, joints);
         }
     }
 
-    /// <summary>The lanes of such contacts of a bundle. Bundles are asked for in the order of the rows.</summary>
-    public int LanesOf(ContactBundle* row)
+    /// <summary>The lanes of a bundle with such contacts, or with contacts that nothing presses yet of small islands. Bundles are asked for in the order of the rows.</summary>
+    /// <param name="row">The bundle.</param>
+    /// <param name="free">Those that concern nobody else.</param>
+    public int LanesOf(ContactBundle* row, out int free)
     {
-        if (_next < _count && _entries[_next].Row == row)
+        free = 0;
+        if (_next == _count || _entries[_next].Row != row)
         {
-            return _entries[_next++].Lanes;
+            return 0;
         }
 
-        return 0;
+        Entry entry = _entries[_next++];
+        free = entry.Free;
+        int lanes = free;
+        for (int lane = 0; AnySmall && entry.Lanes >> lane != 0; lane++)
+        {
+            lanes |= ((entry.Lanes >> lane) & 1) != 0 && Small.Has(row, lane) ? 1 << lane : 0;
+        }
+
+        return lanes;
     }
 
     /// <summary>Counts the contacts at what cannot move; 0 in <paramref name="step"/> begins anew.</summary>
@@ -119,5 +145,6 @@ internal sealed unsafe class FreeImpacts
     {
         public ContactBundle* Row;
         public int Lanes;
+        public int Free;
     }
 }

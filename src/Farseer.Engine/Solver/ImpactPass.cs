@@ -70,6 +70,15 @@ internal sealed unsafe class ImpactPass
     /// <summary>1 for an island that was struck.</summary>
     private readonly Column<byte> _islandStruck = new Column<byte>();
     private readonly ImpactNeighbors _neighbors = new ImpactNeighbors();
+    private readonly IslandImpact _island = new IslandImpact();
+
+    /// <summary>Small islands with an impact in this round, and in this substep.</summary>
+    private readonly IndexList _islandsHit = new IndexList();
+    private readonly IndexList _struckSmall = new IndexList();
+
+    /// <summary>The moment of the first impact of the round in a small island.</summary>
+    private readonly Column<float> _timeOf = new Column<float>();
+    private SmallIslands? _small;
     private int _visits;
     private int _count;
     private int _rows;
@@ -90,6 +99,13 @@ internal sealed unsafe class ImpactPass
     {
         _count = 0;
         _rows = 0;
+        _small = free is { AnySmall: true } ? free.Small : null;
+        if (_small != null)
+        {
+            _island.Begin(bodies.Ids.End);
+            _timeOf.EnsureCapacity(bodies.Ids.End + 1);
+        }
+
         _bounces.EnsureCapacity(LeastBundles + (bodies.Ids.End / 2));
         _hits.Reserve(_bounces.Capacity);
         _met.Reserve(_bounces.Capacity);
@@ -101,8 +117,9 @@ internal sealed unsafe class ImpactPass
             foreach (ContactBundle* row in colors[k].Bundles)
             {
                 ContactBundle.AskAhead(row->Restitution);
-                int alone = free != null ? free.LanesOf(row) : 0;
-                int can = BounceKernel.BouncingLanes(row) | alone;
+                int alone = 0;
+                int can = BounceKernel.BouncingLanes(row) | (free != null ? free.LanesOf(row, out alone) : 0);
+                _small?.Bind(row, can != 0 ? _count : -1);
                 if (can != 0)
                 {
                     _rows += BitSet.CountBits((uint)can);
@@ -111,6 +128,7 @@ internal sealed unsafe class ImpactPass
                     bounce->Row = row;
                     bounce->Can = can;
                     bounce->Free = alone;
+                    bounce->Direct = _small != null ? DirectLanes(row, can & ~alone) : 0;
                 }
             }
         }
@@ -121,6 +139,17 @@ internal sealed unsafe class ImpactPass
         }
 
         return _count > 0;
+    }
+
+    private int DirectLanes(ContactBundle* row, int can)
+    {
+        int direct = 0;
+        for (int lane = 0; can >> lane != 0; lane++)
+        {
+            direct |= ((can >> lane) & 1) != 0 && _small!.Has(row, lane) ? 1 << lane : 0;
+        }
+
+        return direct;
     }
 
     /// <summary>Before the velocities of a substep are integrated.</summary>
@@ -144,20 +173,29 @@ internal sealed unsafe class ImpactPass
         BodyStore bodies = input.Bodies;
         ListMet();
         HoldAll(false);
+        _islandsHit.Clear();
+        _struckSmall.Clear();
         bool struck = false;
         int weakRounds = 0;
         _visits = PassVisits * _count;
         _goesOn = false;
         for (int round = 0; round < MostRounds && weakRounds < MostWeakRounds && (round < LeastRounds || _visits < MostVisits); round++)
         {
-            _goesOn = FindFirst(bodies, input.Coefficients, round > 0) && _concerned;
-            if (_hits.Count == 0)
+            bool any = FindFirst(bodies, input.Coefficients, round > 0);
+            _goesOn = any && _concerned;
+            if (!any)
             {
+                _islandsHit.Clear();
                 break;
             }
 
-            struck |= _concerned;
             weakRounds += AreAllWeak() ? 1 : 0;
+            if (_small != null)
+            {
+                SolveSmall(bodies, input.Coefficients);
+            }
+
+            struck |= _concerned;
             Sweep(bodies, input.Coefficients);
         }
 
@@ -176,6 +214,11 @@ internal sealed unsafe class ImpactPass
         for (int i = 0; _any && i < _count; i++)
         {
             BounceKernel.Finish(_bounces.Pointer + i);
+        }
+
+        if (_any && _small != null)
+        {
+            FinishSmall(input);
         }
 
         for (int turn = 0; _any && _goesOn && turn < (_visits < MostVisits ? Turns : LeastTurns); turn++)
@@ -233,11 +276,81 @@ internal sealed unsafe class ImpactPass
             }
 
             bounce->Struck |= bounce->Hits;
-            _concerned |= (bounce->Hits & ~bounce->Free) != 0;
+            _concerned |= (bounce->Hits & ~(bounce->Free | bounce->Direct)) != 0;
             bounce->Heavy = HeavyLanes(bounce->Row, bounce->Hits);
         }
 
         return true;
+    }
+
+    /// <summary>Solves the impacts in small islands, each island by itself, and takes them out of the round.</summary>
+    private void SolveSmall(BodyStore bodies, in ContactCoefficients c)
+    {
+        _islandsHit.Clear();
+        for (int i = 0; i < _hits.Count; i++)
+        {
+            BounceLanes* bounce = _bounces.Pointer + _hits[i];
+            int direct = bounce->Hits & bounce->Direct;
+            for (int lane = 0; direct >> lane != 0; lane++)
+            {
+                if (((direct >> lane) & 1) != 0)
+                {
+                    NoteIsland(_small!.IslandOf(bounce->Row, lane), bounce->Time[lane]);
+                }
+            }
+        }
+
+        for (int i = 0; i < _islandsHit.Count; i++)
+        {
+            int island = _islandsHit[i];
+            _island.Solve(island, _small!, _bounces.Pointer, bodies, _timeOf[island], stop: false, c);
+            for (int k = 0; k < _island.Bodies.Count; k++)
+            {
+                _neighbors.Mark(_island.Bodies[k]);
+            }
+
+            NoteOnce(_struckSmall, island);
+        }
+
+        for (int i = 0; i < _hits.Count; i++)
+        {
+            BounceLanes* bounce = _bounces.Pointer + _hits[i];
+            bounce->Hits &= ~bounce->Direct;
+        }
+    }
+
+    private void NoteIsland(int island, float time)
+    {
+        _timeOf[island] = NoteOnce(_islandsHit, island) ? time : Math.Max(_timeOf[island], time);
+    }
+
+    /// <returns>True if it was not noted yet.</returns>
+    private static bool NoteOnce(IndexList list, int item)
+    {
+        for (int i = 0; i < list.Count; i++)
+        {
+            if (list[i] == item)
+            {
+                return false;
+            }
+        }
+
+        list.Add(item);
+        return true;
+    }
+
+    /// <summary>Small islands that were struck bear what has come to lie on them; where impacts are left, what approaches is stopped.</summary>
+    private void FinishSmall(in SolverInput input)
+    {
+        for (int i = 0; i < _islandsHit.Count; i++)
+        {
+            _island.Solve(_islandsHit[i], _small!, _bounces.Pointer, input.Bodies, 0, stop: true, input.Coefficients);
+        }
+
+        for (int i = 0; i < _struckSmall.Count; i++)
+        {
+            _island.GiveLoads(_struckSmall[i], _small!, input.Bodies, input.GravityVector, input.Coefficients);
+        }
     }
 
     /// <summary>No impact of the round gives back more than a quarter of its energy.</summary>

@@ -3,6 +3,7 @@ using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
+using Farseer.Engine.Islands;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
@@ -40,6 +41,8 @@ internal sealed unsafe class SolverUnits : IStageWork
     private bool _coldStart;
     private bool _anyFresh;
     private int* _degrees;
+    private IslandStore _islands = null!;
+    private Vector2 _gravity;
 
     /// <summary>Places that so many bodies may take, each group filled up to whole bundles.</summary>
     public static int MostListed(int bodies, int groups) => bodies + (groups * WideLanes.BundleLanes);
@@ -90,6 +93,8 @@ internal sealed unsafe class SolverUnits : IStageWork
         _coldStart = input.ColdStart;
         _anyFresh = input.AnyFresh;
         _degrees = input.Degrees;
+        _islands = input.Islands;
+        _gravity = input.GravityVector;
         input.Runner.RunEach(this, _count);
     }
 
@@ -120,6 +125,8 @@ internal sealed unsafe class SolverUnits : IStageWork
             input.ColdStart = _coldStart;
             input.AnyFresh = _anyFresh;
             input.Degrees = _degrees;
+            input.Islands = _islands;
+            input.GravityVector = _gravity;
             _solvers[worker].Solve(input);
         }
     }

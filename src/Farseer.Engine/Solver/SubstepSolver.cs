@@ -52,6 +52,7 @@ internal unsafe ref struct SolverInput
 
     /// <summary>Some contacts are new, and how many rows each body has.</summary>
     public bool AnyFresh;
+    public Vector2 GravityVector;
     public int* Degrees;
 
     /// <summary>Most contacts are new in this step and have no impulses to start from.</summary>
@@ -259,7 +260,7 @@ internal sealed unsafe class SubstepSolver
         bool free = input.AnyFresh && input.UserJoints == null;
         if (free)
         {
-            _free.Find(input.Colors, input.Degrees, input.Bodies, input.Joints, input.Springs);
+            _free.Find(input.Colors, input.Degrees, input.Bodies, input.Joints, input.Springs, input.Islands);
         }
 
         bool any = _impacts.Begin(input.Colors, input.Bodies, free ? _free : null);

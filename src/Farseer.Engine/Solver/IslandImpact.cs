@@ -1,0 +1,380 @@
+using System;
+using System.Numerics;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Islands;
+using Farseer.Engine.Numerics;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Solver;
+
+/// <summary>
+/// An impact in a small island, solved directly with all contacts that touch and do not bounce: what falls on something that stands has no speed back, whatever the masses. (A sweep over
+/// contacts takes off a heavy body's speed the share of the light one's mass; what it has not found by then is stored as overlap and given back as speed.) Contacts that
+/// bounce hand a blow on one after the other, as they do everywhere.
+/// </summary>
+internal sealed unsafe class IslandImpact
+{
+    /// <summary>Turns of friction, each point within the cone of what was found for it.</summary>
+    private const int Rubs = 8;
+
+    private readonly ContactSystem _system = new ContactSystem();
+    private readonly Column<Side> _sides = new Column<Side>();
+    private readonly Column<Change> _changes = new Column<Change>();
+    private readonly IndexList _bodies = new IndexList();
+
+    /// <summary>The bodies of the island of the last impact, those that can move.</summary>
+    public IndexList Bodies => _bodies;
+
+    public void Begin(int bodyEnd) => _changes.EnsureCapacity(bodyEnd);
+
+    /// <summary>Solves the impacts of an island at one moment.</summary>
+    /// <param name="island">Which.</param>
+    /// <param name="islands">Its rows.</param>
+    /// <param name="bounces">Its impacts.</param>
+    /// <param name="bodies">The store.</param>
+    /// <param name="time">The moment, seconds before the end of the substep.</param>
+    /// <param name="stop">Contacts that bounce are stopped with the others, and there is no new impact.</param>
+    /// <param name="c">Of the substep.</param>
+    public void Solve(int island, SmallIslands islands, BounceLanes* bounces, BodyStore bodies, float time, bool stop, in ContactCoefficients c)
+    {
+        _system.Clear();
+        _bodies.Clear();
+        float same = (float)BounceKernel.SameMoment * c.Substep;
+        for (int k = islands.First(island); k >= 0; k = islands[k].Next)
+        {
+            ref SmallIslandRow entry = ref islands[k];
+            BounceLanes* bounce = entry.Bounce < 0 ? null : bounces + entry.Bounce;
+            int lane = entry.Lane;
+            bool hits = bounce != null && ((bounce->Hits >> lane) & 1) != 0;
+            Enlist(entry.Row, lane);
+            if (hits && !stop)
+            {
+                // What meets later in the substep is another impact.
+                if (bounce->Time[lane] >= time - same)
+                {
+                    AddStruck(entry.Row, lane, bounce, bodies, bounce->Time[lane], c);
+                }
+            }
+            else if (stop || !(entry.Row->Restitution[lane] > 0))
+            {
+                AddTouching(entry.Row, lane, bodies, c);
+            }
+        }
+
+        if (!_system.Solve())
+        {
+            return;
+        }
+
+        for (int i = 0; i < _system.Count; i++)
+        {
+            Push(_system[i], _sides[i].Bounce);
+        }
+
+        for (int turn = 0; turn < Rubs; turn++)
+        {
+            for (int i = 0; i < _system.Count; i++)
+            {
+                Rub(_system[i], ref _sides[i]);
+            }
+        }
+
+        for (int i = 0; i < _bodies.Count; i++)
+        {
+            Give(bodies, _bodies[i], stop ? 0 : time);
+        }
+    }
+
+    /// <summary>
+    /// Gives the contacts of an island the impulses that bear it from now on: passes would take long to find how much heavier it has become. Friction is not solved for, so only
+    /// islands of level contacts are given some.
+    /// </summary>
+    public void GiveLoads(int island, SmallIslands islands, BodyStore bodies, Vector2 gravity, in ContactCoefficients c)
+    {
+        _system.Clear();
+        for (int k = islands.First(island); k >= 0; k = islands[k].Next)
+        {
+            ref SmallIslandRow entry = ref islands[k];
+            ContactBundle* row = entry.Row;
+            int lane = entry.Lane;
+            FindGaps(row, lane, bodies, c, out double gap0, out double gap1);
+            if (!Touches(&row->Point0, lane, gap0) && !Touches(&row->Point1, lane, gap1))
+            {
+                continue;
+            }
+
+            if (!StartingLoads.IsLevel(row, lane, gravity, c.Gravity))
+            {
+                return;
+            }
+
+            AddLoad(row, lane, second: false, gap0, bodies);
+            AddLoad(row, lane, second: true, gap1, bodies);
+        }
+
+        if (_system.Count > 0 && _system.Solve())
+        {
+            StartingLoads.Feed(_system);
+        }
+    }
+
+    private void AddLoad(ContactBundle* row, int lane, bool second, double gap, BodyStore bodies)
+    {
+        ContactPointLanes* point = second ? &row->Point1 : &row->Point0;
+        if (!Touches(point, lane, gap))
+        {
+            return;
+        }
+
+        BodyDrive a = DriveOf(bodies, row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane]);
+        BodyDrive b = DriveOf(bodies, row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane]);
+        SystemPoint added = default;
+        added.Bundle = row;
+        added.Lane = lane;
+        added.Second = second;
+        added.ArmA = point->TangentArmA[lane];
+        added.ArmB = point->TangentArmB[lane];
+        added.Excess = ((double)row->NormalX[lane] * (b.X - a.X)) + ((double)row->NormalY[lane] * (b.Y - a.Y))
+            + (b.W * added.ArmB) - (a.W * added.ArmA);
+        _system.Add(added);
+    }
+
+    private static BodyDrive DriveOf(BodyStore bodies, int body, float answer) => answer > 0 ? bodies.Drive[body] : default;
+
+    private void Enlist(ContactBundle* row, int lane)
+    {
+        Enlist(row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane]);
+        Enlist(row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane]);
+    }
+
+    private void Enlist(int body, float answer)
+    {
+        ref Change change = ref _changes[body];
+        if (!(answer > 0) || (change.Place < _bodies.Count && change.Place >= 0 && _bodies[change.Place] == body))
+        {
+            return;
+        }
+
+        change = new Change { Place = _bodies.Count };
+        _bodies.Add(body);
+    }
+
+    private void AddStruck(ContactBundle* row, int lane, BounceLanes* bounce, BodyStore bodies, float time, in ContactCoefficients c)
+    {
+        Moment a = At(bodies, row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane], time, c);
+        Moment b = At(bodies, row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane], time, c);
+        if (bounce->Point0.Target[lane] >= 0)
+        {
+            Add(row, lane, second: false, a, b, bounce->Point0.Target[lane], bounce);
+        }
+
+        if (bounce->Point1.Target[lane] >= 0)
+        {
+            Add(row, lane, second: true, a, b, bounce->Point1.Target[lane], bounce);
+        }
+    }
+
+    private void AddTouching(ContactBundle* row, int lane, BodyStore bodies, in ContactCoefficients c)
+    {
+        FindGaps(row, lane, bodies, c, out double gap0, out double gap1);
+        Moment a = At(bodies, row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane], 0, c);
+        Moment b = At(bodies, row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane], 0, c);
+        if (Touches(&row->Point0, lane, gap0))
+        {
+            Add(row, lane, second: false, a, b, 0, null);
+        }
+
+        if (Touches(&row->Point1, lane, gap1))
+        {
+            Add(row, lane, second: true, a, b, 0, null);
+        }
+    }
+
+    private static bool Touches(ContactPointLanes* point, int lane, double gap) =>
+        point->Base[lane] < ContactBundle.NoPoint && (point->Normal[lane] > 0 || gap <= 0);
+
+    /// <summary>How far apart the surfaces of both points are.</summary>
+    private static void FindGaps(ContactBundle* row, int lane, BodyStore bodies, in ContactCoefficients c, out double gap0, out double gap1)
+    {
+        ref BodyState a = ref bodies.State[row->BodyA[lane]];
+        ref BodyState b = ref bodies.State[row->BodyB[lane]];
+        Vector2 moved = b.DeltaPosition - a.DeltaPosition;
+        double along = ((double)row->NormalX[lane] * moved.X) + ((double)row->NormalY[lane] * moved.Y) - c.Rest;
+        gap0 = along + row->Point0.Base[lane] + Along(&row->Point0, lane, b, second: true) - Along(&row->Point0, lane, a, second: false);
+        gap1 = along + row->Point1.Base[lane] + Along(&row->Point1, lane, b, second: true) - Along(&row->Point1, lane, a, second: false);
+    }
+
+    private static double Along(ContactPointLanes* point, int lane, in BodyState state, bool second) => second
+        ? ((double)state.DeltaCos * point->NormalArmB[lane]) + ((double)state.DeltaSin * point->TangentArmB[lane])
+        : ((double)state.DeltaCos * point->NormalArmA[lane]) + ((double)state.DeltaSin * point->TangentArmA[lane]);
+
+    private void Add(ContactBundle* row, int lane, bool second, in Moment a, in Moment b, double target, BounceLanes* bounce)
+    {
+        SystemPoint added = default;
+        added.Bundle = row;
+        added.Lane = lane;
+        added.Second = second;
+        ContactPointLanes* point = added.Lanes;
+        added.ArmA = (a.Cos * point->TangentArmA[lane]) - (a.Sin * point->NormalArmA[lane]);
+        added.ArmB = (b.Cos * point->TangentArmB[lane]) - (b.Sin * point->NormalArmB[lane]);
+        double nx = row->NormalX[lane];
+        double ny = row->NormalY[lane];
+        added.Excess = (nx * (b.X - a.X)) + (ny * (b.Y - a.Y)) + (b.W * added.ArmB) - (a.W * added.ArmA) - target;
+        Side side = default;
+        side.Bounce = bounce;
+        side.AlongA = (a.Cos * point->NormalArmA[lane]) + (a.Sin * point->TangentArmA[lane]) + row->RadiusA[lane];
+        side.AlongB = (b.Cos * point->NormalArmB[lane]) + (b.Sin * point->TangentArmB[lane]) - row->RadiusB[lane];
+        side.Slip = (ny * (b.X - a.X)) - (nx * (b.Y - a.Y)) + (a.W * side.AlongA) - (b.W * side.AlongB);
+        _sides.EnsureCapacity(_system.Count + 1);
+        _sides[_system.Count] = side;
+        _system.Add(added);
+    }
+
+    /// <summary>A body some time before the end of the substep.</summary>
+    private static Moment At(BodyStore bodies, int body, float answer, double time, in ContactCoefficients c)
+    {
+        ref BodyState state = ref bodies.State[body];
+        Moment moment;
+        moment.X = state.LinearVelocity.X;
+        moment.Y = state.LinearVelocity.Y;
+        moment.W = state.AngularVelocity;
+        moment.Sin = state.DeltaSin;
+        moment.Cos = state.DeltaCos;
+        if (!(time > 0))
+        {
+            return moment;
+        }
+
+        // What cannot move is not integrated: its start is of another time.
+        ref BodyMotion motion = ref bodies.Motion[body];
+        double share = answer > 0 ? time * c.InverseSubstep : 0;
+        double spin = moment.W;
+        moment.X -= (moment.X - motion.StartX) * share;
+        moment.Y -= (moment.Y - motion.StartY) * share;
+        moment.W -= (spin - motion.StartW) * share;
+        double turn = time * 0.5 * (spin + moment.W);
+        if (turn != 0)
+        {
+            double turned = Math.Max(-Integrator.LargestTurn, Math.Min(Integrator.LargestTurn, motion.Turned - turn));
+            StableMath.SinCos(turned, out moment.Sin, out moment.Cos);
+        }
+
+        return moment;
+    }
+
+    private void Push(in SystemPoint point, BounceLanes* bounce)
+    {
+        ContactBundle* row = point.Bundle;
+        int lane = point.Lane;
+        double x = point.Impulse;
+        double px = row->NormalX[lane] * x;
+        double py = row->NormalY[lane] * x;
+        Apply(row->BodyA[lane], -row->MassA[lane] * px, -row->MassA[lane] * py, -row->InertiaA[lane] * point.ArmA * x);
+        Apply(row->BodyB[lane], row->MassB[lane] * px, row->MassB[lane] * py, row->InertiaB[lane] * point.ArmB * x);
+        if (bounce == null)
+        {
+            row->Struck[lane] += (float)x;
+            return;
+        }
+
+        BouncePointLanes* struck = point.Second ? &bounce->Point1 : &bounce->Point0;
+        point.Lanes->Normal[lane] += (float)x;
+        struck->Pushed[lane] += (float)x;
+    }
+
+    /// <summary>Ends the slip of a point as far as its cone allows.</summary>
+    private void Rub(in SystemPoint point, ref Side side)
+    {
+        ContactBundle* row = point.Bundle;
+        int lane = point.Lane;
+        double bound = row->Friction[lane] * point.Impulse;
+        if (!(bound > 0))
+        {
+            return;
+        }
+
+        Change a = row->MassA[lane] + row->InertiaA[lane] > 0 ? _changes[row->BodyA[lane]] : default;
+        Change b = row->MassB[lane] + row->InertiaB[lane] > 0 ? _changes[row->BodyB[lane]] : default;
+        double tx = row->NormalY[lane];
+        double ty = -row->NormalX[lane];
+        double slip = side.Slip + (tx * (b.X - a.X)) + (ty * (b.Y - a.Y)) + (a.W * side.AlongA) - (b.W * side.AlongB);
+        double response = row->MassA[lane] + row->MassB[lane]
+            + (row->InertiaA[lane] * side.AlongA * side.AlongA) + (row->InertiaB[lane] * side.AlongB * side.AlongB);
+        double found = Math.Max(-bound, Math.Min(bound, side.Rub - (slip / response)));
+        double p = found - side.Rub;
+        side.Rub = found;
+        Apply(row->BodyA[lane], -row->MassA[lane] * tx * p, -row->MassA[lane] * ty * p, row->InertiaA[lane] * side.AlongA * p);
+        Apply(row->BodyB[lane], row->MassB[lane] * tx * p, row->MassB[lane] * ty * p, -row->InertiaB[lane] * side.AlongB * p);
+    }
+
+    private void Apply(int body, double x, double y, double w)
+    {
+        if (x != 0 || y != 0 || w != 0)
+        {
+            ref Change change = ref _changes[body];
+            change.X += x;
+            change.Y += y;
+            change.W += w;
+        }
+    }
+
+    /// <summary>A body gets its change of velocity, and is where that has brought it since: see <see cref="WideFlight.CatchUp"/>.</summary>
+    private void Give(BodyStore bodies, int body, double time)
+    {
+        Change change = _changes[body];
+        if (change.X == 0 && change.Y == 0 && change.W == 0)
+        {
+            return;
+        }
+
+        ref BodyState state = ref bodies.State[body];
+        ref BodyMotion motion = ref bodies.Motion[body];
+        state.LinearVelocity = new Vector2((float)(state.LinearVelocity.X + change.X), (float)(state.LinearVelocity.Y + change.Y));
+        state.AngularVelocity = (float)(state.AngularVelocity + change.W);
+        motion.StartX += (float)change.X;
+        motion.StartY += (float)change.Y;
+        motion.StartW += (float)change.W;
+        state.DeltaPosition = new Vector2((float)(state.DeltaPosition.X + (change.X * time)), (float)(state.DeltaPosition.Y + (change.Y * time)));
+        if (change.W * time != 0)
+        {
+            motion.Turned = (float)(motion.Turned + (change.W * time));
+            double turned = Math.Max(-Integrator.LargestTurn, Math.Min(Integrator.LargestTurn, motion.Turned));
+            StableMath.SinCos(turned, out double sin, out double cos);
+            state.DeltaSin = (float)sin;
+            state.DeltaCos = (float)cos;
+        }
+    }
+
+    /// <summary>What a point has beside its part in the system.</summary>
+    private struct Side
+    {
+        public BounceLanes* Bounce;
+        public double AlongA;
+        public double AlongB;
+
+        /// <summary>How fast the surfaces slip past each other without the impact, and the friction found.</summary>
+        public double Slip;
+        public double Rub;
+    }
+
+    /// <summary>What the impact changes the velocities of a body by.</summary>
+    private struct Change
+    {
+        public double X;
+        public double Y;
+        public double W;
+
+        /// <summary>Where it stands in the list of the island's bodies.</summary>
+        public int Place;
+    }
+
+    private struct Moment
+    {
+        public double X;
+        public double Y;
+        public double W;
+        public double Sin;
+        public double Cos;
+    }
+}
