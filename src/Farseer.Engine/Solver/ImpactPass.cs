@@ -349,7 +349,7 @@ internal sealed unsafe class ImpactPass
 
         for (int i = 0; i < _struckSmall.Count; i++)
         {
-            _island.GiveLoads(_struckSmall[i], _small!, input.Bodies, input.GravityVector, input.Coefficients);
+            _island.GiveLoads(_struckSmall[i], _small!, _bounces.Pointer, input.Bodies, input.GravityVector, input.Coefficients);
         }
     }
 

@@ -90,7 +90,7 @@ internal sealed unsafe class IslandImpact
     /// Gives the contacts of an island the impulses that bear it from now on: passes would take long to find how much heavier it has become. Friction is not solved for, so only
     /// islands of level contacts are given some.
     /// </summary>
-    public void GiveLoads(int island, SmallIslands islands, BodyStore bodies, Vector2 gravity, in ContactCoefficients c)
+    public void GiveLoads(int island, SmallIslands islands, BounceLanes* bounces, BodyStore bodies, Vector2 gravity, in ContactCoefficients c)
     {
         _system.Clear();
         for (int k = islands.First(island); k >= 0; k = islands[k].Next)
@@ -99,7 +99,11 @@ internal sealed unsafe class IslandImpact
             ContactBundle* row = entry.Row;
             int lane = entry.Lane;
             FindGaps(row, lane, bodies, c, out double gap0, out double gap1);
-            if (!Touches(&row->Point0, lane, gap0) && !Touches(&row->Point1, lane, gap1))
+            BounceLanes* bounce = entry.Bounce < 0 ? null : bounces + entry.Bounce;
+            bool struck = bounce != null && ((bounce->Struck >> lane) & 1) != 0;
+            bool touches0 = Touches(&row->Point0, lane, gap0) || (struck && bounce->Point0.Pushed[lane] > 0);
+            bool touches1 = Touches(&row->Point1, lane, gap1) || (struck && bounce->Point1.Pushed[lane] > 0);
+            if (!touches0 && !touches1)
             {
                 continue;
             }
@@ -109,8 +113,15 @@ internal sealed unsafe class IslandImpact
                 return;
             }
 
-            AddLoad(row, lane, second: false, gap0, bodies);
-            AddLoad(row, lane, second: true, gap1, bodies);
+            if (touches0)
+            {
+                AddLoad(row, lane, second: false, bodies);
+            }
+
+            if (touches1)
+            {
+                AddLoad(row, lane, second: true, bodies);
+            }
         }
 
         if (_system.Count > 0 && _system.Solve())
@@ -119,14 +130,9 @@ internal sealed unsafe class IslandImpact
         }
     }
 
-    private void AddLoad(ContactBundle* row, int lane, bool second, double gap, BodyStore bodies)
+    private void AddLoad(ContactBundle* row, int lane, bool second, BodyStore bodies)
     {
         ContactPointLanes* point = second ? &row->Point1 : &row->Point0;
-        if (!Touches(point, lane, gap))
-        {
-            return;
-        }
-
         BodyDrive a = DriveOf(bodies, row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane]);
         BodyDrive b = DriveOf(bodies, row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane]);
         SystemPoint added = default;
