@@ -23,7 +23,10 @@ internal sealed unsafe class FreeImpacts
     private int _count;
     private int _next;
 
-    /// <summary>Some other contacts are new, and small islands are known.</summary>
+    /// <summary>A body has several such contacts: those of one moment are one problem.</summary>
+    private bool _anyTwice;
+
+    /// <summary>Small islands are known, for some of their contacts are new.</summary>
     public bool AnySmall { get; private set; }
 
     public SmallIslands Small { get; } = new SmallIslands();
@@ -40,6 +43,7 @@ internal sealed unsafe class FreeImpacts
     {
         _count = 0;
         AnySmall = false;
+        _anyTwice = false;
         _next = 0;
         _atRest.EnsureCapacity(bodies.Ids.End);
         for (int k = 0; k < colors.Length; k++)
@@ -73,7 +77,7 @@ internal sealed unsafe class FreeImpacts
                 lanes |= free ? 1 << lane : 0;
             }
 
-            AnySmall |= entry.Lanes != lanes;
+            AnySmall |= entry.Lanes != lanes || _anyTwice;
             entry.Free = lanes;
         }
 
@@ -130,6 +134,7 @@ internal sealed unsafe class FreeImpacts
         int mover = Mover(row, lane);
         if (mover >= 0)
         {
+            _anyTwice |= _atRest[mover] > 1;
             return degrees[mover] == _atRest[mover] && !IsHeld(mover, joints, springs);
         }
 

@@ -79,6 +79,10 @@ internal sealed unsafe class ImpactPass
     /// <summary>The moment of the first impact of the round in a small island.</summary>
     private readonly Column<float> _timeOf = new Column<float>();
     private SmallIslands? _small;
+
+    /// <summary>The last round, counted in the step, that changed a body.</summary>
+    private readonly Column<int> _changed = new Column<int>();
+    private int _round;
     private int _visits;
     private int _count;
     private int _rows;
@@ -128,13 +132,16 @@ internal sealed unsafe class ImpactPass
                     bounce->Row = row;
                     bounce->Can = can;
                     bounce->Free = alone;
-                    bounce->Direct = _small != null ? DirectLanes(row, can & ~alone) : 0;
+                    bounce->Direct = _small != null ? DirectLanes(row, can) : 0;
                 }
             }
         }
 
         if (_count > 0)
         {
+            _round = 0;
+            _changed.EnsureCapacity(bodies.Ids.End);
+            new Span<int>(_changed.Pointer, bodies.Ids.End).Clear();
             _neighbors.Begin(_bounces.Capacity, bodies.Ids.End);
         }
 
@@ -146,7 +153,7 @@ internal sealed unsafe class ImpactPass
         int direct = 0;
         for (int lane = 0; can >> lane != 0; lane++)
         {
-            direct |= ((can >> lane) & 1) != 0 && _small!.Has(row, lane) ? 1 << lane : 0;
+            direct |= ((can >> lane) & 1) != 0 && _small!.IsShared(row, lane) ? 1 << lane : 0;
         }
 
         return direct;
@@ -179,7 +186,7 @@ internal sealed unsafe class ImpactPass
         int weakRounds = 0;
         _visits = PassVisits * _count;
         _goesOn = false;
-        for (int round = 0; round < MostRounds && weakRounds < MostWeakRounds && (round < LeastRounds || _visits < MostVisits); round++)
+        for (int round = 0; round < MostRounds && weakRounds < MostWeakRounds && (round < LeastRounds || _visits < MostVisits || !_concerned); round++)
         {
             bool any = FindFirst(bodies, input.Coefficients, round > 0);
             _goesOn = any && _concerned;
@@ -242,6 +249,7 @@ internal sealed unsafe class ImpactPass
             Look(again ? _neighbors.Taken[i] : i, bodies, c, again);
         }
 
+        _round++;
         if (_hits.Count == 0)
         {
             return false;
@@ -306,7 +314,7 @@ internal sealed unsafe class ImpactPass
             _island.Solve(island, _small!, _bounces.Pointer, bodies, _timeOf[island], stop: false, c);
             for (int k = 0; k < _island.Bodies.Count; k++)
             {
-                _neighbors.Mark(_island.Bodies[k]);
+                NoteChange(_island.Bodies[k]);
             }
 
             NoteOnce(_struckSmall, island);
@@ -366,11 +374,24 @@ internal sealed unsafe class ImpactPass
         return strong == 0;
     }
 
+    /// <summary>The lanes with a body that the last round changed: which contacts lie beside them in a bundle is to change nothing.</summary>
+    private int ChangedLanes(ContactBundle* row, int can)
+    {
+        int changed = 0;
+        for (int lane = 0; can >> lane != 0; lane++)
+        {
+            changed |= _changed[row->BodyA[lane]] == _round || _changed[row->BodyB[lane]] == _round ? 1 << lane : 0;
+        }
+
+        return changed & can;
+    }
+
     private void Look(int index, BodyStore bodies, in ContactCoefficients c, bool again)
     {
         _visits++;
         BounceLanes* bounce = _bounces.Pointer + index;
-        bounce->Hits = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c, AllLanes, onlyHeld: !again);
+        int lanes = again ? ChangedLanes(bounce->Row, bounce->Can) : AllLanes;
+        bounce->Hits = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c, lanes, onlyHeld: !again);
         if (bounce->Hits == 0)
         {
             return;
@@ -388,11 +409,17 @@ internal sealed unsafe class ImpactPass
         }
     }
 
+    private void NoteChange(int body)
+    {
+        _neighbors.Mark(body);
+        _changed[body] = _round;
+    }
+
     private void NoteTime(int body, bool yields, float time)
     {
         if (yields)
         {
-            _neighbors.Mark(body);
+            NoteChange(body);
             _latest[body] = Math.Max(_latest[body], time);
         }
     }

@@ -38,6 +38,9 @@ internal sealed unsafe class SmallIslands
 
     public int IslandOf(ContactBundle* row, int lane) => _islandOfSlot[row->Slot[lane]];
 
+    /// <summary>The contact is not the only one of its island, which is small.</summary>
+    public bool IsShared(ContactBundle* row, int lane) => Has(row, lane) && _rows[IslandOf(row, lane)] > 1;
+
     public bool Has(ContactBundle* row, int lane) => _rows[IslandOf(row, lane)] <= MostContacts;
 
     /// <summary>Lists the rows of small islands.</summary>
@@ -85,6 +88,27 @@ internal sealed unsafe class SmallIslands
         }
     }
 
+    /// <summary>In the order of their pieces: where their rows are, and how contacts are numbered, is to change no bit.</summary>
+    private void Insert(int island, int entry)
+    {
+        long pair = PairOf(entry);
+        int before = -1;
+        for (int k = _heads[island]; k >= 0 && PairOf(k) < pair; k = _entries[k].Next)
+        {
+            before = k;
+        }
+
+        ref int link = ref before < 0 ? ref _heads[island] : ref _entries[before].Next;
+        _entries[entry].Next = link;
+        link = entry;
+    }
+
+    private long PairOf(int entry)
+    {
+        SmallIslandRow row = _entries[entry];
+        return ((long)row.Row->PieceA[row.Lane] << 32) | (uint)row.Row->PieceB[row.Lane];
+    }
+
     private void Note(ContactBundle* row, int lane, JointSolver? joints, bool list)
     {
         int island = IslandOf(row, lane);
@@ -96,8 +120,8 @@ internal sealed unsafe class SmallIslands
         else if (_rows[island] <= MostContacts)
         {
             _entries.EnsureCapacity(_count + 1);
-            _entries[_count] = new SmallIslandRow { Row = row, Lane = lane, Bounce = -1, Next = _heads[island] };
-            _heads[island] = _count++;
+            _entries[_count] = new SmallIslandRow { Row = row, Lane = lane, Bounce = -1, Next = -1 };
+            Insert(island, _count++);
         }
     }
 }
