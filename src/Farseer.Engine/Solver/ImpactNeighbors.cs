@@ -17,6 +17,7 @@ internal sealed unsafe class ImpactNeighbors
     private readonly Column<int> _next = new Column<int>();
     private readonly BitSet _marked = new BitSet();
     private bool _linked;
+    private int _bodyEnd;
 
     /// <summary>The bundles marked since the last call of <see cref="Take"/>, in ascending order.</summary>
     public IndexList Taken { get; } = new IndexList();
@@ -27,6 +28,7 @@ internal sealed unsafe class ImpactNeighbors
     public void Begin(int capacity, int bodyEnd)
     {
         _linked = false;
+        _bodyEnd = bodyEnd;
         _first.EnsureCapacity(bodyEnd);
         _next.EnsureCapacity(capacity * Ends);
         Taken.Reserve(capacity);
@@ -44,15 +46,7 @@ internal sealed unsafe class ImpactNeighbors
 
         _linked = true;
         _next.EnsureCapacity(count * Ends);
-        for (int i = 0; i < count; i++)
-        {
-            ContactBundle* row = bounces[i].Row;
-            for (int lane = 0; lane < ContactBundle.Lanes; lane++)
-            {
-                _first[row->BodyA[lane]] = -1;
-                _first[row->BodyB[lane]] = -1;
-            }
-        }
+        new System.Span<int>(_first.Pointer, _bodyEnd).Fill(-1);
 
         for (int i = 0; i < count; i++)
         {
