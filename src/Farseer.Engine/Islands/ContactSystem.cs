@@ -62,6 +62,16 @@ internal sealed unsafe class ContactSystem
 
     public void Clear() => Count = 0;
 
+    /// <summary>Makes room for so many points.</summary>
+    public void Reserve(int points)
+    {
+        _points.EnsureCapacity(points);
+        _responses.EnsureCapacity(points * points);
+        _factor.EnsureCapacity(points * points);
+        _right.EnsureCapacity(points);
+        _pushing.EnsureCapacity(points);
+    }
+
     public void Add(in SystemPoint point)
     {
         _points.EnsureCapacity(Count + 1);
@@ -73,10 +83,7 @@ internal sealed unsafe class ContactSystem
     public bool Solve()
     {
         int n = Count;
-        _responses.EnsureCapacity(n * n);
-        _factor.EnsureCapacity(n * n);
-        _right.EnsureCapacity(n);
-        _pushing.EnsureCapacity(n);
+        Reserve(n);
         double largest = 0;
         for (int i = 0; i < n; i++)
         {

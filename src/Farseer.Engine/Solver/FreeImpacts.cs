@@ -38,14 +38,16 @@ internal sealed unsafe class FreeImpacts
     /// <param name="joints">What they may hang on.</param>
     /// <param name="springs">The same.</param>
     /// <param name="islands">All islands.</param>
+    /// <param name="bundleRoom">Bundles of rows that there is memory for: there is for as many of these.</param>
     public void Find(
-        System.ReadOnlySpan<GraphColor> colors, int* degrees, BodyStore bodies, JointSolver? joints, SpringStore? springs, IslandStore islands)
+        System.ReadOnlySpan<GraphColor> colors, int* degrees, BodyStore bodies, JointSolver? joints, SpringStore? springs, IslandStore islands, int bundleRoom)
     {
         _count = 0;
         AnySmall = false;
         _anyTwice = false;
         _next = 0;
-        _atRest.EnsureCapacity(bodies.Ids.End);
+        _atRest.EnsureCapacity(bodies.State.Capacity);
+        _entries.EnsureCapacity(bundleRoom);
         for (int k = 0; k < colors.Length; k++)
         {
             foreach (ContactBundle* row in colors[k].Bundles)
@@ -53,7 +55,6 @@ internal sealed unsafe class FreeImpacts
                 int fresh = BounceKernel.UnloadedLanes(row);
                 if (fresh != 0)
                 {
-                    _entries.EnsureCapacity(_count + 1);
                     _entries[_count++] = new Entry { Row = row, Lanes = fresh };
                 }
             }
@@ -83,7 +84,7 @@ internal sealed unsafe class FreeImpacts
 
         if (AnySmall)
         {
-            Small.Find(colors, islands, joints);
+            Small.Find(colors, islands, joints, bundleRoom);
         }
     }
 

@@ -106,8 +106,10 @@ internal sealed unsafe class ImpactPass
         _small = free is { AnySmall: true } ? free.Small : null;
         if (_small != null)
         {
-            _island.Begin(bodies.Ids.End);
-            _timeOf.EnsureCapacity(bodies.Ids.End + 1);
+            _island.Begin(bodies.State.Capacity);
+            _timeOf.EnsureCapacity(bodies.State.Capacity + 1);
+            _islandsHit.Reserve(bodies.State.Capacity);
+            _struckSmall.Reserve(bodies.State.Capacity);
         }
 
         _bounces.EnsureCapacity(LeastBundles + (bodies.Ids.End / 2));
@@ -140,7 +142,7 @@ internal sealed unsafe class ImpactPass
         if (_count > 0)
         {
             _round = 0;
-            _changed.EnsureCapacity(bodies.Ids.End);
+            _changed.EnsureCapacity(bodies.State.Capacity);
             new Span<int>(_changed.Pointer, bodies.Ids.End).Clear();
             _neighbors.Begin(_bounces.Capacity, bodies.Ids.End);
         }

@@ -15,6 +15,8 @@ namespace Farseer.Engine.Solver;
 /// </summary>
 internal sealed unsafe class IslandImpact
 {
+    private const int MostPoints = 2 * SmallIslands.MostContacts;
+
     /// <summary>Turns of friction, each point within the cone of what was found for it.</summary>
     private const int Rubs = 8;
 
@@ -26,7 +28,14 @@ internal sealed unsafe class IslandImpact
     /// <summary>The bodies of the island of the last impact, those that can move.</summary>
     public IndexList Bodies => _bodies;
 
-    public void Begin(int bodyEnd) => _changes.EnsureCapacity(bodyEnd);
+    /// <summary>Makes room for the largest island, once: later steps are not to allocate.</summary>
+    public void Begin(int bodyEnd)
+    {
+        _changes.EnsureCapacity(bodyEnd);
+        _system.Reserve(MostPoints);
+        _sides.EnsureCapacity(MostPoints);
+        _bodies.Reserve(MostPoints);
+    }
 
     /// <summary>Solves the impacts of an island at one moment.</summary>
     /// <param name="island">Which.</param>
@@ -232,7 +241,6 @@ internal sealed unsafe class IslandImpact
         side.AlongA = (a.Cos * point->NormalArmA[lane]) + (a.Sin * point->TangentArmA[lane]) + row->RadiusA[lane];
         side.AlongB = (b.Cos * point->NormalArmB[lane]) + (b.Sin * point->TangentArmB[lane]) - row->RadiusB[lane];
         side.Slip = (ny * (b.X - a.X)) - (nx * (b.Y - a.Y)) + (a.W * side.AlongA) - (b.W * side.AlongB);
-        _sides.EnsureCapacity(_system.Count + 1);
         _sides[_system.Count] = side;
         _system.Add(added);
     }

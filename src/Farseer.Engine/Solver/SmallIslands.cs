@@ -47,14 +47,16 @@ internal sealed unsafe class SmallIslands
     /// <param name="colors">All rows.</param>
     /// <param name="islands">Of which.</param>
     /// <param name="joints">Bodies that hang on joints answer as more than themselves: their islands are none.</param>
-    public void Find(ReadOnlySpan<GraphColor> colors, IslandStore islands, JointSolver? joints)
+    /// <param name="bundleRoom">Bundles of rows that there is memory for.</param>
+    public void Find(ReadOnlySpan<GraphColor> colors, IslandStore islands, JointSolver? joints, int bundleRoom)
     {
         _count = 0;
         _next = 0;
         _islandOfSlot = islands.OfSlot;
         int end = Math.Max(1, islands.Count);
-        _rows.EnsureCapacity(end);
-        _heads.EnsureCapacity(end);
+        _rows.EnsureCapacity(islands.BodyEnd + 1);
+        _heads.EnsureCapacity(islands.BodyEnd + 1);
+        _entries.EnsureCapacity(bundleRoom * ContactBundle.Lanes);
         for (int i = 0; i < end; i++)
         {
             _rows[i] = 0;
@@ -119,7 +121,6 @@ internal sealed unsafe class SmallIslands
         }
         else if (_rows[island] <= MostContacts)
         {
-            _entries.EnsureCapacity(_count + 1);
             _entries[_count] = new SmallIslandRow { Row = row, Lane = lane, Bounce = -1, Next = -1 };
             Insert(island, _count++);
         }

@@ -260,7 +260,7 @@ internal sealed unsafe class SubstepSolver
         bool free = input.AnyFresh && input.UserJoints == null;
         if (free)
         {
-            _free.Find(input.Colors, input.Degrees, input.Bodies, input.Joints, input.Springs, input.Islands);
+            _free.Find(input.Colors, input.Degrees, input.Bodies, input.Joints, input.Springs, input.Islands, input.BundleRoom);
         }
 
         bool any = _impacts.Begin(input.Colors, input.Bodies, free ? _free : null);
