@@ -33,7 +33,7 @@ internal static unsafe class GlancingContact
         {
             bool movesA = (pairs->A.Flags[lane] & (int)SideFlags.Moves) != 0;
             bool movesB = (pairs->B.Flags[lane] & (int)SideFlags.Moves) != 0;
-            if ((lanes & 1) != 0 && movesA != movesB && IsRefuted(input, row, lane, movesA))
+            if ((lanes & 1) != 0 && movesA != movesB && (IsRefuted(input, row, lane, movesA) || IsHidden(input, row, lane, movesA)))
             {
                 int bit = 1 << lane;
                 touch.Hit &= ~bit;
@@ -41,6 +41,20 @@ internal static unsafe class GlancingContact
                 touch.Same &= ~bit;
             }
         }
+    }
+
+    private static bool IsHidden(in ContactUpdateInput input, ContactBundle* row, int lane, bool movesA)
+    {
+        if (input.Contacts.Records[row->Contact[lane]].Mover < 0)
+        {
+            return false;
+        }
+
+        SeamInput seam = default;
+        seam.Shapes = input.Shapes;
+        seam.Bodies = input.Bodies;
+        seam.Contacts = input.Contacts;
+        return HiddenContact.Is(seam, row->Contact[lane], PairLanes.Read(input.Pairs, lane), input.Bodies.Pose[movesA ? row->BodyA[lane] : row->BodyB[lane]]);
     }
 
     private static bool IsRefuted(in ContactUpdateInput input, ContactBundle* row, int lane, bool movesA)
@@ -63,7 +77,7 @@ internal static unsafe class GlancingContact
         Vector2 offset = turn.InverseRotate(new Vector2((float)(moverPose.X - tilePose.X), (float)(moverPose.Y - tilePose.Y)));
         velocity = turn.InverseRotate(velocity);
         Vector2 push = turn.InverseRotate(new Vector2(pairs->NormalX[lane], pairs->NormalY[lane])) * (movesA ? -1 : 1);
-        float glance = (float)FastPairs.Glance(mover.Extent, input.Settings.AllowedPenetration);
+        float glance = (float)FastPairs.Tolerance(Math.Min(mover.Extent, tile.Extent));
         float swing = Math.Abs(own->AngularVelocity[lane]) * (mover.Reach - mover.Radius);
         bool onFace = IsFace(input.Shapes, tile, push);
         Vector2* normals = input.Shapes.Normals.Pointer + tile.VertexStart;

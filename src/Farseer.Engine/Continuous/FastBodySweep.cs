@@ -166,9 +166,10 @@ internal sealed class FastBodySweep
             return Meeting.Missed;
         }
 
+        bool isHidden = manifold.Count > 0 && record.Mover >= 0 && IsHidden(input, candidate.Contact, manifold, path, (time - 1) * left, time);
         candidate.Mode = SweepMode.Met;
-        candidate.Target = Math.Min(depth, tolerance) - (2 * tolerance);
-        if (manifold.Count == 0)
+        candidate.Target = isHidden ? Math.Min(depth, 0) - (CoreShare * extent) : Math.Min(depth, tolerance) - (2 * tolerance);
+        if (manifold.Count == 0 || isHidden)
         {
             return Meeting.Missed;
         }
@@ -209,6 +210,17 @@ internal sealed class FastBodySweep
         }
 
         return Meeting.Struck;
+    }
+
+    /// <summary>The body flies or slides on to the next piece of one surface; it may sink in there as far as where the solver has it in hand.</summary>
+    private static bool IsHidden(in SweepInput input, int contact, in Manifold manifold, in BodyPath path, double ahead, double time)
+    {
+        SeamInput seam;
+        seam.Shapes = input.Shapes;
+        seam.Bodies = input.Bodies;
+        seam.Contacts = input.Contacts;
+        seam.Ahead = (float)ahead;
+        return HiddenContact.Is(seam, contact, manifold, path.PoseAt(time));
     }
 
     /// <summary>An approach slower than this is rest.</summary>
@@ -359,7 +371,8 @@ internal sealed class FastBodySweep
             return search.Find(query, out time, out _);
         }
 
-        query.Target = -FastPairs.Glance(extent, input.Settings.AllowedPenetration);
+        ref ContactRecord record = ref input.Contacts.Records[candidate.Contact];
+        query.Target = -FastPairs.Glance(input.Shapes.Pieces[record.PieceA], input.Shapes.Pieces[record.PieceB]);
         query.Until = 1;
         if (!search.Find(query, out time, out _))
         {
