@@ -248,6 +248,7 @@ internal static unsafe class HiddenContact
         public bool EndsBelow(Vector2 up, in Touch touch, float level, float glance)
         {
             Vector2 ownUp = Turn.InverseRotate(up);
+            Vector2 ownNormal = Turn.InverseRotate(touch.Normal);
             Vector2 point0 = Turn.InverseRotate(touch.Point0 - Offset);
             Vector2 point1 = Turn.InverseRotate(touch.Point1 - Offset);
             float top = Math.Max(Vector2.Dot(ownUp, point0), Vector2.Dot(ownUp, point1));
@@ -260,6 +261,8 @@ internal static unsafe class HiddenContact
                 }
 
                 var along = new Vector2(-_normals[i].Y, _normals[i].X);
+                // A contact that this face does not look to is none with it, though a point of it may be on it: the face of the body was clipped there.
+                bool looks = Vector2.Dot(_normals[i], ownNormal) > Corner;
                 Vector2 rounding = _normals[i] * _radius;
                 for (int end = 0; end < 2; end++)
                 {
@@ -267,7 +270,7 @@ internal static unsafe class HiddenContact
                     Vector2 inwards = end == 0 ? along : -along;
                     float height = Vector2.Dot(ownUp, corner);
                     if (height <= most && top <= height + glance
-                        && IsOff(point0 - corner, inwards, _normals[i], glance) && IsOff(point1 - corner, inwards, _normals[i], glance))
+                        && (!looks || (IsOff(point0 - corner, inwards, _normals[i], glance) && IsOff(point1 - corner, inwards, _normals[i], glance))))
                     {
                         return true;
                     }

@@ -123,7 +123,7 @@ internal static class SeamScenes
         for (int i = 0; i < 100; i++)
         {
             simulator.Update(Dt);
-            worst = Math.Max(worst, 1 - (body.LinearVelocity.X / speed));
+            worst = Math.Max(worst, 1 - (body.LinearVelocity.X / speed));if (Environment.GetEnvironmentVariable("TR") != null) Console.WriteLine($"{i} {body.Position.X:g6} {body.Position.Y:g6} rot {body.Rotation:g4} v {body.LinearVelocity.X:g5} {body.LinearVelocity.Y:g5} w {body.AngularVelocity:g4} c {simulator.ArbiterList.Count} size {size} deg {degrees} depth {depth} lines {lines}");
         }
 
         return worst;
