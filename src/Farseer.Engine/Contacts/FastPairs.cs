@@ -21,8 +21,8 @@ internal static unsafe class FastPairs
     private const float RoundShare = 0.05f;
 
     /// <summary>
-    /// Share of the smaller extent by which a fast pair may overlap on its way without an impact: a body that slides from one
-    /// tile to the next, sunk in by a hair, must not run into the next one's side.
+    /// Share of the smaller extent by which a fast pair may overlap on its way without an impact, and by which a piece may stand higher than the one beside it and is run
+    /// over. Nothing but a size: whatever depth bodies rest at, what is thin or small is met.
     /// </summary>
     private const float GlanceShare = 0.01f;
 

@@ -8,11 +8,9 @@ using Farseer.Engine.Shapes;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// A body that slides over a floor of separate tiles is sunk in by the depth of rest, so each next tile shows it a side, or a corner
-/// with a slanting normal, and would stop it or throw it up. Such a contact is refuted by the tile's own face: if the body will be no
-/// deeper under that face throughout the step than a glance, and moves along it rather than into it, it goes over, and the only
-/// contact to be had with the tile is that of the face, once the body is above it. Asked once for each new row at something that
-/// cannot move.
+/// A body that comes to a piece that cannot move is shown its side, or a corner with a slanting normal, as it is when the step begins, and would be stopped or thrown
+/// up by what it passes over. Such a contact is refuted by the piece's own face: if the body stays above that face throughout the step, and moves along it rather than
+/// into it, it flies over. And it is hidden where other pieces carry the body past that side: see <see cref="HiddenContact"/>. Asked once for each new row.
 /// </summary>
 internal static unsafe class GlancingContact
 {
@@ -45,15 +43,17 @@ internal static unsafe class GlancingContact
 
     private static bool IsHidden(in ContactUpdateInput input, ContactBundle* row, int lane, bool movesA)
     {
-        if (input.Contacts.Records[row->Contact[lane]].Mover < 0)
+        // A body that became static within the step is another side's pair until the next.
+        if (input.Contacts.Records[row->Contact[lane]].Mover != (movesA ? row->PieceA[lane] : row->PieceB[lane]))
         {
             return false;
         }
 
-        SeamInput seam = default;
+        SeamInput seam;
         seam.Shapes = input.Shapes;
         seam.Bodies = input.Bodies;
         seam.Contacts = input.Contacts;
+        seam.Ahead = 0;
         return HiddenContact.Is(seam, row->Contact[lane], PairLanes.Read(input.Pairs, lane), input.Bodies.Pose[movesA ? row->BodyA[lane] : row->BodyB[lane]]);
     }
 
@@ -77,7 +77,7 @@ internal static unsafe class GlancingContact
         Vector2 offset = turn.InverseRotate(new Vector2((float)(moverPose.X - tilePose.X), (float)(moverPose.Y - tilePose.Y)));
         velocity = turn.InverseRotate(velocity);
         Vector2 push = turn.InverseRotate(new Vector2(pairs->NormalX[lane], pairs->NormalY[lane])) * (movesA ? -1 : 1);
-        float glance = (float)FastPairs.Tolerance(Math.Min(mover.Extent, tile.Extent));
+        float rounding = (float)FastPairs.Tolerance(Math.Min(mover.Extent, tile.Extent));
         float swing = Math.Abs(own->AngularVelocity[lane]) * (mover.Reach - mover.Radius);
         bool onFace = IsFace(input.Shapes, tile, push);
         Vector2* normals = input.Shapes.Normals.Pointer + tile.VertexStart;
@@ -100,7 +100,7 @@ internal static unsafe class GlancingContact
             }
 
             float depth = Vector2.Dot(face, vertices[i] - offset) - Lowest(input.Shapes, mover, relative.InverseRotate(face));
-            if (depth + mover.Radius + tile.Radius + (into * input.Dt) <= glance)
+            if (depth + mover.Radius + tile.Radius + (into * input.Dt) <= rounding)
             {
                 return true;
             }

@@ -24,7 +24,7 @@ internal ref struct SeamInput
 /// has overlap with that side and no business with it. As <see cref="OutlineCone"/> says of the parts of one outline, a direction is
 /// admitted at a corner that two pieces share only if it lies in the cones of both. So a contact with one piece is hidden by another if
 /// <list type="bullet">
-/// <item>the body has a contact with the other, which holds it in a direction that a face of the first looks to as well;</item>
+/// <item>the body has a contact with the other, itself not hidden, which holds it in a direction that a face of the first looks to as well;</item>
 /// <item>the contact's normal leans over the other's face, by more than the other's own contact leans over a face of the first: of two
 /// that hide each other the one that leans less stays, so something always holds;</item>
 /// <item>it is no contact with that face of the first, but with what comes before its end; and</item>
@@ -64,11 +64,30 @@ internal static unsafe class HiddenContact
         bool movesA = mover == record.PieceA;
         var own = new FixedPiece(input, movesA ? record.PieceB : record.PieceA, pose);
         Touch touch = Touch.Of(manifold, movesA ? -1 : 1, movesA ? Vector2.Zero : own.Offset);
-        ref Piece piece = ref input.Shapes.Pieces[mover];
-        float glance = FastPairs.Glance(piece, input.Shapes.Pieces[own.Index]);
-        for (int next = first; next >= 0; next = input.Contacts.NextAtFixed(next))
+        return IsHidden(input, contact, own, touch, pose, byShown: true);
+    }
+
+    /// <summary>Whether one of the body's other contacts hides one; <paramref name="byShown"/>: only those count that are not hidden themselves.</summary>
+    private static bool IsHidden(in SeamInput input, int contact, in FixedPiece own, in Touch touch, in BodyPose pose, bool byShown)
+    {
+        int mover = input.Contacts.Records[contact].Mover;
+        float glance = FastPairs.Glance(input.Shapes.Pieces[mover], input.Shapes.Pieces[own.Index]);
+        for (int next = input.Contacts.FirstAtFixed(mover); next >= 0; next = input.Contacts.NextAtFixed(next))
         {
-            if (next != contact && Holds(input, next) && Hides(input, next, own, touch, glance, pose))
+            if (next == contact || !Holds(input, next) || !TryTouch(input, next, glance + Math.Max(touch.Separation, 0), pose, out FixedPiece other, out Touch held))
+            {
+                continue;
+            }
+
+            float lean = other.Lean(held.Normal, touch, glance);
+            if (!(lean > Upright) || !(own.Lean(held.Normal, held, glance) < Clearly * lean))
+            {
+                continue;
+            }
+
+            ref Piece piece = ref input.Shapes.Pieces[mover];
+            float low = FrontLow(input.Shapes, piece, new Rotation(pose.Cos, pose.Sin), held.Normal, touch.Normal) - held.Separation;
+            if (own.EndsBelow(held.Normal, touch, low, glance) && (!byShown || !IsHidden(input, next, other, held, pose, byShown: false)))
             {
                 return true;
             }
@@ -77,19 +96,22 @@ internal static unsafe class HiddenContact
         return false;
     }
 
-    /// <summary>The pair gives impulses if it touches.</summary>
+    /// <summary>The pair gives impulses if it touches. What a handler refused is forgotten once nobody hears of the pair, which workers may be about to note.</summary>
     private static bool Holds(in SeamInput input, int contact)
     {
         ref ContactRecord record = ref input.Contacts.Records[contact];
-        return (record.Flags & ContactFlags.Vetoed) == 0
-            && (input.Shapes.ColliderAt(record.PieceA).Flags & input.Shapes.ColliderAt(record.PieceB).Flags & ColliderFlags.ResponseEnabled) != 0;
+        ColliderFlags a = input.Shapes.ColliderAt(record.PieceA).Flags;
+        ColliderFlags b = input.Shapes.ColliderAt(record.PieceB).Flags;
+        bool isRefused = (record.Flags & ContactFlags.Vetoed) != 0 && ((a | b) & (ColliderFlags.WantsContact | ColliderFlags.WantsSeparation)) != 0;
+        return !isRefused && (a & b & ColliderFlags.ResponseEnabled) != 0;
     }
 
-    private static bool Hides(in SeamInput input, int contact, in FixedPiece own, in Touch touch, float glance, in BodyPose pose)
+    /// <summary>Another contact of the body as it is there, if there is one.</summary>
+    private static bool TryTouch(in SeamInput input, int contact, float margin, in BodyPose pose, out FixedPiece other, out Touch held)
     {
         ref ContactRecord record = ref input.Contacts.Records[contact];
         int mover = record.Mover;
-        var other = new FixedPiece(input, mover == record.PieceA ? record.PieceB : record.PieceA, pose);
+        other = new FixedPiece(input, mover == record.PieceA ? record.PieceB : record.PieceA, pose);
         PairInput pair;
         pair.Vertices = input.Shapes.Vertices.Pointer;
         pair.Normals = input.Shapes.Normals.Pointer;
@@ -100,22 +122,10 @@ internal static unsafe class HiddenContact
         pair.RotationA = other.Turn;
         pair.RotationB = new Rotation(pose.Cos, pose.Sin);
         pair.Offset = -other.Offset;
-        pair.Margin = glance + Math.Max(touch.Separation, 0);
+        pair.Margin = margin;
         Collision.Collide(pair, out Manifold manifold);
-        if (manifold.Count == 0)
-        {
-            return false;
-        }
-
-        Touch held = Touch.Of(manifold, 1, other.Offset);
-        float lean = other.Lean(held.Normal, touch, glance);
-        if (!(lean > Upright) || !(own.Lean(held.Normal, held, glance) < Clearly * lean))
-        {
-            return false;
-        }
-
-        float low = FrontLow(input.Shapes, *pair.PieceB, pair.RotationB, held.Normal, touch.Normal) - held.Separation;
-        return own.EndsBelow(held.Normal, touch, low, glance);
+        held = Touch.Of(manifold, 1, other.Offset);
+        return manifold.Count > 0;
     }
 
     /// <summary>The lowest that the front of the body reaches.</summary>
@@ -141,7 +151,7 @@ internal static unsafe class HiddenContact
     }
 
     /// <summary>A contact of the body, from its centre.</summary>
-    private ref struct Touch
+    private struct Touch
     {
         /// <summary>From the piece to the body.</summary>
         public Vector2 Normal;
@@ -174,7 +184,7 @@ internal static unsafe class HiddenContact
     }
 
     /// <summary>A piece that cannot move, as seen from the body's centre.</summary>
-    private readonly ref struct FixedPiece
+    private readonly struct FixedPiece
     {
         public readonly int Index;
         public readonly Rotation Turn;

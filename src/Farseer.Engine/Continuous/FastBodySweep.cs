@@ -166,7 +166,7 @@ internal sealed class FastBodySweep
             return Meeting.Missed;
         }
 
-        bool isHidden = manifold.Count > 0 && record.Mover >= 0 && IsHidden(input, candidate.Contact, manifold, path, (time - 1) * left, time);
+        bool isHidden = manifold.Count > 0 && record.Mover == (isA ? record.PieceA : record.PieceB) && IsHidden(input, candidate.Contact, manifold, path, (time - 1) * left, time);
         candidate.Mode = SweepMode.Met;
         candidate.Target = isHidden ? Math.Min(depth, 0) - (CoreShare * extent) : Math.Min(depth, tolerance) - (2 * tolerance);
         if (manifold.Count == 0 || isHidden)

@@ -30,6 +30,58 @@ internal static class SeamScenes
         return WorstLoss(simulator, body, speed, 40);
     }
 
+    /// <summary>What flies on a floor of pieces by more than its size a step; the share of its speed along that it loses or gains.</summary>
+    public static float FastLanding(int seed)
+    {
+        var random = new Random(seed);
+        float depth = Depths[seed % Depths.Length];
+        using var simulator = new PhysicsSimulator(new Vector2(0, -10)) { AllowedPenetration = depth };
+        float tile = Range(random, 0.4f, 2);
+        Floor(simulator, random.Next(4), tile, 200);
+        float size = Range(random, 0.3f, 1.2f);
+        Body body = Mover(simulator, random.Next(3) == 0, size, turns: false);
+        float speed = Range(random, 20, 100);
+        body.Position = new Vector2(Range(random, -2, 2), (size / 2) + (random.Next(4) == 0 ? 0 : Range(random, 0, 1)));
+        body.LinearVelocity = new Vector2(speed, -Range(random, 0, 30));
+        return WorstLoss(simulator, body, speed, 40);
+    }
+
+    /// <summary>What slides on a floor of pieces against one that stands higher; by which share of its size it gets beyond that one's side.</summary>
+    public static float Ledge(int seed)
+    {
+        var random = new Random(seed);
+        float depth = Depths[seed % Depths.Length];
+        using var simulator = new PhysicsSimulator(new Vector2(0, -10)) { AllowedPenetration = depth };
+        float tile = Range(random, 0.4f, 2);
+        int kind = random.Next(4);
+        Floor(simulator, kind, tile, 40);
+        float size = Range(random, 0.3f, 1.2f);
+        float height = Range(random, 0.03f, 1.5f) * size;
+        float side = random.Next(5) * tile;
+        bool stands = random.Next(2) == 0;
+        Body ledge = Ground(simulator, new Vector2(side + 1, stands ? height / 2 : height - 1));
+        Smooth(GeomFactory.Instance.CreateRectangleGeom(simulator, ledge, 2, stands ? height : 2));
+        bool tapers = random.Next(3) == 0;
+        Body body = tapers ? Tapered(simulator, size) : Mover(simulator, false, size, turns: false);
+        float speed = Range(random, 0.5f, 5);
+        body.Position = new Vector2(side - size, size / 2);
+        body.LinearVelocity = new Vector2(speed, 0);
+        float worst = 0;
+        for (int i = 0; i < 90; i++)
+        {
+            if (random.Next(10) == 0)
+            {
+                body.LinearVelocity.X = speed;
+            }
+
+            simulator.Update(Dt);
+            worst = Math.Max(worst, (body.Position.X + (size / 2) - side) / size);
+            if (Environment.GetEnvironmentVariable("TR") != null) Console.WriteLine($"{i} x {(body.Position.X + (size / 2) - side)/size:g4} y {(body.Position.Y - (size / 2))/size:g4} v {body.LinearVelocity.X:g4} {body.LinearVelocity.Y:g4} kind {kind} tile {tile:g3} size {size:g3} h {height/size:g3} stands {stands} tapers {tapers} depth {depth} speed {speed:g3} side {side:g3}");
+        }
+
+        return worst;
+    }
+
     /// <summary>What is pressed on a wall of pieces while it falls along it; by which share of its way it lags behind.</summary>
     public static float Pressed(int seed)
     {
@@ -58,8 +110,10 @@ internal static class SeamScenes
             }
 
             simulator.Update(Dt);
+            if (Environment.GetEnvironmentVariable("TR") != null) Console.WriteLine($"{i} x {body.Position.X+size/2:g4} y {body.Position.Y:g5} v {body.LinearVelocity.X:g3} {body.LinearVelocity.Y:g5} {body.LinearVelocity.Y+(i+1)*10*Dt:g4}");
         }
 
+        if (Environment.GetEnvironmentVariable("TR") != null) Console.WriteLine($"round {round} size {size} tile {tile} depth {depth} force {byForce} push {push}");
         float fall = 0.5f * 10 * (Steps * Dt) * (Steps * Dt);
         return 1 - ((start - body.Position.Y) / fall);
     }
@@ -123,7 +177,7 @@ internal static class SeamScenes
         for (int i = 0; i < 100; i++)
         {
             simulator.Update(Dt);
-            worst = Math.Max(worst, 1 - (body.LinearVelocity.X / speed));if (Environment.GetEnvironmentVariable("TR") != null) Console.WriteLine($"{i} {body.Position.X:g6} {body.Position.Y:g6} rot {body.Rotation:g4} v {body.LinearVelocity.X:g5} {body.LinearVelocity.Y:g5} w {body.AngularVelocity:g4} c {simulator.ArbiterList.Count} size {size} deg {degrees} depth {depth} lines {lines}");
+            worst = Math.Max(worst, 1 - (body.LinearVelocity.X / speed));
         }
 
         return worst;
@@ -211,8 +265,8 @@ internal static class SeamScenes
         float hole = seed % 2 == 0 ? 0.9f : 0.99f;
         float depth = Depths[seed / 2 % Depths.Length];
         using var simulator = new PhysicsSimulator(new Vector2(0, -10)) { AllowedPenetration = depth };
-        Ledge(simulator, (-hole / 2) - 5, random.Next(2) == 0);
-        Ledge(simulator, (hole / 2) + 5, random.Next(2) == 0);
+        Brink(simulator, (-hole / 2) - 5, random.Next(2) == 0);
+        Brink(simulator, (hole / 2) + 5, random.Next(2) == 0);
         Body box = BodyFactory.Instance.CreateRectangleBody(simulator, 1, 1, 1);
         Sandbox.WithoutDrag(box);
         GeomFactory.Instance.CreateRectangleGeom(simulator, box, 1, 1).FrictionCoefficient = random.Next(2) == 0 ? 0 : 0.5f;
@@ -264,6 +318,19 @@ internal static class SeamScenes
         return body;
     }
 
+    /// <summary>A body that is wider below than above: its foremost corners are its lowest.</summary>
+    private static Body Tapered(PhysicsSimulator simulator, float size)
+    {
+        float half = size / 2;
+        Vertices outline = Sandbox.Outline(-half, -half, half, -half, 0.7f * half, half, -0.7f * half, half);
+        Body body = BodyFactory.Instance.CreateBody(simulator, 1, 1e20f);
+        Sandbox.WithoutDrag(body);
+        var geom = new Geom(body, outline, Vector2.Zero, 0, 0);
+        Smooth(geom);
+        simulator.Add(geom);
+        return body;
+    }
+
     /// <summary>Pieces along the x axis whose upper sides are at 0: boxes of a body each, of one body, segments, boxes that overlap.</summary>
     private static void Floor(PhysicsSimulator simulator, int kind, float tile, int count)
     {
@@ -306,7 +373,7 @@ internal static class SeamScenes
         }
     }
 
-    private static void Ledge(PhysicsSimulator simulator, float x, bool inTiles)
+    private static void Brink(PhysicsSimulator simulator, float x, bool inTiles)
     {
         for (int i = 0; i < (inTiles ? 10 : 1); i++)
         {
