@@ -135,7 +135,8 @@ internal sealed class ContactStore
     private readonly Column<int> _idleA;
     private readonly Column<int> _idleB;
 
-    // Of each piece the first of its pairs with what cannot move, and of these pairs the next and the one before; all one more than they are, 0: none.
+    // Of each piece the first of its pairs with what cannot move, and of these pairs the next and the one before; all one more than they
+    // are, 0: none.
     private readonly Column<int> _firstAtFixed;
     private readonly Column<int> _nextAtFixed;
     private readonly Column<int> _previousAtFixed;

@@ -21,8 +21,8 @@ internal static unsafe class FastPairs
     private const float RoundShare = 0.05f;
 
     /// <summary>
-    /// Share of the smaller extent by which a fast pair may overlap on its way without an impact, and by which a piece may stand higher than the one beside it and is run
-    /// over. Nothing but a size: whatever depth bodies rest at, what is thin or small is met.
+    /// Share of the smaller extent by which a fast pair may overlap on its way without an impact, and by which a piece may stand higher
+    /// than the one beside it and is run over. Nothing but a size: whatever depth bodies rest at, what is thin or small is met.
     /// </summary>
     private const float GlanceShare = 0.01f;
 
@@ -93,7 +93,10 @@ internal static unsafe class FastPairs
 
     public static double Tolerance(float extent) => (double)ToleranceShare * extent;
 
-    /// <summary>How deep two pieces may overlap on their way without an impact, and how much higher a piece may stand than the one before it to be run over.</summary>
+    /// <summary>
+    /// How deep two pieces may overlap on their way without an impact, and how much higher a piece may stand than the one before it to be
+    /// run over.
+    /// </summary>
     public static float Glance(in Shapes.Piece a, in Shapes.Piece b) => GlanceShare * (a.Extent < b.Extent ? a.Extent : b.Extent);
 
     public static bool IsTied(in ContactUpdateInput input, int body) => (input.Bodies.Flags[body] & BodyFlags.Tied) != 0;

@@ -8,9 +8,10 @@ using Farseer.Engine.Shapes;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// A body that comes to a piece that cannot move is shown its side, or a corner with a slanting normal, as it is when the step begins, and would be stopped or thrown
-/// up by what it passes over. Such a contact is refuted by the piece's own face: if the body stays above that face throughout the step, and moves along it rather than
-/// into it, it flies over. And it is hidden where other pieces carry the body past that side: see <see cref="HiddenContact"/>. Asked once for each new row.
+/// A body that comes to a piece that cannot move is shown its side, or a corner with a slanting normal, as these are when the step
+/// begins, and would be stopped or thrown up by what it passes over. Such a contact is refuted by the piece's own face: if the body
+/// stays above that face throughout the step, and moves along it rather than into it, it flies over. And it is hidden where other
+/// pieces carry the body past that side: see <see cref="HiddenContact"/>. Asked once for each new row.
 /// </summary>
 internal static unsafe class GlancingContact
 {
@@ -54,7 +55,8 @@ internal static unsafe class GlancingContact
         seam.Bodies = input.Bodies;
         seam.Contacts = input.Contacts;
         seam.Ahead = 0;
-        return HiddenContact.Is(seam, row->Contact[lane], PairLanes.Read(input.Pairs, lane), input.Bodies.Pose[movesA ? row->BodyA[lane] : row->BodyB[lane]]);
+        ref BodyPose pose = ref input.Bodies.Pose[movesA ? row->BodyA[lane] : row->BodyB[lane]];
+        return HiddenContact.Is(seam, row->Contact[lane], PairLanes.Read(input.Pairs, lane), pose);
     }
 
     private static bool IsRefuted(in ContactUpdateInput input, ContactBundle* row, int lane, bool movesA)

@@ -24,17 +24,20 @@ internal ref struct SeamInput
 /// has overlap with that side and no business with it. As <see cref="OutlineCone"/> says of the parts of one outline, a direction is
 /// admitted at a corner that two pieces share only if it lies in the cones of both. So a contact with one piece is hidden by another if
 /// <list type="bullet">
-/// <item>the body has a contact with the other, itself not hidden, which holds it in a direction that a face of the first looks to as well;</item>
+/// <item>the body has a contact with the other, itself not hidden, in a direction that a face of the first looks to as well;</item>
 /// <item>the contact's normal leans over the other's face, by more than the other's own contact leans over a face of the first: of two
 /// that hide each other the one that leans less stays, so something always holds;</item>
 /// <item>it is no contact with that face of the first, but with what comes before its end; and</item>
-/// <item>moved to where it just touches the other, the body would pass over that end. What stands higher, by more than a glance, is a wall.</item>
+/// <item>moved to where it just touches the other, the body would pass over that end. What stands higher by more than a glance is a
+/// wall.</item>
 /// </list>
 /// Neither velocities nor depths are asked for.
 /// </summary>
 internal static unsafe class HiddenContact
 {
-    /// <summary>Sine of what a normal may lean by: above rounding, and below the slant of a corner that a circle's centre has all but reached.</summary>
+    /// <summary>
+    /// Sine of what a normal may lean by: above rounding, and below the slant of a corner that a circle's centre has all but reached.
+    /// </summary>
     private const float Upright = 1e-5f;
 
     /// <summary>Faces nearer to each other than this (cosine) belong to a bend, not to a corner.</summary>
@@ -67,14 +70,23 @@ internal static unsafe class HiddenContact
         return IsHidden(input, contact, own, touch, pose, byShown: true);
     }
 
-    /// <summary>Whether one of the body's other contacts hides one; <paramref name="byShown"/>: only those count that are not hidden themselves.</summary>
-    private static bool IsHidden(in SeamInput input, int contact, in FixedPiece own, in Touch touch, in BodyPose pose, bool byShown)
+    /// <summary>Whether one of the body's other contacts hides one.</summary>
+    /// <param name="input">Where these are looked for.</param>
+    /// <param name="contact">The pair.</param>
+    /// <param name="own">Its piece that cannot move.</param>
+    /// <param name="touch">Its contact.</param>
+    /// <param name="pose">Where the body is.</param>
+    /// <param name="byShown">Only those count that are not hidden themselves.</param>
+    private static bool IsHidden(
+        in SeamInput input, int contact, in FixedPiece own, in Touch touch, in BodyPose pose, bool byShown)
     {
         int mover = input.Contacts.Records[contact].Mover;
         float glance = FastPairs.Glance(input.Shapes.Pieces[mover], input.Shapes.Pieces[own.Index]);
         for (int next = input.Contacts.FirstAtFixed(mover); next >= 0; next = input.Contacts.NextAtFixed(next))
         {
-            if (next == contact || !Holds(input, next) || !TryTouch(input, next, glance + Math.Max(touch.Separation, 0), pose, out FixedPiece other, out Touch held))
+            float margin = glance + Math.Max(touch.Separation, 0);
+            if (next == contact || !Holds(input, next)
+                || !TryTouch(input, next, margin, pose, out FixedPiece other, out Touch held))
             {
                 continue;
             }
@@ -86,8 +98,10 @@ internal static unsafe class HiddenContact
             }
 
             ref Piece piece = ref input.Shapes.Pieces[mover];
-            float low = FrontLow(input.Shapes, piece, new Rotation(pose.Cos, pose.Sin), held.Normal, touch.Normal) - held.Separation;
-            if (own.EndsBelow(held.Normal, touch, low, glance) && (!byShown || !IsHidden(input, next, other, held, pose, byShown: false)))
+            var turn = new Rotation(pose.Cos, pose.Sin);
+            float low = FrontLow(input.Shapes, piece, turn, held.Normal, touch.Normal) - held.Separation;
+            if (own.EndsBelow(held.Normal, touch, low, glance)
+                && (!byShown || !IsHidden(input, next, other, held, pose, byShown: false)))
             {
                 return true;
             }
@@ -96,13 +110,17 @@ internal static unsafe class HiddenContact
         return false;
     }
 
-    /// <summary>The pair gives impulses if it touches. What a handler refused is forgotten once nobody hears of the pair, which workers may be about to note.</summary>
+    /// <summary>
+    /// The pair gives impulses if it touches. What a handler refused is forgotten once nobody hears of the pair, which workers may be
+    /// about to note.
+    /// </summary>
     private static bool Holds(in SeamInput input, int contact)
     {
         ref ContactRecord record = ref input.Contacts.Records[contact];
         ColliderFlags a = input.Shapes.ColliderAt(record.PieceA).Flags;
         ColliderFlags b = input.Shapes.ColliderAt(record.PieceB).Flags;
-        bool isRefused = (record.Flags & ContactFlags.Vetoed) != 0 && ((a | b) & (ColliderFlags.WantsContact | ColliderFlags.WantsSeparation)) != 0;
+        const ColliderFlags Wants = ColliderFlags.WantsContact | ColliderFlags.WantsSeparation;
+        bool isRefused = (record.Flags & ContactFlags.Vetoed) != 0 && ((a | b) & Wants) != 0;
         return !isRefused && (a & b & ColliderFlags.ResponseEnabled) != 0;
     }
 
@@ -220,8 +238,8 @@ internal static unsafe class HiddenContact
         }
 
         /// <summary>
-        /// By how much a contact leans over that face of this piece that looks up most (sine), where its points are: at an end of the face it may lean outwards.
-        /// 0 if no face looks that way.
+        /// By how much a contact leans over that face of this piece that looks up most (sine), where its points are: at an end of the
+        /// face it may lean outwards. 0 if no face looks that way.
         /// </summary>
         public float Lean(Vector2 up, in Touch touch, float glance)
         {
@@ -253,7 +271,8 @@ internal static unsafe class HiddenContact
         }
 
         /// <summary>
-        /// Whether a face that looks up has an end that is not above a level, while the points are those of what comes before this end: its corner, or what is below the face there.
+        /// Whether a face that looks up has an end that is not above a level, while the points are those of what comes before this end:
+        /// its corner, or what is below the face there.
         /// </summary>
         public bool EndsBelow(Vector2 up, in Touch touch, float level, float glance)
         {
@@ -271,7 +290,8 @@ internal static unsafe class HiddenContact
                 }
 
                 var along = new Vector2(-_normals[i].Y, _normals[i].X);
-                // A contact that this face does not look to is none with it, though a point of it may be on it: the face of the body was clipped there.
+                // A contact that this face does not look to is none with it, though a point of it may be on it: the face of the body
+                // was clipped there.
                 bool looks = Vector2.Dot(_normals[i], ownNormal) > Corner;
                 Vector2 rounding = _normals[i] * _radius;
                 for (int end = 0; end < 2; end++)
@@ -279,8 +299,9 @@ internal static unsafe class HiddenContact
                     Vector2 corner = _vertices[end == 0 ? i : Next(i)] + rounding;
                     Vector2 inwards = end == 0 ? along : -along;
                     float height = Vector2.Dot(ownUp, corner);
-                    if (height <= most && top <= height + glance
-                        && (!looks || (IsOff(point0 - corner, inwards, _normals[i], glance) && IsOff(point1 - corner, inwards, _normals[i], glance))))
+                    bool isOff = !looks || (IsOff(point0 - corner, inwards, _normals[i], glance)
+                        && IsOff(point1 - corner, inwards, _normals[i], glance));
+                    if (isOff && height <= most && top <= height + glance)
                     {
                         return true;
                     }

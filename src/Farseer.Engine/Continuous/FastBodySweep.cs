@@ -166,7 +166,8 @@ internal sealed class FastBodySweep
             return Meeting.Missed;
         }
 
-        bool isHidden = manifold.Count > 0 && record.Mover == (isA ? record.PieceA : record.PieceB) && IsHidden(input, candidate.Contact, manifold, path, (time - 1) * left, time);
+        bool isHidden = manifold.Count > 0 && record.Mover == (isA ? record.PieceA : record.PieceB)
+            && IsHidden(input, candidate.Contact, manifold, path, (time - 1) * left, time);
         candidate.Mode = SweepMode.Met;
         candidate.Target = isHidden ? Math.Min(depth, 0) - (CoreShare * extent) : Math.Min(depth, tolerance) - (2 * tolerance);
         if (manifold.Count == 0 || isHidden)
@@ -212,7 +213,9 @@ internal sealed class FastBodySweep
         return Meeting.Struck;
     }
 
-    /// <summary>The body flies or slides on to the next piece of one surface; it may sink in there as far as where the solver has it in hand.</summary>
+    /// <summary>
+    /// The body flies or slides on to the next piece of one surface; it may sink in there as far as where the solver has it in hand.
+    /// </summary>
     private static bool IsHidden(in SweepInput input, int contact, in Manifold manifold, in BodyPath path, double ahead, double time)
     {
         SeamInput seam;
@@ -305,7 +308,35 @@ internal sealed class FastBodySweep
             candidate.Target = Math.Min(separation, 0) - ((jointed ? JointedCoreShare : CoreShare) * extent);
         }
 
+        if (!FindTime(input, ref search, extent, candidate, until, out time))
+        {
+            return false;
+        }
+
+        if (candidate.Mode == SweepMode.Met || !IsHiddenAt(input, candidate.Contact, isA, path, other, time))
+        {
+            return true;
+        }
+
+        candidate.Mode = SweepMode.Met;
+        candidate.Target = -CoreShare * extent;
         return FindTime(input, ref search, extent, candidate, until, out time);
+    }
+
+    /// <summary>Whether what such a body meets then is hidden by something else that it meets.</summary>
+    private static bool IsHiddenAt(in SweepInput input, int contact, bool isA, in BodyPath path, in BodyPath other, double time)
+    {
+        ref ContactRecord record = ref input.Contacts.Records[contact];
+        if (record.Mover != (isA ? record.PieceA : record.PieceB))
+        {
+            return false;
+        }
+
+        float margin = (float)(4 * FastPairs.Tolerance(Extent(input.Shapes, record, isA)));
+        PairInput pair = ImpactPose.Pair(
+            input.Shapes, record.PieceA, record.PieceB, isA ? path : other, isA ? other : path, time, margin);
+        Collision.Collide(pair, out Manifold manifold);
+        return manifold.Count > 0 && IsHidden(input, contact, manifold, path, (time - 1) * input.Dt, time);
     }
 
     /// <summary>The candidate that is met first, and when; -1: none. At the same time, the pair with the lower pieces.</summary>

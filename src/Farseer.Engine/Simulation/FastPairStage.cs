@@ -225,7 +225,8 @@ internal sealed unsafe class FastPairStage : IStageWork
         search.Find(query, out double time, out _);
         PairInput pair = ImpactPose.Pair(input.Shapes, record.PieceA, record.PieceB, a, b, time, (float)(4 * query.Tolerance));
         Collision.Collide(pair, out Manifold manifold);
-        if (manifold.Count > 0 && record.Mover >= 0 && IsHidden(input, contact, manifold, record.Mover == record.PieceA ? a : b, time))
+        if (manifold.Count > 0 && record.Mover >= 0
+            && IsHidden(input, contact, manifold, record.Mover == record.PieceA ? a : b, time))
         {
             return;
         }

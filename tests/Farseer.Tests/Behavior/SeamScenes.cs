@@ -7,13 +7,15 @@ using FarseerGames.FarseerPhysics.Factories;
 
 namespace Farseer.Tests.Behavior;
 
-/// <summary>Random worlds of static pieces that lie side by side, and of walls that are thin. Each returns by how much it went wrong.</summary>
+/// <summary>
+/// Random worlds of static pieces that lie side by side, and of walls that are thin. Each returns by how much it went wrong.
+/// </summary>
 internal static class SeamScenes
 {
     private const float Dt = 1 / 60f;
     private static readonly float[] Depths = [0, 0.001f, 0.005f, 0.05f];
 
-    /// <summary>What falls on a floor of pieces while it moves along; the share of its speed along that it loses or gains.</summary>
+    /// <summary>What falls on a floor of pieces while it moves along; the share of its speed that it loses or gains.</summary>
     public static float Landing(int seed)
     {
         var random = new Random(seed);
@@ -30,7 +32,7 @@ internal static class SeamScenes
         return WorstLoss(simulator, body, speed, 40);
     }
 
-    /// <summary>What flies on a floor of pieces by more than its size a step; the share of its speed along that it loses or gains.</summary>
+    /// <summary>The same by more than its size a step.</summary>
     public static float FastLanding(int seed)
     {
         var random = new Random(seed);
@@ -46,7 +48,7 @@ internal static class SeamScenes
         return WorstLoss(simulator, body, speed, 40);
     }
 
-    /// <summary>What slides on a floor of pieces against one that stands higher; by which share of its size it gets beyond that one's side.</summary>
+    /// <summary>What slides on a floor against a piece that stands higher; by which share of its size it gets into that.</summary>
     public static float Ledge(int seed)
     {
         var random = new Random(seed);
@@ -76,7 +78,6 @@ internal static class SeamScenes
 
             simulator.Update(Dt);
             worst = Math.Max(worst, (body.Position.X + (size / 2) - side) / size);
-            if (Environment.GetEnvironmentVariable("TR") != null) Console.WriteLine($"{i} x {(body.Position.X + (size / 2) - side)/size:g4} y {(body.Position.Y - (size / 2))/size:g4} v {body.LinearVelocity.X:g4} {body.LinearVelocity.Y:g4} kind {kind} tile {tile:g3} size {size:g3} h {height/size:g3} stands {stands} tapers {tapers} depth {depth} speed {speed:g3} side {side:g3}");
         }
 
         return worst;
@@ -110,15 +111,15 @@ internal static class SeamScenes
             }
 
             simulator.Update(Dt);
-            if (Environment.GetEnvironmentVariable("TR") != null) Console.WriteLine($"{i} x {body.Position.X+size/2:g4} y {body.Position.Y:g5} v {body.LinearVelocity.X:g3} {body.LinearVelocity.Y:g5} {body.LinearVelocity.Y+(i+1)*10*Dt:g4}");
         }
 
-        if (Environment.GetEnvironmentVariable("TR") != null) Console.WriteLine($"round {round} size {size} tile {tile} depth {depth} force {byForce} push {push}");
         float fall = 0.5f * 10 * (Steps * Dt) * (Steps * Dt);
         return 1 - ((start - body.Position.Y) / fall);
     }
 
-    /// <summary>What walks over a floor at a velocity along that is set in each step; by which share of its way it lags behind, or how fast it hops.</summary>
+    /// <summary>
+    /// What walks over a floor at a velocity along that is set in each step; by which share of its way it lags behind, or how fast it hops.
+    /// </summary>
     public static float Walking(int seed)
     {
         var random = new Random(seed);
@@ -148,7 +149,7 @@ internal static class SeamScenes
         return Math.Max(1 - ((body.Position.X - start) / (speed * Steps * Dt)), hop);
     }
 
-    /// <summary>What slides over two slabs, the second of which leads down; the share of its speed along that it loses at the seam.</summary>
+    /// <summary>What slides over two slabs, the second of which leads down; the share of its speed that it loses.</summary>
     public static float Bend(int seed)
     {
         var random = new Random(seed);
@@ -165,7 +166,8 @@ internal static class SeamScenes
         else
         {
             Slab(simulator, -3, -0.5f, 6, 0);
-            Slab(simulator, (10 * MathF.Cos(turn)) + (0.5f * MathF.Sin(turn)), (10 * MathF.Sin(turn)) - (0.5f * MathF.Cos(turn)), 20, turn);
+            float x = (10 * MathF.Cos(turn)) + (0.5f * MathF.Sin(turn));
+            Slab(simulator, x, (10 * MathF.Sin(turn)) - (0.5f * MathF.Cos(turn)), 20, turn);
         }
 
         float size = Range(random, 0.3f, 1.2f);
@@ -183,7 +185,9 @@ internal static class SeamScenes
         return worst;
     }
 
-    /// <summary>What lies corner on corner with the pieces: a box as wide as they are that slides off from there, or falls flush along their side. The share lost.</summary>
+    /// <summary>
+    /// What lies corner on corner with the pieces: a box as wide as they are that slides off, or falls along their side. The share lost.
+    /// </summary>
     public static float Aligned(int seed)
     {
         var random = new Random(seed);
@@ -331,7 +335,9 @@ internal static class SeamScenes
         return body;
     }
 
-    /// <summary>Pieces along the x axis whose upper sides are at 0: boxes of a body each, of one body, segments, boxes that overlap.</summary>
+    /// <summary>
+    /// Pieces along the x axis whose upper sides are at 0: boxes of a body each, of one body, segments, boxes that overlap.
+    /// </summary>
     private static void Floor(PhysicsSimulator simulator, int kind, float tile, int count)
     {
         Body? ground = kind == 1 ? Ground(simulator, Vector2.Zero) : null;
