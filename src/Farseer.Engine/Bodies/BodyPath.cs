@@ -1,3 +1,5 @@
+using Farseer.Engine.Numerics;
+
 namespace Farseer.Engine.Bodies;
 
 /// <summary>
@@ -17,6 +19,13 @@ internal struct BodyPath
     public double SpinGain;
 
     public static BodyPath Resting(in BodyPose pose) => new BodyPath { X = pose.X, Y = pose.Y, Angle = pose.Angle };
+
+    /// <summary>Where it is at a share of the time.</summary>
+    public readonly BodyPose PoseAt(double f)
+    {
+        Rotation turn = StableMath.FromAngle(AngleAt(f));
+        return new BodyPose { X = XAt(f), Y = YAt(f), Angle = AngleAt(f), Cos = turn.Cos, Sin = turn.Sin };
+    }
 
     public readonly double XAt(double f) => X + (f * (VelocityX + (0.5 * f * AccelerationX)));
 

@@ -73,6 +73,11 @@ internal struct ContactRecord
 
     private const int SeveralMark = 128;
 
+    /// <summary>A alone can move, or B alone.</summary>
+    private const int MoverAMark = 64;
+    private const int MoverBMark = 32;
+    private const int KindMask = MoverBMark - 1;
+
     private byte _kind;
 
     /// <summary>Group of its row.</summary>
@@ -88,8 +93,18 @@ internal struct ContactRecord
     /// <summary>Only for what is done together: what a piece is may change while the pair lasts.</summary>
     public PairKind Kind
     {
-        readonly get => (PairKind)(_kind & ~SeveralMark);
-        set => _kind = (byte)((_kind & SeveralMark) | (int)value);
+        readonly get => (PairKind)(_kind & KindMask);
+        set => _kind = (byte)((_kind & ~KindMask) | (int)value);
+    }
+
+    /// <summary>The piece that can move, of a pair with one that cannot; else -1.</summary>
+    public readonly int Mover => (_kind & MoverAMark) != 0 ? PieceA : (_kind & MoverBMark) != 0 ? PieceB : -1;
+
+    /// <summary>Notes which sides can move, while the pair lasts.</summary>
+    public void SetMovers(bool a, bool b)
+    {
+        int mark = a == b ? 0 : a ? MoverAMark : MoverBMark;
+        _kind = (byte)((_kind & ~(MoverAMark | MoverBMark)) | mark);
     }
 
     /// <summary>True for a pair in the idle list.</summary>
@@ -119,6 +134,12 @@ internal sealed class ContactStore
     private readonly Column<int> _idle;
     private readonly Column<int> _idleA;
     private readonly Column<int> _idleB;
+
+    // Of each piece the first of its pairs with what cannot move, and of these pairs the next and the one before; all one more than they
+    // are, 0: none.
+    private readonly Column<int> _firstAtFixed;
+    private readonly Column<int> _nextAtFixed;
+    private readonly Column<int> _previousAtFixed;
     private readonly Column<IdleBundle> _gaps = new Column<IdleBundle>();
 
     private bool _keepsManifolds;
@@ -132,6 +153,9 @@ internal sealed class ContactStore
         _idle = _set.Add<int>();
         _idleA = _set.Add<int>();
         _idleB = _set.Add<int>();
+        _nextAtFixed = _set.Add<int>();
+        _previousAtFixed = _set.Add<int>();
+        _firstAtFixed = shapes.PieceSet.Add<int>();
         Map.EnsureCapacity(FewPairs);
     }
 
@@ -266,6 +290,11 @@ internal sealed class ContactStore
         Map.Set(key, index);
         Count++;
         AddIdle(index);
+        if (record.Mover >= 0)
+        {
+            Link(index, record.Mover);
+        }
+
         if (record.OfSeveral)
         {
             ulong colliders = ColliderKey(record);
@@ -290,9 +319,51 @@ internal sealed class ContactStore
             Leave(ColliderKey(Records[index]));
         }
 
+        if (Records[index].Mover >= 0)
+        {
+            Unlink(index, Records[index].Mover);
+        }
+
         Records[index] = default;
         Records[index].PieceA = -1;
         _idle[--Count] = index;
+    }
+
+    /// <summary>The first of the pairs of a piece that can move with pieces that cannot, in no order; -1: none.</summary>
+    public int FirstAtFixed(int piece) => _firstAtFixed[piece] - 1;
+
+    /// <summary>The pair behind one of these; -1: none.</summary>
+    public int NextAtFixed(int contact) => _nextAtFixed[contact] - 1;
+
+    private void Link(int contact, int piece)
+    {
+        int next = _firstAtFixed[piece];
+        _nextAtFixed[contact] = next;
+        _previousAtFixed[contact] = 0;
+        _firstAtFixed[piece] = contact + 1;
+        if (next > 0)
+        {
+            _previousAtFixed[next - 1] = contact + 1;
+        }
+    }
+
+    private void Unlink(int contact, int piece)
+    {
+        int next = _nextAtFixed[contact];
+        int previous = _previousAtFixed[contact];
+        if (previous > 0)
+        {
+            _nextAtFixed[previous - 1] = next;
+        }
+        else
+        {
+            _firstAtFixed[piece] = next;
+        }
+
+        if (next > 0)
+        {
+            _previousAtFixed[next - 1] = previous;
+        }
     }
 
     private ulong ColliderKey(in ContactRecord record) => ColliderKey(_shapes.ColliderOf(record.PieceA), _shapes.ColliderOf(record.PieceB));

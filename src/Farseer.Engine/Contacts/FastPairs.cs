@@ -21,13 +21,10 @@ internal static unsafe class FastPairs
     private const float RoundShare = 0.05f;
 
     /// <summary>
-    /// Share of the smaller extent by which a fast pair may overlap on its way without an impact: a body that slides from one
-    /// tile to the next, sunk in by a hair, must not run into the next one's side.
+    /// Share of the smaller extent by which a fast pair may overlap on its way without an impact, and by which a piece may stand higher
+    /// than the one beside it and is run over. Nothing but a size: whatever depth bodies rest at, what is thin or small is met.
     /// </summary>
     private const float GlanceShare = 0.01f;
-
-    /// <summary>Of the depth of rest, which a body that slides has, the same.</summary>
-    private const float GlanceRests = 1.25f;
 
     /// <summary>Share of the extent to which a time of impact is found.</summary>
     private const float ToleranceShare = 1e-3f;
@@ -96,7 +93,11 @@ internal static unsafe class FastPairs
 
     public static double Tolerance(float extent) => (double)ToleranceShare * extent;
 
-    public static double Glance(float extent, float rest) => ((double)GlanceShare * extent) + ((double)GlanceRests * rest);
+    /// <summary>
+    /// How deep two pieces may overlap on their way without an impact, and how much higher a piece may stand than the one before it to be
+    /// run over.
+    /// </summary>
+    public static float Glance(in Shapes.Piece a, in Shapes.Piece b) => GlanceShare * (a.Extent < b.Extent ? a.Extent : b.Extent);
 
     public static bool IsTied(in ContactUpdateInput input, int body) => (input.Bodies.Flags[body] & BodyFlags.Tied) != 0;
 

@@ -8,11 +8,10 @@ using Farseer.Engine.Shapes;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// A body that slides over a floor of separate tiles is sunk in by the depth of rest, so each next tile shows it a side, or a corner
-/// with a slanting normal, and would stop it or throw it up. Such a contact is refuted by the tile's own face: if the body will be no
-/// deeper under that face throughout the step than a glance, and moves along it rather than into it, it goes over, and the only
-/// contact to be had with the tile is that of the face, once the body is above it. Asked once for each new row at something that
-/// cannot move.
+/// A body that comes to a piece that cannot move is shown its side, or a corner with a slanting normal, as these are when the step
+/// begins, and would be stopped or thrown up by what it passes over. Such a contact is refuted by the piece's own face: if the body
+/// stays above that face throughout the step, and moves along it rather than into it, it flies over. And it is hidden where other
+/// pieces carry the body past that side: see <see cref="HiddenContact"/>. Asked once for each new row.
 /// </summary>
 internal static unsafe class GlancingContact
 {
@@ -33,7 +32,7 @@ internal static unsafe class GlancingContact
         {
             bool movesA = (pairs->A.Flags[lane] & (int)SideFlags.Moves) != 0;
             bool movesB = (pairs->B.Flags[lane] & (int)SideFlags.Moves) != 0;
-            if ((lanes & 1) != 0 && movesA != movesB && IsRefuted(input, row, lane, movesA))
+            if ((lanes & 1) != 0 && movesA != movesB && (IsRefuted(input, row, lane, movesA) || IsHidden(input, row, lane, movesA)))
             {
                 int bit = 1 << lane;
                 touch.Hit &= ~bit;
@@ -41,6 +40,23 @@ internal static unsafe class GlancingContact
                 touch.Same &= ~bit;
             }
         }
+    }
+
+    private static bool IsHidden(in ContactUpdateInput input, ContactBundle* row, int lane, bool movesA)
+    {
+        // A body that became static within the step is another side's pair until the next.
+        if (input.Contacts.Records[row->Contact[lane]].Mover != (movesA ? row->PieceA[lane] : row->PieceB[lane]))
+        {
+            return false;
+        }
+
+        SeamInput seam;
+        seam.Shapes = input.Shapes;
+        seam.Bodies = input.Bodies;
+        seam.Contacts = input.Contacts;
+        seam.Ahead = 0;
+        ref BodyPose pose = ref input.Bodies.Pose[movesA ? row->BodyA[lane] : row->BodyB[lane]];
+        return HiddenContact.Is(seam, row->Contact[lane], PairLanes.Read(input.Pairs, lane), pose);
     }
 
     private static bool IsRefuted(in ContactUpdateInput input, ContactBundle* row, int lane, bool movesA)
@@ -63,7 +79,7 @@ internal static unsafe class GlancingContact
         Vector2 offset = turn.InverseRotate(new Vector2((float)(moverPose.X - tilePose.X), (float)(moverPose.Y - tilePose.Y)));
         velocity = turn.InverseRotate(velocity);
         Vector2 push = turn.InverseRotate(new Vector2(pairs->NormalX[lane], pairs->NormalY[lane])) * (movesA ? -1 : 1);
-        float glance = (float)FastPairs.Glance(mover.Extent, input.Settings.AllowedPenetration);
+        float rounding = (float)FastPairs.Tolerance(Math.Min(mover.Extent, tile.Extent));
         float swing = Math.Abs(own->AngularVelocity[lane]) * (mover.Reach - mover.Radius);
         bool onFace = IsFace(input.Shapes, tile, push);
         Vector2* normals = input.Shapes.Normals.Pointer + tile.VertexStart;
@@ -86,7 +102,7 @@ internal static unsafe class GlancingContact
             }
 
             float depth = Vector2.Dot(face, vertices[i] - offset) - Lowest(input.Shapes, mover, relative.InverseRotate(face));
-            if (depth + mover.Radius + tile.Radius + (into * input.Dt) <= glance)
+            if (depth + mover.Radius + tile.Radius + (into * input.Dt) <= rounding)
             {
                 return true;
             }

@@ -164,6 +164,11 @@ internal sealed class FastBodySweep
 
         candidate.Mode = SweepMode.Met;
         candidate.Target = met.Target;
+        if (met.IsHidden)
+        {
+            return Meeting.Missed;
+        }
+
         Mover after = leg.MoverAt(input.Bodies, time, left);
         if (!Impact.Approaches(after, met.Obstacle, met.Own))
         {
@@ -189,7 +194,7 @@ internal sealed class FastBodySweep
             }
 
             Surface beside = Look(input, leg, time, left, other);
-            if (beside.Manifold.Count > 0 && beside.Depth <= 2 * beside.Tolerance && Impact.Approaches(after, beside.Obstacle, beside.Own))
+            if (beside.Manifold.Count > 0 && !beside.IsHidden && beside.Depth <= 2 * beside.Tolerance && Impact.Approaches(after, beside.Obstacle, beside.Own))
             {
                 other.Mode = input.Listener.OnImpact(other.Contact, beside.Manifold) ? SweepMode.Met : SweepMode.Passed;
                 other.Target = beside.Target;
@@ -279,9 +284,25 @@ internal sealed class FastBodySweep
             surface.Obstacle = Describe(input, candidate.Contact, isA, otherPath.XAt(time) - path.XAt(time), otherPath.YAt(time) - path.YAt(time));
             surface.Obstacle.Slowest = Slowest(input, leg.Gain, surface.Manifold.Normal);
             surface.Own = isA ? Impact.Flip(surface.Manifold) : Impact.Shift(surface.Manifold, pair.Offset);
+            surface.IsHidden = record.Mover == (isA ? record.PieceA : record.PieceB)
+                && IsHidden(input, candidate.Contact, surface.Manifold, path, (time - 1) * left, time);
+            surface.Target = surface.IsHidden ? Math.Min(depth, 0) - (CoreShare * extent) : surface.Target;
         }
 
         return surface;
+    }
+
+    /// <summary>
+    /// The body flies or slides on to the next piece of one surface; it may sink in there as far as where the solver has it in hand.
+    /// </summary>
+    private static bool IsHidden(in SweepInput input, int contact, in Manifold manifold, in BodyPath path, double ahead, double time)
+    {
+        SeamInput seam;
+        seam.Shapes = input.Shapes;
+        seam.Bodies = input.Bodies;
+        seam.Contacts = input.Contacts;
+        seam.Ahead = (float)ahead;
+        return HiddenContact.Is(seam, contact, manifold, path.PoseAt(time));
     }
 
     /// <summary>An approach slower than this is rest.</summary>
@@ -366,7 +387,35 @@ internal sealed class FastBodySweep
             candidate.Target = Math.Min(separation, 0) - ((jointed ? JointedCoreShare : CoreShare) * extent);
         }
 
+        if (!FindTime(input, ref search, extent, candidate, until, out time))
+        {
+            return false;
+        }
+
+        if (candidate.Mode == SweepMode.Met || !IsHiddenAt(input, candidate.Contact, isA, path, other, time))
+        {
+            return true;
+        }
+
+        candidate.Mode = SweepMode.Met;
+        candidate.Target = -CoreShare * extent;
         return FindTime(input, ref search, extent, candidate, until, out time);
+    }
+
+    /// <summary>Whether what such a body meets then is hidden by something else that it meets.</summary>
+    private static bool IsHiddenAt(in SweepInput input, int contact, bool isA, in BodyPath path, in BodyPath other, double time)
+    {
+        ref ContactRecord record = ref input.Contacts.Records[contact];
+        if (record.Mover != (isA ? record.PieceA : record.PieceB))
+        {
+            return false;
+        }
+
+        float margin = (float)(4 * FastPairs.Tolerance(Extent(input.Shapes, record, isA)));
+        PairInput pair = ImpactPose.Pair(
+            input.Shapes, record.PieceA, record.PieceB, isA ? path : other, isA ? other : path, time, margin);
+        Collision.Collide(pair, out Manifold manifold);
+        return manifold.Count > 0 && IsHidden(input, contact, manifold, path, (time - 1) * input.Dt, time);
     }
 
     /// <summary>The candidate that is met first, and when; -1: none. At the same time, the pair with the lower pieces.</summary>
@@ -432,7 +481,8 @@ internal sealed class FastBodySweep
             return search.Find(query, out time, out _);
         }
 
-        query.Target = -FastPairs.Glance(extent, input.Settings.AllowedPenetration);
+        ref ContactRecord record = ref input.Contacts.Records[candidate.Contact];
+        query.Target = -FastPairs.Glance(input.Shapes.Pieces[record.PieceA], input.Shapes.Pieces[record.PieceB]);
         query.Until = 1;
         if (!search.Find(query, out time, out _))
         {
@@ -482,6 +532,9 @@ internal sealed class FastBodySweep
         public ImpactInTurns Impact;
         public double Depth;
         public double Tolerance;
+
+        /// <summary>It is the next piece of a surface that the body meets.</summary>
+        public bool IsHidden;
 
         /// <summary>How deep it may come before it is met again.</summary>
         public double Target;

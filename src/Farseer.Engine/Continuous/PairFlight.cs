@@ -196,7 +196,7 @@ internal sealed class PairFlight
             if (!_met)
             {
                 // The first impact is none as long as it is a glance.
-                query.Target = -FastPairs.Glance(ExtentOf(input, _record), input.Settings.AllowedPenetration);
+                query.Target = -FastPairs.Glance(input.Shapes.Pieces[_record.PieceA], input.Shapes.Pieces[_record.PieceB]);
                 if (!search.Find(query, out double deep, out _))
                 {
                     return false;

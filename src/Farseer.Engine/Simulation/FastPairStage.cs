@@ -118,7 +118,7 @@ internal sealed unsafe class FastPairStage : IStageWork
             found.IsKnown = movers == _ofMovers && (movers || IsLeftToRows(_input, _graph, _joints, record));
             if (found.IsKnown)
             {
-                Foresee(_input, _graph, record, ref found);
+                Foresee(_input, _graph, _contacts[i], ref found);
             }
 
             // Bodies that are held stay so while rows are given: then a pair that meets nothing does not meet anything either. What rows are not to see to now
@@ -155,7 +155,7 @@ internal sealed unsafe class FastPairStage : IStageWork
         ref Outlook found = ref _found[position];
         if (!found.IsKnown || found.FreeA != IsFree(input, graph, record.BodyA) || found.FreeB != IsFree(input, graph, record.BodyB))
         {
-            Foresee(input, graph, record, ref found);
+            Foresee(input, graph, contact, ref found);
         }
 
         if (!found.Meets)
@@ -189,8 +189,9 @@ internal sealed unsafe class FastPairStage : IStageWork
     }
 
     /// <summary>Looks along the ways of both for their impact.</summary>
-    private static void Foresee(in ContactUpdateInput input, ConstraintGraph graph, in ContactRecord record, ref Outlook found)
+    private static void Foresee(in ContactUpdateInput input, ConstraintGraph graph, int contact, ref Outlook found)
     {
+        ref ContactRecord record = ref input.Contacts.Records[contact];
         found.FreeA = IsFree(input, graph, record.BodyA);
         found.FreeB = IsFree(input, graph, record.BodyB);
         found.Meets = false;
@@ -210,7 +211,7 @@ internal sealed unsafe class FastPairStage : IStageWork
 
         ImpactQuery query;
         query.Tolerance = FastPairs.Tolerance(extent);
-        query.Target = -FastPairs.Glance(extent, input.Settings.AllowedPenetration);
+        query.Target = -FastPairs.Glance(pieceA, pieceB);
         query.From = 0;
         query.Until = 1;
         var search = new TimeOfImpact(input.Shapes, record.PieceA, a, record.PieceB, b);
@@ -224,7 +225,24 @@ internal sealed unsafe class FastPairStage : IStageWork
         search.Find(query, out double time, out _);
         PairInput pair = ImpactPose.Pair(input.Shapes, record.PieceA, record.PieceB, a, b, time, (float)(4 * query.Tolerance));
         Collision.Collide(pair, out Manifold manifold);
+        if (manifold.Count > 0 && record.Mover >= 0
+            && IsHidden(input, contact, manifold, record.Mover == record.PieceA ? a : b, time))
+        {
+            return;
+        }
+
         found.Meets = manifold.Count > 0 && found.Impact.Set(manifold, a, b, time, pieceA.Radius, pieceB.Radius);
+    }
+
+    /// <summary>The body slides on to the next piece of one surface.</summary>
+    private static bool IsHidden(in ContactUpdateInput input, int contact, in Manifold manifold, in BodyPath way, double time)
+    {
+        SeamInput seam;
+        seam.Shapes = input.Shapes;
+        seam.Bodies = input.Bodies;
+        seam.Contacts = input.Contacts;
+        seam.Ahead = (float)(time * input.Dt);
+        return HiddenContact.Is(seam, contact, manifold, way.PoseAt(time));
     }
 
     private void Give(in ContactUpdateInput input, ConstraintGraph graph, int contact, in ForeseenImpact impact)

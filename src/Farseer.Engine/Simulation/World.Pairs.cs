@@ -256,7 +256,7 @@ internal sealed partial class World
             (a, b) = (b, a);
         }
 
-        return new ContactRecord
+        var record = new ContactRecord
         {
             PieceA = a,
             PieceB = b,
@@ -265,6 +265,8 @@ internal sealed partial class World
             OfSeveral = HasSeveralPieces(colliderA) || HasSeveralPieces(colliderB),
             Kind = KindOf(Shapes.Pieces[a].Kind, Shapes.Pieces[b].Kind),
         };
+        record.SetMovers(IsMovable(record.BodyA), IsMovable(record.BodyB));
+        return record;
     }
 
     private static PairKind KindOf(ShapeKind a, ShapeKind b)
