@@ -89,7 +89,7 @@ internal sealed unsafe class DeepStacks
         float most = 2 * c.Gravity / (c.BiasRate * c.BiasRate);
         for (int i = 0; i < islands.Count; i++)
         {
-            if (deep[i] > 0 || !IsHigh(islands, i) || !(cold || were[i] != 0))
+            if (deep[i] > 0 || !(cold || were[i] != 0))
             {
                 continue;
             }
@@ -173,7 +173,7 @@ internal sealed unsafe class DeepStacks
         for (int body = 0; body < _bodies; body++)
         {
             int island = islands.Of(body);
-            bool isDeep = island >= 0 && island < islands.Count && deep[island] > 0 && IsHigh(islands, island);
+            bool isDeep = island >= 0 && island < islands.Count && deep[island] > 0;
             _wereDeep[body] = isDeep ? (byte)1 : (byte)0;
             _wereAny |= isDeep;
         }

@@ -42,19 +42,19 @@ internal static unsafe class LinkContact
         }
 
         // Of the other's sides only the nearest counts: where a neighbour has that one, the link's ends would take any side, the far one too.
-        bool takesA = fromA.Edge >= 0 && fromA.Edge == fromA.RealEdge;
+        bool facesA = fromA.Edge >= 0 && fromA.Edge == fromA.RealEdge;
+        bool takesA = facesA;
         bool takesB = fromB.Edge >= 0 && fromB.Edge == fromB.RealEdge;
-        float greatest = fromA.Greatest > fromB.Greatest ? fromA.Greatest : fromB.Greatest;
         if (a.IsLink && (links ? !faceEachOther : IsBehind(a, b, bInA)))
         {
             takesA = false;
-            takesB = takesB && a.IsOpenEnd(fromB.Support) && !(fromB.Separation < greatest);
+            takesB = takesB && a.IsOpenEnd(fromB.Support) && IsShortest(fromB, fromA, links);
         }
 
         if (b.IsLink && (links ? !faceEachOther : IsBehind(b, a, aInB)))
         {
-            takesB = takesB && links && a.IsOpenEnd(fromB.Support) && !(fromB.Separation < greatest);
-            takesA = fromA.Edge >= 0 && fromA.Edge == fromA.RealEdge && b.IsOpenEnd(fromA.Support) && !(fromA.Separation < greatest);
+            takesB = takesB && links;
+            takesA = facesA && b.IsOpenEnd(fromA.Support) && IsShortest(fromA, fromB, links);
         }
 
         takesA = takesA && (!a.IsLink || Touches(a, b, bInA, fromA.Support));
@@ -71,6 +71,13 @@ internal static unsafe class LinkContact
             ConvexConvex.ToWorld(ref manifold, pair.RotationB, pair.Offset);
         }
     }
+
+    /// <summary>
+    /// True if the open end of a link lies less deep under the other's side than in any other way. Past a link's end it is no way out:
+    /// there the chain goes on.
+    /// </summary>
+    private static bool IsShortest(in AxisQuery side, in AxisQuery own, bool links) =>
+        side.Separation >= side.Greatest && (links || side.Separation >= own.Greatest);
 
     /// <summary>
     /// True if, of the part of the other piece that lies over or under the link, more reaches out behind it than before it: the way out
