@@ -41,6 +41,9 @@ internal sealed partial class World
     /// </summary>
     private float _recovery;
 
+    /// <summary>Seconds since a substep was as long.</summary>
+    private float _recoveryAge;
+
     /// <exception cref="PlatformNotSupportedException">The runtime was told to make vectors longer than a stored bundle.</exception>
     public World()
     {
