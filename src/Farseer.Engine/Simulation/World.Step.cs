@@ -193,7 +193,9 @@ internal sealed partial class World
             IslandGroups.Sort(_islands, _graph, _contacts.Records, _lists.Moves, Scratch);
         }
 
-        _sagForecast.Begin(_islands, _graph, Bodies, dt, Settings.Gravity, rebuilt);
+        // Of steps that take turns the longest decides, or an island would change its substeps with each.
+        float longest = coefficients.Substep < _recovery ? _recovery * _substeps : dt;
+        _sagForecast.Begin(_islands, _graph, Bodies, longest, Settings.Gravity, rebuilt);
         bool anyDeep = _feedForward.Apply(_runner, _islands, _graph, coefficients, _contactStage.ColdStart, Scratch);
         if (Joints.Count > 0 && coefficients.Rest > 0)
         {
