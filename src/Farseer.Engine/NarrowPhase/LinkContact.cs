@@ -36,12 +36,13 @@ internal static unsafe class LinkContact
         float most = faceEachOther && scale > limit ? scale : limit;
         AxisQuery fromA = AxisQuery.Find(a, b, bInA, pair.B.Center);
         AxisQuery fromB = AxisQuery.Find(b, a, aInB, pair.A.Center);
-        if (fromA.Greatest > most || fromB.Greatest > most || (a.IsLink && fromA.RealSeparation > limit) || (b.IsLink && fromB.RealSeparation > limit))
+        if (fromA.Greatest > most || fromB.Greatest > most
+            || (a.IsLink && fromA.RealSeparation > limit) || (b.IsLink && fromB.RealSeparation > limit))
         {
             return;
         }
 
-        // Of the other's sides only the nearest counts: where a neighbour has that one, the link's ends would take any side, the far one too.
+        // Of the other's sides only the nearest counts: where a neighbour has that one, the link's ends would take any, the far one too.
         bool facesA = fromA.Edge >= 0 && fromA.Edge == fromA.RealEdge;
         bool takesA = facesA;
         bool takesB = fromB.Edge >= 0 && fromB.Edge == fromB.RealEdge;
@@ -132,7 +133,7 @@ internal static unsafe class LinkContact
 
         public Vector2 Of(Vector2 vertex) => Local(_placement.Apply(vertex));
 
-        /// <summary>Widens the range of heights by that of the part of a side that is neither before the link's start nor beyond its end.</summary>
+        /// <summary>Widens the range of heights by that of the part of a side that lies over or under the link.</summary>
         public void Clip(Vector2 from, Vector2 to, ref float lowest, ref float highest)
         {
             if ((from.X < 0 && to.X < 0) || (from.X > Length && to.X > Length))
