@@ -55,11 +55,9 @@ internal readonly struct ContactCoefficients
     // fourfold with each doubling of the substeps. 1/2 is unstable, 1/8 costs fourfold in error.
     private const float DampingRatio = 10f;
     private const float AngularStep = 1.57079633f;
-    private const float Denominator = (2f * DampingRatio) + AngularStep;
-    private const float Product = AngularStep * Denominator;
 
     /// <summary>Share of a depth that a substep takes back.</summary>
-    public const float RecoveryShare = AngularStep / Denominator;
+    public const float RecoveryShare = AngularStep / ((2f * DampingRatio) + AngularStep);
 
     /// <param name="substep">h, seconds.</param>
     /// <param name="gravity">Length of the gravity vector.</param>
@@ -83,7 +81,16 @@ internal readonly struct ContactCoefficients
         BounceThreshold = bounceThreshold;
         Substep = substep;
         InverseSubstep = 1f / substep;
-        BiasRate = RecoveryShare * (1f / System.Math.Max(substep, recovery));
+
+        // A contact is as stiff as in the longest substep of late, and in a shorter one moves less: it rests at the same depth in each.
+        float longest = System.Math.Max(substep, recovery);
+        float angular = AngularStep * (substep / longest);
+        float denominator = (2f * DampingRatio) + angular;
+        float product = angular * denominator;
+        BiasRate = AngularStep / denominator * (1f / longest);
+        MassScale = product / (1f + product);
+        ImpulseScale = 1f / (1f + product);
+        SagShare = 1f / (angular * angular);
     }
 
     /// <summary>1/length: the share of the rest that a piece of some size has is the size times that, at most 1.</summary>
@@ -123,15 +130,15 @@ internal readonly struct ContactCoefficients
     /// <summary>Speed of recovery per unit of depth, 1/s.</summary>
     public float BiasRate { get; }
 
-    public static float MassScale => Product / (1f + Product);
+    public float MassScale { get; }
 
-    public static float ImpulseScale => 1f / (1f + Product);
+    public float ImpulseScale { get; }
 
     /// <summary>1 - η for a contact whose smaller piece has the size <paramref name="size"/>.</summary>
     public float FeedRestOf(float size) => System.Math.Max(FeedRest * System.Math.Min(size * Smallness, 1f), SmallestFeedRest);
 
     /// <summary>1/(ωh)².</summary>
-    public const float SagShare = 1f / (AngularStep * AngularStep);
+    public float SagShare { get; }
 
     /// <summary>Static sag per unit of speed held up, λ·k: s = λ·k·h/(ωh)².</summary>
     public float Sag(float load) => load * Substep * SagShare;

@@ -34,9 +34,9 @@ internal static unsafe class ContactStages
         Wide least = Wide.One;
         bool two = default(TPoints).AreTwo;
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
-        Wide biasRate = Wide.Splat(c.BiasRate * ContactCoefficients.MassScale);
-        Wide massScale = Wide.Splat(ContactCoefficients.MassScale);
-        Wide leak = Wide.Splat(ContactCoefficients.ImpulseScale);
+        Wide biasRate = Wide.Splat(c.BiasRate * c.MassScale);
+        Wide massScale = Wide.Splat(c.MassScale);
+        Wide leak = Wide.Splat(c.ImpulseScale);
         Wide rest = Wide.Splat(c.Rest);
         Wide settle = Wide.Splat(c.BiasRate * c.Rest);
         Wide settleShare = Wide.Splat(ContactCoefficients.SettleShare);

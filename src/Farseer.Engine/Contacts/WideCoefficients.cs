@@ -16,5 +16,5 @@ internal static class WideCoefficients
 
     /// <summary><see cref="ContactCoefficients.Sag"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Wide Sag(in ContactCoefficients c, Wide load) => load * Wide.Splat(c.Substep) * Wide.Splat(ContactCoefficients.SagShare);
+    public static Wide Sag(in ContactCoefficients c, Wide load) => load * Wide.Splat(c.Substep) * Wide.Splat(c.SagShare);
 }

@@ -16,8 +16,8 @@ namespace Farseer.Engine.Islands;
 internal sealed unsafe class DeepStacks
 {
     /// <summary>
-    /// Up to so many levels sweeps reach far enough: boxes that begin in each other come to rest within their height. Beyond, deep islands remember their pushes
-    /// (<see cref="Solver.CarriedPushes"/>); with fewer levels a tower would rise too high.
+    /// Up to so many levels a sweep pushes far enough. Beyond, deep islands remember their pushes (<see cref="Solver.CarriedPushes"/>); with fewer levels a
+    /// tower would rise too high.
     /// </summary>
     private const int ManyLevels = 16;
 
@@ -27,7 +27,7 @@ internal sealed unsafe class DeepStacks
     /// <summary>Of what makes an island deep: from there on it may be left to soft contacts.</summary>
     private const float Leaves = 0.5f;
 
-    /// <summary>By body: its island, of many levels, was deep in the step before.</summary>
+    /// <summary>By body: its island was deep in the step before.</summary>
     private readonly Column<byte> _wereDeep = new Column<byte>();
     private int _bodies;
     private bool _wereAny;
@@ -89,7 +89,7 @@ internal sealed unsafe class DeepStacks
         float most = 2 * c.Gravity / (c.BiasRate * c.BiasRate);
         for (int i = 0; i < islands.Count; i++)
         {
-            if (deep[i] > 0 || !IsHigh(islands, i) || !(cold || were[i] != 0))
+            if (deep[i] > 0 || !(cold || were[i] != 0))
             {
                 continue;
             }
@@ -173,7 +173,7 @@ internal sealed unsafe class DeepStacks
         for (int body = 0; body < _bodies; body++)
         {
             int island = islands.Of(body);
-            bool isDeep = island >= 0 && island < islands.Count && deep[island] > 0 && IsHigh(islands, island);
+            bool isDeep = island >= 0 && island < islands.Count && deep[island] > 0;
             _wereDeep[body] = isDeep ? (byte)1 : (byte)0;
             _wereAny |= isDeep;
         }

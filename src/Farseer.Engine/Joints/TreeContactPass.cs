@@ -284,9 +284,9 @@ internal sealed unsafe partial class TreeContactPass
         // many substeps would make speed of it.
         double sag = OrdinarySags * _c.Sag((float)(p->Normal * k));
         double depth = Math.Max(0, -p->Separation - sag);
-        double bias = ContactCoefficients.MassScale * _c.BiasRate * (p->Separation + (depth * (1 - _slowness)));
-        return (ContactCoefficients.MassScale * v) + Math.Min(bias, sink)
-            + (k * ContactCoefficients.ImpulseScale * (p->Normal - p->Feed));
+        double bias = _c.MassScale * _c.BiasRate * (p->Separation + (depth * (1 - _slowness)));
+        return (_c.MassScale * v) + Math.Min(bias, sink)
+            + (k * _c.ImpulseScale * (p->Normal - p->Feed));
     }
 
     /// <summary>

@@ -9,15 +9,9 @@ internal static unsafe class Collision
     /// <summary>Finds the contact of two pieces: at most two points, none farther apart than the margin.</summary>
     public static void Collide(in PairInput pair, out Manifold manifold)
     {
-        if ((pair.A.Flags & PieceFlags.OneSided) != 0 && IsBehindA(pair))
+        if (((pair.A.Flags | pair.B.Flags) & PieceFlags.OneSided) != 0)
         {
-            manifold = default;
-            return;
-        }
-
-        if ((pair.B.Flags & PieceFlags.OneSided) != 0 && IsBehindB(pair))
-        {
-            manifold = default;
+            CollideLink(pair, out manifold);
             return;
         }
 
@@ -50,18 +44,30 @@ internal static unsafe class Collision
         }
     }
 
-    private static bool IsBehindA(in PairInput pair)
+    // A circle is behind a link if its centre is.
+    private static void CollideLink(in PairInput pair, out Manifold manifold)
     {
-        Vector2 center = pair.RotationA.InverseRotate(pair.RotationB.Rotate(pair.B.Center) + pair.Offset);
-        return IsBehind(pair, pair.A.VertexStart, center);
+        manifold = default;
+        if (pair.A.Kind == ShapeKind.Circle)
+        {
+            if (!IsBehind(pair, pair.B, pair.RotationB.InverseRotate(pair.RotationA.Rotate(pair.A.Center) - pair.Offset)))
+            {
+                CirclePairs.CircleHull(pair, out manifold);
+            }
+        }
+        else if (pair.B.Kind == ShapeKind.Circle)
+        {
+            if (!IsBehind(pair, pair.A, pair.RotationA.InverseRotate(pair.RotationB.Rotate(pair.B.Center) + pair.Offset)))
+            {
+                CirclePairs.HullCircle(pair, out manifold);
+            }
+        }
+        else
+        {
+            LinkContact.Collide(pair, out manifold);
+        }
     }
 
-    private static bool IsBehindB(in PairInput pair)
-    {
-        Vector2 center = pair.RotationB.InverseRotate(pair.RotationA.Rotate(pair.A.Center) - pair.Offset);
-        return IsBehind(pair, pair.B.VertexStart, center);
-    }
-
-    private static bool IsBehind(in PairInput pair, int segment, Vector2 center) =>
-        Vector2.Dot(pair.Normals[segment], center - pair.Vertices[segment]) < 0;
+    private static bool IsBehind(in PairInput pair, in Piece link, Vector2 center) =>
+        Vector2.Dot(pair.Normals[link.VertexStart], center - pair.Vertices[link.VertexStart]) < 0;
 }

@@ -50,8 +50,8 @@ internal static unsafe class ConvexConvex
         // out, through the whole piece: then the short way serves, though the neighbour goes it as well.
         float admitted = fromA.Separation > fromB.Separation ? fromA.Separation : fromB.Separation;
         float real = fromA.RealSeparation > fromB.RealSeparation ? fromA.RealSeparation : fromB.RealSeparation;
-        bool solid = ((pair.A.Flags | pair.B.Flags) & (PieceFlags.Seamed | PieceFlags.OneSided)) == PieceFlags.Seamed;
-        if (solid ? admitted < real - (SeamlessDepth * scale) : fromA.Edge < 0 && fromB.Edge < 0)
+        bool seamed = ((pair.A.Flags | pair.B.Flags) & PieceFlags.Seamed) != 0;
+        if (seamed ? admitted < real - (SeamlessDepth * scale) : fromA.Edge < 0 && fromB.Edge < 0)
         {
             TakeReal(ref fromA);
             TakeReal(ref fromB);
@@ -69,7 +69,7 @@ internal static unsafe class ConvexConvex
             ToWorld(ref manifold, pair.RotationB, pair.Offset);
         }
 
-        if (manifold.Count == 0 && solid)
+        if (manifold.Count == 0 && seamed)
         {
             float depth = -SeamlessDepth * scale;
             if (fromA.Greatest < depth && fromB.Greatest < depth)
@@ -111,7 +111,7 @@ internal static unsafe class ConvexConvex
         query.Separation = query.RealSeparation;
     }
 
-    private static void ToWorld(ref Manifold manifold, Rotation rotation, Vector2 origin)
+    public static void ToWorld(ref Manifold manifold, Rotation rotation, Vector2 origin)
     {
         manifold.Normal = rotation.Rotate(manifold.Normal);
         manifold.Point0.Anchor = rotation.Rotate(manifold.Point0.Anchor) + origin;

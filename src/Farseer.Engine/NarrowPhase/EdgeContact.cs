@@ -103,7 +103,7 @@ internal static class EdgeContact
     {
         bool ownAfter = other.IsReal(support);
         bool ownBefore = other.IsReal(other.Previous(support));
-        if (!other.IsSeamed || ownAfter == ownBefore)
+        if (!other.IsSeamed || ownAfter == ownBefore || other.IsOpenEnd(support))
         {
             return false;
         }

@@ -29,6 +29,9 @@ internal unsafe struct Hull
 
     public readonly bool IsSeamed => Flags != PieceFlags.None;
 
+    /// <summary>A line of a chain: its edge 0 is its face, edge 1 its back.</summary>
+    public readonly bool IsLink => (Flags & PieceFlags.OneSided) != 0;
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly int Next(int index) => index + 1 == Count ? 0 : index + 1;
 
@@ -37,7 +40,10 @@ internal unsafe struct Hull
 
     /// <summary>True if edge i lies on the outline (see <see cref="ShapeStore.OutlineAfter"/>).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly bool IsReal(int edge) => Flags == PieceFlags.None || After[edge] == Normals[edge];
+    public readonly bool IsReal(int edge) => Flags == PieceFlags.None || (IsLink ? edge == 0 : After[edge] == Normals[edge]);
+
+    /// <summary>True if vertex i is the open end of a chain: it has no neighbour, and admits what comes from beyond the link on either side.</summary>
+    public readonly bool IsOpenEnd(int vertex) => IsLink && Before[vertex] == -After[vertex];
 
     /// <summary>
     /// True if a contact at vertex i may have the outward direction <paramref name="direction"/>; one that is out by less than

@@ -57,6 +57,17 @@ internal unsafe struct MovingHull
 
     public readonly HullRotor Rotor => _rotor;
 
+    /// <summary>Takes other corners for the piece's own.</summary>
+    public void Become(SolidLink* corners)
+    {
+        Vertices = corners->Vertices;
+        Normals = corners->Normals;
+        Count = SolidLink.Corners;
+    }
+
+    /// <summary>Its corners may be so much farther from the body's centre than the piece's own.</summary>
+    public void Thicken(double depth) => _arm += depth;
+
     /// <summary>Puts both pieces of a pair where they are at <paramref name="f"/>. Of two rotors at once each costs half.</summary>
     public static void MoveTo(double f, ref MovingHull a, ref MovingHull b)
     {

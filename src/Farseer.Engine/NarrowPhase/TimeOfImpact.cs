@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Shapes;
 
@@ -38,6 +39,9 @@ internal unsafe ref struct TimeOfImpact
     private MovingHull _a;
     private MovingHull _b;
     private AxisAtStart _start;
+    private readonly bool _links;
+    private SolidLink _solidA;
+    private SolidLink _solidB;
 
     /// <param name="shapes">The pieces.</param>
     /// <param name="pieceA">One of them.</param>
@@ -48,6 +52,16 @@ internal unsafe ref struct TimeOfImpact
     {
         _a.Begin(shapes, pieceA, a);
         _b.Begin(shapes, pieceB, b);
+        ref Piece first = ref shapes.Pieces[pieceA];
+        ref Piece second = ref shapes.Pieces[pieceB];
+        _links = (first.Flags & second.Flags & PieceFlags.OneSided) != 0;
+        if (_links)
+        {
+            _solidA.Set(shapes, first);
+            _solidB.Set(shapes, second);
+            _a.Thicken(first.Extent);
+            _b.Thicken(second.Extent);
+        }
     }
 
     /// <summary>The separation where the ways begin.</summary>
@@ -55,6 +69,7 @@ internal unsafe ref struct TimeOfImpact
     {
         if (!_start.IsKnown)
         {
+            PointToSolids();
             MovingHull.MoveTo(0, ref _a, ref _b);
             _start.Separation = Separation(_a, _b, out _start.X, out _start.Y);
             _start.RotorA = _a.Rotor;
@@ -70,6 +85,7 @@ internal unsafe ref struct TimeOfImpact
     {
         time = query.From;
         separation = 0;
+        PointToSolids();
         for (int step = 0; step < MaxSteps; step++)
         {
             double nx;
@@ -105,6 +121,16 @@ internal unsafe ref struct TimeOfImpact
         }
 
         return true;
+    }
+
+    /// <summary>The corners are a part of this struct, which may have been moved since.</summary>
+    private void PointToSolids()
+    {
+        if (_links)
+        {
+            _a.Become((SolidLink*)Unsafe.AsPointer(ref _solidA));
+            _b.Become((SolidLink*)Unsafe.AsPointer(ref _solidB));
+        }
     }
 
     /// <summary>Greatest separation over the edge normals of both, and over the line between two vertices where these are nearest.</summary>

@@ -162,7 +162,7 @@ internal static unsafe class PieceBaker
     }
 
     // Half the shorter side of the bounds before turning, so that a tilt does not change it; a bare segment has no width and
-    // is measured by its length.
+    // is measured by its length, or by the body that it bounds.
     private static float LengthScale(PieceGeometry source)
     {
         Vector2 min = source.Vertices[0];
@@ -174,7 +174,7 @@ internal static unsafe class PieceBaker
         }
 
         Vector2 size = max - min;
-        float side = source.Kind == ShapeKind.Segment ? Math.Max(size.X, size.Y) : Math.Min(size.X, size.Y);
+        float side = source.Kind == ShapeKind.Segment ? Math.Min(Math.Max(size.X, size.Y), source.Thickness) : Math.Min(size.X, size.Y);
         return (0.5f * side) + source.Radius;
     }
 }

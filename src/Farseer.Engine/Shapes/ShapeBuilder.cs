@@ -59,7 +59,8 @@ internal static class ShapeBuilder
     /// <summary>
     /// One-sided links between successive points, closed if <paramref name="loop"/>. The outward normal of a link is
     /// (dy, -dx) of its direction, so a closed chain in positive order is solid to the outside world, and neighbours know
-    /// each other's normals: what slides along feels no joints. The end of an open chain admits contacts from its front.
+    /// each other's normals: what slides along feels no joints. The end of an open chain admits contacts from all sides but the link's own:
+    /// no neighbour holds it.
     /// </summary>
     public static ShapeGeometry Chain(ReadOnlySpan<Vector2> points, bool loop)
     {
@@ -80,23 +81,38 @@ internal static class ShapeBuilder
         int count = corner.Count;
         int links = loop ? count : Math.Max(0, count - 1);
         var pieces = new PieceGeometry[links];
+        float thickness = loop ? ThicknessOf(corner) : float.PositiveInfinity;
         for (int i = 0; i < links; i++)
         {
             Vector2 a = corner[i];
             Vector2 b = corner[(i + 1) % count];
             Vector2 normal = PieceBaker.EdgeNormal(a, b);
-            var along = new Vector2(-normal.Y, normal.X);
             bool hasPrevious = loop || i > 0;
             bool hasNext = loop || i < links - 1;
             pieces[i] = new PieceGeometry(ShapeKind.Segment, new[] { a, b }, 0)
             {
                 OneSided = true,
-                OutlineNormalBefore = new[] { hasPrevious ? PieceBaker.EdgeNormal(corner[(i + count - 1) % count], a) : -along, normal },
-                OutlineNormalAfter = new[] { normal, hasNext ? PieceBaker.EdgeNormal(b, corner[(i + 2) % count]) : along },
+                Thickness = thickness,
+                OutlineNormalBefore = new[] { hasPrevious ? PieceBaker.EdgeNormal(corner[(i + count - 1) % count], a) : -normal, normal },
+                OutlineNormalAfter = new[] { normal, hasNext ? PieceBaker.EdgeNormal(b, corner[(i + 2) % count]) : -normal },
             };
         }
 
         return new ShapeGeometry(pieces);
+    }
+
+    /// <summary>That of a long strip of the loop's area and outline: it is twice the one by the other. A loop that is solid outwards has no bound.</summary>
+    private static float ThicknessOf(List<Vector2> corner)
+    {
+        Vector2[] points = corner.ToArray();
+        double area = points.Length < 3 ? 0 : MassProperties.SignedArea(points);
+        double around = 0;
+        for (int i = 0; i < points.Length; i++)
+        {
+            around += Vector2.Distance(points[i], points[(i + 1) % points.Length]);
+        }
+
+        return area > 0 ? (float)(2 * area / around) : float.PositiveInfinity;
     }
 
     private static PieceGeometry PieceOf(Vector2[] outline, List<int> ring, float radius)

@@ -46,6 +46,9 @@ internal sealed class PieceGeometry
 
     /// <summary>A segment that collides only on the side of its outward normal (links of a chain).</summary>
     public bool OneSided { get; set; }
+
+    /// <summary>How far the body behind a one-sided segment reaches, on an average over its outline; infinite where nothing bounds it.</summary>
+    public float Thickness { get; set; } = float.PositiveInfinity;
 }
 
 /// <summary>A collider's shape: one convex piece or several. Immutable; colliders of many bodies may share it.</summary>

@@ -136,12 +136,30 @@ internal sealed partial class World
         float ratio = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? substep / _lastSubstep : 1f;
         input.ImpulseScale = Math.Min(1f, ratio);
         input.LoadGrowth = Math.Max(0f, ratio - 1f);
-        _recovery = Math.Max(substep, _recovery - (dt * ContactCoefficients.RecoveryShare));
+        FindRecovery(dt, substep);
         System.Numerics.Vector2 g = Settings.Gravity;
         float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
         float coarseness = WorldSettings.DefaultSubsteps / (float)_substeps;
         input.Coefficients = new ContactCoefficients(substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold, coarseness, _recovery);
         return input;
+    }
+
+    /// <summary>
+    /// The longest substep of late, at whose rate depths go: held for as long as the sag that came of it takes to go, then down at its pace.
+    /// Without the hold, steps of two lengths in turn would give a stack another height each time.
+    /// </summary>
+    private void FindRecovery(float dt, float substep)
+    {
+        _recoveryAge += dt;
+        if (substep >= _recovery)
+        {
+            _recovery = substep;
+            _recoveryAge = 0;
+        }
+        else if (_recoveryAge * ContactCoefficients.RecoveryShare > _recovery)
+        {
+            _recovery = Math.Max(substep, _recovery - (dt * ContactCoefficients.RecoveryShare));
+        }
     }
 
     private unsafe void SortRows()
@@ -175,7 +193,9 @@ internal sealed partial class World
             IslandGroups.Sort(_islands, _graph, _contacts.Records, _lists.Moves, Scratch);
         }
 
-        _sagForecast.Begin(_islands, _graph, Bodies, dt, Settings.Gravity, rebuilt);
+        // Of steps that take turns the longest decides, or an island would change its substeps with each.
+        float longest = coefficients.Substep < _recovery ? _recovery * _substeps : dt;
+        _sagForecast.Begin(_islands, _graph, Bodies, longest, Settings.Gravity, rebuilt);
         bool anyDeep = _feedForward.Apply(_runner, _islands, _graph, coefficients, _contactStage.ColdStart, Scratch);
         if (Joints.Count > 0 && coefficients.Rest > 0)
         {

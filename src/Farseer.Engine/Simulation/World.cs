@@ -37,9 +37,12 @@ internal sealed partial class World
 
     /// <summary>
     /// The substep at whose rate depths are taken back: the longest of late. The sag under a load goes by the square of the substep; a short one after a
-    /// long one would close it at a speed larger by their ratio. It takes as long to come down to the present one as such a sag does to go.
+    /// long one would close it at a speed larger by their ratio. It stays for as long as such a sag takes to go, and then comes down as fast.
     /// </summary>
     private float _recovery;
+
+    /// <summary>Seconds since a substep was as long.</summary>
+    private float _recoveryAge;
 
     /// <exception cref="PlatformNotSupportedException">The runtime was told to make vectors longer than a stored bundle.</exception>
     public World()

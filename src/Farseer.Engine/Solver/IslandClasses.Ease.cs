@@ -26,7 +26,7 @@ internal sealed unsafe partial class IslandClasses
             return;
         }
 
-        float response = c.BiasRate / ContactCoefficients.ImpulseScale;
+        float response = c.BiasRate / c.ImpulseScale;
         foreach (GraphColor color in Colors(index))
         {
             foreach (ContactBundle* row in color.Bundles)

@@ -61,7 +61,7 @@ public partial class GeomFactory
         return new Geom(body, new GeomForm(FormKind.Segment, new[] { start, end }, 0, default, false), new Vertices { start, end }, Vector2.Zero, 0, 0);
     }
 
-    /// <summary>Makes a chain of lines that feels no seams and collides on one side, the one that (y, -x) of the way from point to point looks to: outwards for a loop in the order from the x axis to the y axis. It is added to the simulator. (An addition to the original.)</summary>
+    /// <summary>Makes a chain of lines that feels no seams and collides on one side, the one that (y, -x) of the way from point to point looks to: outwards for a loop in the order from the x axis to the y axis. The open ends of a chain that is no loop collide with what they meet point first, from either side. It is added to the simulator. (An addition to the original.)</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="points">The points in order, in body coordinates; at least two different ones.</param>
@@ -72,7 +72,7 @@ public partial class GeomFactory
     public Geom CreateChainGeom(PhysicsSimulator physicsSimulator, Body body, Vertices points, bool loop) =>
         Added(Ready(physicsSimulator, body), CreateChainGeom(body, points, loop));
 
-    /// <summary>Makes a chain of lines that feels no seams and collides on one side, the one that (y, -x) of the way from point to point looks to: outwards for a loop in the order from the x axis to the y axis. (An addition to the original.)</summary>
+    /// <summary>Makes a chain of lines that feels no seams and collides on one side, the one that (y, -x) of the way from point to point looks to: outwards for a loop in the order from the x axis to the y axis. The open ends of a chain that is no loop collide with what they meet point first, from either side. (An addition to the original.)</summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="points">The points in order, in body coordinates; at least two different ones.</param>
     /// <param name="loop">True joins the last point to the first.</param>
