@@ -1,0 +1,235 @@
+using System;
+using System.Runtime.CompilerServices;
+using Farseer.Engine.Numerics;
+
+namespace Farseer.Engine.Springs;
+
+/// <summary>
+/// A free mesh over a substep: ways and kicks in turns. Six kicks are the scheme of Blanes and Moan (2002), where the last of a part and the first of the
+/// next are one; four that of Omelyan, Mryglod and Folk (2002). Both are symmetric splittings of fourth order whose errors are a hundredth of
+/// those of three leaps of second order that make one of fourth.
+/// </summary>
+internal static unsafe class FreeMeshKernel
+{
+    private const double SixKick1 = 0.0829844064174052;
+    private const double SixKick2 = 0.396309801498368;
+    private const double SixKick3 = -0.0390563049223486;
+    private const double SixKick4 = 1 - (2 * (SixKick1 + SixKick2 + SixKick3));
+    private const double SixWay1 = 0.245298957184271;
+    private const double SixWay2 = 0.604872665711080;
+    private const double SixWay3 = 0.5 - (SixWay1 + SixWay2);
+
+    private const double FourWay1 = 0.1786178958448091;
+    private const double FourWay2 = -0.06626458266981849;
+    private const double FourWay3 = 1 - (2 * (FourWay1 + FourWay2));
+    private const double FourKick2 = -0.2123418310626054;
+    private const double FourKick1 = 0.5 - FourKick2;
+
+    public static void Advance(in FreeMesh mesh, FreeBody* bodies, FreeSpring* springs, double h)
+    {
+        if (mesh.Pace.Scheme == FreeScheme.Six)
+        {
+            ByParts(mesh, bodies, springs, h);
+            return;
+        }
+
+        FreeBody* first = bodies + mesh.FirstBody;
+        bool leap = mesh.Pace.Scheme == FreeScheme.Leap;
+        Move(first, first + mesh.BodyCount, 0, (leap ? 0.5 : FourWay1) * h);
+        if (leap)
+        {
+            Stage(mesh, bodies, springs, h, 0.5 * h);
+            return;
+        }
+
+        Stage(mesh, bodies, springs, FourKick1 * h, FourWay2 * h);
+        Stage(mesh, bodies, springs, FourKick2 * h, FourWay3 * h);
+        Stage(mesh, bodies, springs, FourKick2 * h, FourWay2 * h);
+        Stage(mesh, bodies, springs, FourKick1 * h, FourWay1 * h);
+    }
+
+    private static void ByParts(in FreeMesh mesh, FreeBody* bodies, FreeSpring* springs, double h)
+    {
+        double part = h / mesh.Pace.Parts;
+        double kick = SixKick1 * part;
+        for (int i = 0; i < mesh.Pace.Parts; i++)
+        {
+            Stage(mesh, bodies, springs, kick, SixWay1 * part);
+            Stage(mesh, bodies, springs, SixKick2 * part, SixWay2 * part);
+            Stage(mesh, bodies, springs, SixKick3 * part, SixWay3 * part);
+            Stage(mesh, bodies, springs, SixKick4 * part, SixWay3 * part);
+            Stage(mesh, bodies, springs, SixKick3 * part, SixWay2 * part);
+            Stage(mesh, bodies, springs, SixKick2 * part, SixWay1 * part);
+            kick = 2 * SixKick1 * part;
+        }
+
+        Stage(mesh, bodies, springs, SixKick1 * part, 0);
+    }
+
+    /// <summary>Sine and cosine of a body's turn, if a spring pulls beside its centre.</summary>
+    public static void Turn(FreeBody* body)
+    {
+        if (body->Turns != 0)
+        {
+            StableMath.SinCos(body->Turned, out body->Sin, out body->Cos);
+        }
+    }
+
+    private static void Stage(in FreeMesh mesh, FreeBody* bodies, FreeSpring* springs, double kick, double way)
+    {
+        FreeSpring* spring = springs + mesh.FirstSpring;
+        FreeSpring* springEnd = spring + mesh.SpringCount;
+        FreeBody* body = bodies + mesh.FirstBody;
+        FreeBody* bodyEnd = body + mesh.BodyCount;
+        Pull(spring, springEnd, bodies, mesh.Terms > 1);
+        if (mesh.Terms > 1)
+        {
+            TakeTerm(body, bodyEnd, kick, kick);
+            for (int term = 2; term <= mesh.Terms; term++)
+            {
+                PullAgain(spring, springEnd, bodies);
+                TakeTerm(body, bodyEnd, kick / term, 0);
+            }
+
+            Move(body, bodyEnd, 0, way);
+            return;
+        }
+
+        Move(body, bodyEnd, kick, way);
+    }
+
+    /// <summary>The forces of the springs where the bodies are.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    private static void Pull(FreeSpring* spring, FreeSpring* end, FreeBody* bodies, bool damped)
+    {
+        for (; spring < end; spring++)
+        {
+            FreeBody* a = bodies + spring->A;
+            FreeBody* b = bodies + spring->B;
+            if (spring->Kind == SpringKind.Angular)
+            {
+                Twist(spring, a, b);
+                continue;
+            }
+
+            double x = spring->OffsetX + (b->X - a->X);
+            double y = spring->OffsetY + (b->Y - a->Y);
+            double ax = 0;
+            double ay = 0;
+            double bx = 0;
+            double by = 0;
+            if (spring->HasArms != 0)
+            {
+                ax = (a->Cos * spring->ArmAX) - (a->Sin * spring->ArmAY);
+                ay = (a->Sin * spring->ArmAX) + (a->Cos * spring->ArmAY);
+                bx = (b->Cos * spring->ArmBX) - (b->Sin * spring->ArmBY);
+                by = (b->Sin * spring->ArmBX) + (b->Cos * spring->ArmBY);
+                x += bx - ax;
+                y += by - ay;
+            }
+
+            // Ends that coincide have no direction between them, and no force.
+            double length = Math.Sqrt((x * x) + (y * y));
+            double inverse = length > 0 ? 1 / length : 0;
+            double nx = x * inverse;
+            double ny = y * inverse;
+            double pull = spring->Stiffness * (length - spring->Rest);
+            double turnA = (ax * ny) - (ay * nx);
+            double turnB = (bx * ny) - (by * nx);
+            if (damped)
+            {
+                spring->NormalX = nx;
+                spring->NormalY = ny;
+                spring->TurnA = turnA;
+                spring->TurnB = turnB;
+                pull += spring->Damping * ((nx * (b->VX - a->VX)) + (ny * (b->VY - a->VY)) + (turnB * b->W) - (turnA * a->W));
+            }
+
+            a->ForceX += pull * nx;
+            a->ForceY += pull * ny;
+            a->Torque += pull * turnA;
+            b->ForceX -= pull * nx;
+            b->ForceY -= pull * ny;
+            b->Torque -= pull * turnB;
+        }
+    }
+
+    private static void Twist(FreeSpring* spring, FreeBody* a, FreeBody* b)
+    {
+        double torque = spring->Stiffness * (spring->OffsetX + b->Turned - a->Turned);
+        double onA = torque - (spring->Damping * a->W);
+        double onB = -torque - (spring->Damping * b->W);
+        double most = spring->MaxTorque;
+        spring->TurnA = Math.Abs(onA) <= most ? 1 : 0;
+        spring->TurnB = Math.Abs(onB) <= most ? 1 : 0;
+        a->Torque += Math.Max(-most, Math.Min(most, onA));
+        b->Torque += Math.Max(-most, Math.Min(most, onB));
+    }
+
+    /// <summary>What the damping makes of the last term.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    private static void PullAgain(FreeSpring* spring, FreeSpring* end, FreeBody* bodies)
+    {
+        for (; spring < end; spring++)
+        {
+            FreeBody* a = bodies + spring->A;
+            FreeBody* b = bodies + spring->B;
+            if (spring->Kind == SpringKind.Angular)
+            {
+                a->Torque -= spring->Damping * spring->TurnA * a->TermW;
+                b->Torque -= spring->Damping * spring->TurnB * b->TermW;
+                continue;
+            }
+
+            double speed = (spring->NormalX * (b->TermX - a->TermX)) + (spring->NormalY * (b->TermY - a->TermY))
+                + (spring->TurnB * b->TermW) - (spring->TurnA * a->TermW);
+            double pull = spring->Damping * speed;
+            a->ForceX += pull * spring->NormalX;
+            a->ForceY += pull * spring->NormalY;
+            a->Torque += pull * spring->TurnA;
+            b->ForceX -= pull * spring->NormalX;
+            b->ForceY -= pull * spring->NormalY;
+            b->Torque -= pull * spring->TurnB;
+        }
+    }
+
+    [MethodImpl(KernelMethod.Optimized)]
+    private static void TakeTerm(FreeBody* body, FreeBody* end, double share, double load)
+    {
+        for (; body < end; body++)
+        {
+            body->TermX = (share * body->InverseMass * body->ForceX) + (load * body->LoadX);
+            body->TermY = (share * body->InverseMass * body->ForceY) + (load * body->LoadY);
+            body->TermW = (share * body->InverseInertia * body->Torque) + (load * body->LoadW);
+            body->VX += body->TermX;
+            body->VY += body->TermY;
+            body->W += body->TermW;
+            body->ForceX = 0;
+            body->ForceY = 0;
+            body->Torque = 0;
+        }
+    }
+
+    /// <summary>Takes the forces for a while, unless it is 0, and moves on.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    private static void Move(FreeBody* body, FreeBody* end, double kick, double way)
+    {
+        for (; body < end; body++)
+        {
+            if (kick != 0)
+            {
+                body->VX += kick * ((body->InverseMass * body->ForceX) + body->LoadX);
+                body->VY += kick * ((body->InverseMass * body->ForceY) + body->LoadY);
+                body->W += kick * ((body->InverseInertia * body->Torque) + body->LoadW);
+                body->ForceX = 0;
+                body->ForceY = 0;
+                body->Torque = 0;
+            }
+
+            body->X += way * body->VX;
+            body->Y += way * body->VY;
+            body->Turned += way * body->W;
+            Turn(body);
+        }
+    }
+}
