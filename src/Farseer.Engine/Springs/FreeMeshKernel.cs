@@ -36,6 +36,7 @@ internal static unsafe class FreeMeshKernel
         FreeBody* first = bodies + mesh.FirstBody;
         bool leap = mesh.Pace.Scheme == FreeScheme.Leap;
         Move(first, first + mesh.BodyCount, 0, (leap ? 0.5 : FourWay1) * h);
+        Turn(mesh, bodies);
         if (leap)
         {
             Stage(mesh, bodies, springs, h, 0.5 * h);
@@ -81,7 +82,7 @@ internal static unsafe class FreeMeshKernel
         FreeSpring* springEnd = spring + mesh.SpringCount;
         FreeBody* body = bodies + mesh.FirstBody;
         FreeBody* bodyEnd = body + mesh.BodyCount;
-        Pull(spring, springEnd, bodies, mesh.Terms > 1);
+        Pull(spring, springEnd, bodies, mesh.Pace.Drag > 0);
         if (mesh.Terms > 1)
         {
             TakeTerm(body, bodyEnd, kick, kick);
@@ -91,11 +92,19 @@ internal static unsafe class FreeMeshKernel
                 TakeTerm(body, bodyEnd, kick / term, 0);
             }
 
-            Move(body, bodyEnd, 0, way);
-            return;
+            kick = 0;
         }
 
         Move(body, bodyEnd, kick, way);
+        Turn(mesh, bodies);
+    }
+
+    private static void Turn(in FreeMesh mesh, FreeBody* bodies)
+    {
+        for (int i = mesh.FirstBody; mesh.Turns && i < mesh.FirstBody + mesh.BodyCount; i++)
+        {
+            Turn(bodies + i);
+        }
     }
 
     /// <summary>The forces of the springs where the bodies are.</summary>
@@ -114,44 +123,56 @@ internal static unsafe class FreeMeshKernel
 
             double x = spring->OffsetX + (b->X - a->X);
             double y = spring->OffsetY + (b->Y - a->Y);
-            double ax = 0;
-            double ay = 0;
-            double bx = 0;
-            double by = 0;
             if (spring->HasArms != 0)
             {
-                ax = (a->Cos * spring->ArmAX) - (a->Sin * spring->ArmAY);
-                ay = (a->Sin * spring->ArmAX) + (a->Cos * spring->ArmAY);
-                bx = (b->Cos * spring->ArmBX) - (b->Sin * spring->ArmBY);
-                by = (b->Sin * spring->ArmBX) + (b->Cos * spring->ArmBY);
-                x += bx - ax;
-                y += by - ay;
+                PullByArms(spring, a, b, x, y);
+                continue;
             }
 
             // Ends that coincide have no direction between them, and no force.
             double length = Math.Sqrt((x * x) + (y * y));
             double inverse = length > 0 ? 1 / length : 0;
-            double nx = x * inverse;
-            double ny = y * inverse;
-            double pull = spring->Stiffness * (length - spring->Rest);
-            double turnA = (ax * ny) - (ay * nx);
-            double turnB = (bx * ny) - (by * nx);
+            double pull = spring->Stiffness * (length - spring->Rest) * inverse;
             if (damped)
             {
-                spring->NormalX = nx;
-                spring->NormalY = ny;
-                spring->TurnA = turnA;
-                spring->TurnB = turnB;
-                pull += spring->Damping * ((nx * (b->VX - a->VX)) + (ny * (b->VY - a->VY)) + (turnB * b->W) - (turnA * a->W));
+                spring->NormalX = x * inverse;
+                spring->NormalY = y * inverse;
+                pull += spring->Damping * inverse * inverse * ((x * (b->VX - a->VX)) + (y * (b->VY - a->VY)));
             }
 
-            a->ForceX += pull * nx;
-            a->ForceY += pull * ny;
-            a->Torque += pull * turnA;
-            b->ForceX -= pull * nx;
-            b->ForceY -= pull * ny;
-            b->Torque -= pull * turnB;
+            a->ForceX += pull * x;
+            a->ForceY += pull * y;
+            b->ForceX -= pull * x;
+            b->ForceY -= pull * y;
         }
+    }
+
+    private static void PullByArms(FreeSpring* spring, FreeBody* a, FreeBody* b, double x, double y)
+    {
+        double ax = (a->Cos * spring->ArmAX) - (a->Sin * spring->ArmAY);
+        double ay = (a->Sin * spring->ArmAX) + (a->Cos * spring->ArmAY);
+        double bx = (b->Cos * spring->ArmBX) - (b->Sin * spring->ArmBY);
+        double by = (b->Sin * spring->ArmBX) + (b->Cos * spring->ArmBY);
+        x += bx - ax;
+        y += by - ay;
+        double length = Math.Sqrt((x * x) + (y * y));
+        double inverse = length > 0 ? 1 / length : 0;
+        double nx = x * inverse;
+        double ny = y * inverse;
+        double turnA = (ax * ny) - (ay * nx);
+        double turnB = (bx * ny) - (by * nx);
+        double speed = (nx * (b->VX - a->VX)) + (ny * (b->VY - a->VY)) + (turnB * b->W) - (turnA * a->W);
+        double pull = (spring->Stiffness * (length - spring->Rest)) + (spring->Damping * speed);
+        spring->NormalX = nx;
+        spring->NormalY = ny;
+        spring->TurnA = turnA;
+        spring->TurnB = turnB;
+        a->ForceX += pull * nx;
+        a->ForceY += pull * ny;
+        a->Torque += pull * turnA;
+        b->ForceX -= pull * nx;
+        b->ForceY -= pull * ny;
+        b->Torque -= pull * turnB;
     }
 
     private static void Twist(FreeSpring* spring, FreeBody* a, FreeBody* b)
@@ -229,7 +250,6 @@ internal static unsafe class FreeMeshKernel
             body->X += way * body->VX;
             body->Y += way * body->VY;
             body->Turned += way * body->W;
-            Turn(body);
         }
     }
 }

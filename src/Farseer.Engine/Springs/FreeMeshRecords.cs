@@ -105,6 +105,9 @@ internal struct FreeMesh
     public int SpringCount;
     public FreePace Pace;
 
-    /// <summary>Terms of the series of a kick; 1: nothing is damped.</summary>
+    /// <summary>A spring pulls beside a centre.</summary>
+    public bool Turns;
+
+    /// <summary>Terms of the series of a kick.</summary>
     public int Terms;
 }

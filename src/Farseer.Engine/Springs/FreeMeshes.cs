@@ -29,9 +29,10 @@ internal sealed unsafe class FreeMeshes
     private const double Swing = 1.8;
     private const double Drag = 1.5;
 
-    /// <summary>Decay in a part up to which two terms of the series of a kick will do, and three: what is left is a ten-thousandth of it.</summary>
-    private const double TwoTerms = 0.03;
-    private const double ThreeTerms = 0.18;
+    /// <summary>Decay in a part up to which one term of the series of a kick will do, two, and three: the fastest decay is then off by less than 1e-3 of itself.</summary>
+    private const double OneTerm = 0.005;
+    private const double TwoTerms = 0.1;
+    private const double ThreeTerms = 0.4;
 
     private readonly Column<FreeMesh> _meshes = new Column<FreeMesh>();
     private readonly Column<FreeBody> _bodies = new Column<FreeBody>();
@@ -83,7 +84,8 @@ internal sealed unsafe class FreeMeshes
         mesh.FirstSpring = _springCount;
         mesh.SpringCount = count;
         mesh.Pace = pace;
-        mesh.Terms = pace.Drag <= 0 ? 1 : pace.Drag <= TwoTerms ? 2 : pace.Drag <= ThreeTerms ? 3 : 4;
+        mesh.Terms = pace.Drag <= OneTerm ? 1 : pace.Drag <= TwoTerms ? 2 : pace.Drag <= ThreeTerms ? 3 : 4;
+        mesh.Turns = false;
         for (int i = 0; i < count; i++)
         {
             _places[rows[list[i]].Def.BodyA] = -1;
@@ -99,6 +101,7 @@ internal sealed unsafe class FreeMeshes
             bool armB = row.ArmBX != 0 || row.ArmBY != 0;
             bool hasArms = row.Def.Kind == SpringKind.Linear && (armA || armB);
             spring.HasArms = hasArms ? 1 : 0;
+            mesh.Turns |= hasArms;
             spring.A = Place(row.Def.BodyA, row.MovesA, row.ActsA, row.InverseMassA, row.InverseInertiaA);
             spring.B = Place(row.Def.BodyB, row.MovesB, row.ActsB, row.InverseMassB, row.InverseInertiaB);
             _bodies[spring.A].Turns |= hasArms && armA ? row.ActsA : 0;

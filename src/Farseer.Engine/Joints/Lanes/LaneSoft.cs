@@ -65,6 +65,9 @@ internal unsafe struct LaneSoft
 
     /// <summary>The mass that springs go by; 0: the one that they feel.</summary>
     public fixed double SpringMass[4];
+
+    /// <summary>See <see cref="JointPass.HoldOf"/>.</summary>
+    public fixed double Hold[4];
 }
 
 /// <summary>What a row is, the same for all four.</summary>

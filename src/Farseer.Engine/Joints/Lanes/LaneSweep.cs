@@ -208,8 +208,9 @@ internal static unsafe class LaneSweep
         for (int lane = 0; lane < WideDouble.Count; lane++)
         {
             double own = OwnOf(walks, place->NodeA, row->A, lane) + OwnOf(walks, place->NodeB, row->B, lane);
-            double share = JointPass.SpringShare(row->Response[lane], own, soft->SpringMass[lane]);
-            JointPass.FindSpring(share, row->Stiffness[lane], row->Damping[lane], h, true, out row->Q[lane], out row->Kappa[lane], out row->Lead[lane]);
+            double share = JointPass.SpringShare(row->Response[lane], JointPass.LeastOfAll * own, soft->SpringMass[lane]);
+            double hold = soft->Hold[lane];
+            JointPass.FindSpring(share, row->Stiffness[lane], row->Damping[lane], h, hold, out row->Q[lane], out row->Kappa[lane], out row->Lead[lane]);
         }
     }
 
