@@ -57,7 +57,7 @@ internal sealed unsafe partial class JointPass
         b[0] = -r->B[(k * 3) + 1];
         b[1] = r->B[k * 3];
         b[2] = r->AcrossB;
-        return RowEnds.Response(nodes, &joint->Ends, a, b);
+        return RowEnds.Response(nodes, &joint->Ends, a, b, a, b);
     }
 
     /// <summary>

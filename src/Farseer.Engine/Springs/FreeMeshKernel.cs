@@ -25,16 +25,16 @@ internal static unsafe class FreeMeshKernel
     private const double FourKick2 = -0.2123418310626054;
     private const double FourKick1 = 0.5 - FourKick2;
 
-    public static void Advance(in FreeMesh mesh, FreeBody* bodies, FreeSpring* springs, double h)
+    public static void Advance(in FreeMesh mesh, in FreePace pace, FreeBody* bodies, FreeSpring* springs, double h)
     {
-        if (mesh.Pace.Scheme == FreeScheme.Six)
+        if (pace.Scheme == FreeScheme.Six)
         {
-            ByParts(mesh, bodies, springs, h);
+            ByParts(mesh, pace.Parts, bodies, springs, h);
             return;
         }
 
         FreeBody* first = bodies + mesh.FirstBody;
-        bool leap = mesh.Pace.Scheme == FreeScheme.Leap;
+        bool leap = pace.Scheme == FreeScheme.Leap;
         Move(first, first + mesh.BodyCount, 0, (leap ? 0.5 : FourWay1) * h);
         Turn(mesh, bodies);
         if (leap)
@@ -49,11 +49,11 @@ internal static unsafe class FreeMeshKernel
         Stage(mesh, bodies, springs, FourKick1 * h, FourWay1 * h);
     }
 
-    private static void ByParts(in FreeMesh mesh, FreeBody* bodies, FreeSpring* springs, double h)
+    private static void ByParts(in FreeMesh mesh, int parts, FreeBody* bodies, FreeSpring* springs, double h)
     {
-        double part = h / mesh.Pace.Parts;
+        double part = h / parts;
         double kick = SixKick1 * part;
-        for (int i = 0; i < mesh.Pace.Parts; i++)
+        for (int i = 0; i < parts; i++)
         {
             Stage(mesh, bodies, springs, kick, SixWay1 * part);
             Stage(mesh, bodies, springs, SixKick2 * part, SixWay2 * part);
@@ -74,6 +74,60 @@ internal static unsafe class FreeMeshKernel
         {
             StableMath.SinCos(body->Turned, out body->Sin, out body->Cos);
         }
+    }
+
+    /// <summary>Energy of motion and of the springs, and what gravity and forces have given of it since the step's start.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static double Energy(in FreeMesh mesh, FreeBody* bodies, FreeSpring* springs, out double given)
+    {
+        double energy = 0;
+        given = 0;
+        FreeBody* end = bodies + mesh.FirstBody + mesh.BodyCount;
+        for (FreeBody* body = bodies + mesh.FirstBody; body < end; body++)
+        {
+            if (body->InverseMass > 0)
+            {
+                energy += ((body->VX * body->VX) + (body->VY * body->VY)) / body->InverseMass;
+                given += ((body->LoadX * body->X) + (body->LoadY * body->Y)) / body->InverseMass;
+            }
+
+            if (body->InverseInertia > 0)
+            {
+                energy += body->W * body->W / body->InverseInertia;
+                given += body->LoadW * body->Turned / body->InverseInertia;
+            }
+        }
+
+        FreeSpring* springEnd = springs + mesh.FirstSpring + mesh.SpringCount;
+        for (FreeSpring* spring = springs + mesh.FirstSpring; spring < springEnd; spring++)
+        {
+            double stretch = Math.Abs(Stretch(spring, bodies + spring->A, bodies + spring->B));
+
+            // Beyond its largest torque a spring turns with that.
+            double most = spring->Kind == SpringKind.Angular ? spring->MaxTorque : double.PositiveInfinity;
+            double pull = spring->Stiffness * stretch;
+            energy += pull <= most ? pull * stretch : most * ((2 * stretch) - (most / spring->Stiffness));
+        }
+
+        return energy / 2;
+    }
+
+    private static double Stretch(FreeSpring* spring, FreeBody* a, FreeBody* b)
+    {
+        if (spring->Kind == SpringKind.Angular)
+        {
+            return spring->OffsetX + b->Turned - a->Turned;
+        }
+
+        double x = spring->OffsetX + (b->X - a->X);
+        double y = spring->OffsetY + (b->Y - a->Y);
+        if (spring->HasArms != 0)
+        {
+            x += (b->Cos * spring->ArmBX) - (b->Sin * spring->ArmBY) - (a->Cos * spring->ArmAX) + (a->Sin * spring->ArmAY);
+            y += (b->Sin * spring->ArmBX) + (b->Cos * spring->ArmBY) - (a->Sin * spring->ArmAX) - (a->Cos * spring->ArmAY);
+        }
+
+        return Math.Sqrt((x * x) + (y * y)) - spring->Rest;
     }
 
     private static void Stage(in FreeMesh mesh, FreeBody* bodies, FreeSpring* springs, double kick, double way)

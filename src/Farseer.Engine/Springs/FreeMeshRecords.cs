@@ -108,6 +108,9 @@ internal struct FreeMesh
     /// <summary>A spring pulls beside a centre.</summary>
     public bool Turns;
 
+    /// <summary>An end is driven, which gives energy.</summary>
+    public bool Driven;
+
     /// <summary>Terms of the series of a kick.</summary>
     public int Terms;
 }

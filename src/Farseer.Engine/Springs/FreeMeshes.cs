@@ -22,7 +22,7 @@ internal sealed unsafe class FreeMeshes
     /// Swing, the turn of the fastest one, and decay in a substep up to which one kick will do, and four; and in each part of six. There the
     /// frequency of the fastest is off by 3e-4 and its energy, to and fro, by 8e-4 of itself; that of one half as fast by a sixteenth, with one kick by a quarter.
     /// </summary>
-    private const double LeapSwing = 0.08;
+    private const double LeapSwing = 0.06;
     private const double LeapDrag = 0.02;
     private const double FourSwing = 0.8;
     private const double FourDrag = 0.5;
@@ -33,6 +33,13 @@ internal sealed unsafe class FreeMeshes
     private const double OneTerm = 0.005;
     private const double TwoTerms = 0.1;
     private const double ThreeTerms = 0.4;
+
+    /// <summary>
+    /// Share of its energy that a mesh may gain in a substep: more than the ripple of any swing at the paces above. A spring that is pressed to no length at all turns about between two kicks; there
+    /// finer parts are tried once, and what gains then too is left to <see cref="SpringMesh"/>.
+    /// </summary>
+    private const double LargestGain = 2e-3;
+    private const int Finer = 4;
 
     private readonly Column<FreeMesh> _meshes = new Column<FreeMesh>();
     private readonly Column<FreeBody> _bodies = new Column<FreeBody>();
@@ -86,6 +93,7 @@ internal sealed unsafe class FreeMeshes
         mesh.Pace = pace;
         mesh.Terms = pace.Drag <= OneTerm ? 1 : pace.Drag <= TwoTerms ? 2 : pace.Drag <= ThreeTerms ? 3 : 4;
         mesh.Turns = false;
+        mesh.Driven = false;
         for (int i = 0; i < count; i++)
         {
             _places[rows[list[i]].Def.BodyA] = -1;
@@ -102,6 +110,7 @@ internal sealed unsafe class FreeMeshes
             bool hasArms = row.Def.Kind == SpringKind.Linear && (armA || armB);
             spring.HasArms = hasArms ? 1 : 0;
             mesh.Turns |= hasArms;
+            mesh.Driven |= row.MovesA < row.ActsA || row.MovesB < row.ActsB;
             spring.A = Place(row.Def.BodyA, row.MovesA, row.ActsA, row.InverseMassA, row.InverseInertiaA);
             spring.B = Place(row.Def.BodyB, row.MovesB, row.ActsB, row.InverseMassB, row.InverseInertiaB);
             _bodies[spring.A].Turns |= hasArms && armA ? row.ActsA : 0;
@@ -125,24 +134,41 @@ internal sealed unsafe class FreeMeshes
     }
 
     /// <summary>The kicks of one substep, and the shifts that make its ways those of the springs.</summary>
-    public void Run(int index, BodyStore bodies, double h)
+    /// <returns>False if it would gain energy: nothing is done.</returns>
+    public bool Run(int index, BodyStore bodies, double h)
     {
         ref FreeMesh mesh = ref _meshes[index];
-        FreeBody* first = _bodies.Pointer + mesh.FirstBody;
-        FreeBody* end = first + mesh.BodyCount;
-        for (FreeBody* body = first; body < end; body++)
+        if (!Advance(mesh, mesh.Pace, bodies, h))
         {
-            Read(body, bodies, h);
-        }
-
-        FreeMeshKernel.Advance(mesh, _bodies.Pointer, _springs.Pointer, h);
-        for (FreeBody* body = first; body < end; body++)
-        {
-            if (body->Moves != 0)
+            var finer = new FreePace { Scheme = FreeScheme.Six, Parts = Finer * mesh.Pace.Parts, Drag = mesh.Pace.Drag };
+            if (!Advance(mesh, finer, bodies, h))
             {
-                Write(body, bodies, h);
+                return false;
             }
         }
+
+        for (int i = mesh.FirstBody; i < mesh.FirstBody + mesh.BodyCount; i++)
+        {
+            if (_bodies[i].Moves != 0)
+            {
+                Write(_bodies.Pointer + i, bodies, h);
+            }
+        }
+
+        return true;
+    }
+
+    private bool Advance(in FreeMesh mesh, in FreePace pace, BodyStore bodies, double h)
+    {
+        for (int i = mesh.FirstBody; i < mesh.FirstBody + mesh.BodyCount; i++)
+        {
+            Read(_bodies.Pointer + i, bodies, h);
+        }
+
+        double before = FreeMeshKernel.Energy(mesh, _bodies.Pointer, _springs.Pointer, out double givenBefore);
+        FreeMeshKernel.Advance(mesh, pace, _bodies.Pointer, _springs.Pointer, h);
+        double after = FreeMeshKernel.Energy(mesh, _bodies.Pointer, _springs.Pointer, out double given);
+        return mesh.Driven || !(after - before > given - givenBefore + (LargestGain * (before + after)));
     }
 
     /// <summary>Ends that do not move are those of one spring each, so that each mesh moves its own.</summary>

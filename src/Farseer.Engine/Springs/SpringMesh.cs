@@ -114,8 +114,10 @@ internal sealed unsafe partial class SpringMesh
                 mesh.Free = _free.Add(rows, _rows.Pointer + mesh.FirstRow, mesh.RowCount, mesh.Pace);
             }
 
-            _free.Run(mesh.Free, bodies, h);
-            return;
+            if (_free.Run(mesh.Free, bodies, h))
+            {
+                return;
+            }
         }
 
         if (mesh.SlotCount == 0)
