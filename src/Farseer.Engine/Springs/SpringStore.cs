@@ -160,15 +160,10 @@ internal sealed unsafe class SpringStore
         row.InverseInertiaA = row.MovesA != 0 ? bodies.Mass[a].InverseInertia : 0;
         row.InverseInertiaB = row.MovesB != 0 ? bodies.Mass[b].InverseInertia : 0;
         SpringKernel.SetOffsets(ref row, bodies);
-        row.IsPlain = row.Def.Kind == SpringKind.Linear || IsPlain(bodies, row) ? 1 : 0;
     }
 
     // Pinned ends are at body 0, which is static; all others are enabled.
     private static int Acts(BodyStore bodies, int body) => (bodies.Flags[body] & BodyFlags.Static) == 0 ? 1 : 0;
-
-    private static bool IsPlain(BodyStore bodies, in SpringRow row) => row.InverseInertiaA > 0 && row.InverseInertiaB > 0
-        ? row.InverseInertiaA == row.InverseInertiaB
-        : bodies.State[row.InverseInertiaA > 0 ? row.Def.BodyB : row.Def.BodyA].AngularVelocity == 0;
 
     private void Note(int body, in SpringDef def, double inverseMass, double h)
     {
@@ -299,15 +294,13 @@ internal sealed unsafe class SpringStore
         }
 
         ref BodyRecord root = ref _records[RootOf(row)];
-        if (root.Rows > 1 || row.HeldA != 0 || row.HeldB != 0 || row.IsPlain == 0)
+        if (root.Rows > 1 || row.HeldA != 0 || row.HeldB != 0 || row.Def.Kind == SpringKind.Angular)
         {
             return SpringForm.Mesh;
         }
 
         double mass = SpringKernel.InverseMassA(row) + SpringKernel.InverseMassB(row);
-        double turning = row.Def.Kind == SpringKind.Linear
-            ? (row.TurnA * row.TurnA * row.InverseInertiaA) + (row.TurnB * row.TurnB * row.InverseInertiaB)
-            : 0;
+        double turning = (row.TurnA * row.TurnA * row.InverseInertiaA) + (row.TurnB * row.TurnB * row.InverseInertiaB);
         bool isResolved = SpringLaw.IsResolved(row.Def.Stiffness * h * h * mass, row.Def.Damping * h * mass);
         bool isStraight = turning <= CentralShare * mass || root.Load <= LooseLoad;
         return isResolved && isStraight ? SpringForm.Exact : SpringForm.Mesh;
