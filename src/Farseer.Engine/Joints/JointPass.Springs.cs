@@ -9,18 +9,17 @@ namespace Farseer.Engine.Joints;
 internal sealed unsafe partial class JointPass
 {
     /// <summary>
-    /// Frequency and damping of a spring between two points are those of the masses it feels, but of no less than this share of what the points
-    /// answer in all directions, or their bodies alone to this one. Where joints leave its row next to no freedom (a body on a hinge, pulled along its arm) it would else be so
-    /// stiff that what little of it turns the body throws it about. A heavy body on a lever is heavy in all directions that there are.
+    /// Frequency and damping of a spring are those of the masses it feels, but of no less than this share of what its two ends answer each by
+    /// itself, in all directions, or their bodies alone. Where joints leave its row next to no freedom (a body on a hinge, pulled along its
+    /// arm; a rail beside a rod) it would else be so stiff that what little of it turns the body throws it about. A heavy body on a lever is
+    /// heavy in all directions that there are.
     /// </summary>
     public const double LeastFreedom = 0.125;
 
-    /// <summary>The same of rows that have but one direction, of the bodies alone.</summary>
-    public const double LeastOfAll = 1e-4;
-
     /// <summary>
-    /// ωh up to which springs that pull at the same bodies rest where their load says, and from which on they do not look at loads: by then what they give way is g·h² / 0.06,
-    /// and of ten springs that pull at one body each takes what the others gave for a load, at which stiffer ones would swing.
+    /// ωh up to which springs that pull at the same bodies rest where their load says, and from which on they do not look at loads: by then
+    /// what they give way is g·h² / 0.06, and of ten springs that pull at one body each takes what the others gave for a load, at which
+    /// stiffer ones would swing.
     /// </summary>
     private const double Held = 0.25;
     private const double MostHeld = 0.5;
@@ -38,17 +37,22 @@ internal sealed unsafe partial class JointPass
         }
 
         double own = Own(nodes, joint->Ends.NodeA, r->A + (k * 3)) + Own(nodes, joint->Ends.NodeB, r->B + (k * 3));
-        double least = joint->Kind == JointKind.Distance ? LeastFreedom * Math.Min(own, joint->Response[k] + AcrossResponse(nodes, joint, r, k))
-            : joint->Kind == JointKind.Target ? LeastFreedom * own
-            : LeastOfAll * own;
+        double least = LeastFreedom * (joint->Kind == JointKind.Target ? own : Math.Min(own, Freedom(nodes, joint, r, k)));
         double share = SpringShare(joint->Response[k], least, r->SpringMass);
         double hold = HoldOf(trees, nodes, joint);
-        FindSpring(share, r->Stiffness[k], r->Damping[k], h, hold, out joint->SpringQ[k], out joint->SpringKappa[k], out joint->SpringLead[k]);
+        FindSpring(
+            share, r->Stiffness[k], r->Damping[k], h, hold, out joint->SpringQ[k], out joint->SpringKappa[k], out joint->SpringLead[k]);
     }
 
-    /// <summary>What the points of a row between two points answer across it.</summary>
-    private static double AcrossResponse(TreeNode* nodes, ActiveJoint* joint, JointRows* r, int k)
+    /// <summary>What the ends of a row answer each by itself: along it and, where the joint holds nothing there, across it.</summary>
+    private static double Freedom(TreeNode* nodes, ActiveJoint* joint, JointRows* r, int k)
     {
+        double along = RowEnds.OfEnds(nodes, &joint->Ends, r->A + (k * 3), r->B + (k * 3));
+        if (joint->Role != JointRole.Iterated || r->Turns(k))
+        {
+            return along;
+        }
+
         double* a = stackalloc double[3];
         double* b = stackalloc double[3];
         a[0] = -r->A[(k * 3) + 1];
@@ -57,12 +61,12 @@ internal sealed unsafe partial class JointPass
         b[0] = -r->B[(k * 3) + 1];
         b[1] = r->B[k * 3];
         b[2] = r->AcrossB;
-        return RowEnds.Response(nodes, &joint->Ends, a, b, a, b);
+        return along + RowEnds.OfEnds(nodes, &joint->Ends, a, b);
     }
 
     /// <summary>
-    /// ωh from which on a spring does not look at loads: never if it is the only one at its bodies' trees. The two springs of a target look at none: that across would take for a load
-    /// what the other one pulls past a hinge, and leave it to swing.
+    /// ωh from which on a spring does not look at loads: never if it is the only one at its bodies' trees. The two springs of a target look
+    /// at none: that across would take for a load what the other one pulls past a hinge, and leave it to swing.
     /// </summary>
     public static double HoldOf(JointTree* trees, TreeNode* nodes, ActiveJoint* joint)
     {
@@ -90,7 +94,8 @@ internal sealed unsafe partial class JointPass
     /// before the loads of the substep and v that after them, has the exact swing; under a steady load F it rests at G·h·F/κ, which is
     /// the spring's own length for G = κ/(hω²). With κ' = κ/G, 1 + q = D/G and c = (G - 1)/κ that is v' = (v - κ'(φ + c·u))/(1 + q).
     /// </summary>
-    public static void FindSpring(double share, double stiffness, double damping, double h, double most, out double q, out double kappa, out double lead)
+    public static void FindSpring(
+        double share, double stiffness, double damping, double h, double most, out double q, out double kappa, out double lead)
     {
         double omega = stiffness * share;
         double zeta = damping * share;

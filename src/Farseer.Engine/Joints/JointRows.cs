@@ -110,7 +110,7 @@ internal unsafe struct JointRows
     /// <summary>Rows of the block at the front.</summary>
     public int Hard;
 
-    /// <summary>Of a spring along the line between two anchors: how the turns of the bodies move these across the line.</summary>
+    /// <summary>Of a spring along a line: how the turns of the bodies move its anchors across.</summary>
     public double AcrossA;
     public double AcrossB;
 
@@ -176,6 +176,12 @@ internal unsafe struct JointRows
     {
         double ax = f.RAX + f.DX;
         double ay = f.RAY + f.DY;
+        if (type == RowType.Spring)
+        {
+            AcrossA = -((ax * nx) + (ay * ny));
+            AcrossB = (f.RBX * nx) + (f.RBY * ny);
+        }
+
         return Add(
             type,
             -sign * nx,

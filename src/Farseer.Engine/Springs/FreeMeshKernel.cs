@@ -5,9 +5,9 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Springs;
 
 /// <summary>
-/// A free mesh over a substep: ways and kicks in turns. Six kicks are the scheme of Blanes and Moan (2002), where the last of a part and the first of the
-/// next are one; four that of Omelyan, Mryglod and Folk (2002). Both are symmetric splittings of fourth order whose errors are a hundredth of
-/// those of three leaps of second order that make one of fourth.
+/// A free mesh over a substep: ways and kicks in turns. Six kicks are the scheme of Blanes and Moan (2002), where the last of a part and
+/// the first of the next are one; four that of Omelyan, Mryglod and Folk (2002). Both are symmetric splittings of fourth order whose errors
+/// are a hundredth of those of three leaps of second order that make one of fourth.
 /// </summary>
 internal static unsafe class FreeMeshKernel
 {

@@ -3,7 +3,8 @@ using System.Runtime.InteropServices;
 namespace Farseer.Engine.Springs;
 
 /// <summary>
-/// A body of a free mesh while a substep is gone through in parts; an end that springs do not move has no inverses. What springs read and write is in front, 64 bytes.
+/// A body of a free mesh while a substep is gone through in parts; an end that springs do not move has no inverses. What springs read and
+/// write is in front, 64 bytes.
 /// </summary>
 [StructLayout(LayoutKind.Sequential, Size = 192)]
 internal struct FreeBody

@@ -7,9 +7,9 @@ namespace Farseer.Engine.Springs;
 
 /// <summary>
 /// Springs that share bodies which nothing else holds. A substep is cut into as many parts as the fastest swing of the mesh asks for, and
-/// each is gone through by a splitting of fourth order: kicks by the springs where the bodies are, and ways by their velocities, in turns. It
-/// takes the springs as they are, however they turn; it keeps momentum, and energy for any time, and rests where the forces
-/// balance. A kick is the exact course of v' = M⁻¹(f − C·v) at that place, to fourth order.
+/// each is gone through by a splitting of fourth order: kicks by the springs where the bodies are, and ways by their velocities, in turns.
+/// It takes the springs as they are, however they turn; it keeps momentum, and energy for any time, and rests where the forces balance. A
+/// kick is the exact course of v' = M⁻¹(f − C·v) at that place, to fourth order.
 /// <para>An implicit step of the whole substep has a system to solve instead, takes longer for it, and shifts what swings fast or takes
 /// it away.</para>
 /// </summary>
@@ -19,8 +19,9 @@ internal sealed unsafe class FreeMeshes
     private const int MostParts = 64;
 
     /// <summary>
-    /// Swing, the turn of the fastest one, and decay in a substep up to which one kick will do, and four; and in each part of six. There the
-    /// frequency of the fastest is off by 3e-4 and its energy, to and fro, by 8e-4 of itself; that of one half as fast by a sixteenth, with one kick by a quarter.
+    /// Swing, the turn of the fastest one, and decay in a substep up to which one kick will do, and four; and in each part of six. There
+    /// the frequency of the fastest is off by 3e-4 and its energy, to and fro, by 8e-4 of itself; that of one half as fast by a sixteenth,
+    /// with one kick by a quarter.
     /// </summary>
     private const double LeapSwing = 0.06;
     private const double LeapDrag = 0.02;
@@ -29,14 +30,18 @@ internal sealed unsafe class FreeMeshes
     private const double Swing = 1.8;
     private const double Drag = 1.5;
 
-    /// <summary>Decay in a part up to which one term of the series of a kick will do, two, and three: the fastest decay is then off by less than 1e-3 of itself.</summary>
+    /// <summary>
+    /// Decay in a part up to which one term of the series of a kick will do, two, and three: the fastest decay is then off by less than
+    /// 1e-3 of itself.
+    /// </summary>
     private const double OneTerm = 0.005;
     private const double TwoTerms = 0.1;
     private const double ThreeTerms = 0.4;
 
     /// <summary>
-    /// Share of its energy that a mesh may gain in a substep: more than the ripple of any swing at the paces above. A spring that is pressed to no length at all turns about between two kicks; there
-    /// finer parts are tried once, and what gains then too is left to <see cref="SpringMesh"/>.
+    /// Share of its energy that a mesh may gain in a substep: more than the ripple of any swing at the paces above. A spring that is
+    /// pressed to no length at all turns about between two kicks; there finer parts are tried once, and what gains then too is left to
+    /// <see cref="SpringMesh"/>.
     /// </summary>
     private const double LargestGain = 2e-3;
     private const int Finer = 4;

@@ -102,7 +102,10 @@ internal static unsafe class SpringKernel
         return length - row.Def.Rest;
     }
 
-    /// <summary>A linear spring acts by the exact law, see <see cref="SpringLaw"/>: a kick, and a shift that makes the way of the substep that of the law.</summary>
+    /// <summary>
+    /// A linear spring acts by the exact law, see <see cref="SpringLaw"/>: a kick, and a shift that makes the way of the substep that of
+    /// the law.
+    /// </summary>
     public static void Kick(ref SpringRow row, BodyStore bodies, double h)
     {
         EndState a = EndState.Read(bodies, row.Def.BodyA, row.MovesA, row.ActsA);

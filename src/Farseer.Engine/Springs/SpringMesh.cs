@@ -6,7 +6,8 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Springs;
 
 /// <summary>
-/// Springs at bodies that contacts or joints hold as well, or that are too stiff for <see cref="FreeMeshes"/>, solved together. With vθ = v + θ(v₁ − v) and x₁ = x + h·vθ the springs pull by where they are at the
+/// Springs at bodies that contacts or joints hold as well, or that are too stiff for <see cref="FreeMeshes"/>, solved together. With vθ = v
+/// + θ(v₁ − v) and x₁ = x + h·vθ the springs pull by where they are at the
 /// part θ of the substep:
 /// <para>(M + θ·Σ JᵀsJ)·vθ = M·(v + θ·drive) − θ·Σ Jᵀ·h·k·C,  s = h(θhk + c).</para>
 /// θ = 1/2 is the midpoint rule, of second order and without a loss of energy; θ = 1 the implicit Euler rule, which takes from the

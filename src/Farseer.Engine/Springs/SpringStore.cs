@@ -82,13 +82,15 @@ internal sealed unsafe class SpringStore
             if (row.MovesA != 0)
             {
                 Note(row.Def.BodyA, row.Def, SpringKernel.InverseMassA(row), h);
-                NoteSwing(row.Def.BodyA, row, Math.Sqrt((row.ArmAX * row.ArmAX) + (row.ArmAY * row.ArmAY)), row.InverseMassA, row.InverseInertiaA, stretch, h);
+                double arm = Math.Sqrt((row.ArmAX * row.ArmAX) + (row.ArmAY * row.ArmAY));
+                NoteSwing(row.Def.BodyA, row, arm, row.InverseMassA, row.InverseInertiaA, stretch, h);
             }
 
             if (row.MovesB != 0)
             {
                 Note(row.Def.BodyB, row.Def, SpringKernel.InverseMassB(row), h);
-                NoteSwing(row.Def.BodyB, row, Math.Sqrt((row.ArmBX * row.ArmBX) + (row.ArmBY * row.ArmBY)), row.InverseMassB, row.InverseInertiaB, stretch, h);
+                double arm = Math.Sqrt((row.ArmBX * row.ArmBX) + (row.ArmBY * row.ArmBY));
+                NoteSwing(row.Def.BodyB, row, arm, row.InverseMassB, row.InverseInertiaB, stretch, h);
             }
         }
 

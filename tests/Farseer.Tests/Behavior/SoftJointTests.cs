@@ -115,8 +115,8 @@ public class SoftJointTests
     }
 
     /// <summary>
-    /// A rod on a hinge with a mass at its end, held up by a spring somewhere along it: mass, place, frequency and damping at random. The frequency is that of the mass felt at
-    /// the anchor, I/s², so that the torque τ turns it by τ/(I·ω²).
+    /// A rod on a hinge with a mass at its end, held up by a spring somewhere along it: mass, place, frequency and damping at random. The
+    /// frequency is that of the mass felt at the anchor, I/s², so that the torque τ turns it by τ/(I·ω²).
     /// </summary>
     [Fact]
     public void Distance_OnALeverWithAMass_SagsSwingsAndFadesAsItsConstantsSay()
@@ -165,7 +165,8 @@ public class SoftJointTests
             float armB = (float)random.NextDouble() - 0.5f;
             Body a = Sandbox.Box(simulator, new Vector2(-armA, 1), 1, 1, 1 + (3 * (float)random.NextDouble())).Body;
             Body b = Sandbox.Box(simulator, new Vector2(-armB, -1), 1, 1, 1 + (3 * (float)random.NextDouble())).Body;
-            simulator.Add(new DistanceJoint(a, new Vector2(armA, 0), b, new Vector2(armB, 0)) { Frequency = hertz, DampingRatio = damping });
+            var spring = new DistanceJoint(a, new Vector2(armA, 0), b, new Vector2(armB, 0)) { Frequency = hertz, DampingRatio = damping };
+            simulator.Add(spring);
 
             // A push along the line at both anchors.
             float push = (float)(0.005 * omega);
@@ -211,7 +212,8 @@ public class SoftJointTests
         return wheel;
     }
 
-    private static Body Lever(float gravity, float length, float mass, float place, float hertz, float damping, out Body ball, out PhysicsSimulator simulator)
+    private static Body Lever(
+        float gravity, float length, float mass, float place, float hertz, float damping, out Body ball, out PhysicsSimulator simulator)
     {
         simulator = new PhysicsSimulator(new Vector2(0, -gravity));
         Body nail = Nail(simulator, new Vector2(place, 4));
@@ -223,7 +225,8 @@ public class SoftJointTests
         Sandbox.WithoutDrag(ball);
         simulator.Add(JointFactory.Instance.CreateFixedRevoluteJoint(rod, Vector2.Zero));
         simulator.Add(new WeldJoint(rod, ball, ball.Position));
-        simulator.Add(new DistanceJoint(nail, Vector2.Zero, rod, new Vector2(place - (length / 2), 0)) { Frequency = hertz, DampingRatio = damping });
+        var anchor = new Vector2(place - (length / 2), 0);
+        simulator.Add(new DistanceJoint(nail, Vector2.Zero, rod, anchor) { Frequency = hertz, DampingRatio = damping });
         return rod;
     }
 

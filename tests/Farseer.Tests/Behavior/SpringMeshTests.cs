@@ -82,12 +82,15 @@ public class SpringMeshTests
         double q = ((xc * ss) - (xs * sc)) / determinant;
         double phase = Math.Atan2(q, p);
 
-        // A hundredth of the amplitude; and of the frequency less than a thousandth, taken over all the time: so the phase does not go round.
+        // A hundredth of the amplitude; and of the frequency less than a thousandth, taken over all the time: so the phase does not go
+        // round.
         Assert.InRange(Math.Sqrt((p * p) + (q * q)), 0.99, 1.01);
         Assert.InRange(Math.Abs(phase) / (omega * steps * Dt), 0, 3e-4);
     }
 
-    /// <summary>Rows, grids and triangles of 3 to 60 masses, stiffness over six decades, some damped, some hung, some beside the centres.</summary>
+    /// <summary>
+    /// Rows, grids and triangles of 3 to 60 masses, stiffness over six decades, some damped, some hung, some beside the centres.
+    /// </summary>
     [Fact]
     public void RandomMesh_OverAFewSteps_GoesTheWayOfAThousandTimesFinerSteps()
     {
@@ -186,7 +189,9 @@ public class SpringMeshTests
         }
     }
 
-    /// <summary>A spring that is alone but pulls beside the centre of its body, whatever its stiffness: the sag of the body below its anchor.</summary>
+    /// <summary>
+    /// A spring that is alone but pulls beside the centre of its body, whatever its stiffness: the sag of the body below its anchor.
+    /// </summary>
     [Theory]
     [InlineData(1e2f)]
     [InlineData(1e4f)]
@@ -273,7 +278,8 @@ public class SpringMeshTests
             foreach (Body body in Bodies)
             {
                 double spin = body.AngularVelocity;
-                sum += body.IsStatic ? 0 : 0.5 * ((body.Mass * (double)body.LinearVelocity.LengthSquared()) + (body.MomentOfInertia * spin * spin));
+                double speed = body.LinearVelocity.Length();
+                sum += body.IsStatic ? 0 : 0.5 * ((body.Mass * speed * speed) + (body.MomentOfInertia * spin * spin));
             }
 
             return sum;
@@ -389,7 +395,9 @@ public class SpringMeshTests
                 double length = Math.Sqrt((dx * dx) + (dy * dy));
                 dx /= length;
                 dy /= length;
-                double speed = (dx * (v[b] - (v[b + 2] * by) - v[a] + (v[a + 2] * ay))) + (dy * (v[b + 1] + (v[b + 2] * bx) - v[a + 1] - (v[a + 2] * ax)));
+                double across = v[b] - (v[b + 2] * by) - v[a] + (v[a + 2] * ay);
+                double up = v[b + 1] + (v[b + 2] * bx) - v[a + 1] - (v[a + 2] * ax);
+                double speed = (dx * across) + (dy * up);
                 double pull = (spring.K * (length - spring.Slack)) + (spring.C * speed);
                 into[a] += pull * dx;
                 into[a + 1] += pull * dy;

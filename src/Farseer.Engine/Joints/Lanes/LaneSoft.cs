@@ -41,7 +41,7 @@ internal unsafe struct LaneSoftRow
     public fixed double Low[4];
     public fixed double High[4];
 
-    /// <summary>Of a motor; all bits set for the lanes in which its tree leaves it no freedom, and what its bodies alone would answer.</summary>
+    /// <summary>Of a motor; all bits set for the lanes in which its tree leaves it no freedom, and what its bodies alone would answer. Own of a spring: what its ends answer.</summary>
     public fixed double Share[4];
     public fixed long Stalled[4];
     public fixed double Own[4];
