@@ -34,9 +34,9 @@ internal sealed unsafe class FreeMeshes
     /// Decay in a part up to which one term of the series of a kick will do, two, and three: the fastest decay is then off by less than
     /// 1e-3 of itself.
     /// </summary>
-    private const double OneTerm = 0.005;
-    private const double TwoTerms = 0.1;
-    private const double ThreeTerms = 0.4;
+    private const double OneTerm = 0.002;
+    private const double TwoTerms = 0.03;
+    private const double ThreeTerms = 0.2;
 
     /// <summary>
     /// Share of its energy that a mesh may gain in a substep: more than the ripple of any swing at the paces above. A spring that is
