@@ -9,15 +9,17 @@ namespace Farseer.Engine.Joints;
 internal sealed unsafe partial class JointPass
 {
     /// <summary>
-    /// Frequency and damping of a spring are those of the masses it feels, but of no less than this share of its bodies' own. Where
-    /// joints leave its row next to no freedom (a body on a hinge, pulled along its arm) it would else be so stiff that what little
-    /// of it turns the body throws it about. A rod that is welded at its end feels 1/4.
+    /// Frequency and damping of a spring are those of the masses it feels, but of no less than this share of what its two ends answer each by
+    /// itself, in all directions, or their bodies alone. Where joints leave its row next to no freedom (a body on a hinge, pulled along its
+    /// arm; a rail beside a rod) it would else be so stiff that what little of it turns the body throws it about. A heavy body on a lever is
+    /// heavy in all directions that there are.
     /// </summary>
-    private const double LeastFreedom = 0.125;
+    public const double LeastFreedom = 0.125;
 
     /// <summary>
-    /// ωh up to which a spring rests where its load says, and from which on it does not look at loads: by then what it gives way is g·h² / 0.06,
-    /// and of ten springs that pull at one body each takes what the others gave for a load, at which stiffer ones would swing.
+    /// ωh up to which springs that pull at the same bodies rest where their load says, and from which on they do not look at loads: by then
+    /// what they give way is g·h² / 0.06, and of ten springs that pull at one body each takes what the others gave for a load, at which
+    /// stiffer ones would swing.
     /// </summary>
     private const double Held = 0.25;
     private const double MostHeld = 0.5;
@@ -27,7 +29,7 @@ internal sealed unsafe partial class JointPass
     /// damping of the continuous one at every h; from half a turn a substep on, the implicit form, which is stable always.
     /// See <see cref="FindSpring"/> for what loads have to do with it.
     /// </summary>
-    private static void SetSpring(TreeNode* nodes, ActiveJoint* joint, JointRows* r, int k, double h)
+    private static void SetSpring(JointTree* trees, TreeNode* nodes, ActiveJoint* joint, JointRows* r, int k, double h)
     {
         if (r->Type[k] != (byte)RowType.Spring)
         {
@@ -35,16 +37,55 @@ internal sealed unsafe partial class JointPass
         }
 
         double own = Own(nodes, joint->Ends.NodeA, r->A + (k * 3)) + Own(nodes, joint->Ends.NodeB, r->B + (k * 3));
-        double share = SpringShare(joint->Response[k], own, r->SpringMass);
-        FindSpring(share, r->Stiffness[k], r->Damping[k], h, joint->Kind != JointKind.Target, out joint->SpringQ[k], out joint->SpringKappa[k], out joint->SpringLead[k]);
+        double least = LeastFreedom * (joint->Kind == JointKind.Target ? own : Math.Min(own, Freedom(nodes, joint, r, k)));
+        double share = SpringShare(joint->Response[k], least, r->SpringMass);
+        double hold = HoldOf(trees, nodes, joint);
+        FindSpring(
+            share, r->Stiffness[k], r->Damping[k], h, hold, out joint->SpringQ[k], out joint->SpringKappa[k], out joint->SpringLead[k]);
     }
 
-    /// <summary>The share of its frequency and damping that a spring has, of its response and that of the bodies alone.</summary>
-    public static double SpringShare(double response, double own, double mass)
+    /// <summary>What the ends of a row answer each by itself: along it and, where the joint holds nothing there, across it.</summary>
+    private static double Freedom(TreeNode* nodes, ActiveJoint* joint, JointRows* r, int k)
+    {
+        double along = RowEnds.OfEnds(nodes, &joint->Ends, r->A + (k * 3), r->B + (k * 3));
+        if (joint->Role != JointRole.Iterated || r->Turns(k))
+        {
+            return along;
+        }
+
+        double* a = stackalloc double[3];
+        double* b = stackalloc double[3];
+        a[0] = -r->A[(k * 3) + 1];
+        a[1] = r->A[k * 3];
+        a[2] = r->AcrossA;
+        b[0] = -r->B[(k * 3) + 1];
+        b[1] = r->B[k * 3];
+        b[2] = r->AcrossB;
+        return along + RowEnds.OfEnds(nodes, &joint->Ends, a, b);
+    }
+
+    /// <summary>
+    /// ωh from which on a spring does not look at loads: never if it is the only one at its bodies' trees. The two springs of a target look
+    /// at none: that across would take for a load what the other one pulls past a hinge, and leave it to swing.
+    /// </summary>
+    public static double HoldOf(JointTree* trees, TreeNode* nodes, ActiveJoint* joint)
+    {
+        if (joint->Kind == JointKind.Target)
+        {
+            return double.NegativeInfinity;
+        }
+
+        return IsOnly(trees, nodes, joint->Ends.NodeA) && IsOnly(trees, nodes, joint->Ends.NodeB) ? double.PositiveInfinity : MostHeld;
+    }
+
+    private static bool IsOnly(JointTree* trees, TreeNode* nodes, int node) =>
+        node < 0 || (trees[nodes[node].Tree].SpringRows == 1 && !trees[nodes[node].Tree].Strung);
+
+    /// <summary>The share of its frequency and damping that a spring has, of its response and the least that it feels.</summary>
+    public static double SpringShare(double response, double least, double mass)
     {
         // A stiffness ω²/L and a damping 2ζω/L, felt with a response below L. A spring of a given mass m has mω² and 2mζω, whatever mass
         // the row feels: both are in proportion to the root of the ratio.
-        double least = LeastFreedom * own;
         return mass > 0 ? Math.Sqrt(mass * Math.Max(0, response)) : response < least ? Math.Sqrt(Math.Max(0, response) / least) : 1;
     }
 
@@ -52,9 +93,9 @@ internal sealed unsafe partial class JointPass
     /// What a spring does in a substep, of that share, frequency and damping ratio. Every v' = (G·v - κφ)/D - (G - 1)·u/D, u being the speed
     /// before the loads of the substep and v that after them, has the exact swing; under a steady load F it rests at G·h·F/κ, which is
     /// the spring's own length for G = κ/(hω²). With κ' = κ/G, 1 + q = D/G and c = (G - 1)/κ that is v' = (v - κ'(φ + c·u))/(1 + q).
-    /// The two springs of a target are not <paramref name="alone"/>: that across would take for a load what the other one pulls past a hinge, and leave it to swing.
     /// </summary>
-    public static void FindSpring(double share, double stiffness, double damping, double h, bool alone, out double q, out double kappa, out double lead)
+    public static void FindSpring(
+        double share, double stiffness, double damping, double h, double most, out double q, out double kappa, out double lead)
     {
         double omega = stiffness * share;
         double zeta = damping * share;
@@ -72,8 +113,8 @@ internal sealed unsafe partial class JointPass
         double half = zeta < 1 ? StableMath.Sin(0.5 * wave) : 0.5 * (StableMath.Exp(0.5 * wave) - StableMath.Exp(-0.5 * wave));
         double square = 4 * root * half * half;
         kappa = (((root - 1) * (root - 1)) + (zeta < 1 ? square : -square)) / h;
-        double hold = Math.Max(0, Math.Min(1, (MostHeld - (omega * h)) / (MostHeld - Held)));
-        double given = rest > 0 && alone ? 1 + (hold * ((kappa / rest) - 1)) : 1;
+        double hold = Math.Max(0, Math.Min(1, (most - (omega * h)) / (MostHeld - Held)));
+        double given = rest > 0 ? 1 + (hold * ((kappa / rest) - 1)) : 1;
         lead = kappa > 0 ? (given - 1) / kappa : 0;
         kappa /= given;
         q = (root * root / given) - 1;

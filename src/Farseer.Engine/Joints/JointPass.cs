@@ -53,7 +53,7 @@ internal sealed unsafe partial class JointPass
         for (int k = 0; k < r->Count; k++)
         {
             joint->Response[k] = IsStalled(joint, r, k) ? 0 : RowEnds.Response(nodes, &joint->Ends, r->A + (k * 3), r->B + (k * 3));
-            SetSpring(nodes, joint, r, k, h);
+            SetSpring(_view.Trees, nodes, joint, r, k, h);
         }
 
         if (r->SoftPoint)

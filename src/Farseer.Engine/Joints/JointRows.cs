@@ -110,6 +110,10 @@ internal unsafe struct JointRows
     /// <summary>Rows of the block at the front.</summary>
     public int Hard;
 
+    /// <summary>Of a spring along a line: how the turns of the bodies move its anchors across.</summary>
+    public double AcrossA;
+    public double AcrossB;
+
     /// <summary>What the facade shows as the error of the joint.</summary>
     public double JointError;
 
@@ -172,6 +176,12 @@ internal unsafe struct JointRows
     {
         double ax = f.RAX + f.DX;
         double ay = f.RAY + f.DY;
+        if (type == RowType.Spring)
+        {
+            AcrossA = -((ax * nx) + (ay * ny));
+            AcrossB = (f.RBX * nx) + (f.RBY * ny);
+        }
+
         return Add(
             type,
             -sign * nx,
@@ -184,15 +194,24 @@ internal unsafe struct JointRows
     }
 
     /// <summary>φ = sign·|anchor B - anchor A| - offset, with n the unit vector from A to B.</summary>
-    public int AddDistance(RowType type, in JointFrame f, double nx, double ny, double sign, double error) => Add(
-        type,
-        -sign * nx,
-        -sign * ny,
-        -sign * ((f.RAX * ny) - (f.RAY * nx)),
-        sign * nx,
-        sign * ny,
-        sign * ((f.RBX * ny) - (f.RBY * nx)),
-        error);
+    public int AddDistance(RowType type, in JointFrame f, double nx, double ny, double sign, double error)
+    {
+        if (type == RowType.Spring)
+        {
+            AcrossA = -((f.RAX * nx) + (f.RAY * ny));
+            AcrossB = (f.RBX * nx) + (f.RBY * ny);
+        }
+
+        return Add(
+            type,
+            -sign * nx,
+            -sign * ny,
+            -sign * ((f.RAX * ny) - (f.RAY * nx)),
+            sign * nx,
+            sign * ny,
+            sign * ((f.RBX * ny) - (f.RBY * nx)),
+            error);
+    }
 
     /// <summary>A motor on the row last added: its bounds in a substep and its speed.</summary>
     public void SetMotor(int row, double speed, double bound)

@@ -37,6 +37,7 @@ internal sealed unsafe partial class JointSolver
         for (int i = 0; i < _forest.TreeCount; i++)
         {
             _forest.Trees[i].Pulled = false;
+            _forest.Trees[i].Strung = false;
         }
 
         if (Look() && Break() && !step.BreaksLate)
@@ -265,11 +266,42 @@ internal sealed unsafe partial class JointSolver
             _active[i].BlockLimits = _active[i].Limited && _active[i].Role != JointRole.Iterated && HasRoom(i);
         }
 
+        CountSprings();
         _chains.Renew(_forest, _active.Pointer, _rows.Pointer, _count);
         _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _forest.TreeCount);
         _lanes.Reserve();
         _loose.Begin(_forest, _active.Pointer, _rows.Pointer, _step);
         _loose.Reserve(_count);
+    }
+
+    private void CountSprings()
+    {
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            _forest.Trees[i].SpringRows = 0;
+        }
+
+        for (int i = 0; i < _count; i++)
+        {
+            int springs = 0;
+            for (int k = _rows[i].Hard; k < _rows[i].Count; k++)
+            {
+                springs += _rows[i].Type[k] == (byte)RowType.Spring ? 1 : 0;
+            }
+
+            ref RowEnds ends = ref _active[i].Ends;
+            int treeA = ends.NodeA >= 0 ? _forest.Nodes[ends.NodeA].Tree : -1;
+            int treeB = ends.NodeB >= 0 ? _forest.Nodes[ends.NodeB].Tree : -1;
+            if (treeA >= 0)
+            {
+                _forest.Trees[treeA].SpringRows += springs;
+            }
+
+            if (treeB >= 0 && treeB != treeA)
+            {
+                _forest.Trees[treeB].SpringRows += springs;
+            }
+        }
     }
 
     /// <summary>The block of an eliminated joint has room for a limit.</summary>

@@ -22,6 +22,16 @@ internal sealed unsafe partial class JointSolver
     /// <summary>A force pulls at a tree in this step that is given before its bodies move.</summary>
     public void MarkPulled(int tree) => _forest.Trees[tree].Pulled = true;
 
+    /// <summary>A spring that is no joint pulls at a body in this step.</summary>
+    public void MarkStrung(int body)
+    {
+        int node = _forest.NodeOf(body);
+        if (node >= 0)
+        {
+            _forest.Trees[_forest.Nodes[node].Tree].Strung = true;
+        }
+    }
+
     /// <summary>The velocity changes that impulses on a tree's bodies make, three numbers a body; its joints hold as they did last.</summary>
     public void Respond(int tree, double* impulses, double* changes)
     {

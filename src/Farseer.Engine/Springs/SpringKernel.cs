@@ -102,7 +102,10 @@ internal static unsafe class SpringKernel
         return length - row.Def.Rest;
     }
 
-    /// <summary>Acts by the exact law, see <see cref="SpringLaw"/>: a kick, and a shift that makes the way of the substep that of the law.</summary>
+    /// <summary>
+    /// A linear spring acts by the exact law, see <see cref="SpringLaw"/>: a kick, and a shift that makes the way of the substep that of
+    /// the law.
+    /// </summary>
     public static void Kick(ref SpringRow row, BodyStore bodies, double h)
     {
         EndState a = EndState.Read(bodies, row.Def.BodyA, row.MovesA, row.ActsA);
@@ -116,9 +119,7 @@ internal static unsafe class SpringKernel
 
         if (row.LawMass != mass)
         {
-            // An angular spring damps each end by its own spin; between equal ends that is half of damping their difference.
-            double damped = row.Def.Kind == SpringKind.Angular ? Math.Max(row.InverseInertiaA, row.InverseInertiaB) : mass;
-            row.Law = new SpringLaw(row.Def.Stiffness * h * h * mass, row.Def.Damping * h * damped);
+            row.Law = new SpringLaw(row.Def.Stiffness * h * h * mass, row.Def.Damping * h * mass);
             row.LawMass = mass;
         }
 
@@ -128,12 +129,6 @@ internal static unsafe class SpringKernel
         double shift = row.Law.Way(x, speed, drive, h) - Plain(speed, change, drive, h);
         double impulse = (change - drive) / mass;
         shift /= mass;
-        if (row.Def.Kind == SpringKind.Angular)
-        {
-            KickAngular(row, bodies, a, b, impulse, shift, h);
-            return;
-        }
-
         EndState.Push(
             bodies, row.Def.BodyA, 0, -impulse * row.InverseMassA * row.NormalX, -impulse * row.InverseMassA * row.NormalY, -impulse * row.InverseInertiaA * row.TurnA);
         EndState.Shift(
@@ -150,43 +145,6 @@ internal static unsafe class SpringKernel
 
     /// <summary>The way that the integrator gives a velocity v that changes by <paramref name="change"/>: half of the drive's change is taken back.</summary>
     private static double Plain(double speed, double change, double drive, double h) => h * (speed + change - (drive / 2));
-
-    private static void KickAngular(in SpringRow row, BodyStore bodies, in EndState a, in EndState b, double impulse, double shift, double h)
-    {
-        double changeA = -impulse * row.InverseInertiaA;
-        double changeB = impulse * row.InverseInertiaB;
-        double shiftA = -shift * row.InverseInertiaA;
-        double shiftB = shift * row.InverseInertiaB;
-        if (row.InverseInertiaA > 0 && row.InverseInertiaB > 0)
-        {
-            // Of two equal ends the common spin is damped as that of one.
-            var drag = new SpringLaw(0, row.Def.Damping * h * row.InverseInertiaA);
-            double spin = (a.W + b.W) / 2;
-            double drive = (a.DriveW + b.DriveW) / 2;
-            double change = drag.Change(0, spin, drive, h);
-            double way = drag.Way(0, spin, drive, h) - Plain(spin, change, drive, h);
-            changeA += change - drive;
-            changeB += change - drive;
-            shiftA += way;
-            shiftB += way;
-        }
-
-        PushTurn(bodies, row.Def.BodyA, changeA, shiftA, row.Def.MaxTorque * h * row.InverseInertiaA, h);
-        PushTurn(bodies, row.Def.BodyB, changeB, shiftB, row.Def.MaxTorque * h * row.InverseInertiaB, h);
-    }
-
-    private static void PushTurn(BodyStore bodies, int body, double change, double shift, double most, double h)
-    {
-        if (Math.Abs(change) > most)
-        {
-            // A steady torque: the way lags by half of the change.
-            change = change > 0 ? most : -most;
-            shift = -h / 2 * change;
-        }
-
-        EndState.Push(bodies, body, 0, 0, 0, change);
-        EndState.Shift(bodies, body, 0, 0, shift);
-    }
 
     private static void SetArm(in BodyPose pose, double lead, Vector2 anchor, out double x, out double y)
     {

@@ -54,6 +54,7 @@ internal sealed unsafe partial class SpringMesh
     private void Forget(int body)
     {
         _slots[body] = -1;
+        _joints?.MarkStrung(body);
         int tree = _joints?.TreeOf(body) ?? -1;
         if (tree >= 0)
         {

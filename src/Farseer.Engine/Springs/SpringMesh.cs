@@ -6,7 +6,8 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Springs;
 
 /// <summary>
-/// Springs that share bodies, solved together. With vθ = v + θ(v₁ − v) and x₁ = x + h·vθ the springs pull by where they are at the
+/// Springs at bodies that contacts or joints hold as well, or that are too stiff for <see cref="FreeMeshes"/>, solved together. With vθ = v
+/// + θ(v₁ − v) and x₁ = x + h·vθ the springs pull by where they are at the
 /// part θ of the substep:
 /// <para>(M + θ·Σ JᵀsJ)·vθ = M·(v + θ·drive) − θ·Σ Jᵀ·h·k·C,  s = h(θhk + c).</para>
 /// θ = 1/2 is the midpoint rule, of second order and without a loss of energy; θ = 1 the implicit Euler rule, which takes from the
@@ -36,6 +37,7 @@ internal sealed unsafe partial class SpringMesh
     private readonly Column<double> _image = new Column<double>();
     private readonly Column<double> _diagonal = new Column<double>();
     private readonly Column<double> _scaled = new Column<double>();
+    private readonly FreeMeshes _free = new FreeMeshes();
     private int _count;
     private int _nextSlot;
 
@@ -46,13 +48,16 @@ internal sealed unsafe partial class SpringMesh
         _treeCount = 0;
         _rows.EnsureCapacity(rows);
         _slots.EnsureCapacity(bodies);
+        _free.Begin(rows, bodies);
     }
 
-    /// <summary>A new mesh; true: loose enough for the midpoint rule.</summary>
-    public int Add(bool isLoose)
+    /// <summary>A new mesh.</summary>
+    /// <param name="isLoose">Loose enough for the midpoint rule.</param>
+    /// <param name="pace">The pace if nothing but springs holds its bodies, see <see cref="FreeMeshes"/>; none: others do.</param>
+    public int Add(bool isLoose, in FreePace pace)
     {
         _meshes.EnsureCapacity(_count + 1);
-        _meshes[_count] = new Mesh { Theta = isLoose ? 0.5 : 1 };
+        _meshes[_count] = new Mesh { Theta = isLoose ? 0.5 : 1, Pace = pace, Free = -1 };
         return _count++;
     }
 
@@ -103,6 +108,19 @@ internal sealed unsafe partial class SpringMesh
 
     private void Solve(ref Mesh mesh, SpringRow* rows, BodyStore bodies, double h)
     {
+        if (mesh.Pace.Parts > 0)
+        {
+            if (mesh.Free < 0)
+            {
+                mesh.Free = _free.Add(rows, _rows.Pointer + mesh.FirstRow, mesh.RowCount, mesh.Pace);
+            }
+
+            if (_free.Run(mesh.Free, bodies, h))
+            {
+                return;
+            }
+        }
+
         if (mesh.SlotCount == 0)
         {
             Enlist(ref mesh, rows, bodies);
@@ -469,6 +487,8 @@ internal sealed unsafe partial class SpringMesh
     private struct Mesh
     {
         public double Theta;
+        public FreePace Pace;
+        public int Free;
         public int FirstRow;
         public int RowCount;
         public int FirstSlot;

@@ -18,7 +18,7 @@ internal enum SpringForm
     /// <summary>Neither body moves.</summary>
     Idle,
 
-    /// <summary>Alone: the exact solution of the damped oscillator over a substep.</summary>
+    /// <summary>Linear and alone: the exact solution of the damped oscillator over a substep.</summary>
     Exact,
 
     /// <summary>Solved together with the springs that share its bodies.</summary>
@@ -76,9 +76,6 @@ internal struct SpringRow
     public double InverseMassB;
     public double InverseInertiaA;
     public double InverseInertiaB;
-
-    /// <summary>1 if the exact law covers the damping: not for the own spins of unequal ends, nor against an end that is driven.</summary>
-    public int IsPlain;
 
     /// <summary>Centre of B minus centre of A at the step's start, or (in X) the difference of the angles in its foreseen middle less the rest.</summary>
     public double OffsetX;

@@ -78,9 +78,20 @@ internal sealed unsafe class SpringStore
             row.HeldA = row.MovesA != 0 && (allHeld || IsHeld(row.Def.BodyA, degrees, joints)) ? 1 : 0;
             row.HeldB = row.MovesB != 0 && (allHeld || IsHeld(row.Def.BodyB, degrees, joints)) ? 1 : 0;
             SpringKernel.Place(ref row);
-            SpringKernel.FormJacobian(ref row, EndState.AtStart, EndState.AtStart, 0);
-            Note(row.Def.BodyA, row.MovesA, row.Def, SpringKernel.InverseMassA(row), h);
-            Note(row.Def.BodyB, row.MovesB, row.Def, SpringKernel.InverseMassB(row), h);
+            double stretch = SpringKernel.FormJacobian(ref row, EndState.AtStart, EndState.AtStart, 0);
+            if (row.MovesA != 0)
+            {
+                Note(row.Def.BodyA, row.Def, SpringKernel.InverseMassA(row), h);
+                double arm = Math.Sqrt((row.ArmAX * row.ArmAX) + (row.ArmAY * row.ArmAY));
+                NoteSwing(row.Def.BodyA, row, arm, row.InverseMassA, row.InverseInertiaA, stretch, h);
+            }
+
+            if (row.MovesB != 0)
+            {
+                Note(row.Def.BodyB, row.Def, SpringKernel.InverseMassB(row), h);
+                double arm = Math.Sqrt((row.ArmBX * row.ArmBX) + (row.ArmBY * row.ArmBY));
+                NoteSwing(row.Def.BodyB, row, arm, row.InverseMassB, row.InverseInertiaB, stretch, h);
+            }
         }
 
         JoinMeshes(joints);
@@ -99,7 +110,7 @@ internal sealed unsafe class SpringStore
                 ref BodyRecord root = ref _records[RootOf(row)];
                 if (root.Mesh < 0)
                 {
-                    root.Mesh = _mesh.Add(root.Load <= LooseLoad);
+                    root.Mesh = _mesh.Add(root.Load <= LooseLoad, root.Held ? default : FreeMeshes.PaceFor(root.Swing, root.Drag));
                 }
 
                 _mesh.Count(root.Mesh, row);
@@ -151,30 +162,36 @@ internal sealed unsafe class SpringStore
         row.InverseInertiaA = row.MovesA != 0 ? bodies.Mass[a].InverseInertia : 0;
         row.InverseInertiaB = row.MovesB != 0 ? bodies.Mass[b].InverseInertia : 0;
         SpringKernel.SetOffsets(ref row, bodies);
-        row.IsPlain = row.Def.Kind == SpringKind.Linear || IsPlain(bodies, row) ? 1 : 0;
     }
 
     // Pinned ends are at body 0, which is static; all others are enabled.
     private static int Acts(BodyStore bodies, int body) => (bodies.Flags[body] & BodyFlags.Static) == 0 ? 1 : 0;
 
-    private static bool IsPlain(BodyStore bodies, in SpringRow row) => row.InverseInertiaA > 0 && row.InverseInertiaB > 0
-        ? row.InverseInertiaA == row.InverseInertiaB
-        : bodies.State[row.InverseInertiaA > 0 ? row.Def.BodyB : row.Def.BodyA].AngularVelocity == 0;
-
-    private void Note(int body, int moves, in SpringDef def, double inverseMass, double h)
+    private void Note(int body, in SpringDef def, double inverseMass, double h)
     {
-        if (moves != 0)
+        ref BodyRecord record = ref _records[body];
+        if (record.Springs == 0)
         {
-            ref BodyRecord record = ref _records[body];
-            if (record.Springs == 0)
-            {
-                record.Root = body;
-                record.Mesh = -1;
-            }
-
-            record.Springs++;
-            record.OwnLoad += ((def.Stiffness * h * h) + (def.Damping * h)) * inverseMass;
+            record.Root = body;
+            record.Mesh = -1;
         }
+
+        record.Springs++;
+        record.OwnLoad += ((def.Stiffness * h * h) + (def.Damping * h)) * inverseMass;
+    }
+
+    /// <summary>
+    /// What a spring has in the fastest swing and decay of its body, wherever the body turns: no eigenvalue of M⁻¹K is greater than the
+    /// largest sum of these at both ends of a spring. A tension that pulls beside the centre is stiff against turns.
+    /// </summary>
+    private void NoteSwing(int body, in SpringRow row, double arm, double inverseMass, double inverseInertia, double stretch, double h)
+    {
+        bool linear = row.Def.Kind == SpringKind.Linear;
+        double most = linear ? inverseMass + (inverseInertia * arm * arm) : inverseInertia;
+        double tension = linear ? inverseInertia * arm * Math.Abs(stretch) : 0;
+        ref BodyRecord record = ref _records[body];
+        record.OwnSwing += row.Def.Stiffness * h * h * (most + tension);
+        record.OwnDrag += row.Def.Damping * h * most;
     }
 
     private void Forget(int body)
@@ -222,10 +239,17 @@ internal sealed unsafe class SpringStore
                 double loadB = row.MovesB != 0 ? _records[row.Def.BodyB].OwnLoad : 0;
                 ref BodyRecord root = ref _records[RootOf(row)];
                 root.Load = Math.Max(root.Load, loadA + loadB);
+                root.Swing = Math.Max(root.Swing, OwnSwing(row.Def.BodyA, row.MovesA) + OwnSwing(row.Def.BodyB, row.MovesB));
+                root.Drag = Math.Max(root.Drag, OwnDrag(row.Def.BodyA, row.MovesA) + OwnDrag(row.Def.BodyB, row.MovesB));
+                root.Held |= row.HeldA != 0 || row.HeldB != 0;
                 root.Rows++;
             }
         }
     }
+
+    private double OwnSwing(int body, int moves) => moves != 0 ? _records[body].OwnSwing : 0;
+
+    private double OwnDrag(int body, int moves) => moves != 0 ? _records[body].OwnDrag : 0;
 
     private void Join(int first, int second)
     {
@@ -272,15 +296,13 @@ internal sealed unsafe class SpringStore
         }
 
         ref BodyRecord root = ref _records[RootOf(row)];
-        if (root.Rows > 1 || row.HeldA != 0 || row.HeldB != 0 || row.IsPlain == 0)
+        if (root.Rows > 1 || row.HeldA != 0 || row.HeldB != 0 || row.Def.Kind == SpringKind.Angular)
         {
             return SpringForm.Mesh;
         }
 
         double mass = SpringKernel.InverseMassA(row) + SpringKernel.InverseMassB(row);
-        double turning = row.Def.Kind == SpringKind.Linear
-            ? (row.TurnA * row.TurnA * row.InverseInertiaA) + (row.TurnB * row.TurnB * row.InverseInertiaB)
-            : 0;
+        double turning = (row.TurnA * row.TurnA * row.InverseInertiaA) + (row.TurnB * row.TurnB * row.InverseInertiaB);
         bool isResolved = SpringLaw.IsResolved(row.Def.Stiffness * h * h * mass, row.Def.Damping * h * mass);
         bool isStraight = turning <= CentralShare * mass || root.Load <= LooseLoad;
         return isResolved && isStraight ? SpringForm.Exact : SpringForm.Mesh;
@@ -293,7 +315,14 @@ internal sealed unsafe class SpringStore
         public int Root;
         public int Rows;
         public int Mesh;
+        public bool Held;
         public double OwnLoad;
         public double Load;
+
+        /// <summary>Bounds of (ωh)² and c·h/m.</summary>
+        public double OwnSwing;
+        public double OwnDrag;
+        public double Swing;
+        public double Drag;
     }
 }

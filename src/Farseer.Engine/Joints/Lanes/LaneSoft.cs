@@ -41,7 +41,7 @@ internal unsafe struct LaneSoftRow
     public fixed double Low[4];
     public fixed double High[4];
 
-    /// <summary>Of a motor; all bits set for the lanes in which its tree leaves it no freedom, and what its bodies alone would answer.</summary>
+    /// <summary>Of a motor; all bits set for the lanes in which its tree leaves it no freedom, and what its bodies alone would answer. Own of a spring: what its ends answer.</summary>
     public fixed double Share[4];
     public fixed long Stalled[4];
     public fixed double Own[4];
@@ -65,6 +65,9 @@ internal unsafe struct LaneSoft
 
     /// <summary>The mass that springs go by; 0: the one that they feel.</summary>
     public fixed double SpringMass[4];
+
+    /// <summary>See <see cref="JointPass.HoldOf"/>.</summary>
+    public fixed double Hold[4];
 }
 
 /// <summary>What a row is, the same for all four.</summary>

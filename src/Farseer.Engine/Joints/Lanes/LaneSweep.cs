@@ -1,3 +1,4 @@
+using System;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
@@ -183,6 +184,7 @@ internal static unsafe class LaneSweep
             own += LaneFactor.Own(row->B, walks.Nodes + place->NodeB);
         }
 
+        WideDouble ends = plain;
         if (place->Joint >= 0)
         {
             WideDouble cross = Form(soft->Cross, row->A, row->B);
@@ -193,6 +195,7 @@ internal static unsafe class LaneSweep
         response.Store(row->Response);
         if (kind.IsSpring)
         {
+            ends.Store(row->Own);
             SetSprings(walks, soft, row, place, h);
             return ~(response > WideDouble.Zero);
         }
@@ -208,8 +211,11 @@ internal static unsafe class LaneSweep
         for (int lane = 0; lane < WideDouble.Count; lane++)
         {
             double own = OwnOf(walks, place->NodeA, row->A, lane) + OwnOf(walks, place->NodeB, row->B, lane);
-            double share = JointPass.SpringShare(row->Response[lane], own, soft->SpringMass[lane]);
-            JointPass.FindSpring(share, row->Stiffness[lane], row->Damping[lane], h, true, out row->Q[lane], out row->Kappa[lane], out row->Lead[lane]);
+            double least = JointPass.LeastFreedom * Math.Min(own, row->Own[lane]);
+            double share = JointPass.SpringShare(row->Response[lane], least, soft->SpringMass[lane]);
+            double hold = soft->Hold[lane];
+            JointPass.FindSpring(
+                share, row->Stiffness[lane], row->Damping[lane], h, hold, out row->Q[lane], out row->Kappa[lane], out row->Lead[lane]);
         }
     }
 

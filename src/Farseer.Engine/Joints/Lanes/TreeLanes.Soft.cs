@@ -253,6 +253,7 @@ internal sealed unsafe partial class TreeLanes
                 LaneSoft* soft = DoubleLanes.Shift(_softs.Pointer + i, lane);
                 int active = ActiveOf(trees, _softPlaces.Pointer + i, lane < trees->Count ? lane : 0);
                 soft->SpringMass[0] = _rows[active].SpringMass;
+                soft->Hold[0] = JointPass.HoldOf(_forest.Trees, _forest.Nodes, _active + active);
                 LoadRow(&soft->Row0, _active + active, _rows + active, _softPlaces[i].Kind0.Index);
                 LoadRow(&soft->Row1, _active + active, _rows + active, _softPlaces[i].Kind1.Index);
             }

@@ -71,7 +71,7 @@ internal static unsafe class LooseKernel
                 if (place->Type[k] == (byte)RowType.Spring)
                 {
                     (OwnOfSpring(a, massA, inertiaA) + OwnOfSpring(b, massB, inertiaB)).Store(row->Soft.Own);
-                    SetSprings(row, bundle->SpringMass, h, place->Kind != JointKind.Target);
+                    SetSprings(row, bundle, h);
                 }
             }
         }
@@ -299,16 +299,18 @@ internal static unsafe class LooseKernel
     }
 
     /// <summary>Most feel their frequency as it is, substep after substep: then what follows from it stays.</summary>
-    private static void SetSprings(LooseRow* row, double* mass, double h, bool alone)
+    private static void SetSprings(LooseRow* row, LooseBundle* bundle, double h)
     {
         LaneSoftRow* soft = &row->Soft;
         for (int lane = 0; lane < WideDouble.Count; lane++)
         {
-            double share = JointPass.SpringShare(soft->Response[lane], soft->Own[lane], mass[lane]);
+            double share = JointPass.SpringShare(soft->Response[lane], JointPass.LeastFreedom * soft->Own[lane], bundle->SpringMass[lane]);
             if (share != row->SpringShare[lane])
             {
                 row->SpringShare[lane] = share;
-                JointPass.FindSpring(share, soft->Stiffness[lane], soft->Damping[lane], h, alone, out soft->Q[lane], out soft->Kappa[lane], out soft->Lead[lane]);
+                double hold = bundle->Hold[lane];
+                JointPass.FindSpring(
+                    share, soft->Stiffness[lane], soft->Damping[lane], h, hold, out soft->Q[lane], out soft->Kappa[lane], out soft->Lead[lane]);
             }
         }
     }

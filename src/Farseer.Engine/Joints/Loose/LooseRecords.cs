@@ -72,6 +72,9 @@ internal unsafe struct LooseBundle
     public fixed double InertiaB[4];
     public fixed double SpringMass[4];
 
+    /// <summary>See <see cref="JointPass.HoldOf"/>.</summary>
+    public fixed double Hold[4];
+
     /// <summary>Of soft points: what one of the two rows answers to the other.</summary>
     public fixed double PointCoupling[4];
     public fixed double ArmB[8];

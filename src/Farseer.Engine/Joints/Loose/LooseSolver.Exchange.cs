@@ -87,6 +87,7 @@ internal sealed unsafe partial class LooseSolver
         bundle->MassB[0] = b->InverseMass;
         bundle->InertiaB[0] = b->InverseInertia;
         bundle->SpringMass[0] = _rows[active].SpringMass;
+        bundle->Hold[0] = JointPass.HoldOf(_forest.Trees, _forest.Nodes, _active + active);
         bundle->ArmB[0] = _rows[active].ArmX;
         bundle->ArmB[Y] = _rows[active].ArmY;
         bundle->Given[0] = 0;

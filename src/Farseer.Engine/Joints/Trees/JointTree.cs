@@ -63,6 +63,12 @@ internal struct JointTree
     /// <summary>Springs pull at it in this step.</summary>
     public bool Pulled;
 
+    /// <summary>The same, and if it is a single body too.</summary>
+    public bool Strung;
+
+    /// <summary>Rows of springs that joints have at its bodies.</summary>
+    public int SpringRows;
+
     /// <summary>It was disturbed in the substep before: until nothing is left of its errors they count as put there from outside.</summary>
     public bool Unsettled;
 

@@ -108,6 +108,23 @@ internal unsafe struct RowEnds
         return sum;
     }
 
+    /// <summary>The responses of a row's two bodies, without what one does to the other.</summary>
+    public static double OfEnds(TreeNode* nodes, RowEnds* ends, double* a, double* b)
+    {
+        double sum = 0;
+        if (ends->NodeA >= 0)
+        {
+            sum += Form(nodes[ends->NodeA].FullMass, a, a);
+        }
+
+        if (ends->NodeB >= 0)
+        {
+            sum += Form(nodes[ends->NodeB].FullMass, b, b);
+        }
+
+        return sum;
+    }
+
     /// <summary>
     /// The response of a row to itself, as something to divide by. With R what its bodies alone would answer, it is K (1 + (ρR/K)⁴): K
     /// wherever there is a response, and large where a tree leaves none. Surfaces that touch within a rigid group of joints press on
