@@ -221,7 +221,7 @@ internal sealed unsafe partial class JointPass
                     return;
                 }
 
-                now = Math.Max(0, old + Limit(joint, r, k, v, h, biased));
+                now = Math.Min(Math.Max(0, old + Limit(joint, r, k, v, h, biased)), r->High[k]);
                 break;
             default:
                 if (!biased)

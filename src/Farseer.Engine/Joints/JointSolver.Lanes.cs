@@ -186,10 +186,6 @@ internal sealed unsafe partial class JointSolver
         }
 
         SweepOnLanes(pass, sweeps);
-        if (_loose.Any)
-        {
-            _loose.Solve(pass == Pass.Biased, sweeps);
-        }
     }
 
     /// <summary>Trees that leave the lanes within a substep get their rows and factor.</summary>
@@ -240,7 +236,8 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>The correction of the trees on lanes; those that went astray are projected with the others.</summary>
-    private void CorrectLanes()
+    /// <param name="pushed">The store has also moved bodies by velocities that push them apart.</param>
+    private void CorrectLanes(bool pushed)
     {
         if (_lanes.Any)
         {
@@ -252,7 +249,7 @@ internal sealed unsafe partial class JointSolver
         CorrectChains();
         if (_loose.Any)
         {
-            _loose.Move();
+            _loose.Move(pushed);
         }
     }
 

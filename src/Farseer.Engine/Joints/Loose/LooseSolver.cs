@@ -172,7 +172,8 @@ internal sealed unsafe partial class LooseSolver
     }
 
     /// <summary>Exact bodies move by h·v in double; the others have been moved. See <see cref="JointSolver.CorrectPositions"/>.</summary>
-    public void Move()
+    /// <param name="pushed">The store has also moved bodies by velocities that push them apart.</param>
+    public void Move(bool pushed)
     {
         Refresh();
         double h = _step.Substep;
@@ -182,9 +183,10 @@ internal sealed unsafe partial class LooseSolver
             LooseBody* body = _bodies.Pointer + i;
             if (body->Node >= 0 && body->Exact)
             {
-                body->Move[0] += h * body->Velocity[0];
-                body->Move[1] += h * body->Velocity[1];
-                body->Move[2] += h * body->Velocity[2];
+                Push push = pushed ? PushOf(body) : default;
+                body->Move[0] += (h * body->Velocity[0]) + push.X;
+                body->Move[1] += (h * body->Velocity[1]) + push.Y;
+                body->Move[2] += (h * body->Velocity[2]) + push.Turn;
             }
             else if (body->Node >= 0)
             {
@@ -208,6 +210,25 @@ internal sealed unsafe partial class LooseSolver
                 StoreMove(body);
             }
         }
+    }
+
+    /// <summary>How much further than its velocity the store has moved a body.</summary>
+    private Push PushOf(LooseBody* body)
+    {
+        BodyState* state = _step.Bodies.State.Pointer + body->Body;
+        float h = (float)_step.Substep;
+        Push push;
+        push.X = state->DeltaPosition.X - (float)((float)body->Move[0] + (float)(h * state->LinearVelocity.X));
+        push.Y = state->DeltaPosition.Y - (float)((float)body->Move[1] + (float)(h * state->LinearVelocity.Y));
+        push.Turn = _step.Bodies.Motion[body->Body].Turned - (float)((float)body->Move[2] + (float)(h * state->AngularVelocity));
+        return push;
+    }
+
+    private struct Push
+    {
+        public double X;
+        public double Y;
+        public double Turn;
     }
 
     /// <summary>All are told where they are, since displacements of others count for every tree with rows.</summary>

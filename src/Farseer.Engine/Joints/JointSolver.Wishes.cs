@@ -1,0 +1,73 @@
+using System;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Trees;
+
+namespace Farseer.Engine.Joints;
+
+/// <content>
+/// What joints without hard rows wish for: that a body be somewhere, or move at some speed. Contacts are no wishes. They are solved after the joints, so
+/// that no body moves with a speed that a surface in its way has not seen.
+/// </content>
+internal sealed unsafe partial class JointSolver
+{
+    private const double WishShare = 0.25;
+    private const double WishLoads = 16;
+
+    /// <summary>Single bodies have rows of wishes that are not solved side by side; and these rows are being solved.</summary>
+    private bool _anyWishes;
+    private bool _wishing;
+
+    /// <summary>What loose joints do in the biased pass or the relax pass, before the contacts.</summary>
+    public void SolveWishes(bool biased)
+    {
+        if (_loose.Any)
+        {
+            _loose.Solve(biased, 1);
+        }
+
+        if (_anyWishes)
+        {
+            _wishing = true;
+            LoadVelocities();
+            Sweep(biased ? Pass.Biased : Pass.Relaxed);
+            StoreVelocities();
+            _wishing = false;
+        }
+    }
+
+    /// <summary>
+    /// Of a body that touches something no point is moved by more than its <see cref="BodySize.Extent"/> in a substep: surfaces see no further, and a joint of
+    /// which no force is asked would gather ever more impulse against what does not give way.
+    /// </summary>
+    private void BoundWish(in RowEnds ends, JointRows* rows)
+    {
+        bool fromA = ends.NodeA >= 0;
+        int node = fromA ? ends.NodeA : ends.NodeB;
+        if (node < 0 || (fromA && ends.NodeB >= 0) || _forest.Trees[_forest.Nodes[node].Tree].Eliminates)
+        {
+            return;
+        }
+
+        int body = _forest.Nodes[node].Body;
+        if (_step.Touches[body] == 0)
+        {
+            return;
+        }
+
+        ref BodyMass mass = ref _step.Bodies.Mass[body];
+        BodySize size = _step.Bodies.Size[body];
+        ref BodyDrive drive = ref _step.Bodies.Drive[body];
+        double most = (WishShare * size.Reach * _step.Substep / (_step.Dt * _step.Dt)) + (WishLoads * Math.Sqrt((drive.X * drive.X) + (drive.Y * drive.Y)));
+        for (int k = 0; k < rows->Count; k++)
+        {
+            double* j = (fromA ? rows->A : rows->B) + (k * 3);
+            double given = (mass.InverseMass * Math.Sqrt((j[0] * j[0]) + (j[1] * j[1]))) + (size.Reach * mass.InverseInertia * Math.Abs(j[2]));
+            if (given > 0)
+            {
+                double bound = most / given;
+                rows->High[k] = Math.Min(rows->High[k], bound);
+                rows->Low[k] = Math.Max(rows->Low[k], -bound);
+            }
+        }
+    }
+}
