@@ -186,6 +186,10 @@ internal sealed unsafe partial class JointSolver
         }
 
         SweepOnLanes(pass, sweeps);
+        if (_loose.Any && pass == Pass.Settle)
+        {
+            _loose.Solve(false, sweeps);
+        }
     }
 
     /// <summary>Trees that leave the lanes within a substep get their rows and factor.</summary>

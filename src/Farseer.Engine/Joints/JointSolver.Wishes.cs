@@ -5,11 +5,16 @@ using Farseer.Engine.Joints.Trees;
 namespace Farseer.Engine.Joints;
 
 /// <content>
-/// What joints without hard rows wish for: that a body be somewhere, or move at some speed. Contacts are no wishes. They are solved after the joints, so
-/// that no body moves with a speed that a surface in its way has not seen.
+/// What joints without hard rows between single bodies wish for: that a body be somewhere, or move at some speed. Contacts are solved after them, so that no
+/// body moves with a speed that a surface in its way has not seen. The other way round a body went into a wall by F·h²/m in each substep, and its velocity
+/// read 0. Joints of trees are solved together with their contacts.
 /// </content>
 internal sealed unsafe partial class JointSolver
 {
+    /// <summary>
+    /// How hard a touching body is wished along at most: by what brings it from rest by half this share of its reach in a step, and by this many times its
+    /// weight besides. A box of 1 m has 800 m/s² at sixty steps a second.
+    /// </summary>
     private const double WishShare = 0.25;
     private const double WishLoads = 16;
 
@@ -36,8 +41,10 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>
-    /// Of a body that touches something no point is moved by more than its <see cref="BodySize.Extent"/> in a substep: surfaces see no further, and a joint of
-    /// which no force is asked would gather ever more impulse against what does not give way.
+    /// A joint with any force, at a body that touches something, gives in a substep what moves no point of it by a large share of its size in a step. One
+    /// sweep a substep is all that contacts have to find such an impulse, and what is wanted without a bound would gather against them without one:
+    /// of a million newtons' worth, soft contacts let three parts in a hundred through, and give the rest back when the joint goes. The bound is the
+    /// same acceleration at any number of substeps. Between two bodies that move, the mass of the other one is the bound.
     /// </summary>
     private void BoundWish(in RowEnds ends, JointRows* rows)
     {
