@@ -5,15 +5,15 @@ using Farseer.Engine.Joints.Trees;
 namespace Farseer.Engine.Joints;
 
 /// <content>
-/// What joints without hard rows between single bodies wish for: that a body be somewhere, or move at some speed. Contacts are solved after them, so that no
-/// body moves with a speed that a surface in its way has not seen. The other way round a body went into a wall by F·h²/m in each substep, and its velocity
-/// read 0. Joints of trees are solved together with their contacts.
+/// What joints without hard rows between single bodies wish for: that a body be somewhere, or move at some speed. Contacts are solved
+/// after them, so that no body moves with a speed that a surface in its way has not seen. The other way round a body went into a wall by
+/// F·h²/m in each substep, and its velocity read 0. Joints of trees are solved together with their contacts.
 /// </content>
 internal sealed unsafe partial class JointSolver
 {
     /// <summary>
-    /// How hard a touching body is wished along at most: by what brings it from rest by half this share of its reach in a step, and by this many times its
-    /// weight besides. A box of 1 m has 800 m/s² at sixty steps a second.
+    /// How hard a touching body is wished along at most: by what brings it from rest by half this share of its reach in a step, and by this
+    /// many times its weight besides. A box of 1 m has 800 m/s² at sixty steps a second.
     /// </summary>
     private const double WishShare = 0.25;
     private const double WishLoads = 16;
@@ -41,10 +41,10 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>
-    /// A joint with any force, at a body that touches something, gives in a substep what moves no point of it by a large share of its size in a step. One
-    /// sweep a substep is all that contacts have to find such an impulse, and what is wanted without a bound would gather against them without one:
-    /// of a million newtons' worth, soft contacts let three parts in a hundred through, and give the rest back when the joint goes. The bound is the
-    /// same acceleration at any number of substeps. Between two bodies that move, the mass of the other one is the bound.
+    /// Bounds what a joint of any force gives a body that touches something. One sweep a substep is all that contacts have to find such an
+    /// impulse, and what is wanted without a bound would gather against them without one: soft contacts let three parts in a hundred of it
+    /// through, and give the rest back when the joint goes. The bound is the same acceleration at any number of substeps. Between two bodies
+    /// that move, the mass of the other one is the bound.
     /// </summary>
     private void BoundWish(in RowEnds ends, JointRows* rows)
     {
@@ -64,11 +64,13 @@ internal sealed unsafe partial class JointSolver
         ref BodyMass mass = ref _step.Bodies.Mass[body];
         BodySize size = _step.Bodies.Size[body];
         ref BodyDrive drive = ref _step.Bodies.Drive[body];
-        double most = (WishShare * size.Reach * _step.Substep / (_step.Dt * _step.Dt)) + (WishLoads * Math.Sqrt((drive.X * drive.X) + (drive.Y * drive.Y)));
+        double load = Math.Sqrt((drive.X * drive.X) + (drive.Y * drive.Y));
+        double most = (WishShare * size.Reach * _step.Substep / (_step.Dt * _step.Dt)) + (WishLoads * load);
         for (int k = 0; k < rows->Count; k++)
         {
             double* j = (fromA ? rows->A : rows->B) + (k * 3);
-            double given = (mass.InverseMass * Math.Sqrt((j[0] * j[0]) + (j[1] * j[1]))) + (size.Reach * mass.InverseInertia * Math.Abs(j[2]));
+            double straight = mass.InverseMass * Math.Sqrt((j[0] * j[0]) + (j[1] * j[1]));
+            double given = straight + (size.Reach * mass.InverseInertia * Math.Abs(j[2]));
             if (given > 0)
             {
                 double bound = most / given;

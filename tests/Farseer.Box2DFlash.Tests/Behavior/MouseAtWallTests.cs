@@ -34,7 +34,8 @@ public class MouseAtWallTests
             {
                 mouse.SetTarget(new b2Vec2(8, 0.6f));
                 world.Step(dt, iterations);
-                Assert.True(body.GetPosition().x < 4, $"seed {seed}: {force}, wall {half}, {iterations} at {1 / dt}, step {i}: {body.GetPosition().x}");
+                float x = body.GetPosition().x;
+                Assert.True(x < 4, $"seed {seed}: {force}, wall {half}, {iterations} at {1 / dt}, step {i}: {x}");
             }
 
             Assert.False(body.IsFrozen());

@@ -11,8 +11,8 @@ using Xunit;
 namespace Farseer.Tests.Behavior;
 
 /// <summary>
-/// What a joint wishes for is where a contact does not let the body go: the contact holds, whatever the force, the dials and the masses, and what
-/// the two do to each other ends with the joint.
+/// What a joint wishes for is where a contact does not let the body go: the contact holds, whatever the force, the dials and the masses,
+/// and what the two do to each other ends with the joint.
 /// </summary>
 public class ContactsBeforeWishesTests
 {
@@ -86,8 +86,8 @@ public class ContactsBeforeWishesTests
     }
 
     /// <summary>
-    /// The joint gives a substep no more than F·h/m; what the contacts hold against that is as much, and until they have found that it is gone they may
-    /// give it back, once for each of the two surfaces that press.
+    /// The joint gives a substep no more than F·h/m; what the contacts hold against that is as much, and until they have found that it is
+    /// gone they may give it back, once for each of the two surfaces that press.
     /// </summary>
     [Theory]
     [InlineData(Wish.Target, Way.Wall)]
@@ -254,7 +254,7 @@ public class ContactsBeforeWishesTests
         public void Dispose() => Simulator.Dispose();
 
         public override string ToString() =>
-            $"{_wish} {_way} seed {_seed}: shape {_kind}, {_force} on {_mass}, wall {_thickness}, {Simulator.Iterations} iterations at {1 / Dt}";
+            $"{_wish} {_way} seed {_seed}: shape {_kind}, {_force} on {_mass}, wall {_thickness}, {Simulator.Iterations} at {1 / Dt}";
 
         private static void Surface(Geom geom)
         {
@@ -284,7 +284,8 @@ public class ContactsBeforeWishesTests
                 case Wish.SliderToWhatIsDrawn:
                     return new SliderJoint(_end, Vector2.Zero, Body, Vector2.Zero, 0, 1.2f);
                 case Wish.Spring:
-                    Simulator.Add(new FixedLinearSpring(Body, Vector2.Zero, _target, Math.Min(_force, 1000 * _mass) / 5, _mass) { RestLength = 0 });
+                    float stiffness = Math.Min(_force, 1000 * _mass) / 5;
+                    Simulator.Add(new FixedLinearSpring(Body, Vector2.Zero, _target, stiffness, _mass) { RestLength = 0 });
                     return null;
                 default:
                     return null;
