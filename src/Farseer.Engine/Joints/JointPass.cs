@@ -221,7 +221,7 @@ internal sealed unsafe partial class JointPass
                     return;
                 }
 
-                now = Math.Min(Math.Max(0, old + Limit(joint, r, k, v, h, biased)), r->High[k]);
+                now = Math.Max(0, old + Limit(joint, r, k, v, h, biased));
                 break;
             default:
                 if (!biased)

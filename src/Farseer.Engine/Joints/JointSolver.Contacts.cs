@@ -106,11 +106,10 @@ internal sealed unsafe partial class JointSolver
         return false;
     }
 
-    /// <summary>Of single bodies only those that limits displace, which what is in the way has to stop.</summary>
     private bool IsInTree(int body)
     {
         int node = _forest.NodeOf(body);
-        return node >= 0 && (_forest.Trees[_forest.Nodes[node].Tree].Eliminates || _forest.Trees[_forest.Nodes[node].Tree].Overrun);
+        return node >= 0 && _forest.Trees[_forest.Nodes[node].Tree].Eliminates;
     }
 
     private static bool Exists(ContactPointLanes* point, int lane) => point->Base[lane] < ContactBundle.NoPoint * 0.5f;

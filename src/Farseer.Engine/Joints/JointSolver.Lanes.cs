@@ -186,9 +186,9 @@ internal sealed unsafe partial class JointSolver
         }
 
         SweepOnLanes(pass, sweeps);
-        if (_loose.Any && pass == Pass.Settle)
+        if (_loose.Any)
         {
-            _loose.Solve(false, sweeps);
+            _loose.Solve(pass == Pass.Biased, sweeps, wishes: pass == Pass.Settle, limits: true);
         }
     }
 

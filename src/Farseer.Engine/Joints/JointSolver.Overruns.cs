@@ -22,21 +22,11 @@ internal sealed unsafe partial class JointSolver
     /// </summary>
     private void FindOverruns()
     {
-        for (int i = 0; i < _forest.TreeCount; i++)
-        {
-            _forest.Trees[i].Overrun = false;
-        }
-
         for (int i = 0; i < _count && _chains.QuietJoints < _count; i++)
         {
             if (_active[i].Limited && !IsQuiet(i) && !_step.Drifts && !IsEdge(_active.Pointer + i))
             {
                 FindOverrun(_active.Pointer + i, _rows.Pointer + i, ref _store.Ranges[_active[i].Joint]);
-                if (_active[i].Overrun)
-                {
-                    MarkOverrun(_active[i].Ends.NodeA);
-                    MarkOverrun(_active[i].Ends.NodeB);
-                }
             }
         }
     }
@@ -90,6 +80,11 @@ internal sealed unsafe partial class JointSolver
     {
         _overruns = 0;
         _anyLimits = false;
+        for (int at = 0; at < _treeCount; at++)
+        {
+            _forest.Trees[_trees[at]].Overrun = false;
+        }
+
         for (int at = 0; at < _jointCount; at++)
         {
             int i = _joints[at];
@@ -97,6 +92,8 @@ internal sealed unsafe partial class JointSolver
             if (_active[i].Overrun)
             {
                 _overruns++;
+                MarkOverrun(_active[i].Ends.NodeA);
+                MarkOverrun(_active[i].Ends.NodeB);
                 if (_active[i].BlockLimits)
                 {
                     _active[i].BlockLimits = false;

@@ -7,7 +7,8 @@ namespace Farseer.Engine.Joints;
 /// <content>
 /// What joints without hard rows between single bodies wish for: that a body be somewhere, or move at some speed. Contacts are solved
 /// after them, so that no body moves with a speed that a surface in its way has not seen. The other way round a body went into a wall by
-/// F·h²/m in each substep, and its velocity read 0. Joints of trees are solved together with their contacts.
+/// F·h²/m in each substep, and its velocity read 0. Joints of trees are solved together with their contacts; and a limit is no wish: it
+/// holds as hard as a surface does, and comes after the contacts as before.
 /// </content>
 internal sealed unsafe partial class JointSolver
 {
@@ -27,7 +28,7 @@ internal sealed unsafe partial class JointSolver
     {
         if (_loose.Any)
         {
-            _loose.Solve(biased, 1);
+            _loose.Solve(biased, 1, wishes: true, limits: false);
         }
 
         if (_anyWishes)
@@ -40,11 +41,23 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
+    /// <summary>It has rows of a wish, not limits alone.</summary>
+    private bool IsWish(int item)
+    {
+        bool wishes = false;
+        for (int k = 0; item >= 0 && k < _rows[item].Count; k++)
+        {
+            wishes |= _rows.Pointer[item].Type[k] != (byte)RowType.Limit;
+        }
+
+        return wishes;
+    }
+
     /// <summary>
     /// Bounds what a joint of any force gives a body that touches something. One sweep a substep is all that contacts have to find such an
     /// impulse, and what is wanted without a bound would gather against them without one: soft contacts let three parts in a hundred of it
-    /// through, and give the rest back when the joint goes. The bound is the same acceleration at any number of substeps. Between two bodies
-    /// that move, the mass of the other one is the bound.
+    /// through, and give the rest back when the joint goes. The bound is the same acceleration at any number of substeps. Between two
+    /// bodies that move, the mass of the other one is the bound.
     /// </summary>
     private void BoundWish(in RowEnds ends, JointRows* rows)
     {
@@ -71,7 +84,7 @@ internal sealed unsafe partial class JointSolver
             double* j = (fromA ? rows->A : rows->B) + (k * 3);
             double straight = mass.InverseMass * Math.Sqrt((j[0] * j[0]) + (j[1] * j[1]));
             double given = straight + (size.Reach * mass.InverseInertia * Math.Abs(j[2]));
-            if (given > 0)
+            if (given > 0 && rows->Type[k] != (byte)RowType.Limit)
             {
                 double bound = most / given;
                 rows->High[k] = Math.Min(rows->High[k], bound);

@@ -365,7 +365,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
                 continue;
             }
 
-            if (_anyWishes && pass <= Pass.RelaxedSmooth && GroupAt(item)->Wishes != _wishing)
+            if (_anyWishes && pass <= Pass.RelaxedSmooth && (GroupAt(item)->Wishes && IsWish(item)) != _wishing)
             {
                 continue;
             }

@@ -232,9 +232,7 @@ internal static unsafe class LooseKernel
         }
 
         WideDouble now = old + change;
-        WideDouble most = WideDouble.Load(row->Soft.High);
         now = WideDouble.Select(now <= WideDouble.Zero, WideDouble.Zero, now);
-        now = WideDouble.Select(now > most, most, now);
         return WideDouble.Select(tie, old, now);
     }
 

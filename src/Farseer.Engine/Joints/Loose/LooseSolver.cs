@@ -28,6 +28,10 @@ internal sealed unsafe partial class LooseSolver
     private int _rowCount;
     private int _jointCount;
 
+    /// <summary>Some joints are not of limits alone, some are.</summary>
+    private bool _anyWishes;
+    private bool _anyLimits;
+
     public bool Any => _jointCount > 0;
 
     /// <summary>Joints and bodies that were taken; of a body that cannot move the node is -1.</summary>
@@ -155,14 +159,28 @@ internal sealed unsafe partial class LooseSolver
     }
 
     /// <summary>The biased pass or the relax pass.</summary>
-    public void Solve(bool biased, int sweeps)
+    /// <param name="biased">Which of the two.</param>
+    /// <param name="sweeps">How often.</param>
+    /// <param name="wishes">Over the joints that are not of limits alone.</param>
+    /// <param name="limits">Over those that are.</param>
+    public void Solve(bool biased, int sweeps, bool wishes, bool limits)
     {
+        if (!((wishes && _anyWishes) || (limits && _anyLimits)))
+        {
+            return;
+        }
+
         Refresh();
         for (int sweep = 0; sweep < sweeps; sweep++)
         {
             for (int i = 0; i < _bundleCount; i++)
             {
                 LoosePlace* place = _places.Pointer + i;
+                if (!(place->OnlyLimits ? limits : wishes))
+                {
+                    continue;
+                }
+
                 LooseRow* rows = _looseRows.Pointer + place->FirstRow;
                 LooseKernel.Solve(_bundles.Pointer + i, rows, place, _bodies.Pointer, _step.Substep, biased);
             }
@@ -183,7 +201,7 @@ internal sealed unsafe partial class LooseSolver
             LooseBody* body = _bodies.Pointer + i;
             if (body->Node >= 0 && body->Exact)
             {
-                Push push = pushed ? PushOf(body) : default;
+                Push push = pushed && body->Held ? PushOf(body) : default;
                 body->Move[0] += (h * body->Velocity[0]) + push.X;
                 body->Move[1] += (h * body->Velocity[1]) + push.Y;
                 body->Move[2] += (h * body->Velocity[2]) + push.Turn;
@@ -212,7 +230,10 @@ internal sealed unsafe partial class LooseSolver
         }
     }
 
-    /// <summary>How much further than its velocity the store has moved a body.</summary>
+    /// <summary>
+    /// How much further than its velocity the store has moved a body. Bodies of limits alone are not asked: a limit that contacts do not let
+    /// be reached pulls back at once what was pushed apart, and the two would gain energy from each other.
+    /// </summary>
     private Push PushOf(LooseBody* body)
     {
         BodyState* state = _step.Bodies.State.Pointer + body->Body;
