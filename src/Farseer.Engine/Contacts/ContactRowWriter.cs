@@ -46,6 +46,9 @@ internal static unsafe class ContactRowWriter
     private const float DeepRests = 2f;
     private const float DeepSags = 3f;
 
+    /// <summary>Share of the smaller piece up to which the sags count: what a load presses in further than that is deep, whatever the load.</summary>
+    private const float MostSag = 0.1f;
+
     /// <summary>
     /// Writes the constraints of a bundle from its manifolds. Lanes without a contact, and points that do not exist, become
     /// inert. Stored impulses are those of one substep and are scaled to this step's.
@@ -301,7 +304,8 @@ internal static unsafe class ContactRowWriter
             limit = Wide.Min(limit, Wide.Splat(DeepRests) * rest);
         }
 
-        limit = limit + (Wide.Splat(DeepSags) * WideCoefficients.Sag(input.Coefficients, load));
+        Wide sags = Wide.Splat(DeepSags) * WideCoefficients.Sag(input.Coefficients, load);
+        limit = limit + Wide.Min(sags, Wide.Splat(MostSag) * size);
         WideMask deep = depth > limit;
         WideMask still = ContactBundle.Has(row, lane, ContactBundle.DeepMark) & (depth > Wide.Splat(0.5f) * limit);
         if (!input.Settings.CorrectPositions)

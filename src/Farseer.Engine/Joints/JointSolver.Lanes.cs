@@ -188,7 +188,7 @@ internal sealed unsafe partial class JointSolver
         SweepOnLanes(pass, sweeps);
         if (_loose.Any)
         {
-            _loose.Solve(pass == Pass.Biased, sweeps);
+            _loose.Solve(pass == Pass.Biased, sweeps, wishes: pass == Pass.Settle, limits: true);
         }
     }
 
@@ -240,7 +240,8 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>The correction of the trees on lanes; those that went astray are projected with the others.</summary>
-    private void CorrectLanes()
+    /// <param name="pushed">The store has also moved bodies by velocities that push them apart.</param>
+    private void CorrectLanes(bool pushed)
     {
         if (_lanes.Any)
         {
@@ -252,7 +253,7 @@ internal sealed unsafe partial class JointSolver
         CorrectChains();
         if (_loose.Any)
         {
-            _loose.Move();
+            _loose.Move(pushed);
         }
     }
 

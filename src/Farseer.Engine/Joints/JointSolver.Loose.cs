@@ -15,31 +15,43 @@ internal sealed unsafe partial class JointSolver
         for (int at = 0; at < _treeCount; at++)
         {
             _forest.Trees[_trees[at]].Loose = UsesLanes && !_step.Drifts && !_step.Audited;
+            _forest.Trees[_trees[at]].Wishes = true;
         }
 
         for (int at = 0; at < _treeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];
-            bool apart = tree->HasRows && !tree->Eliminates && !tree->Guest && !tree->Pulled && !tree->Disturbed;
-            if (!apart || _nets.Search.IsNet(_forest.Nodes[tree->First].Body))
+            bool single = tree->HasRows && !tree->Eliminates && !tree->Guest && !_nets.Search.IsNet(_forest.Nodes[tree->First].Body);
+            if (!single || tree->Pulled || tree->Disturbed)
             {
                 _forest.Trees[tree->Group].Loose = false;
             }
+
+            _forest.Trees[tree->Group].Wishes &= single;
         }
 
         for (int i = 0; i < _agendaCount; i++)
         {
             int item = _agenda[i];
+            int group = GroupOf(EndsOf(item));
             if (item < 0 || !LooseSolver.Knows(_active.Pointer + item, _rows.Pointer + item))
             {
-                _forest.Trees[GroupOf(EndsOf(item))].Loose = false;
+                _forest.Trees[group].Loose = false;
+            }
+
+            if (item < 0 || _rows[item].Hard > 0)
+            {
+                _forest.Trees[group].Wishes = false;
             }
         }
+
+        _anyWishes = false;
 
         for (int at = 0; at < _treeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];
             tree->Loose = _forest.Trees[tree->Group].Loose;
+            _anyWishes |= !tree->Loose && _forest.Trees[tree->Group].Wishes;
             if (tree->Loose)
             {
                 _loose.TakeBody(tree->First);

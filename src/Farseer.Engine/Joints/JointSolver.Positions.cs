@@ -69,7 +69,7 @@ internal sealed unsafe partial class JointSolver
             LeaveAstray(round == Corrections - 1);
         }
 
-        CorrectLanes();
+        CorrectLanes(pushRate > 0);
         Displace(Project(), pushRate);
     }
 

@@ -143,6 +143,11 @@ internal sealed unsafe partial class JointSolver
         {
             rows.Error[k] -= joint.Outside[k];
         }
+
+        if (!rows.ErrorsOnly && joint.Role == JointRole.Iterated && rows.Hard == 0)
+        {
+            BoundWish(joint.Ends, _rows.Pointer + index);
+        }
     }
 
     /// <summary>

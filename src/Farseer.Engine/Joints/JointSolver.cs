@@ -365,6 +365,11 @@ internal sealed unsafe partial class JointSolver : IStageWork
                 continue;
             }
 
+            if (_anyWishes && pass <= Pass.RelaxedSmooth && (GroupAt(item)->Wishes && IsWish(item)) != _wishing)
+            {
+                continue;
+            }
+
             if (item < 0)
             {
                 Solve(_contacts.Pointer + ~item, pass);

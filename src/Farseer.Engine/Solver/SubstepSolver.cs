@@ -134,6 +134,8 @@ internal sealed unsafe class SubstepSolver
             input.Audit?.Book(SolverPart.Contacts);
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
+                input.Joints?.SolveWishes(biased: true);
+                input.Audit?.Book(SolverPart.Joints);
                 _passes.SolveBiased(colors, input.AnyDeep);
                 input.Audit?.Book(SolverPart.Contacts);
                 if (sweep < jointSweeps)
@@ -170,6 +172,8 @@ internal sealed unsafe class SubstepSolver
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
                 bool rub = sweep * 2 >= sweeps - 1;
+                input.Joints?.SolveWishes(biased: false);
+                input.Audit?.Book(SolverPart.Joints);
                 _passes.Relax(colors, rub, sweep == 0);
                 input.Audit?.Book(SolverPart.Contacts);
                 if (sweep < jointSweeps)

@@ -28,6 +28,10 @@ internal sealed unsafe partial class LooseSolver
     private int _rowCount;
     private int _jointCount;
 
+    /// <summary>Some joints are not of limits alone, some are.</summary>
+    private bool _anyWishes;
+    private bool _anyLimits;
+
     public bool Any => _jointCount > 0;
 
     /// <summary>Joints and bodies that were taken; of a body that cannot move the node is -1.</summary>
@@ -155,14 +159,28 @@ internal sealed unsafe partial class LooseSolver
     }
 
     /// <summary>The biased pass or the relax pass.</summary>
-    public void Solve(bool biased, int sweeps)
+    /// <param name="biased">Which of the two.</param>
+    /// <param name="sweeps">How often.</param>
+    /// <param name="wishes">Over the joints that are not of limits alone.</param>
+    /// <param name="limits">Over those that are.</param>
+    public void Solve(bool biased, int sweeps, bool wishes, bool limits)
     {
+        if (!((wishes && _anyWishes) || (limits && _anyLimits)))
+        {
+            return;
+        }
+
         Refresh();
         for (int sweep = 0; sweep < sweeps; sweep++)
         {
             for (int i = 0; i < _bundleCount; i++)
             {
                 LoosePlace* place = _places.Pointer + i;
+                if (!(place->OnlyLimits ? limits : wishes))
+                {
+                    continue;
+                }
+
                 LooseRow* rows = _looseRows.Pointer + place->FirstRow;
                 LooseKernel.Solve(_bundles.Pointer + i, rows, place, _bodies.Pointer, _step.Substep, biased);
             }
@@ -172,7 +190,8 @@ internal sealed unsafe partial class LooseSolver
     }
 
     /// <summary>Exact bodies move by h·v in double; the others have been moved. See <see cref="JointSolver.CorrectPositions"/>.</summary>
-    public void Move()
+    /// <param name="pushed">The store has also moved bodies by velocities that push them apart.</param>
+    public void Move(bool pushed)
     {
         Refresh();
         double h = _step.Substep;
@@ -182,9 +201,10 @@ internal sealed unsafe partial class LooseSolver
             LooseBody* body = _bodies.Pointer + i;
             if (body->Node >= 0 && body->Exact)
             {
-                body->Move[0] += h * body->Velocity[0];
-                body->Move[1] += h * body->Velocity[1];
-                body->Move[2] += h * body->Velocity[2];
+                Push push = pushed && body->Held ? PushOf(body) : default;
+                body->Move[0] += (h * body->Velocity[0]) + push.X;
+                body->Move[1] += (h * body->Velocity[1]) + push.Y;
+                body->Move[2] += (h * body->Velocity[2]) + push.Turn;
             }
             else if (body->Node >= 0)
             {
@@ -208,6 +228,28 @@ internal sealed unsafe partial class LooseSolver
                 StoreMove(body);
             }
         }
+    }
+
+    /// <summary>
+    /// How much further than its velocity the store has moved a body. Bodies of limits alone are not asked: a limit that contacts do not let
+    /// be reached pulls back at once what was pushed apart, and the two would gain energy from each other.
+    /// </summary>
+    private Push PushOf(LooseBody* body)
+    {
+        BodyState* state = _step.Bodies.State.Pointer + body->Body;
+        float h = (float)_step.Substep;
+        Push push;
+        push.X = state->DeltaPosition.X - (float)((float)body->Move[0] + (float)(h * state->LinearVelocity.X));
+        push.Y = state->DeltaPosition.Y - (float)((float)body->Move[1] + (float)(h * state->LinearVelocity.Y));
+        push.Turn = _step.Bodies.Motion[body->Body].Turned - (float)((float)body->Move[2] + (float)(h * state->AngularVelocity));
+        return push;
+    }
+
+    private struct Push
+    {
+        public double X;
+        public double Y;
+        public double Turn;
     }
 
     /// <summary>All are told where they are, since displacements of others count for every tree with rows.</summary>

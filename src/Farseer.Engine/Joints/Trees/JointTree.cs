@@ -60,6 +60,9 @@ internal struct JointTree
     /// <summary>Nothing touches it and no row pushes at it.</summary>
     public bool Free;
 
+    /// <summary>A single body, in a group of such, that nothing but joints without hard rows has rows at.</summary>
+    public bool Wishes;
+
     /// <summary>Springs pull at it in this step.</summary>
     public bool Pulled;
 

@@ -1,0 +1,95 @@
+using System;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Trees;
+
+namespace Farseer.Engine.Joints;
+
+/// <content>
+/// What joints without hard rows between single bodies wish for: that a body be somewhere, or move at some speed. Contacts are solved
+/// after them, so that no body moves with a speed that a surface in its way has not seen. The other way round a body went into a wall by
+/// F·h²/m in each substep, and its velocity read 0. Joints of trees are solved together with their contacts; and a limit is no wish: it
+/// holds as hard as a surface does, and comes after the contacts as before.
+/// </content>
+internal sealed unsafe partial class JointSolver
+{
+    /// <summary>
+    /// How hard a touching body is wished along at most: by what brings it from rest by half this share of its reach in a step, and by this
+    /// many times its weight besides. A box of 1 m has 800 m/s² at sixty steps a second.
+    /// </summary>
+    private const double WishShare = 0.25;
+    private const double WishLoads = 16;
+
+    /// <summary>Single bodies have rows of wishes that are not solved side by side; and these rows are being solved.</summary>
+    private bool _anyWishes;
+    private bool _wishing;
+
+    /// <summary>What loose joints do in the biased pass or the relax pass, before the contacts.</summary>
+    public void SolveWishes(bool biased)
+    {
+        if (_loose.Any)
+        {
+            _loose.Solve(biased, 1, wishes: true, limits: false);
+        }
+
+        if (_anyWishes)
+        {
+            _wishing = true;
+            LoadVelocities();
+            Sweep(biased ? Pass.Biased : Pass.Relaxed);
+            StoreVelocities();
+            _wishing = false;
+        }
+    }
+
+    /// <summary>It has rows of a wish, not limits alone.</summary>
+    private bool IsWish(int item)
+    {
+        bool wishes = false;
+        for (int k = 0; item >= 0 && k < _rows[item].Count; k++)
+        {
+            wishes |= _rows.Pointer[item].Type[k] != (byte)RowType.Limit;
+        }
+
+        return wishes;
+    }
+
+    /// <summary>
+    /// Bounds what a joint of any force gives a body that touches something. One sweep a substep is all that contacts have to find such an
+    /// impulse, and what is wanted without a bound would gather against them without one: soft contacts let three parts in a hundred of it
+    /// through, and give the rest back when the joint goes. The bound is the same acceleration at any number of substeps. Between two
+    /// bodies that move, the mass of the other one is the bound.
+    /// </summary>
+    private void BoundWish(in RowEnds ends, JointRows* rows)
+    {
+        bool fromA = ends.NodeA >= 0;
+        int node = fromA ? ends.NodeA : ends.NodeB;
+        if (node < 0 || (fromA && ends.NodeB >= 0) || _forest.Trees[_forest.Nodes[node].Tree].Eliminates)
+        {
+            return;
+        }
+
+        int body = _forest.Nodes[node].Body;
+        if (_step.Touches[body] == 0)
+        {
+            return;
+        }
+
+        ref BodyMass mass = ref _step.Bodies.Mass[body];
+        BodySize size = _step.Bodies.Size[body];
+        ref BodyDrive drive = ref _step.Bodies.Drive[body];
+        double load = Math.Sqrt((drive.X * drive.X) + (drive.Y * drive.Y));
+        double most = (WishShare * size.Reach * _step.Substep / (_step.Dt * _step.Dt)) + (WishLoads * load);
+        for (int k = 0; k < rows->Count; k++)
+        {
+            double* j = (fromA ? rows->A : rows->B) + (k * 3);
+            double straight = mass.InverseMass * Math.Sqrt((j[0] * j[0]) + (j[1] * j[1]));
+            double given = straight + (size.Reach * mass.InverseInertia * Math.Abs(j[2]));
+            if (given > 0 && rows->Type[k] != (byte)RowType.Limit)
+            {
+                double bound = most / given;
+                rows->High[k] = Math.Min(rows->High[k], bound);
+                rows->Low[k] = Math.Max(rows->Low[k], -bound);
+            }
+        }
+    }
+}
