@@ -5,6 +5,7 @@ using System.IO;
 using Farseer.Accuracy.Extremes;
 using Farseer.Accuracy.Reporting;
 using Farseer.Accuracy.Sweeping;
+using Farseer.Accuracy.Truth;
 
 namespace Farseer.Accuracy;
 
@@ -31,6 +32,8 @@ internal static class Cli
           neighbours [SCENE..] [--seed N] [--count N]
                                 the aims at parameters that nobody published: ends of ranges and random values between
           extremes [WORD..]     how far masses, sizes, steps, speeds can be driven until a scene stops holding
+          truthful [--count N] [--seed N]
+                                whether reports and budgets tell the truth, on random scenes against 64 times the iterations
           report [--docs FOLDER] writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs
           goals [SCENE..]       the figures at the default dial beside their limits; exit code 1 if one fails
         """;
@@ -62,6 +65,8 @@ internal static class Cli
                     return Neighbours.Run(args[1..], output) ? 0 : Failed;
                 case "extremes":
                     return ExtremesCommand.Run(args[1..], output) ? 0 : Failed;
+                case "truthful":
+                    return TruthfulCommand.Run(args[1..], output) ? 0 : Failed;
                 case "report":
                     ReportCommand.Run(args[1..], output);
                     return 0;
