@@ -22,6 +22,9 @@ internal static class TruthfulCommand
     /// <summary>The truth is never more than so many times what was reported.</summary>
     private const double Most = 3;
 
+    /// <summary>Share of a budget from which on it matters whether the finer run is itself exact.</summary>
+    private const double DoubtShare = 0.1;
+
     /// <summary>Budgets that each scene is asked to keep, m.</summary>
     private static readonly float[] _budgets = [1e-6f, 1e-5f, 1e-4f, 1e-3f, 1e-2f];
 
@@ -89,7 +92,7 @@ internal static class TruthfulCommand
         string within = Text($"true error within the report's in {all.Within:P1} of the scenes, asked {Share:P0}");
         Check(output, within, all.Within >= Share, ref passed, ref failed);
         Check(output, Text($"and at most {all.Worst:0.00} times it, asked {Most}"), all.Worst <= Most, ref passed, ref failed);
-        Check(output, Text($"budgets kept or flagged in {all.Told} of {all.Asked}"), all.Told == all.Asked, ref passed, ref failed);
+        Check(output, Text($"budgets kept or flagged in {all.Told} of {all.Asked}, unknown {all.Unknown} besides"), all.Told == all.Asked, ref passed, ref failed);
         output.WriteLine($"{passed} passed, {failed} failed");
         return failed == 0;
     }
@@ -128,27 +131,47 @@ internal static class TruthfulCommand
         return one;
     }
 
-    /// <summary>One update with a budget: what it says of it is held against the truth.</summary>
+    /// <summary>
+    /// One update with a budget: what it says of it is held against the truth. The finer run has 64 times the iterations of the dial, and at
+    /// least four times those that the budget took. Not 64 times these: with thousands of substeps a step the rounding of gaps, divided by the
+    /// substep, drives bodies apart. Where that shows already, because half as many iterations come closer to the run in question than to the
+    /// finer one, nobody knows the truth.
+    /// </summary>
     private static void AskFor(int seed, float length, Case one)
     {
         using RandomScene asked = RandomScene.Build(seed);
-        using RandomScene exact = RandomScene.Build(seed);
+        int dial = asked.Simulator.Iterations;
         asked.Simulator.ErrorBudget = ErrorBudget.OfLength(length);
-        exact.Simulator.ErrorBudget = ErrorBudget.OfLength(length);
         Lead(asked);
-        Lead(exact);
         asked.Simulator.Update(asked.Dt);
-
-        // The finer run has a budget too, for that decides how deep bodies rest, and as many iterations as it is told.
-        exact.Simulator.Iterations = Finer * asked.Simulator.Report.Iterations;
-        double rounding = Rounding(exact);
-        exact.Simulator.Update(exact.Dt);
+        int finer = Math.Max(Finer * dial, 4 * asked.Simulator.Report.Iterations);
+        using RandomScene exact = RunFiner(seed, length, finer, out double rounding);
+        using RandomScene half = RunFiner(seed, length, finer / 2, out _);
+        StepReport report = asked.Simulator.Report;
+        double doubt = Difference(half, exact);
         double truth = Difference(asked, exact) - rounding;
-        bool kept = truth <= length;
-        bool told = kept || !asked.Simulator.Report.IsWithinBudget;
+        bool told = truth <= length || !report.IsWithinBudget;
+        if (!told && doubt > DoubtShare * length && 2 * doubt > Difference(asked, half))
+        {
+            one.Unknown++;
+            return;
+        }
+
         one.Asked++;
         one.Told += told ? 1 : 0;
-        one.Lie = told ? one.Lie : FormattableString.Invariant($"{length} m asked, true {truth:G3} m, told {asked.Simulator.Report.Error:G3} m");
+        one.Lie = told ? one.Lie : FormattableString.Invariant($"{length} m asked, true {truth:G3} m, told {report.Error:G3} m");
+    }
+
+    /// <summary>It has a budget too, for that decides how deep bodies rest, and as many iterations as it is told.</summary>
+    private static RandomScene RunFiner(int seed, float length, int iterations, out double rounding)
+    {
+        RandomScene scene = RandomScene.Build(seed);
+        scene.Simulator.ErrorBudget = ErrorBudget.OfLength(length);
+        Lead(scene);
+        scene.Simulator.Iterations = iterations;
+        rounding = Rounding(scene);
+        scene.Simulator.Update(scene.Dt);
+        return scene;
     }
 
     private static void Lead(RandomScene scene)
@@ -212,6 +235,9 @@ internal static class TruthfulCommand
 
         public int Told { get; set; }
 
+        /// <summary>Budgets of which nobody knows whether they were kept.</summary>
+        public int Unknown { get; set; }
+
         public string? Lie { get; set; }
     }
 
@@ -230,6 +256,8 @@ internal static class TruthfulCommand
 
         public int Told { get; private set; }
 
+        public int Unknown { get; private set; }
+
         public void Add(Case one)
         {
             _count++;
@@ -238,6 +266,7 @@ internal static class TruthfulCommand
             Worst = one.Truth > 0 ? Math.Max(Worst, one.Truth / one.Reported) : Worst;
             Asked += one.Asked;
             Told += one.Told;
+            Unknown += one.Unknown;
             if (one.Truth > 0)
             {
                 _over.Add(one.Motion / one.Truth);
