@@ -15,8 +15,8 @@ internal struct BodyStart
     public VelocityChange Velocity;
     public BodyForce Force;
 
-    /// <summary>Energy that contacts, impacts and joints gave in the substeps.</summary>
-    public double Constrained;
+    /// <summary>Energy that drag, springs and a user's joints gave in the substeps.</summary>
+    public double Aside;
 
     /// <summary>Energy that drag gave it in its flight, if it has been struck outside the solver since.</summary>
     public double Dragged;
