@@ -45,6 +45,8 @@ internal static class Cli
                                 counts of recorded scenes with its limit, one a line; run it inside the repository
           compare-truth BEFORE.csv AFTER.csv
                                 what differs by more than a tenth between two builds, lost limits first; exit code 1 if one is lost
+          truthful [--count N] [--seed N]
+                                whether reports and budgets tell the truth, on random scenes against 64 times the iterations
           report [--docs FOLDER] writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs
           goals [SCENE..]       the figures at the default dial beside their limits; exit code 1 if one fails
         """;
@@ -85,6 +87,8 @@ internal static class Cli
                     return 0;
                 case "compare-truth":
                     return CompareTruth.Run(args[1..], output) ? 0 : Failed;
+                case "truthful":
+                    return TruthfulCommand.Run(args[1..], output) ? 0 : Failed;
                 case "report":
                     ReportCommand.Run(args[1..], output);
                     return 0;

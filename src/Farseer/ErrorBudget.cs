@@ -28,7 +28,10 @@ public readonly struct ErrorBudget
     /// <summary>No bound on the error.</summary>
     public static ErrorBudget None => default;
 
-    /// <summary>Largest error, a length of the scene; 0: no such bound.</summary>
+    /// <summary>
+    /// Largest <see cref="StepReport.Error"/> of an update, a length of the scene; 0: no such bound. It is a bound on each update: what
+    /// many leave adds up.
+    /// </summary>
     public float Length { get; }
 
     /// <summary>Largest error as a share of the shorter side of the smaller geom in contact, or of a joint's arms; 0: no such bound.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using Farseer.Engine.Accuracy;
+using Farseer.Engine.Settings;
 
 namespace FarseerGames.FarseerPhysics;
 
@@ -9,6 +10,7 @@ public partial class PhysicsSimulator
 {
     private readonly PaceControl _pace = new PaceControl();
     private ErrorBudget _errorBudget;
+    private float _allowedPenetration = WorldSettings.DefaultAllowedPenetration;
 
     /// <summary>
     /// True fills <see cref="Report"/> in each update; false, the default, costs nothing. The motion is the same, bit for bit.
@@ -20,13 +22,14 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
-    /// How exact the last update was. Filled while <see cref="EnableReport"/> is true; with an <see cref="ErrorBudget"/> alone, all but the
-    /// energies and momenta, which are then 0.
+    /// How exact the last update was. Filled while <see cref="EnableReport"/> is true or there is an <see cref="ErrorBudget"/>.
     /// </summary>
     public StepReport Report { get; private set; }
 
     /// <summary>
-    /// The error that updates may have. The simulator then takes the iterations that keep <see cref="StepReport.Error"/> below it, at least
+    /// The error that each update may have, of <see cref="StepReport.Error"/>: overlap, separation, slip, impacts, and the estimate of the
+    /// motion. The overlap counts in full, and geoms are not let sink in: while there is a budget <see cref="AllowedPenetration"/> is
+    /// taken for 0. The simulator then takes the iterations that keep <see cref="StepReport.Error"/> below it, at least
     /// <see cref="Iterations"/> and at most those of the budget, and says in <see cref="StepReport.IsWithinBudget"/> whether it could. It
     /// goes by the errors of the updates before, so the first updates of a new load may miss. No clock has a say, and the same scene gives
     /// the same bits, unless the budget has an <see cref="FarseerPhysics.ErrorBudget.TimeLimit"/>. Default <see cref="FarseerPhysics.ErrorBudget.None"/>.
@@ -37,6 +40,7 @@ public partial class PhysicsSimulator
         set
         {
             _errorBudget = value;
+            RestWithinBudget();
             World.Budget.Length = value.Length;
             World.Budget.Share = value.Share;
             World.Budget.MostSubsteps = value.MostIterations;
@@ -44,6 +48,9 @@ public partial class PhysicsSimulator
             _pace.Reset();
         }
     }
+
+    /// <summary>Who asks for an error allows no depth besides: over a tall stack any would add up to more.</summary>
+    private void RestWithinBudget() => World.Settings.AllowedPenetration = _errorBudget.IsBounded ? 0 : _allowedPenetration;
 
     /// <summary>A step of the world, with no more iterations than the budget's time allows.</summary>
     private void StepWorld(float dt)
@@ -80,6 +87,7 @@ public partial class PhysicsSimulator
             measures,
             measures.WorstBody >= 0 ? _table.Body(measures.WorstBody) : null,
             measures.WorstPartner >= 0 ? _table.Body(measures.WorstPartner) : null,
+            measures.WorstJoint >= 0 ? _jointRelay.Find(measures.WorstJoint) : null,
             World.Budget.Load(measures),
             stepTime,
             timeLimit);

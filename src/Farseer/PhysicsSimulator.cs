@@ -112,8 +112,12 @@ public partial class PhysicsSimulator : IDisposable
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float AllowedPenetration
     {
-        get => World.Settings.AllowedPenetration;
-        set => World.Settings.AllowedPenetration = Require.Depth(value, nameof(AllowedPenetration));
+        get => _allowedPenetration;
+        set
+        {
+            _allowedPenetration = Require.Depth(value, nameof(AllowedPenetration));
+            RestWithinBudget();
+        }
     }
 
     /// <summary>

@@ -1,6 +1,7 @@
 using System;
 using Farseer.Engine.Accuracy;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 namespace FarseerGames.FarseerPhysics;
 
@@ -17,8 +18,15 @@ public readonly struct StepReport
     private readonly StepMeasures _measures;
 
     internal StepReport(
-        in StepMeasures measures, Body? worstBody, Body? worstPartner, double budgetLoad, TimeSpan stepTime, TimeSpan timeLimit)
+        in StepMeasures measures,
+        Body? worstBody,
+        Body? worstPartner,
+        Joint? worstJoint,
+        double budgetLoad,
+        TimeSpan stepTime,
+        TimeSpan timeLimit)
     {
+        WorstJoint = worstJoint;
         StepTime = stepTime;
         IsWithinTimeLimit = timeLimit == TimeSpan.Zero || stepTime <= timeLimit;
         _measures = measures;
@@ -61,19 +69,68 @@ public readonly struct StepReport
     public double ResidualJointSpeed => _measures.JointSpeed;
 
     /// <summary>
-    /// The error that <see cref="PhysicsSimulator.ErrorBudget"/> bounds, a length: the larger of <see cref="LargestSeparation"/> and
-    /// what of the penetrations is beyond <see cref="PhysicsSimulator.AllowedPenetration"/>.
+    /// Farthest that a contact which friction holds went along its tangent in the update, a length. It counts from the second update on in
+    /// which the same point is held; a contact that slides at the bound of its friction has no such error.
+    /// </summary>
+    public double LargestSlip => _measures.LargestSlip;
+
+    /// <summary>The same way, summed up since the contact began to hold: of the contact where it is largest. Part of no budget.</summary>
+    public double LargestCreep => _measures.LargestCreep;
+
+    /// <summary>
+    /// Energy that impacts gave beyond their law, below 0 what they took beyond it; of the group of connected bodies where it is largest. A
+    /// blow on one contact takes (1 - e²)/2·m·v², with the mass m that its bodies have there and the speed v of their approach. Of several
+    /// blows on a group the law says only that they give nothing and take at most (1 - e⁴) of the energy, so with a restitution of 1
+    /// nothing; friction may take more. 0 where motors, springs of joints, moving supports or joints of your own share in it.
+    /// </summary>
+    public double ImpactEnergyError => _measures.ImpactEnergyError;
+
+    /// <summary>
+    /// The way that this energy leads astray in an update: by how much it changes the speed of the group, times the step. A length.
+    /// </summary>
+    public double LargestImpactError => _measures.LargestImpactError;
+
+    /// <summary>
+    /// How far the way of a body in this update is, by estimate, from its way with ever more iterations, a length: of the centre of mass,
+    /// and of its turn times its radius of gyration. Of the body where it is largest.
+    /// </summary>
+    /// <remarks>
+    /// The estimate comes from the velocities between the iterations and from the depths of contacts; the update is not done twice. It is
+    /// meant to be too large, for smooth motions by a factor of about 5, for impacts by up to 100. It sees no error that all iterations of
+    /// an update share: contacts are found once, forces are those of its start. It knows this update alone: errors of many add up, and a
+    /// scene that small differences decide, such as a double pendulum, makes more of them.
+    /// </remarks>
+    public double MotionError => _measures.MotionError;
+
+    /// <summary>
+    /// The largest of what is wrong with the state itself, a length: <see cref="LargestPenetration"/>, <see cref="LargestSeparation"/>,
+    /// <see cref="LargestSlip"/>, <see cref="LargestImpactError"/>, and the way that <see cref="MomentumError"/> leads astray.
+    /// </summary>
+    public double ConstraintError => _measures.ConstraintError;
+
+    /// <summary>
+    /// The error that <see cref="PhysicsSimulator.ErrorBudget"/> bounds, a length: the larger of <see cref="ConstraintError"/> and
+    /// <see cref="MotionError"/>. Infinite if a body was lost in the update.
     /// </summary>
     public double Error => _measures.Error;
 
-    /// <summary>The same error as a share of the shorter side of the smaller geom, or of the joint's arms; the largest over all pairs.</summary>
+    /// <summary>
+    /// The same errors as shares of the shorter side of the smaller geom, of the joint's arms, or of the body's size (2.45 times its radius
+    /// of gyration); the largest of all.
+    /// </summary>
     public double ErrorShare => _measures.ErrorShare;
 
-    /// <summary>A body of the pair or joint with the largest error; null if there is no error or the body is the world.</summary>
+    /// <summary>What <see cref="Error"/> is an error of.</summary>
+    public ErrorCause Cause => (ErrorCause)(int)_measures.Cause;
+
+    /// <summary>A body of the pair, joint or group with the largest error; null if there is no error or the body is the world.</summary>
     public Body? WorstBody { get; }
 
-    /// <summary>The other body of that pair or joint.</summary>
+    /// <summary>The other body of that pair or joint; null for an error of a single body.</summary>
     public Body? WorstPartner { get; }
+
+    /// <summary>The joint with the largest error, if it is one of a joint.</summary>
+    public Joint? WorstJoint { get; }
 
     /// <summary>Bodies that can move of the group, connected by contacts and joints, that the largest error is in; 0 without error.</summary>
     public int WorstIslandBodies => _measures.WorstIsland;
@@ -81,7 +138,11 @@ public readonly struct StepReport
     /// <summary>The error divided by the budget; above 1 it was not kept. 0 without a budget.</summary>
     public double BudgetLoad { get; }
 
-    /// <summary>True unless there is an <see cref="PhysicsSimulator.ErrorBudget"/> that the update did not keep.</summary>
+    /// <summary>
+    /// True unless there is an <see cref="PhysicsSimulator.ErrorBudget"/> that the update did not keep. By how much is in
+    /// <see cref="BudgetLoad"/>, of what in <see cref="Cause"/>, and where in <see cref="WorstBody"/>, <see cref="WorstPartner"/> and
+    /// <see cref="WorstJoint"/>.
+    /// </summary>
     public bool IsWithinBudget => BudgetLoad <= 1;
 
     /// <summary>Time that the step of the update took; zero unless the budget has an <see cref="ErrorBudget.TimeLimit"/>.</summary>

@@ -37,7 +37,9 @@ internal static class AdviseCommand
         AccuracyPoint? cheapest = advice.Cheapest;
         Console.WriteLine(cheapest is AccuracyPoint best
             ? FormattableString.Invariant($"cheapest with an error of at most {error:G3}: {best.Iterations} iterations at {1 / best.Dt:0} updates a second")
-            : FormattableString.Invariant($"no setting keeps the error below {error:G3}"));
+            : advice.ReferenceError > error
+                ? FormattableString.Invariant($"nobody knows the motion to {error:G3}: the two finest runs are {advice.ReferenceError:G3} apart")
+                : FormattableString.Invariant($"no setting keeps the error below {error:G3}"));
         return cheapest is null ? NotReached : Fine;
     }
 
@@ -50,15 +52,16 @@ internal static class AdviseCommand
 
     private static void Write(AccuracyAdvice advice, Scene scene)
     {
-        Console.WriteLine(scene.Title + ": errors (lengths), and milliseconds for a second of the scene");
-        Console.WriteLine("rate  iterations     peak      rms      end   work  ms/second");
+        Console.WriteLine(scene.Title + ": constraint error (overlaps, joints, slip, impacts) and motion error (where bodies are), lengths;");
+        Console.WriteLine("milliseconds for a second of the scene");
+        Console.WriteLine("rate  iterations  constr.   motion      rms      end   work  ms/second");
         foreach (AccuracyPoint point in advice.Curve)
         {
             bool best = advice.Cheapest is AccuracyPoint cheapest && cheapest.Iterations == point.Iterations && cheapest.Dt == point.Dt;
             string verdict = best ? "  cheapest" : point.PeakError <= advice.MaximumError ? "  kept" : string.Empty;
             Console.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{1 / point.Dt,4:0}  {point.Iterations,10}  {point.PeakError,7:0.0E+0}  {point.RmsError,7:0.0E+0}  {point.EndError,7:0.0E+0}  {point.Work,5:0}  {point.MillisecondsPerSecond,9:0.00}{verdict}"));
+                $"{1 / point.Dt,4:0}  {point.Iterations,10}  {point.ConstraintError,7:0.0E+0}  {point.MotionError,7:0.0E+0}  {point.RmsError,7:0.0E+0}  {point.EndError,7:0.0E+0}  {point.Work,5:0}  {point.MillisecondsPerSecond,9:0.00}{verdict}"));
         }
     }
 }

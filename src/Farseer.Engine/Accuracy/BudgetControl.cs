@@ -57,7 +57,7 @@ internal sealed class BudgetControl
 
     public void Learn(in StepMeasures m)
     {
-        double load = Load(m) / Aim;
+        double load = Math.Max(Length > 0 ? m.Curable / Length : 0, Share > 0 ? m.CurableShare / Share : 0) / Aim;
         if (load > 1)
         {
             // At most double: an impact looks worse than it is, and is over in the next step.

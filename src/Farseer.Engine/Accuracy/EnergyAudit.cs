@@ -17,11 +17,11 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
 {
     private const int Parts = (int)SolverPart.Count;
 
-    private readonly Column<Start> _start = new Column<Start>();
-    private readonly Column<Change> _last = new Column<Change>();
-    private readonly Column<Change> _before = new Column<Change>();
-    private readonly Column<Change> _booked = new Column<Change>();
-    private readonly Column<Change> _inner = new Column<Change>();
+    private readonly Column<BodyStart> _start = new Column<BodyStart>();
+    private readonly Column<VelocityChange> _last = new Column<VelocityChange>();
+    private readonly Column<VelocityChange> _before = new Column<VelocityChange>();
+    private readonly Column<VelocityChange> _booked = new Column<VelocityChange>();
+    private readonly Column<VelocityChange> _inner = new Column<VelocityChange>();
     private readonly double[] _work = new double[Parts];
     private BodyStore _bodies = null!;
     private JointSolver? _joints;
@@ -34,6 +34,12 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
     private double _supportX;
     private double _supportY;
 
+    /// <summary>Follows the ways of the bodies.</summary>
+    public MotionMeter Motion { get; } = new MotionMeter();
+
+    /// <summary>A body as the step found it.</summary>
+    public ref BodyStart StartOf(int body) => ref _start[body];
+
     /// <summary>Keeps where all bodies are and how they move before anything of the step acts.</summary>
     public void BeginStep(BodyStore bodies)
     {
@@ -42,9 +48,10 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
         _start.EnsureCapacity(end);
         _before.EnsureCapacity(end);
         _inner.EnsureCapacity(end);
+        Motion.BeginStep(end);
         for (int i = 0; i < end; i++)
         {
-            ref Start s = ref _start[i];
+            ref BodyStart s = ref _start[i];
             s.X = bodies.Pose[i].X;
             s.Y = bodies.Pose[i].Y;
             s.Angle = bodies.Pose[i].Angle;
@@ -52,6 +59,7 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
             s.Force = default;
             s.Solved = 0;
             s.Struck = 0;
+            s.Aside = 0;
             _inner[i] = default;
         }
 
@@ -71,6 +79,7 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
         for (int i = 0; i < end; i++)
         {
             _start[i].AfterImpulses = Kinetic(i);
+            _start[i].Velocity = Velocity(i);
             _start[i].Force = _bodies.Force[i];
         }
     }
@@ -94,7 +103,7 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
     {
         for (int i = 0; i < _count; i++)
         {
-            Change v = Velocity(_list[i]);
+            VelocityChange v = Velocity(_list[i]);
             _last[i] = v;
             _before[_list[i]] = v;
             for (int k = 0; k < Parts; k++)
@@ -108,8 +117,8 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
     {
         for (int i = 0; i < _count; i++)
         {
-            Change now = Velocity(_list[i]);
-            ref Change booked = ref _booked[(i * Parts) + (int)part];
+            VelocityChange now = Velocity(_list[i]);
+            ref VelocityChange booked = ref _booked[(i * Parts) + (int)part];
             booked.X += now.X - _last[i].X;
             booked.Y += now.Y - _last[i].Y;
             booked.W += now.W - _last[i].W;
@@ -128,15 +137,19 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
             }
 
             ref BodyMass mass = ref _bodies.Mass[body];
-            Change now = Velocity(body);
-            Change mean = _before[body];
+            VelocityChange now = Velocity(body);
+            VelocityChange driven = Driven(body);
+            Motion.Follow(body, _before[body], now, driven, _substep, Radius(mass));
+            VelocityChange mean = _before[body];
             mean.X = (mean.X + now.X) / 2;
             mean.Y = (mean.Y + now.Y) / 2;
             mean.W = (mean.W + now.W) / 2;
             for (int k = 0; k < Parts; k++)
             {
-                Change c = _booked[(i * Parts) + k];
-                _work[k] += Work(mass, c, mean);
+                VelocityChange c = _booked[(i * Parts) + k];
+                double work = Work(mass, c, mean);
+                _work[k] += work;
+                _start[body].Aside += k == (int)SolverPart.Springs || k == (int)SolverPart.UserJoints ? work : 0;
                 if (k == (int)SolverPart.Contacts || k == (int)SolverPart.Joints || k == (int)SolverPart.Impacts)
                 {
                     _inner[body].X += mass.Mass * c.X;
@@ -146,12 +159,13 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
                 }
             }
 
-            Change drag = _booked[(i * Parts) + (int)SolverPart.Drive];
-            Change driven = Driven(body);
+            VelocityChange drag = _booked[(i * Parts) + (int)SolverPart.Drive];
             drag.X -= driven.X;
             drag.Y -= driven.Y;
             drag.W -= driven.W;
-            _dragWork += IsDragged(body) ? Work(mass, drag, mean) : 0;
+            double dragged = IsDragged(body) ? Work(mass, drag, mean) : 0;
+            _dragWork += dragged;
+            _start[body].Aside += dragged;
         }
 
         if (_joints != null)
@@ -166,13 +180,16 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
     /// </summary>
     public void BeginImpacts(int body)
     {
-        ref Start s = ref _start[body];
+        ref BodyStart s = ref _start[body];
         s.Struck = 1;
         s.Dragged = Kinetic(body) - s.AfterImpulses - GravityWork(body, s) - ForceWork(body, s);
     }
 
     /// <summary>Sums up, at the poses that the step ended with.</summary>
-    public void EndStep(ref StepMeasures m, BodyGroups groups)
+    /// <param name="m">Receives energies and momenta.</param>
+    /// <param name="groups">What is connected.</param>
+    /// <param name="dt">Length of the step.</param>
+    public void EndStep(ref StepMeasures m, BodyGroups groups, double dt)
     {
         double flown = 0;
         double struck = 0;
@@ -185,7 +202,7 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
             }
 
             ref BodyMass mass = ref _bodies.Mass[i];
-            ref Start s = ref _start[i];
+            ref BodyStart s = ref _start[i];
             double kinetic = Kinetic(i);
             double gravity = GravityWork(i, s);
             double force = ForceWork(i, s);
@@ -212,10 +229,23 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
         m.BounceWork = _work[(int)SolverPart.Impacts];
         m.SupportX = _supportX;
         m.SupportY = _supportY;
-        m.MomentumError = Unbalanced(groups);
+        FindUnbalanced(ref m, groups, dt);
     }
 
-    private double GravityWork(int body, in Start s)
+    /// <summary>
+    /// What contacts, impacts and joints gave a body: all that is left of its energy when gravity and forces are counted by its way. By the
+    /// substeps' kicks a ball would seem to gain, in the one in which it bounces, what gravity does there.
+    /// </summary>
+    /// <param name="body">A body that moves.</param>
+    /// <param name="driven">What gravity and forces gave it.</param>
+    public double ConstrainedWork(int body, out double driven)
+    {
+        ref BodyStart s = ref _start[body];
+        driven = GravityWork(body, s) + ForceWork(body, s);
+        return Kinetic(body) - s.AfterImpulses - driven - (s.Struck != 0 ? s.Dragged : s.Aside);
+    }
+
+    private double GravityWork(int body, in BodyStart s)
     {
         double dx = _bodies.Pose[body].X - s.X;
         double dy = _bodies.Pose[body].Y - s.Y;
@@ -223,19 +253,20 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
         return pulled ? _bodies.Mass[body].Mass * ((_gravity.X * dx) + (_gravity.Y * dy)) : 0;
     }
 
-    private double ForceWork(int body, in Start s)
+    private double ForceWork(int body, in BodyStart s)
     {
         double dx = _bodies.Pose[body].X - s.X;
         double dy = _bodies.Pose[body].Y - s.Y;
         return (s.Force.Force.X * dx) + (s.Force.Force.Y * dy) + (s.Force.Torque * (_bodies.Pose[body].Angle - s.Angle));
     }
 
-    private double Unbalanced(BodyGroups groups)
+    private void FindUnbalanced(ref StepMeasures m, BodyGroups groups, double dt)
     {
         int end = Math.Min(_bodies.Ids.End, _start.Capacity);
         for (int i = 1; i < end; i++)
         {
             int root = groups.Of(i);
+            _inner[i].W = 0;
             if (root != i)
             {
                 _inner[root].X += _inner[i].X;
@@ -243,23 +274,31 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
             }
         }
 
-        double worst = 0;
+        // The masses of the groups, where the turns are of no use any more.
+        for (int i = 1; i < end; i++)
+        {
+            _inner[groups.Of(i)].W += Moves(i) ? _bodies.Mass[i].Mass : 0;
+        }
+
         for (int i = 1; i < end; i++)
         {
             if (groups.Of(i) == i && Moves(i) && !groups.IsHeld(i))
             {
-                Change c = _inner[i];
-                worst = Math.Max(worst, Math.Sqrt((c.X * c.X) + (c.Y * c.Y)));
+                VelocityChange c = _inner[i];
+                double missing = Math.Sqrt((c.X * c.X) + (c.Y * c.Y));
+                m.MomentumError = Math.Max(m.MomentumError, missing);
+                ErrorMeter.Judge(ref m, ErrorCause.Momentum, dt * missing / c.W, 0, 0, i, -1);
             }
         }
-
-        return worst;
     }
 
-    private static double Work(in BodyMass mass, in Change change, in Change mean) =>
+    private static double Work(in BodyMass mass, in VelocityChange change, in VelocityChange mean) =>
         (mass.Mass * ((change.X * mean.X) + (change.Y * mean.Y))) + (mass.InverseInertia > 0 ? mass.Inertia * change.W * mean.W : 0);
 
-    private bool Moves(int body)
+    /// <summary>Radius of gyration: what a turn moves the matter of a body by, for each radian.</summary>
+    public static double Radius(in BodyMass mass) => mass.InverseInertia > 0 && mass.Mass > 0 ? Math.Sqrt((double)mass.Inertia / mass.Mass) : 0;
+
+    public bool Moves(int body)
     {
         const BodyFlags Here = BodyFlags.Alive | BodyFlags.Enabled;
         return (_bodies.Flags[body] & Here) == Here && _bodies.Mass[body].InverseMass > 0;
@@ -271,63 +310,38 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
         return drag.Linear != 0 || drag.Rotational != 0 || (drag.Quadratic != 0 && (_bodies.Flags[body] & BodyFlags.QuadraticDrag) != 0);
     }
 
-    /// <summary>Velocity change of a substep by gravity and forces alone.</summary>
-    private Change Driven(int body)
+    private VelocityChange Driven(int body) => DriveOf(body, _substep);
+
+    /// <summary>Velocity change by gravity and forces alone.</summary>
+    public VelocityChange DriveOf(int body, double seconds)
     {
         ref BodyMass mass = ref _bodies.Mass[body];
         bool pulled = (_bodies.Flags[body] & BodyFlags.IgnoreGravity) == 0;
-        Change change;
-        change.X = ((pulled ? _gravity.X : 0.0) + ((double)_start[body].Force.Force.X * mass.InverseMass)) * _substep;
-        change.Y = ((pulled ? _gravity.Y : 0.0) + ((double)_start[body].Force.Force.Y * mass.InverseMass)) * _substep;
-        change.W = (double)_start[body].Force.Torque * mass.InverseInertia * _substep;
+        VelocityChange change;
+        change.X = ((pulled ? _gravity.X : 0.0) + ((double)_start[body].Force.Force.X * mass.InverseMass)) * seconds;
+        change.Y = ((pulled ? _gravity.Y : 0.0) + ((double)_start[body].Force.Force.Y * mass.InverseMass)) * seconds;
+        change.W = (double)_start[body].Force.Torque * mass.InverseInertia * seconds;
         return change;
     }
 
-    private Change Velocity(int body)
+    private VelocityChange Velocity(int body)
     {
         ref BodyState state = ref _bodies.State[body];
-        Change v;
+        VelocityChange v;
         v.X = state.LinearVelocity.X;
         v.Y = state.LinearVelocity.Y;
         v.W = state.AngularVelocity;
         return v;
     }
 
-    private double Kinetic(int body)
+    public double Kinetic(int body)
     {
         if (!Moves(body))
         {
             return 0;
         }
 
-        Change v = Velocity(body);
+        VelocityChange v = Velocity(body);
         return Work(_bodies.Mass[body], v, v) / 2;
-    }
-
-    private struct Start
-    {
-        public double X;
-        public double Y;
-        public double Angle;
-        public double Energy;
-        public double AfterImpulses;
-        public BodyForce Force;
-
-        /// <summary>Energy that drag gave it in its flight, if it has been struck outside the solver since.</summary>
-        public double Dragged;
-
-        /// <summary>1 for such a body.</summary>
-        public int Struck;
-
-        /// <summary>1 for a body that went through substeps.</summary>
-        public int Solved;
-    }
-
-    /// <summary>A velocity or a change of it.</summary>
-    private struct Change
-    {
-        public double X;
-        public double Y;
-        public double W;
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Numerics;
@@ -15,36 +16,94 @@ namespace Farseer.Engine.Accuracy;
 /// </summary>
 internal sealed unsafe class ErrorMeter
 {
+    /// <summary>The side of a square whose radius of gyration is 1: the size of a body that the error of its way is a share of.</summary>
+    private const double SideOfRadius = 2.449489742783178;
+
     private readonly JointKinds _kinds = new JointKinds();
     private readonly PolygonDepth _polygons = new PolygonDepth();
+    private readonly SagPaths _sags = new SagPaths();
+    private readonly SlipMeter _slips;
     private readonly BodyStore _bodies;
     private readonly ShapeStore _shapes;
     private readonly ContactStore _contacts;
+    private readonly ConstraintGraph _graph;
     private readonly JointStore _joints;
+    private EnergyAudit _audit = null!;
 
-    public ErrorMeter(BodyStore bodies, ShapeStore shapes, ContactStore contacts, JointStore joints)
+    public ErrorMeter(BodyStore bodies, ShapeStore shapes, ContactStore contacts, ConstraintGraph graph, JointStore joints)
     {
         _bodies = bodies;
         _shapes = shapes;
         _contacts = contacts;
+        _graph = graph;
         _joints = joints;
+        _slips = new SlipMeter(bodies, shapes);
     }
 
     public BodyGroups Groups { get; } = new BodyGroups();
 
-    /// <param name="m">Receives all figures but those of the energy and momentum.</param>
+    /// <param name="m">Receives the errors; those of energy and momentum are others' to find.</param>
     /// <param name="allowed">Depth at which contacts are meant to rest.</param>
-    public void Measure(ref StepMeasures m, double allowed)
+    /// <param name="audit">Where the step found the bodies, and how they went.</param>
+    public void Measure(ref StepMeasures m, double allowed, EnergyAudit audit)
     {
+        _audit = audit;
         m.WorstBody = -1;
         m.WorstPartner = -1;
-        m.WorstIsland = 0;
+        m.WorstJoint = -1;
+        m.MotionBody = -1;
         Groups.Begin(_bodies.Ids.End);
+        _sags.Begin(_bodies.Ids.End);
+        _slips.Begin(_contacts.End);
         MeasureContacts(ref m, allowed);
         MeasureJoints(ref m);
-        if (m.WorstBody >= 0)
+        MeasureMotion(ref m);
+    }
+
+    /// <summary>The group of the largest error, when all are known.</summary>
+    public void NameGroup(ref StepMeasures m)
+    {
+        m.WorstIsland = m.WorstBody < 0 ? 0 : Groups.Size(m.WorstPartner < 0 || Moves(m.WorstBody) ? m.WorstBody : m.WorstPartner);
+    }
+
+    /// <summary>Greatest distance of a point of a piece from its body's centre.</summary>
+    public double Reach(int piece) => _shapes.Pieces[piece].Reach;
+
+    /// <summary>Shorter side of the smaller piece of a pair.</summary>
+    public double SizeOf(in ContactRecord record) =>
+        2.0 * Math.Min(_shapes.Pieces[record.PieceA].Extent, _shapes.Pieces[record.PieceB].Extent);
+
+    /// <summary>Takes an error into account.</summary>
+    /// <param name="m">The measures.</param>
+    /// <param name="cause">What it is an error of.</param>
+    /// <param name="error">A length.</param>
+    /// <param name="curable">What of it finer substeps would make less.</param>
+    /// <param name="size">Of what it is an error of; 0: unknown.</param>
+    /// <param name="bodyA">Where it is.</param>
+    /// <param name="bodyB">The other body, or -1.</param>
+    /// <param name="joint">Of a joint, else -1.</param>
+    public static void Judge(
+        ref StepMeasures m, ErrorCause cause, double error, double curable, double size, int bodyA, int bodyB, int joint = -1)
+    {
+        if (cause != ErrorCause.Motion)
         {
-            m.WorstIsland = Groups.Size(Moves(m.WorstBody) ? m.WorstBody : m.WorstPartner);
+            m.ConstraintError = Math.Max(m.ConstraintError, error);
+        }
+
+        if (error > m.Error)
+        {
+            m.Error = error;
+            m.Cause = cause;
+            m.WorstBody = bodyA;
+            m.WorstPartner = bodyB;
+            m.WorstJoint = joint;
+        }
+
+        m.Curable = Math.Max(m.Curable, curable);
+        if (size > 0)
+        {
+            m.ErrorShare = Math.Max(m.ErrorShare, error / size);
+            m.CurableShare = Math.Max(m.CurableShare, curable / size);
         }
     }
 
@@ -108,11 +167,73 @@ internal sealed unsafe class ErrorMeter
             m.Contacts++;
             squares += depth * depth;
             m.LargestPenetration = Math.Max(m.LargestPenetration, depth);
-            double size = 2.0 * Math.Min(pieceA.Extent, pieceB.Extent);
-            Judge(ref m, Math.Max(0, depth - allowed), size, record.BodyA, record.BodyB);
+            double beyond = Math.Max(0, depth - allowed);
+            double size = SizeOf(record);
+            Judge(ref m, ErrorCause.Overlap, depth, beyond, size, record.BodyA, record.BodyB);
+            NoteSag(record, depth, beyond, allowed);
+            MeasureSlip(ref m, i, record, manifold, size);
         }
 
         m.RmsPenetration = m.Contacts > 0 ? Math.Sqrt(squares / m.Contacts) : 0;
+    }
+
+    /// <summary>
+    /// Where finer substeps would have put the pair: out to the depth of rest, or, on its way down to it, anywhere between.
+    /// </summary>
+    private void NoteSag(in ContactRecord record, double depth, double beyond, double allowed)
+    {
+        bool movesA = Moves(record.BodyA);
+        bool movesB = Moves(record.BodyB);
+        if (movesA || movesB)
+        {
+            double sinking = Math.Max(0, Math.Min(depth, allowed - depth));
+            _sags.Add(record.BodyA, record.BodyB, movesA, movesB, beyond + sinking);
+        }
+    }
+
+    private void MeasureSlip(ref StepMeasures m, int index, in ContactRecord record, in Manifold manifold, double size)
+    {
+        if (record.Color < 0 || record.IsDormant)
+        {
+            return;
+        }
+
+        ContactBundle* row = _graph.BundleOf(record.Row);
+        double slip = _slips.Measure(index, record, row, RowArena.LaneOf(record.Row), manifold, _audit, out double creep);
+        m.LargestSlip = Math.Max(m.LargestSlip, slip);
+        m.LargestCreep = Math.Max(m.LargestCreep, creep);
+        Judge(ref m, ErrorCause.Slip, slip, slip, size, record.BodyA, record.BodyB);
+    }
+
+    /// <summary>
+    /// The way of each body against the way with ever finer substeps: what <see cref="MotionMeter"/> estimates, and its sag.
+    /// </summary>
+    private void MeasureMotion(ref StepMeasures m)
+    {
+        _sags.Run();
+        for (int i = 1; i < _bodies.Ids.End; i++)
+        {
+            if (!Moves(i) || !_audit.Motion.WasFollowed(i))
+            {
+                continue;
+            }
+
+            ref BodyStart start = ref _audit.StartOf(i);
+            ref BodyPose pose = ref _bodies.Pose[i];
+            double radius = EnergyAudit.Radius(_bodies.Mass[i]);
+            VelocityChange way;
+            way.X = pose.X - start.X;
+            way.Y = pose.Y - start.Y;
+            way.W = pose.Angle - start.Angle;
+            double error = _audit.Motion.Estimate(i, way, radius, out bool struck) + _sags.Of(i);
+            if (error > m.MotionError)
+            {
+                m.MotionError = error;
+                m.MotionBody = i;
+            }
+
+            Judge(ref m, ErrorCause.Motion, error, struck ? 0 : error, SideOfRadius * radius, i, -1);
+        }
     }
 
     private double NormalSpeed(in ContactRecord record, Vector2 n, Vector2 anchor)
@@ -164,25 +285,11 @@ internal sealed unsafe class ErrorMeter
             squares += sum;
             m.LargestSeparation = Math.Max(m.LargestSeparation, separation);
             m.JointSpeed = Math.Max(m.JointSpeed, Math.Sqrt(speeds));
-            Judge(ref m, separation, rows.Size, link.BodyA, link.BodyB);
+            Judge(ref m, ErrorCause.Separation, separation, separation, rows.Size, link.BodyA, link.BodyB, i);
+            _sags.Add(link.BodyA, link.BodyB, Moves(link.BodyA), Moves(link.BodyB), separation);
         }
 
         m.RmsSeparation = m.Joints > 0 ? Math.Sqrt(squares / m.Joints) : 0;
-    }
-
-    private static void Judge(ref StepMeasures m, double error, double size, int bodyA, int bodyB)
-    {
-        if (error > m.Error)
-        {
-            m.Error = error;
-            m.WorstBody = bodyA;
-            m.WorstPartner = bodyB;
-        }
-
-        if (size > 0)
-        {
-            m.ErrorShare = Math.Max(m.ErrorShare, error / size);
-        }
     }
 
     private static bool IsTurn(in JointRows rows, int k) =>

@@ -29,11 +29,37 @@ internal struct StepMeasures
     public double LargestTurn;
     public double JointSpeed;
 
-    /// <summary>The larger of penetration beyond what is allowed and separation, and the same as a share of the smaller piece's side.</summary>
+    /// <summary>Farthest way of a contact that sticks along its tangent in the step, and since it began to stick.</summary>
+    public double LargestSlip;
+    public double LargestCreep;
+
+    /// <summary>Of the group where it is largest: energy beyond the law of impacts, below 0 what is missing.</summary>
+    public double ImpactEnergyError;
+
+    /// <summary>The error of the way that it makes in a step.</summary>
+    public double LargestImpactError;
+
+    /// <summary>Largest estimated error of the way of a body in the step, and the body.</summary>
+    public double MotionError;
+    public int MotionBody;
+
+    /// <summary>The largest of all errors but that of the motion.</summary>
+    public double ConstraintError;
+
+    /// <summary>The largest of all errors, and the largest share of the size of what it is an error of.</summary>
     public double Error;
     public double ErrorShare;
+
+    /// <summary>The same of what more substeps would make less.</summary>
+    public double Curable;
+    public double CurableShare;
+
+    public ErrorCause Cause;
     public int WorstBody;
     public int WorstPartner;
+
+    /// <summary>The joint, where one is apart; else -1.</summary>
+    public int WorstJoint;
     public int WorstIsland;
 
     public double Kinetic;

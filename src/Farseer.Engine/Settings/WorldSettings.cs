@@ -23,6 +23,7 @@ internal enum RestitutionMix
 internal sealed class WorldSettings
 {
     public const int DefaultSubsteps = 5;
+    public const float DefaultAllowedPenetration = 0.05f;
 
     /// <summary>Acceleration of every body that does not ignore gravity, length/s². Default (0, 0).</summary>
     public Vector2 Gravity { get; set; }
@@ -37,7 +38,7 @@ internal sealed class WorldSettings
     /// Depth at which a contact rests, a length of the scene. 0 or more; default 0.05 (the original's). Surfaces that stand are held before where this is
     /// much for their bodies: see <c>ContactCoefficients.HoldShare</c>.
     /// </summary>
-    public float AllowedPenetration { get; set; } = 0.05f;
+    public float AllowedPenetration { get; set; } = DefaultAllowedPenetration;
 
     /// <summary>Default average.</summary>
     public FrictionMix FrictionMix { get; set; } = FrictionMix.Average;

@@ -8,6 +8,7 @@ internal sealed partial class World
 {
     private ErrorMeter? _meter;
     private EnergyAudit? _audit;
+    private ImpactLaw? _impactLaw;
     private StepMeasures _measures;
     private int _substeps = 1;
     private int _mostSubsteps;
@@ -35,8 +36,8 @@ internal sealed partial class World
         // Once for the whole step: a handler may turn the dial, and the substeps must add up to the step.
         _substeps = Budget.Choose(Settings.Substeps);
         _mostSubsteps = _substeps;
-        _reports = ReportEnabled;
         _budgeted = Budget.IsOn;
+        _reports = ReportEnabled || _budgeted;
         if (_reports)
         {
             _audit ??= new EnergyAudit();
@@ -44,23 +45,41 @@ internal sealed partial class World
         }
     }
 
-    private void EndAccuracy()
+    private void EndAccuracy(float dt)
     {
-        HasMeasured = _reports || _budgeted;
-        if (!HasMeasured)
+        HasMeasured = _reports;
+        if (!HasMeasured || _audit == null)
         {
             return;
         }
 
-        _meter ??= new ErrorMeter(Bodies, Shapes, _contacts, Joints);
+        _meter ??= new ErrorMeter(Bodies, Shapes, _contacts, _graph, Joints);
+        _impactLaw ??= new ImpactLaw(Bodies, _contacts, _graph, Joints, _meter);
         _measures = default;
         _measures.Substeps = _substeps;
         _measures.MostSubsteps = _mostSubsteps;
-        _meter.Measure(ref _measures, Settings.AllowedPenetration);
-        Audit?.EndStep(ref _measures, _meter.Groups);
+        _meter.Measure(ref _measures, Settings.AllowedPenetration, _audit);
+        _audit.EndStep(ref _measures, _meter.Groups, dt);
+        if (UserJoints == null || !UserJoints.Any)
+        {
+            _impactLaw.Run(ref _measures, _audit, dt);
+        }
+
+        JudgeOutcasts();
+        _meter.NameGroup(ref _measures);
         if (_budgeted && Budget.IsOn)
         {
             Budget.Learn(_measures);
+        }
+    }
+
+    /// <summary>A body whose numbers left their range is off by more than any bound.</summary>
+    private void JudgeOutcasts()
+    {
+        for (int i = 0; i < _lists.OutcastCount; i++)
+        {
+            ErrorMeter.Judge(ref _measures, ErrorCause.Lost, double.PositiveInfinity, 0, 0, _lists.Outcast(i).Body, -1);
+            _measures.ErrorShare = double.PositiveInfinity;
         }
     }
 

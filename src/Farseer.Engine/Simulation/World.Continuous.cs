@@ -97,8 +97,18 @@ internal sealed partial class World : IImpactListener
             FastMotion motion = fast[i];
             if (IsThere(motion.Body) && (_sweepRoles[motion.Body] & SweepRoles.Paired) == 0)
             {
+                BeginSweptImpacts(motion);
                 _sweep.Run(input, motion);
             }
+        }
+    }
+
+    /// <summary>One that flew free may bounce on its way.</summary>
+    private void BeginSweptImpacts(in FastMotion motion)
+    {
+        if (motion.Free != 0)
+        {
+            Audit?.BeginImpacts(motion.Body);
         }
     }
 

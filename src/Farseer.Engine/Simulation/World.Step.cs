@@ -85,15 +85,15 @@ internal sealed partial class World
             Profile.End(StepStage.Continuous);
         }
 
-        EndAccuracy();
-        Profile.End(StepStage.Finish);
-
         if (Settings.Continuous && _lists.Fast.Count > 0)
         {
             SweepFastBodies(dt, substep);
         }
 
         Profile.End(StepStage.Continuous);
+
+        EndAccuracy(dt);
+        Profile.End(StepStage.Finish);
 
         FallAsleep(dt);
         _lists.UseUpForces(_runner, Bodies);

@@ -37,6 +37,9 @@ internal sealed class JointRelay : IUserJoints
         _jointOf[index] = joint;
     }
 
+    /// <summary>The joint that an index of the engine stands for, if there is one.</summary>
+    public Joint? Find(int index) => index < _jointOf.Count ? _jointOf[index] : null;
+
     public void Prepare(float inverseSubstep)
     {
         for (int i = 0; i < Written.Count; i++)
