@@ -31,7 +31,7 @@ internal static class RandomWorlds
         rig.Friction = dice.Between(0, 0.8);
         rig.Restitution = dice.Next() < 0.5 ? 0 : dice.Between(0, 0.6);
         Loops.AddPit(rig, PitHalf);
-        int things = dice.Whole(8, 40);
+        int things = dice.Whole(6, 20);
         int columns = (int)(2 * PitHalf / Cell);
         for (int i = 0; i < things; i++)
         {
@@ -74,7 +74,7 @@ internal static class RandomWorlds
 
     private static void AddChain(Rig rig, Dice dice, Vec middle, double density)
     {
-        int links = dice.Whole(2, 8);
+        int links = dice.Whole(2, 6);
         double length = 2.2 / links;
         double angle = dice.Between(-0.3, 0.3);
         Vec along = new Vec(length, 0).Turned(angle);
