@@ -293,10 +293,9 @@ internal sealed class BodyLink
         ref BodyState state = ref StateRef;
         float inverseMass = Mass > 0 ? 1f / Mass : 0;
         Vector2 next = state.LinearVelocity + (dt * (gravity + (inverseMass * force.Force)));
-        float speed = next.Length();
-        if (speed > most)
+        if (next.LengthSquared() > most * most)
         {
-            state.LinearVelocity = (next * (most / speed)) - (dt * gravity);
+            state.LinearVelocity = (next * (most / next.Length())) - (dt * gravity);
             force.Force = default;
         }
 
@@ -305,6 +304,21 @@ internal sealed class BodyLink
         {
             state.AngularVelocity = spin > 0 ? mostSpin : -mostSpin;
             force.Torque = 0;
+        }
+    }
+
+    /// <summary>Cuts the speeds that the body has.</summary>
+    public void CutSpeed(float most, float mostSpin)
+    {
+        ref BodyState state = ref StateRef;
+        if (state.LinearVelocity.LengthSquared() > most * most)
+        {
+            state.LinearVelocity *= most / state.LinearVelocity.Length();
+        }
+
+        if (System.Math.Abs(state.AngularVelocity) > mostSpin)
+        {
+            state.AngularVelocity = state.AngularVelocity > 0 ? mostSpin : -mostSpin;
         }
     }
 
