@@ -293,9 +293,10 @@ internal sealed class BodyLink
         ref BodyState state = ref StateRef;
         float inverseMass = Mass > 0 ? 1f / Mass : 0;
         Vector2 next = state.LinearVelocity + (dt * (gravity + (inverseMass * force.Force)));
-        if (next.LengthSquared() > most * most)
+        float speed = next.Length();
+        if (speed > most)
         {
-            state.LinearVelocity = (next * (most / next.Length())) - (dt * gravity);
+            state.LinearVelocity = (next * (most / speed)) - (dt * gravity);
             force.Force = default;
         }
 
@@ -304,21 +305,6 @@ internal sealed class BodyLink
         {
             state.AngularVelocity = spin > 0 ? mostSpin : -mostSpin;
             force.Torque = 0;
-        }
-    }
-
-    /// <summary>Cuts the speeds that the body has.</summary>
-    public void CutSpeed(float most, float mostSpin)
-    {
-        ref BodyState state = ref StateRef;
-        if (state.LinearVelocity.LengthSquared() > most * most)
-        {
-            state.LinearVelocity *= most / state.LinearVelocity.Length();
-        }
-
-        if (System.Math.Abs(state.AngularVelocity) > mostSpin)
-        {
-            state.AngularVelocity = state.AngularVelocity > 0 ? mostSpin : -mostSpin;
         }
     }
 

@@ -41,10 +41,7 @@ public enum Box2DFlash202Quirks
     /// <summary>A body made static keeps its velocity, and moves on with it when it has mass again.</summary>
     StaticKeepsVelocity = 64,
 
-    /// <summary>
-    /// Bodies are cut to 200 m/s and 250 rad/s only when a step begins: what a blow makes faster stays so until the next one. By default they
-    /// are cut when a step ends as well.
-    /// </summary>
+    /// <summary>Bodies are cut to 200 m/s and 250 rad/s.</summary>
     SpeedLimits = 128,
 
     /// <summary>The box around a polygon is that around its smallest turned box, so it may be too large.</summary>

@@ -8,8 +8,6 @@ namespace Box2D.Dynamics;
 /// <content>The step.</content>
 public partial class b2World
 {
-    private bool _limitsSpeeds = true;
-
     /// <summary>
     /// Moves the world on. Listeners are told within the step; see <see cref="b2ContactListener"/>. What one of them throws comes out
     /// of here when the step is complete.
@@ -34,7 +32,7 @@ public partial class b2World
         {
             if (dt > 0)
             {
-                if (_limitsSpeeds)
+                if ((Quirks & Box2DFlash202Quirks.SpeedLimits) != 0)
                 {
                     CutSpeeds(dt);
                 }
@@ -45,7 +43,7 @@ public partial class b2World
                 }
 
                 Engine.Step(dt, iterations);
-                FinishBodies();
+                FreezeOutside();
             }
 
             DrawDebugData();
@@ -85,14 +83,6 @@ public partial class b2World
     public void SetContinuousPhysics(bool flag) => Engine.SetContinuous(flag);
 
     /// <summary>
-    /// Whether bodies are kept to <see cref="b2Settings.b2_maxLinearVelocity"/> and <see cref="b2Settings.b2_maxAngularVelocity"/>, before a step with what gravity and
-    /// forces will add, and after it. Default true. Without, restitutions above 1 drive bodies on without end. (An addition to the original,
-    /// which always does.)
-    /// </summary>
-    /// <param name="flag">False lets bodies be as fast as they may.</param>
-    public void SetSpeedLimits(bool flag) => _limitsSpeeds = flag;
-
-    /// <summary>
     /// How many threads share the work of a step, the calling one included. The motion is the same, bit for bit, whatever the number, and
     /// listeners are told on the calling thread alone. Only large steps wake the other threads, which sleep between steps and end
     /// when the world is dropped. Default 1: no threads. (An addition to the original.)
@@ -111,24 +101,12 @@ public partial class b2World
     /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has them.</exception>
     public static void WarmUp() => WarmUpWorld.Run();
 
-    /// <summary>Freezes what has left the world, and cuts what has become too fast.</summary>
-    private void FinishBodies()
+    private void FreezeOutside()
     {
-        bool cut = _limitsSpeeds && (Quirks & Box2DFlash202Quirks.SpeedLimits) == 0;
         for (b2Body? b = _bodies; b is not null; b = b.Next)
         {
-            if (b.Link.IsStatic || b.Link.IsFrozen || b.IsSleeping())
+            if (b.Link.IsStatic || b.Link.IsFrozen || b.IsSleeping() || (Engine.IsInside(b) && !Engine.World.IsQuarantined(b.Link.Index)))
             {
-                continue;
-            }
-
-            if (Engine.IsInside(b) && !Engine.World.IsQuarantined(b.Link.Index))
-            {
-                if (cut)
-                {
-                    b.Link.CutSpeed(b2Settings.b2_maxLinearVelocity, b2Settings.b2_maxAngularVelocity);
-                }
-
                 continue;
             }
 
@@ -148,7 +126,7 @@ public partial class b2World
     {
         for (b2Body? b = _bodies; b is not null; b = b.Next)
         {
-            if (b.IsDynamic() && !b.IsSleeping())
+            if (b.IsDynamic())
             {
                 b.Link.CutSpeed(Engine.Gravity, dt, b2Settings.b2_maxLinearVelocity, b2Settings.b2_maxAngularVelocity);
             }

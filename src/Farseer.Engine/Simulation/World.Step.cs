@@ -26,7 +26,7 @@ internal sealed partial class World
     /// <summary>Parts the rows of large worlds for two workers.</summary>
     public RowHalves RowHalves { get; } = new RowHalves();
 
-    private void RunStages(float dt)
+    private unsafe void RunStages(float dt)
     {
         Profile.Begin();
         PurgeNow();
@@ -68,6 +68,11 @@ internal sealed partial class World
 
         Profile.End(StepStage.Forces);
 
+        if (_makesEnergy)
+        {
+            _bounceBound.Begin(Bodies, _lists.Moves);
+        }
+
         _graph.RecallShared(_contacts.Records);
         Solve(dt, anyDeep, contacts.Coefficients);
         _contactStage.Lone.PutBack(_contacts, _graph);
@@ -91,6 +96,11 @@ internal sealed partial class World
         if (Settings.Continuous && _lists.Fast.Count > 0)
         {
             SweepFastBodies(dt, substep);
+        }
+
+        if (_makesEnergy)
+        {
+            _bounceBound.End(Bodies, _lists.Moves, Settings, dt);
         }
 
         Profile.End(StepStage.Continuous);
