@@ -21,6 +21,9 @@ internal sealed class SubmergedPart
     /// <summary>Halvings that find where an edge passes the surface; the last is as fine as a float.</summary>
     private const int CrossingHalvings = 24;
 
+    /// <summary>Share of its vertices that a geom must have in the fluid to feel it, where vertices are counted.</summary>
+    private const double LeastShareOfVertices = 0.05;
+
     private readonly RoundOutline _whole = new RoundOutline();
     private readonly RoundOutline _inside = new RoundOutline();
     private readonly RoundOutline _cut = new RoundOutline();
@@ -49,6 +52,9 @@ internal sealed class SubmergedPart
     /// <summary>See <see cref="ArmX"/>.</summary>
     public double ArmY { get; private set; }
 
+    /// <summary>How far the part reaches along a direction of length 1.</summary>
+    public double Width(double x, double y) => _inside.Width(x, y);
+
     /// <summary>Finds the part.</summary>
     /// <param name="geom">A geom with a body.</param>
     /// <param name="fluid">The fluid.</param>
@@ -57,7 +63,6 @@ internal sealed class SubmergedPart
     {
         Place(geom, ahead);
         Outline(geom.Form!);
-        WholeArea = Math.Abs(_whole.Area(out _, out _));
         _inside.Clear();
         if (fluid is IStraightFluid straight)
         {
@@ -68,14 +73,50 @@ internal sealed class SubmergedPart
             Gather(fluid);
         }
 
+        Measure();
+    }
+
+    /// <summary>Finds the polygon of those vertices of a geom that are in a fluid (a quirk of the original).</summary>
+    /// <param name="geom">A geom with a body.</param>
+    /// <param name="fluid">The fluid.</param>
+    /// <param name="ahead">Seconds for which the body is to go on first.</param>
+    public void FindByVertices(Geom geom, IFluidContainer fluid, double ahead)
+    {
+        Place(geom, ahead);
+        _whole.Clear();
+        _inside.Clear();
+        Vertices vertices = geom.LocalVertices;
+        int found = 0;
+        for (int i = 0; i < vertices.Count; i++)
+        {
+            Turned(vertices[i], out double x, out double y);
+            OutlineEdge corner = OutlineEdge.Line(x, y, x, y);
+            _whole.Add(corner);
+            if (Holds(fluid, x, y))
+            {
+                _inside.Add(corner);
+                found++;
+            }
+        }
+
+        _whole.Close();
+        _inside.Close();
+        if (found < 3 || found < vertices.Count * LeastShareOfVertices)
+        {
+            _inside.Clear();
+        }
+
+        Measure();
+    }
+
+    private void Measure()
+    {
+        WholeArea = Math.Abs(_whole.Area(out _, out _));
         double area = _inside.Area(out double momentX, out double momentY);
         Area = Math.Abs(area);
         ArmX = area != 0 ? momentX / area : 0;
         ArmY = area != 0 ? momentY / area : 0;
     }
-
-    /// <summary>How far the part reaches along a direction of length 1.</summary>
-    public double Width(double x, double y) => _inside.Width(x, y);
 
     private void Place(Geom geom, double ahead)
     {

@@ -168,7 +168,15 @@ public class FluidDragController : Controller
     /// </summary>
     private bool IsInside(Geom geom, IFluidContainer container, float dt)
     {
-        _inside.Find(geom, container, 0.5 * dt);
+        if (Simulator is not null && (Simulator.Quirks & Farseer201Quirks.BuoyancyOfVertices) != 0)
+        {
+            _inside.FindByVertices(geom, container, 0.5 * dt);
+        }
+        else
+        {
+            _inside.Find(geom, container, 0.5 * dt);
+        }
+
         return _inside.Area > LeastShareOfArea * _inside.WholeArea;
     }
 

@@ -240,10 +240,10 @@ public class BuoyancyTests
                 return GeomFactory.Instance.CreateCapsuleGeom(simulator, body, new Vector2(-length, 0), new Vector2(length, 0), radius);
             case 3:
                 Star(random, outline);
-                return new Geom(body, new Vertices(outline), 0).AddedTo(simulator);
+                return new Geom(body, new Vertices(outline.ToArray()), 0).AddedTo(simulator);
             default:
                 Star(random, outline);
-                return GeomFactory.Instance.CreateChainGeom(simulator, body, new Vertices(outline), true);
+                return GeomFactory.Instance.CreateChainGeom(simulator, body, new Vertices(outline.ToArray()), true);
         }
     }
 
