@@ -325,7 +325,8 @@ internal static unsafe class BounceKernel
         Wide zero = Wide.Zero;
         Wide sum = speed - v;
         Wide time = Wide.Min(Wide.Max((Wide.Splat(-2f) * beyond) / sum, zero), Wide.Splat(c.Substep));
-        Wide back = Wide.Select(speed > slow, restitution * speed, zero);
+        Wide back = Wide.Min(restitution * speed, Wide.Max(speed, Wide.Splat(c.MostDriven)));
+        back = Wide.Select(speed > slow, back, zero);
         target = Wide.Select(met, Wide.Max(back + (a * time), zero), Wide.Splat(-1f));
         return Wide.Select(met, time, Wide.Splat(-1f));
     }

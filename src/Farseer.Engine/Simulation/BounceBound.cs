@@ -7,13 +7,16 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Simulation;
 
 /// <summary>
-/// Restitutions above 1 make energy at each bounce, without end: sooner or later a body gets further in a step than its impacts can be followed,
-/// and leaves its room. In worlds that have them a body is driven on only as far as <see cref="MostExtents"/> in a step. What is faster by itself, or
-/// by what gravity and forces do on its way, stays so, but a step adds nothing.
+/// Restitutions above 1 make energy at each bounce, without end: sooner or later a body gets further in a step than its impacts can be
+/// followed, and leaves its room. In worlds that have them a body is driven on only as far as <see cref="MostExtents"/> in a step. What is
+/// faster by itself, or by what gravity and forces do on its way, stays so, but a step adds nothing.
 /// </summary>
 internal sealed unsafe class BounceBound
 {
-    /// <summary>Way in a step in extents of the body, each half of its shorter side: impacts of ten bodies in a room are followed up to the double.</summary>
+    /// <summary>
+    /// Way in a step in extents of the body, each half of its shorter side. Rooms of up to ten bodies keep them at this, and lose some at several
+    /// times as much.
+    /// </summary>
     private const double MostExtents = 8;
 
     private readonly Column<Start> _starts = new Column<Start>();

@@ -150,7 +150,8 @@ internal sealed partial class World
         System.Numerics.Vector2 g = Settings.Gravity;
         float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
         float coarseness = WorldSettings.DefaultSubsteps / (float)_substeps;
-        input.Coefficients = new ContactCoefficients(substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold, coarseness, _recovery);
+        input.Coefficients = new ContactCoefficients(
+            substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold, coarseness, _recovery, Settings.MostDrivenSpeed);
         return input;
     }
 
@@ -308,7 +309,8 @@ internal sealed partial class World
             input.Substeps = _substeps * fineness;
             input.Substep = substep;
             ref readonly ContactCoefficients c = ref input.Coefficients;
-            input.Coefficients = new ContactCoefficients(substep, c.Gravity, c.Rest, c.BounceThreshold, 1f, _recovery / fineness);
+            input.Coefficients = new ContactCoefficients(
+                substep, c.Gravity, c.Rest, c.BounceThreshold, 1f, _recovery / fineness, c.MostDriven);
             input.Springs = null;
             _classes.Ease(index, _sagForecast, _islands, input.Coefficients);
             joints?.Select(index, substep, fineness);
