@@ -88,6 +88,12 @@ public enum Farseer201Quirks
     /// </summary>
     ForcesActAtOnce = 16384,
 
+    /// <summary>
+    /// A fluid lifts the polygon of those vertices of a geom that are in it, from three on: what has few corners sinks to the last of them and
+    /// bobs. By default the part that is in the fluid is exact.
+    /// </summary>
+    BuoyancyOfVertices = 32768,
+
     /// <summary>All quirks.</summary>
-    All = 32767,
+    All = 65535,
 }

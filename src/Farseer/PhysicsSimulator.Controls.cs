@@ -25,10 +25,10 @@ public partial class PhysicsSimulator
     /// <summary>True while forces act: springs then go to the engine.</summary>
     internal bool IsApplyingForces { get; private set; }
 
-    /// <summary>Adds a spring; it acts from the next update on.</summary>
+    /// <summary>Adds a spring; it acts from the next update on. One that was added before is ignored.</summary>
     /// <param name="spring">The spring.</param>
     /// <exception cref="ArgumentNullException"><paramref name="spring"/> is null.</exception>
-    /// <exception cref="ArgumentException">The spring is in this or another simulator already.</exception>
+    /// <exception cref="ArgumentException">The spring is in another simulator.</exception>
     /// <exception cref="ObjectDisposedException">The simulator or the spring is disposed.</exception>
     public void Add(Spring spring)
     {
@@ -47,10 +47,10 @@ public partial class PhysicsSimulator
         _springs.Remove(spring, nameof(spring));
     }
 
-    /// <summary>Adds a controller; it acts from the next update on.</summary>
+    /// <summary>Adds a controller; it acts from the next update on. One that was added before is ignored.</summary>
     /// <param name="controller">The controller.</param>
     /// <exception cref="ArgumentNullException"><paramref name="controller"/> is null.</exception>
-    /// <exception cref="ArgumentException">The controller is in this or another simulator already.</exception>
+    /// <exception cref="ArgumentException">The controller is in another simulator.</exception>
     /// <exception cref="ObjectDisposedException">The simulator or the controller is disposed.</exception>
     public void Add(Controller controller)
     {

@@ -23,10 +23,10 @@ public partial class PhysicsSimulator
     private GeomForm? _lastForm;
     private bool _clearWaits;
 
-    /// <summary>Adds a body; it takes part from the next update on.</summary>
+    /// <summary>Adds a body; it takes part from the next update on. One that was added before is ignored.</summary>
     /// <param name="body">The body.</param>
     /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
-    /// <exception cref="ArgumentException">The body is in this or another simulator already.</exception>
+    /// <exception cref="ArgumentException">The body is in another simulator.</exception>
     /// <exception cref="ObjectDisposedException">The simulator or the body is disposed.</exception>
     public void Add(Body body)
     {
@@ -47,16 +47,17 @@ public partial class PhysicsSimulator
                 body.Simulator = this;
                 _bodiesIn.Add(body);
                 return;
-            default:
-                throw new ArgumentException("The body was added to this simulator before.", nameof(body));
         }
     }
 
-    /// <summary>Adds a geom; it takes part from the next update on. Its body need not be added: it is then an obstacle that nothing moves.</summary>
+    /// <summary>
+    /// Adds a geom; it takes part from the next update on. One that was added before is ignored. Its body need not be added: it is then an
+    /// obstacle that nothing moves.
+    /// </summary>
     /// <param name="geometry">The geom.</param>
     /// <exception cref="ArgumentNullException"><paramref name="geometry"/> is null.</exception>
     /// <exception cref="ArgumentException">
-    /// The geom is in this or another simulator already, its body is in another one, or it has no body or no vertices.
+    /// The geom or its body is in another simulator, or it has no body or no vertices.
     /// </exception>
     /// <exception cref="ObjectDisposedException">The simulator or the geom is disposed.</exception>
     public void Add(Geom geometry)
@@ -86,8 +87,6 @@ public partial class PhysicsSimulator
                 _geomsIn.Add(geometry);
                 _geomsWaiting++;
                 return;
-            default:
-                throw new ArgumentException("The geom was added to this simulator before.", nameof(geometry));
         }
     }
 

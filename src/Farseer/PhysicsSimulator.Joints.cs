@@ -21,12 +21,13 @@ public partial class PhysicsSimulator
     public JointList JointList { get; }
 
     /// <summary>
-    /// Adds a joint; it acts from the next update on. Its bodies need not be added: those that are not are points that nothing moves.
+    /// Adds a joint; it acts from the next update on. One that was added before is ignored. Its bodies need not be added: those that are not
+    /// are points that nothing moves.
     /// </summary>
     /// <param name="joint">The joint.</param>
     /// <exception cref="ArgumentNullException"><paramref name="joint"/> is null.</exception>
     /// <exception cref="ArgumentException">
-    /// The joint is in this or another simulator already, a body of it is in another one, or it has no body yet.
+    /// The joint or a body of it is in another simulator, or it has no body yet.
     /// </exception>
     /// <exception cref="ObjectDisposedException">The simulator or the joint is disposed.</exception>
     public void Add(Joint joint)

@@ -195,11 +195,11 @@ public partial class PhysicsSimulator
             return dt;
         }
 
-        if (dtReal > dt)
+        if (dtReal > _scaling.UpdateInterval)
         {
             _scaling.IncreaseUpdateInterval();
         }
-        else
+        else if (dtReal < _scaling.UpdateInterval)
         {
             _scaling.DecreaseUpdateInterval();
         }

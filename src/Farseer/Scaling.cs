@@ -3,8 +3,9 @@ namespace FarseerGames.FarseerPhysics;
 
 /// <summary>
 /// Lets the simulator update less often under load. While enabled, the time given to <see cref="PhysicsSimulator.Update(float)"/>
-/// is gathered until <see cref="UpdateInterval"/> has passed and then simulated in one step. The interval grows by a tenth of the
-/// maximum while real time runs ahead of the given time, up to <see cref="MaximumUpdateInterval"/>, and shrinks back afterwards.
+/// is gathered until <see cref="UpdateInterval"/> has passed and then simulated in one step. The interval follows the real time between updates: it grows by a
+/// quarter of the preferred interval at each update that took longer than it, up to <see cref="MaximumUpdateInterval"/>, and shrinks by an
+/// eighth at each that took less, down to the preferred interval.
 /// </summary>
 public class Scaling
 {
@@ -43,17 +44,17 @@ public class Scaling
         set => _updateInterval = Require.Positive(value, nameof(UpdateInterval));
     }
 
-    /// <summary>Shrinks the interval by a tenth of the maximum, not below the preferred one.</summary>
+    /// <summary>Shrinks the interval by an eighth of the preferred one, not below that.</summary>
     public void DecreaseUpdateInterval()
     {
-        float next = _updateInterval - (0.1f * _maximumUpdateInterval);
+        float next = _updateInterval - (0.125f * _preferredUpdateInterval);
         _updateInterval = next > _preferredUpdateInterval ? next : _preferredUpdateInterval;
     }
 
-    /// <summary>Grows the interval by a tenth of the maximum, up to it.</summary>
+    /// <summary>Grows the interval by a quarter of the preferred one, up to the maximum.</summary>
     public void IncreaseUpdateInterval()
     {
-        float next = _updateInterval + (0.1f * _maximumUpdateInterval);
+        float next = _updateInterval + (0.25f * _preferredUpdateInterval);
         _updateInterval = next < _maximumUpdateInterval ? next : _maximumUpdateInterval;
     }
 

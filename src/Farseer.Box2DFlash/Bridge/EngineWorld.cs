@@ -44,6 +44,8 @@ internal sealed class EngineWorld : IStepHooks
         settings.BounceThreshold = Box2D.Common.b2Settings.b2_velocityThreshold;
         settings.FrictionMix = FrictionMix.GeometricMean;
         settings.RestitutionMix = RestitutionMix.Maximum;
+        settings.MostDrivenSpeed = Box2D.Common.b2Settings.b2_maxLinearVelocity;
+        settings.MostDrivenSpin = Box2D.Common.b2Settings.b2_maxAngularVelocity;
         settings.AllowSleep = true;
         settings.RestShare = RestTolerance;
 

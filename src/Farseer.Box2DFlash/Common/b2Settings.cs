@@ -47,13 +47,19 @@ public static class b2Settings
     /// <summary>Largest correction of an angle of the original in an iteration, radians: 8 degrees. Not used here.</summary>
     public const float b2_maxAngularCorrection = (float)(8.0 / 180.0 * System.Math.PI);
 
-    /// <summary>Speed to which the original cuts bodies, m/s: 200. Acts with <see cref="Box2D.Dynamics.Box2DFlash202Quirks.SpeedLimits"/>.</summary>
+    /// <summary>
+    /// Speed to which the original cuts bodies, m/s: 200. Restitutions above 1 drive bodies no further; everything is cut with
+    /// <see cref="Box2D.Dynamics.Box2DFlash202Quirks.SpeedLimits"/>.
+    /// </summary>
     public const float b2_maxLinearVelocity = 200.0f;
 
     /// <summary>The square of <see cref="b2_maxLinearVelocity"/>.</summary>
     public const float b2_maxLinearVelocitySquared = b2_maxLinearVelocity * b2_maxLinearVelocity;
 
-    /// <summary>Spin to which the original cuts bodies, rad/s: 250. Acts with <see cref="Box2D.Dynamics.Box2DFlash202Quirks.SpeedLimits"/>.</summary>
+    /// <summary>
+    /// Spin to which the original cuts bodies, rad/s: 250. Restitutions above 1 drive bodies no further; everything is cut with
+    /// <see cref="Box2D.Dynamics.Box2DFlash202Quirks.SpeedLimits"/>.
+    /// </summary>
     public const float b2_maxAngularVelocity = 250.0f;
 
     /// <summary>The square of <see cref="b2_maxAngularVelocity"/>.</summary>

@@ -178,8 +178,8 @@ internal static unsafe class BounceKernel
             met1 = met1 & (time1 >= (time - same));
             WideLanes.Replace(met, time, bounce->Time + lane);
             Wide restitution = Wide.Load(row->Restitution + lane);
-            Begin(&bounce->Point0, lane, met, met0, restitution, w0, v0, slow);
-            Begin(&bounce->Point1, lane, met, met1, restitution, w1, v1, slow);
+            Begin(&bounce->Point0, lane, met, met0, restitution, w0, v0, slow, c);
+            Begin(&bounce->Point1, lane, met, met1, restitution, w1, v1, slow, c);
             hits |= WideLanes.Bits(met) << lane;
         }
 
@@ -393,10 +393,12 @@ internal static unsafe class BounceKernel
     /// the substep, if what drives them on has a bounce of less than that.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Begin(BouncePointLanes* point, int lane, WideMask met, WideMask struck, Wide restitution, Wide velocity, Wide end, Wide slow)
+    private static void Begin(
+        BouncePointLanes* point, int lane, WideMask met, WideMask struck, Wide restitution, Wide velocity, Wide end, Wide slow, in ContactCoefficients c)
     {
         Wide speed = Wide.Max(Wide.Zero - velocity, Wide.Zero);
-        Wide target = Wide.Max(Wide.Keep(speed > slow, restitution * speed), velocity - end);
+        Wide back = Wide.Min(restitution * speed, Wide.Max(speed, Wide.Splat(c.MostDriven)));
+        Wide target = Wide.Max(Wide.Keep(speed > slow, back), velocity - end);
         WideLanes.Replace(met, Wide.Select(struck, target, Wide.Splat(-1f)), point->Target + lane);
         WideLanes.Replace(met, Wide.Zero, point->Push + lane);
         WideLanes.Replace(met, Wide.Zero, point->Rub + lane);

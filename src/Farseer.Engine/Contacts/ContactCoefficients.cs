@@ -68,9 +68,17 @@ internal readonly struct ContactCoefficients
     /// the substep; with this it falls with each doubling of the substeps as well.
     /// </param>
     /// <param name="recovery">The substep at whose rate depths go, if it is longer than h.</param>
+    /// <param name="mostDriven">See <see cref="MostDriven"/>.</param>
     public ContactCoefficients(
-        float substep, float gravity, float rest, float bounceThreshold, float coarseness = 1f, float recovery = 0f)
+        float substep,
+        float gravity,
+        float rest,
+        float bounceThreshold,
+        float coarseness = 1f,
+        float recovery = 0f,
+        float mostDriven = float.PositiveInfinity)
     {
+        MostDriven = mostDriven;
         // Without gravity nothing sinks; a finite number keeps lanes without a piece, of size 0, at 0.
         Smallness = System.Math.Min(coarseness / (LargeSize * gravity * substep * substep), float.MaxValue);
         Gravity = gravity;
@@ -106,6 +114,9 @@ internal readonly struct ContactCoefficients
 
     /// <summary>Approach slower than this does not bounce.</summary>
     public float BounceThreshold { get; }
+
+    /// <summary>Speed up to which a restitution above 1 makes a rebound faster than its approach.</summary>
+    public float MostDriven { get; }
 
     /// <summary>Share of a rise of its impulse that a contact starts a substep with.</summary>
     public float RiseTaken { get; }

@@ -143,6 +143,7 @@ internal sealed class FastBodySweep
         obstacle.VelocityY = state.LinearVelocity.Y;
         obstacle.Spin = state.AngularVelocity;
         obstacle.Restitution = ContactUpdate.MixRestitution(input.Shapes, input.Settings.RestitutionMix, record);
+        obstacle.MostDriven = input.Settings.MostDrivenSpeed;
         obstacle.Friction = input.Settings.FreezePairFriction
             ? input.Contacts.FirstFriction[contact]
             : ContactUpdate.MixFriction(input.Shapes, input.Settings.FrictionMix, record);

@@ -31,6 +31,9 @@ internal struct Obstacle
     public double InverseMass;
     public double InverseInertia;
     public double Restitution;
+
+    /// <summary>Speed up to which a restitution above 1 makes a rebound faster than its approach.</summary>
+    public double MostDriven;
     public double Friction;
 
     /// <summary>An approach slower than this is rest and does not bounce.</summary>
@@ -185,7 +188,12 @@ internal static class Impact
             K = mover.InverseMass + (mover.InverseInertia * Arm * Arm) + (other.InverseMass + (other.InverseInertia * OtherArm * OtherArm));
         }
 
-        public double Target(in Obstacle other) => Velocity < -other.Slowest ? -other.Restitution * Velocity : 0;
+        public double Target(in Obstacle other)
+        {
+            double back = -other.Restitution * Velocity;
+            back = other.Restitution > 1 ? Math.Max(Math.Min(back, other.MostDriven), -Velocity) : back;
+            return Velocity < -other.Slowest ? back : 0;
+        }
     }
 }
 

@@ -49,6 +49,15 @@ internal sealed class WorldSettings
     /// <summary>Approach slower than this does not bounce, a speed of the scene. 0 or more; default 0.</summary>
     public float BounceThreshold { get; set; }
 
+    /// <summary>
+    /// Speed up to which restitutions above 1 drive bodies on, a speed of the scene; above 0. Default infinite: as far as the body's size and the
+    /// step allow.
+    /// </summary>
+    public float MostDrivenSpeed { get; set; } = float.PositiveInfinity;
+
+    /// <summary>The same for spins, rad/s.</summary>
+    public float MostDrivenSpin { get; set; } = float.PositiveInfinity;
+
     /// <summary>The friction of a pair stays what it was when the pair was made (a quirk of the original). Default false.</summary>
     public bool FreezePairFriction { get; set; }
 

@@ -101,6 +101,7 @@ internal sealed partial class World
 
         Handle handle = Shapes.ColliderIds.Take();
         int collider = handle.Index;
+        _makesEnergy |= def.Restitution > 1;
         EnsureColliders(Shapes.ColliderIds.End);
         Shapes.Colliders[collider] = new ColliderInfo
         {

@@ -4,6 +4,7 @@ using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
@@ -58,7 +59,9 @@ internal sealed partial class World
     public void NoteChanged(Handle collider)
     {
         Require(collider, Shapes.ColliderIds, nameof(collider));
-        Disturb(Shapes.Colliders[collider.Index].Body);
+        ref ColliderInfo info = ref Shapes.Colliders[collider.Index];
+        _makesEnergy |= info.Restitution > 1;
+        Disturb(info.Body);
     }
 
     public void WakeAll()

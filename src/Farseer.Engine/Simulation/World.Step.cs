@@ -26,7 +26,7 @@ internal sealed partial class World
     /// <summary>Parts the rows of large worlds for two workers.</summary>
     public RowHalves RowHalves { get; } = new RowHalves();
 
-    private void RunStages(float dt)
+    private unsafe void RunStages(float dt)
     {
         Profile.Begin();
         PurgeNow();
@@ -68,6 +68,11 @@ internal sealed partial class World
 
         Profile.End(StepStage.Forces);
 
+        if (_makesEnergy)
+        {
+            _bounceBound.Begin(Bodies, _lists.Moves);
+        }
+
         _graph.RecallShared(_contacts.Records);
         Solve(dt, anyDeep, contacts.Coefficients);
         _contactStage.Lone.PutBack(_contacts, _graph);
@@ -88,6 +93,11 @@ internal sealed partial class World
         if (Settings.Continuous && _lists.Fast.Count > 0)
         {
             SweepFastBodies(dt, substep);
+        }
+
+        if (_makesEnergy)
+        {
+            _bounceBound.End(Bodies, _lists.Moves, Settings, dt);
         }
 
         Profile.End(StepStage.Continuous);
@@ -140,7 +150,8 @@ internal sealed partial class World
         System.Numerics.Vector2 g = Settings.Gravity;
         float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
         float coarseness = WorldSettings.DefaultSubsteps / (float)_substeps;
-        input.Coefficients = new ContactCoefficients(substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold, coarseness, _recovery);
+        input.Coefficients = new ContactCoefficients(
+            substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold, coarseness, _recovery, Settings.MostDrivenSpeed);
         return input;
     }
 
@@ -321,7 +332,8 @@ internal sealed partial class World
             input.Substeps = _substeps * fineness;
             input.Substep = substep;
             ref readonly ContactCoefficients c = ref input.Coefficients;
-            input.Coefficients = new ContactCoefficients(substep, c.Gravity, c.Rest, c.BounceThreshold, 1f, _recovery / fineness);
+            input.Coefficients = new ContactCoefficients(
+                substep, c.Gravity, c.Rest, c.BounceThreshold, 1f, _recovery / fineness, c.MostDriven);
             input.Springs = null;
             _classes.Ease(index, _sagForecast, _islands, input.Coefficients);
             joints?.Select(index, substep, fineness);

@@ -23,6 +23,8 @@ internal sealed partial class World
     private readonly ContactStore _contacts;
     private readonly ConstraintGraph _graph = new ConstraintGraph();
     private readonly LightenedBodies _lightened = new LightenedBodies();
+    private readonly BounceBound _bounceBound = new BounceBound();
+    private bool _makesEnergy;
     private readonly IslandStore _islands = new IslandStore();
     private readonly FeedForwardSettings _feedForward = new FeedForwardSettings();
     private readonly SagForecast _sagForecast = new SagForecast();

@@ -35,7 +35,7 @@ internal sealed class ItemQueue<T>
         _letGo = letGo;
     }
 
-    /// <summary>True if the item waits from now on; false if only its removal was taken back.</summary>
+    /// <summary>True if the item waits from now on; false if only its removal was taken back, or if it was added before.</summary>
     public bool Add(T? item, string name)
     {
         Require.NotNull(item, name);
@@ -60,7 +60,7 @@ internal sealed class ItemQueue<T>
                 _in.Add(item);
                 return true;
             default:
-                throw new ArgumentException("The " + item.GetType().Name + " was added to this simulator before.", name);
+                return false;
         }
     }
 

@@ -30,22 +30,39 @@ internal static class OutlineRules
             outline.RemoveAt(outline.Count - 1);
         }
 
-        PolygonFault fault = outline.CheckPolygon();
+        PolygonFault fault = FaultOf(outline, out int index, out bool isOfPrecision);
         if (fault != PolygonFault.None)
         {
-            throw new ArgumentException(Message(fault, outline.Count), name);
+            throw new ArgumentException(isOfPrecision ? Message(fault, index, outline) : Message(fault, outline), name);
+        }
+
+        outline.ForceCounterClockWiseOrder();
+        return outline;
+    }
+
+    /// <summary>What keeps vertices from being an outline.</summary>
+    /// <param name="outline">The vertices.</param>
+    /// <param name="index">The vertex at fault, of a fault of precision; -1: all of them.</param>
+    /// <param name="isOfPrecision">Exactly there is no fault, but there is one within the precision of the coordinates.</param>
+    public static PolygonFault FaultOf(Vertices outline, out int index, out bool isOfPrecision)
+    {
+        index = -1;
+        isOfPrecision = false;
+        PolygonFault fault = outline.ExactFault();
+        if (fault != PolygonFault.None)
+        {
+            return fault;
         }
 
         // The exact checks do not see what is too thin for the precision of its own coordinates; those of the engine do.
-        OutlineProblem problem = Outline.Check(outline.ToArray(), out int index);
+        OutlineProblem problem = Outline.Check(outline.ToArray(), out index);
         if (problem != OutlineProblem.None)
         {
-            throw new ArgumentException(Message(problem, index, outline), name);
+            isOfPrecision = true;
+            return problem == OutlineProblem.SelfIntersecting ? PolygonFault.SelfIntersecting : PolygonFault.NoArea;
         }
 
-        CheckSize(outline, name);
-        outline.ForceCounterClockWiseOrder();
-        return outline;
+        return IsInRange(outline) ? PolygonFault.None : PolygonFault.OutOfRange;
     }
 
     /// <summary>A copy without points that repeat the one before, for a chain.</summary>
@@ -82,33 +99,52 @@ internal static class OutlineRules
 
     private static void CheckSize(Vertices points, string name)
     {
-        var box = new AABB(points);
-        float size = Math.Max(box.Width, box.Height);
-        if (!(size >= StateRange.Least && size <= StateRange.Limit))
+        if (!(Size(points) >= StateRange.Least && Size(points) <= StateRange.Limit))
         {
-            throw new ArgumentException(
-                "The size of " + points.Count.ToString(CultureInfo.InvariantCulture) + " points, "
-                + size.ToString(CultureInfo.InvariantCulture) + ", must be from 1.1E-19 to 9.2E18.",
-                name);
+            throw new ArgumentException(SizeMessage(points), name);
         }
     }
 
-    private static string Message(OutlineProblem problem, int index, Vertices outline)
+    private static bool IsInRange(Vertices points)
+    {
+        foreach (Vector2 point in points)
+        {
+            if (!(Math.Abs(point.X) <= StateRange.Limit && Math.Abs(point.Y) <= StateRange.Limit))
+            {
+                return false;
+            }
+        }
+
+        return Size(points) >= StateRange.Least && Size(points) <= StateRange.Limit;
+    }
+
+    private static float Size(Vertices points)
+    {
+        var box = new AABB(points);
+        return Math.Max(box.Width, box.Height);
+    }
+
+    private static string SizeMessage(Vertices points) =>
+        "The size of " + points.Count.ToString(CultureInfo.InvariantCulture) + " points, "
+        + Size(points).ToString(CultureInfo.InvariantCulture) + ", must be from 1.1E-19 to 9.2E18.";
+
+    private static string Message(PolygonFault fault, int index, Vertices outline)
     {
         string place = index < 0 ? "" : " at vertex " + index.ToString(CultureInfo.InvariantCulture) + ", " + outline[index] + ",";
-        string what = problem == OutlineProblem.SelfIntersecting ? "touches or crosses itself" : "has no area";
+        string what = fault == PolygonFault.SelfIntersecting ? "touches or crosses itself" : "has no area";
         return "Within the precision of its coordinates the outline of " + outline.Count.ToString(CultureInfo.InvariantCulture)
             + " vertices" + place + " " + what + ".";
     }
 
-    private static string Message(PolygonFault fault, int count)
+    private static string Message(PolygonFault fault, Vertices outline)
     {
-        string many = count.ToString(CultureInfo.InvariantCulture);
+        string many = outline.Count.ToString(CultureInfo.InvariantCulture);
         return fault switch
         {
             PolygonFault.TooFewVertices => "The outline has " + many + " different vertices; it needs at least 3.",
             PolygonFault.NoArea => "The outline of " + many + " vertices has no area.",
             PolygonFault.SelfIntersecting => "The outline of " + many + " vertices touches or crosses itself.",
+            PolygonFault.OutOfRange => SizeMessage(outline),
             _ => "The outline of " + many + " vertices has the fault " + fault + ".",
         };
     }

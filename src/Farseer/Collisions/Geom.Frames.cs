@@ -133,7 +133,8 @@ public partial class Geom
         (float)(x + ((cos * local.X) - (sin * local.Y))),
         (float)(y + ((sin * local.X) + (cos * local.Y))));
 
-    private void GetPlacement(out double x, out double y, out float cos, out float sin)
+    /// <summary>Its place in the world, and its turn.</summary>
+    internal void GetPlacement(out double x, out double y, out float cos, out float sin)
     {
         float offsetCos = _offset is null ? 1 : _offset.Cos;
         float offsetSin = _offset is null ? 0 : _offset.Sin;

@@ -20,4 +20,7 @@ public enum PolygonFault
 
     /// <summary>Two edges cross, touch or run back on each other.</summary>
     SelfIntersecting = 5,
+
+    /// <summary>The outline is smaller than 1.1·10⁻¹⁹ or larger than 9.2·10¹⁸, or a coordinate is beyond that.</summary>
+    OutOfRange = 6,
 }

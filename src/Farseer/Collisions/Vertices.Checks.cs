@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
 
@@ -45,12 +46,15 @@ public partial class Vertices
     public bool IsSimple() => CheckPolygon() == PolygonFault.None;
 
     /// <summary>
-    /// Tells what, if anything, keeps the vertices from being the outline of a shape. The checks are exact for coordinates of
-    /// like size; there is no tolerance.
+    /// Tells what, if anything, keeps the vertices from being the outline of a shape. Geoms and factories ask the same, but for repeated vertices,
+    /// which they leave out: what is too thin for the precision of its coordinates has no area, or touches itself.
     /// </summary>
     /// <returns>The first fault found, in the order of <see cref="PolygonFault"/>.</returns>
     /// <remarks>The time grows with the square of the number of vertices.</remarks>
-    public PolygonFault CheckPolygon()
+    public PolygonFault CheckPolygon() => OutlineRules.FaultOf(this, out _, out _);
+
+    /// <summary>The first fault of the vertices as they are, without tolerance; exact for coordinates of like size.</summary>
+    internal PolygonFault ExactFault()
     {
         if (Count < 3)
         {

@@ -7,7 +7,7 @@ using FarseerGames.FarseerPhysics.Interfaces;
 namespace FarseerGames.FarseerPhysics.Controllers;
 
 /// <summary>A fluid at rest in a box.</summary>
-public class AABBFluidContainer : IFluidContainer
+public class AABBFluidContainer : IFluidContainer, IStraightFluid
 {
     private AABB? _aabb;
 
@@ -41,4 +41,17 @@ public class AABBFluidContainer : IFluidContainer
 
     /// <inheritdoc />
     public bool Contains(ref Vector2 vector) => _aabb is not null && _aabb.Contains(ref vector);
+
+    void IStraightFluid.PartsWithin(double minX, double maxX, out int first, out int end)
+    {
+        first = 0;
+        end = _aabb is null ? 0 : 1;
+    }
+
+    FluidPart IStraightFluid.Part(int index)
+    {
+        Vector2 min = _aabb!.Min;
+        Vector2 max = _aabb.Max;
+        return new FluidPart(min.X, max.X, max.Y, OutlineEdge.Line(min.X, min.Y, max.X, min.Y));
+    }
 }

@@ -11,20 +11,18 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 
 /// <summary>
 /// Lets geoms float: each one that was added with <see cref="AddGeom"/> is lifted by the weight of the fluid that it displaces and
-/// slowed by the fluid. The part of a geom in the fluid is the polygon of its vertices that are inside: give geoms enough vertices
-/// for a smooth surface.
+/// slowed by the fluid. The part of a geom in the fluid is exact, of circles and rounded shapes as well, for the fluids of this library. Of a
+/// container of your own only points can be asked for: the outline is looked at in four parts a side and eight a quarter turn, and where it
+/// passes the surface is found between them. Chains count as the outline of their points; what has no area does not float.
 /// </summary>
 public class FluidDragController : Controller
 {
-    /// <summary>Share of its vertices that a geom must have in the fluid to feel it.</summary>
-    private const float LeastShareOfVertices = 0.05f;
-
     /// <summary>Share of its area below which what is in the fluid counts for nothing.</summary>
-    private const float LeastShareOfArea = 1e-6f;
+    private const double LeastShareOfArea = 1e-6;
 
     private readonly List<Geom> _geoms = new List<Geom>();
     private readonly List<bool> _entered = new List<bool>();
-    private readonly Vertices _inside = new Vertices();
+    private readonly SubmergedPart _inside = new SubmergedPart();
     private IFluidContainer? _container;
     private Vector2 _gravity;
     private float _density;
@@ -151,9 +149,10 @@ public class FluidDragController : Controller
         for (int i = 0; i < _geoms.Count; i++)
         {
             Geom geom = _geoms[i];
-            if (!geom.IsDisposed && geom.Body is { Enabled: true } && _container.Intersect(geom.AABB) && GatherInside(geom, _container, dt / 2, out float share))
+            if (!geom.IsDisposed && geom.Body is { Enabled: true } && geom.Form is not null && _container.Intersect(geom.AABB)
+                && IsInside(geom, _container, dt))
             {
-                Act(geom, share, dt);
+                Act(geom.Body, dt);
                 if (!_entered[i])
                 {
                     _entered[i] = true;
@@ -164,57 +163,40 @@ public class FluidDragController : Controller
     }
 
     /// <summary>
-    /// The vertices that are in the fluid in the middle of the step: a force found at its start would lag behind by half a step, and what
-    /// falls in would come out higher.
+    /// Looks where the geom is in the middle of the step: a force found at its start would lag behind by half a step, and what falls in would
+    /// come out higher.
     /// </summary>
-    private bool GatherInside(Geom geom, IFluidContainer container, float ahead, out float share)
+    private bool IsInside(Geom geom, IFluidContainer container, float dt)
     {
-        Body body = geom.Body;
-        Vector2 way = ahead * body.LinearVelocity;
-        float turn = ahead * body.AngularVelocity;
-        Vector2 origin = body.Position;
-        share = 0;
-        _inside.Clear();
-        Vertices vertices = geom.WorldVertices;
-        for (int i = 0; i < vertices.Count; i++)
+        if (Simulator is not null && (Simulator.Quirks & Farseer201Quirks.BuoyancyOfVertices) != 0)
         {
-            Vector2 arm = vertices[i] - origin;
-            Vector2 vertex = vertices[i] + way + new Vector2(-turn * arm.Y, turn * arm.X);
-            if (container.Contains(ref vertex))
-            {
-                _inside.Add(vertex);
-            }
+            _inside.FindByVertices(geom, container, 0.5 * dt);
+        }
+        else
+        {
+            _inside.Find(geom, container, 0.5 * dt);
         }
 
-        if (_inside.Count < 3 || _inside.Count < vertices.Count * LeastShareOfVertices)
-        {
-            return false;
-        }
-
-        share = _inside.GetArea() / vertices.GetArea();
-        return share > LeastShareOfArea;
+        return _inside.Area > LeastShareOfArea * _inside.WholeArea;
     }
 
-    private void Act(Geom geom, float share, float dt)
+    private void Act(Body body, float dt)
     {
-        Body body = geom.Body;
-        float area = _inside.GetArea();
-        Vector2 centre = _inside.GetCentroid(area) - (dt / 2 * body.LinearVelocity);
-        Vector2 lift = -_density * area * _gravity;
-        body.GetVelocityAtWorldPoint(ref centre, out Vector2 velocity);
+        var arm = new Vector2((float)_inside.ArmX, (float)_inside.ArmY);
+        Vector2 force = -_density * (float)_inside.Area * _gravity;
+        Vector2 velocity = body.LinearVelocity + (body.AngularVelocity * new Vector2(-arm.Y, arm.X));
         float speed = velocity.Length();
-        Vector2 drag = Vector2.Zero;
-        float mass = body.Mass * share;
+        float mass = body.Mass * (float)(_inside.Area / _inside.WholeArea);
         if (speed > 0)
         {
-            var across = new Vector2(-velocity.Y / speed, velocity.X / speed);
-            _inside.ProjectToAxis(ref across, out float min, out float max);
-            float rate = 0.5f * _density * (max - min) * _linearDragCoefficient;
-            drag = -Steady(rate * mass, body.InverseMass, dt) * velocity;
+            float width = (float)_inside.Width(-velocity.Y / speed, velocity.X / speed);
+            float rate = 0.5f * _density * width * _linearDragCoefficient;
+            force -= Steady(rate * mass, body.InverseMass, dt) * velocity;
         }
 
-        body.ApplyForceAtWorldPoint(lift + drag, centre);
-        body.ApplyTorque(-Steady(_rotationalDragCoefficient * mass, body.InverseMomentOfInertia, dt) * body.AngularVelocity);
+        body.ApplyForce(force);
+        body.ApplyTorque((arm.X * force.Y) - (arm.Y * force.X)
+            - (Steady(_rotationalDragCoefficient * mass, body.InverseMomentOfInertia, dt) * body.AngularVelocity));
     }
 
     /// <summary>

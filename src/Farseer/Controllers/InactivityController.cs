@@ -1,17 +1,22 @@
 using System;
-using System.Numerics;
+using System.Collections.Generic;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Dynamics;
 
 namespace FarseerGames.FarseerPhysics.Controllers;
 
 /// <summary>
-/// Disables bodies that have been slow for a while, and enables them again when a fast one comes near. It looks only at bodies
-/// whose <see cref="Body.IsAutoIdle"/> is true. Each simulator has one, <see cref="PhysicsSimulator.InactivityController"/>.
+/// Disables bodies that have been slow for a while, and enables them again when one comes near that is fast or that it may not disable. It
+/// disables only bodies whose <see cref="Body.IsAutoIdle"/> is true, and none that is static, and leaves those alone that something near would
+/// wake. Each simulator has one, <see cref="PhysicsSimulator.InactivityController"/>.
 /// </summary>
 public class InactivityController : Controller
 {
     private readonly PhysicsSimulator _simulator;
+
+    // Those that wake others, and those whose time is over, of one update.
+    private readonly List<Body> _wakers = new List<Body>();
+    private readonly List<Body> _idle = new List<Body>();
     private float _activationDistance = 100;
     private float _maxIdleTime = 1000;
 
@@ -25,7 +30,8 @@ public class InactivityController : Controller
     }
 
     /// <summary>
-    /// Distance of the positions, a length of the scene, within which a moving body wakes others; finite and at least 0. Default 100.
+    /// Distance of the positions, a length of the scene, within which bodies wake others: those that move, and those whose
+    /// <see cref="Body.IsAutoIdle"/> is false; finite and at least 0. Default 100.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float ActivationDistance
@@ -42,7 +48,7 @@ public class InactivityController : Controller
         set => _maxIdleTime = Require.NotNegative(value, nameof(MaxIdleTime));
     }
 
-    /// <summary>How many bodies of the simulator were enabled when the controller last acted.</summary>
+    /// <summary>How many bodies of the simulator were enabled when the controller last acted; static ones do not count.</summary>
     public int BodiesEnabled { get; private set; }
 
     /// <summary>True if the positions of two bodies are no more than <see cref="ActivationDistance"/> apart.</summary>
@@ -67,48 +73,83 @@ public class InactivityController : Controller
     {
         Require.NotNegative(dt, nameof(dt));
         float milliseconds = dt * 1000;
+        bool anyDisabled = false;
         BodiesEnabled = 0;
         BodyList bodies = _simulator.BodyList;
         for (int i = 0; i < bodies.Count; i++)
         {
             Body body = bodies[i];
-            if (!body.Enabled || body.IsDisposed)
+            if (body.IsStatic || body.IsDisposed)
             {
+                continue;
+            }
+
+            if (!body.Enabled)
+            {
+                anyDisabled |= body.IsAutoIdle;
                 continue;
             }
 
             BodiesEnabled++;
-            if (!body.IsAutoIdle)
+            if (body.Moves || !body.IsAutoIdle)
             {
+                body.IdleTime = 0;
+                _wakers.Add(body);
                 continue;
             }
 
-            if (body.Moves)
+            body.IdleTime += milliseconds;
+            if (body.IdleTime >= _maxIdleTime)
+            {
+                _idle.Add(body);
+            }
+        }
+
+        if (anyDisabled && _wakers.Count > 0)
+        {
+            Wake(bodies);
+        }
+
+        // One that would be woken at once is not disabled first: contacts would be lost.
+        foreach (Body body in _idle)
+        {
+            if (IsNearAWaker(body))
             {
                 body.IdleTime = 0;
-                WakeAround(body, bodies);
             }
             else
             {
-                body.IdleTime += milliseconds;
-                if (body.IdleTime >= _maxIdleTime)
-                {
-                    body.Enabled = false;
-                }
+                body.Enabled = false;
             }
         }
+
+        _wakers.Clear();
+        _idle.Clear();
     }
 
-    private void WakeAround(Body mover, BodyList bodies)
+    private void Wake(BodyList bodies)
     {
         for (int i = 0; i < bodies.Count; i++)
         {
             Body body = bodies[i];
-            if (!body.Enabled && body.IsAutoIdle && !body.IsDisposed && IsInActivationDistance(mover, body))
+            if (!body.Enabled && body.IsAutoIdle && !body.IsDisposed && IsNearAWaker(body))
             {
                 body.Enabled = true;
                 body.IdleTime = 0;
             }
         }
+    }
+
+    private bool IsNearAWaker(Body body)
+    {
+        foreach (Body waker in _wakers)
+        {
+            if (IsInActivationDistance(waker, body))
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 }

@@ -11,7 +11,7 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// The surface of water as a row of nodes whose heights run along as waves, with a generator of waves at its right end. It is a
 /// container for a <see cref="FluidDragController"/>. y points down: the water is below <see cref="Position"/> and the surface.
 /// </summary>
-public class WaveController : Controller, IFluidContainer
+public class WaveController : Controller, IFluidContainer, IStraightFluid
 {
     private float[] _currentWave = Array.Empty<float>();
     private float[] _previousWave = Array.Empty<float>();
@@ -216,6 +216,25 @@ public class WaveController : Controller, IFluidContainer
         return (edge.X * point.Y) - (edge.Y * point.X) >= 0;
     }
 
+    void IStraightFluid.PartsWithin(double minX, double maxX, out int first, out int end)
+    {
+        int last = _currentWave.Length - 1;
+        bool any = last > 0 && _width > 0 && maxX >= _position.X && minX <= (double)_position.X + _width;
+        first = any ? NodeAt(minX, last) : 0;
+        end = any ? NodeAt(maxX, last) + 1 : 0;
+    }
+
+    FluidPart IStraightFluid.Part(int index)
+    {
+        double stride = (double)_width / (_currentWave.Length - 1);
+        double y = _position.Y;
+        return new FluidPart(
+            _position.X + (index * stride),
+            _position.X + ((index + 1) * stride),
+            y + _height,
+            OutlineEdge.Line(_xPosition[index], y + _currentWave[index], _xPosition[index + 1], y + _currentWave[index + 1]));
+    }
+
     /// <inheritdoc />
     public override void Validate()
     {
@@ -241,6 +260,8 @@ public class WaveController : Controller, IFluidContainer
         Advance();
         Generate();
     }
+
+    private int NodeAt(double x, int last) => (int)Math.Min(Math.Max(0, (x - _position.X) / _width * last), last - 1);
 
     private void Advance()
     {

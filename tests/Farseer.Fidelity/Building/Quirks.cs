@@ -14,6 +14,7 @@ public static class Quirks
     {
         ["chain_pin"] = ["PathLinkedAtFarEnds"],
         ["collision_category"] = ["OneSidedCategoryFilter"],
+        ["fluid_circle"] = ["BuoyancyOfVertices"],
         ["friction_changed_in_contact"] = ["PairFrictionFrozen"],
         ["geom_rotation_offset"] = ["OffsetTurnedByRotationOffset"],
         ["impulses"] = ["ImpulseDividedByMassTwice"],

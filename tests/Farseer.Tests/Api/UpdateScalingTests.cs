@@ -28,20 +28,48 @@ public class UpdateScalingTests
     {
         PhysicsSimulator simulator = Falling(out _);
         simulator.Scaling = new Scaling(0.002f, 0.01f) { Enabled = true };
-        for (int i = 1; i <= 8; i++)
+        for (int i = 1; i <= 16; i++)
         {
-            simulator.Update(0.001f, 0.002f);
-            Assert.Equal(0.002f + (0.001f * i), simulator.Scaling.UpdateInterval, 5);
+            simulator.Update(0.001f, 0.02f);
+            Assert.Equal(0.002f + (0.0005f * i), simulator.Scaling.UpdateInterval, 5);
         }
 
-        simulator.Update(0.001f, 0.002f);
+        simulator.Update(0.001f, 0.02f);
         Assert.Equal(0.01f, simulator.Scaling.UpdateInterval, 5);
-        for (int i = 0; i < 20; i++)
+        for (int i = 1; i <= 32; i++)
         {
             simulator.Update(0.001f, 0.0005f);
+            Assert.Equal(0.01f - (0.00025f * i), simulator.Scaling.UpdateInterval, 5);
         }
 
+        simulator.Update(0.001f, 0.0005f);
         Assert.Equal(0.002f, simulator.Scaling.UpdateInterval, 5);
+    }
+
+    [Fact]
+    public void Scaling_UnderASteadyLoad_SettlesAtTheRealTime()
+    {
+        var random = new Random(5);
+        for (int i = 0; i < 200; i++)
+        {
+            float preferred = 0.0005f + (0.01f * (float)random.NextDouble());
+            float maximum = preferred * (1 + (40 * (float)random.NextDouble()));
+            float real = preferred * 45 * (float)random.NextDouble();
+            PhysicsSimulator simulator = Falling(out _);
+            simulator.Scaling = new Scaling(preferred, maximum) { Enabled = true };
+            for (int step = 0; step < 400; step++)
+            {
+                simulator.Update(0.001f, real);
+            }
+
+            // It goes up by a quarter of the preferred interval where it has just come too low.
+            float expected = Math.Min(Math.Max(real, preferred), maximum);
+            for (int step = 0; step < 10; step++)
+            {
+                simulator.Update(0.001f, real);
+                Assert.InRange(simulator.Scaling.UpdateInterval, expected - (0.126f * preferred), expected + (0.251f * preferred));
+            }
+        }
     }
 
     [Fact]

@@ -224,7 +224,11 @@ public class VerticesTests
     public void CheckPolygon_OfEachFault_NamesIt()
     {
         Assert.Equal(PolygonFault.None, Square(1).CheckPolygon());
-        Assert.Equal(PolygonFault.None, Vertices.CreateRectangle(1e-6f, 1e6f).CheckPolygon());
+        Assert.Equal(PolygonFault.None, Vertices.CreateRectangle(1e-2f, 1e3f).CheckPolygon());
+        Assert.Equal(PolygonFault.NoArea, Vertices.CreateRectangle(1e-6f, 1e6f).CheckPolygon());
+        Assert.Equal(PolygonFault.NoArea, Of(0, 0, 1, 1e-6f, 2, 0).CheckPolygon());
+        Assert.Equal(PolygonFault.OutOfRange, Of(0, 0, 1e19f, 0, 0, 1e19f).CheckPolygon());
+        Assert.Equal(PolygonFault.OutOfRange, Of(0, 0, 1e-20f, 0, 0, 1e-20f).CheckPolygon());
         Assert.Equal(PolygonFault.TooFewVertices, Of(0, 0, 1, 0).CheckPolygon());
         Assert.Equal(PolygonFault.NotFinite, Of(0, 0, 1, 0, 0, float.NaN).CheckPolygon());
         Assert.Equal(PolygonFault.RepeatedVertex, Of(0, 0, 1, 0, 1, 1, 0, 0).CheckPolygon());

@@ -4,6 +4,7 @@ using System.Linq;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Controllers;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Dynamics.Joints;
 using FarseerGames.FarseerPhysics.Dynamics.Springs;
@@ -54,6 +55,9 @@ public class QuirkTests
 
         // F = 1000 on m = 1 for 0.01 s, along a pin that breaks: Δv = 10, or held once more.
         [Farseer201Quirks.JointBreaksLate] = new(SpeedInTheUpdateInWhichAPinBreaks, 10, 0, 1e-4),
+
+        // y from −5 to 10 of a triangle of the height 30 on a base of 20: (10 + 20) / 2 · 15, two of its three corners.
+        [Farseer201Quirks.BuoyancyOfVertices] = new(LiftOfATriangle, 225, 0, 0.1),
 
         // Links of 10 end to end, but for the gap that the strides leave, 0.2 at most; with the flag from far end to far end less one.
         [Farseer201Quirks.PathLinkedAtFarEnds] = new(LengthOfTheSecondPinOfAChain, 0.1, 10, 0.1),
@@ -163,6 +167,18 @@ public class QuirkTests
 
     private static double LengthOfTheSecondPinOfAChain(PhysicsSimulator simulator) => ((PinJoint)ComplexFactory.Instance
         .CreateChain(simulator, Vector2.Zero, new Vector2(100, 0), 10, 2, 1, 1, LinkType.PinJoint).Joints[1]).TargetDistance;
+
+    private static double LiftOfATriangle(PhysicsSimulator simulator)
+    {
+        Body body = BodyFactory.Instance.CreatePolygonBody(simulator, Outline(-10, 10, 10, 10, 0, -20), 1);
+        body.IgnoreGravity = true;
+        var water = new FluidDragController();
+        water.Initialize(new AABBFluidContainer(new AABB(new Vector2(-100, -5), new Vector2(100, 100))), 1, 0, 0, new Vector2(0, 100));
+        water.AddGeom(GeomFactory.Instance.CreatePolygonGeom(simulator, body, Outline(-10, 10, 10, 10, 0, -20), 0));
+        simulator.Add(water);
+        simulator.Update(1e-3f);
+        return -body.LinearVelocity.Y * 10;
+    }
 
     private static double LInertia(PhysicsSimulator simulator) =>
         BodyFactory.Instance.CreatePolygonBody(simulator, Outline(0, 0, 60, 0, 60, 20, 20, 20, 20, 60, 0, 60), 2).MomentOfInertia;

@@ -97,7 +97,6 @@ public class HandlerMischiefTests
         var simulator = new PhysicsSimulator();
         var other = new PhysicsSimulator();
         Body body = BodyFactory.Instance.CreateBody(simulator, 1, 1);
-        Assert.Equal("body", Assert.Throws<ArgumentException>(() => simulator.Add(body)).ParamName);
         Assert.Equal("body", Assert.Throws<ArgumentException>(() => other.Add(body)).ParamName);
         Assert.Equal("body", Assert.Throws<ArgumentException>(() => other.Remove(body)).ParamName);
         Assert.Throws<ArgumentNullException>(() => simulator.Add((Body)null!));
@@ -105,7 +104,6 @@ public class HandlerMischiefTests
         Geom geom = GeomFactory.Instance.CreateRectangleGeom(body, 1, 1);
         Assert.Throws<ArgumentException>(() => other.Add(geom));
         simulator.Add(geom);
-        Assert.Throws<ArgumentException>(() => simulator.Add(geom));
         Assert.Throws<InvalidOperationException>(() => simulator.BroadPhaseCollider = new BruteForceCollider(simulator));
         Assert.Throws<ArgumentException>(() => simulator.Add(new Geom()));
         body.Dispose();
