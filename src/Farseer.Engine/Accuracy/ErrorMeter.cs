@@ -225,7 +225,7 @@ internal sealed unsafe class ErrorMeter
             way.X = pose.X - start.X;
             way.Y = pose.Y - start.Y;
             way.W = pose.Angle - start.Angle;
-            double error = _audit.Motion.Estimate(i, way, radius, out bool struck) + _sags.Of(i);
+            double error = _audit.Motion.ErrorOf(i, way, radius, out bool struck) + _sags.Of(i);
             if (error > m.MotionError)
             {
                 m.MotionError = error;

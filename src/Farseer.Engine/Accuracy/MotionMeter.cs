@@ -43,7 +43,7 @@ internal sealed class MotionMeter
     /// <param name="way">How far it went in the step.</param>
     /// <param name="radius">Its radius of gyration.</param>
     /// <param name="struck">A single blow makes most of it: it is over, and finer substeps make the next one no better known.</param>
-    public double Estimate(int body, in VelocityChange way, double radius, out bool struck)
+    public double ErrorOf(int body, in VelocityChange way, double radius, out bool struck)
     {
         ref Track t = ref _tracks[body];
         double x = way.X - t.Way.X;

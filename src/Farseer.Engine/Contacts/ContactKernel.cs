@@ -395,12 +395,12 @@ internal static unsafe class ContactKernel
         Wide k11 = Wide.Load(row->K11 + lane);
         Wide k22 = Wide.Load(row->K22 + lane);
         WideMask block = ContactBundle.Has(row, lane, ContactBundle.BlockMark);
-        SolveBlock(k11, k22, NormalCoupling(row, lane), block, lambda0, lambda1, r0, r1, out x0, out x1);
+        SolveResponses(k11, k22, NormalCoupling(row, lane), block, lambda0, lambda1, r0, r1, out x0, out x1);
     }
 
     /// <summary>The same for given responses; lanes that are no <paramref name="block"/> are solved row by row.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void SolveBlock(
+    internal static void SolveResponses(
         Wide k11, Wide k22, Wide k12, WideMask block, Wide lambda0, Wide lambda1, Wide r0, Wide r1, out Wide x0, out Wide x1)
     {
         Wide inverse11 = Wide.One / k11;

@@ -54,7 +54,7 @@ internal unsafe ref struct ImpactArms
         WideMask block = ((k11 * k22) - (k12 * k12)) > (Wide.Splat(DeterminantShare) * k11 * k22);
         r0 = Wide.Select(struck0, r0, Wide.One);
         r1 = Wide.Select(struck1, r1, Wide.One);
-        ContactKernel.SolveBlock(k11, k22, k12, block, y0, y1, r0, r1, out x0, out x1);
+        ContactKernel.SolveResponses(k11, k22, k12, block, y0, y1, r0, r1, out x0, out x1);
     }
 
     /// <summary>What two normal impulses change the velocities of both bodies by.</summary>

@@ -15,19 +15,13 @@ namespace Farseer.Engine.Continuous;
 /// flies on with the rest of its time; one that the solver moved is stopped there, keeps its velocity, and the next step finds it in
 /// contact. Either may lose the rest of its step, but never passes.
 /// </summary>
-internal sealed class FastBodySweep
+internal sealed partial class FastBodySweep
 {
     /// <summary>Impacts of one body in a step; after them it waits for the next.</summary>
     private const int MostImpacts = 16;
 
     /// <summary>Searches of one body in a step that end in something to look at.</summary>
     private const int MostSearches = 96;
-
-    /// <summary>Things that a body meets at the same moment and that are resolved together.</summary>
-    private const int MostTogether = 8;
-
-    /// <summary>Turns of these, until none changes the velocities any more.</summary>
-    private const int MostTurns = 256;
 
     /// <summary>
     /// Share of its extent by which a body that the solver handled may sink into something: what it does there is the solver's
@@ -148,149 +142,6 @@ internal sealed class FastBodySweep
             ? input.Contacts.FirstFriction[contact]
             : ContactUpdate.MixFriction(input.Shapes, input.Settings.FrictionMix, record);
         return obstacle;
-    }
-
-    /// <summary>The impact of a free body with a candidate, and with what else it meets at that moment.</summary>
-    private Meeting Meet(in SweepInput input, in FreeLeg leg, double time, double left, int found)
-    {
-        ref SweepCandidate candidate = ref _candidates[found];
-        Surface met = Look(input, leg, time, left, candidate);
-        if (met.Manifold.Count == 0)
-        {
-            bool missed = candidate.Mode == SweepMode.Met;
-            candidate.Mode = missed ? SweepMode.Passed : SweepMode.Met;
-            candidate.Target = missed ? candidate.Target : met.Target;
-            return Meeting.Missed;
-        }
-
-        candidate.Mode = SweepMode.Met;
-        candidate.Target = met.Target;
-        if (met.IsHidden)
-        {
-            return Meeting.Missed;
-        }
-
-        Mover after = leg.MoverAt(input.Bodies, time, left);
-        if (!Impact.Approaches(after, met.Obstacle, met.Own))
-        {
-            return Meeting.Missed;
-        }
-
-        leg.Place(input, time, left);
-        var seen = new BodySeen(input.Bodies, leg.Body);
-        Span<Surface> surfaces = stackalloc Surface[MostTogether];
-        int count = 0;
-        bool accepted = input.Listener.OnImpact(candidate.Contact, met.Manifold);
-        if (accepted)
-        {
-            surfaces[count++] = met;
-        }
-
-        for (int i = 0; accepted && i < _count && count < MostTogether && !seen.HasChanged(input.Bodies, leg.Body); i++)
-        {
-            ref SweepCandidate other = ref _candidates[i];
-            if (i == found || other.Moves != 0 || other.Mode == SweepMode.Passed)
-            {
-                continue;
-            }
-
-            Surface beside = Look(input, leg, time, left, other);
-            if (beside.Manifold.Count > 0 && !beside.IsHidden && beside.Depth <= 2 * beside.Tolerance && Impact.Approaches(after, beside.Obstacle, beside.Own))
-            {
-                other.Mode = input.Listener.OnImpact(other.Contact, beside.Manifold) ? SweepMode.Met : SweepMode.Passed;
-                other.Target = beside.Target;
-                surfaces[count] = beside;
-                count += other.Mode == SweepMode.Met ? 1 : 0;
-            }
-        }
-
-        if (seen.HasChanged(input.Bodies, leg.Body))
-        {
-            // A handler took the body into its own hands.
-            return Meeting.Gone;
-        }
-
-        if (!accepted)
-        {
-            candidate.Mode = SweepMode.Passed;
-            return Meeting.Refused;
-        }
-
-        Resolve(ref after, surfaces.Slice(0, count));
-        ref BodyState now = ref input.Bodies.State[leg.Body];
-        now.LinearVelocity = new Vector2((float)after.VelocityX, (float)after.VelocityY);
-        now.AngularVelocity = (float)after.Spin;
-        if (met.Depth < 0 && met.Depth > -4 * met.Tolerance)
-        {
-            ref BodyPose pose = ref input.Bodies.Pose[leg.Body];
-            pose.X -= met.Depth * met.Own.Normal.X;
-            pose.Y -= met.Depth * met.Own.Normal.Y;
-            candidate.Target = -met.Tolerance;
-        }
-
-        return Meeting.Struck;
-    }
-
-    private static void Resolve(ref Mover mover, Span<Surface> surfaces)
-    {
-        if (surfaces.Length == 1)
-        {
-            Impact.Resolve(ref mover, ref surfaces[0].Obstacle, surfaces[0].Own);
-            return;
-        }
-
-        // Each by itself first, then in turns until nothing changes: one after the other alone would throw a symmetric body into a spin.
-        for (int i = 0; i < surfaces.Length; i++)
-        {
-            surfaces[i].Impact = new ImpactInTurns(mover, surfaces[i].Obstacle, surfaces[i].Own);
-        }
-
-        bool changed = true;
-        for (int turn = 0; turn < MostTurns && changed; turn++)
-        {
-            changed = false;
-            for (int i = 0; i < surfaces.Length; i++)
-            {
-                changed |= surfaces[i].Impact.Solve(ref mover, surfaces[i].Obstacle);
-            }
-        }
-
-        for (int i = 0; i < surfaces.Length; i++)
-        {
-            surfaces[i].Impact.Rub(ref mover, ref surfaces[i].Obstacle, surfaces[i].Own);
-        }
-    }
-
-    /// <summary>What a candidate shows to a body at a moment of its way.</summary>
-    private static Surface Look(in SweepInput input, in FreeLeg leg, double time, double left, in SweepCandidate candidate)
-    {
-        int body = leg.Body;
-        BodyPath path = leg.Path;
-        ContactRecord record = input.Contacts.Records[candidate.Contact];
-        bool isA = record.BodyA == body;
-        int other = isA ? record.BodyB : record.BodyA;
-        float extent = Extent(input.Shapes, record, isA);
-        Surface surface = default;
-        surface.Tolerance = FastPairs.Tolerance(extent);
-        BodyPath otherPath = PathOf(input, other, left);
-        PairInput pair = ImpactPose.Pair(
-            input.Shapes, record.PieceA, record.PieceB, isA ? path : otherPath, isA ? otherPath : path, time, (float)(4 * surface.Tolerance));
-        Collision.Collide(pair, out surface.Manifold);
-        double depth = surface.Manifold.Count > 0 ? surface.Manifold.Point0.Separation : -CoreShare * extent;
-        depth = surface.Manifold.Count > 1 ? Math.Min(depth, surface.Manifold.Point1.Separation) : depth;
-        surface.Depth = depth;
-        surface.Target = Math.Min(depth, surface.Tolerance) - (2 * surface.Tolerance);
-        if (surface.Manifold.Count > 0)
-        {
-            surface.Obstacle = Describe(input, candidate.Contact, isA, otherPath.XAt(time) - path.XAt(time), otherPath.YAt(time) - path.YAt(time));
-            surface.Obstacle.Slowest = Slowest(input, leg.Gain, surface.Manifold.Normal);
-            surface.Own = isA ? Impact.Flip(surface.Manifold) : Impact.Shift(surface.Manifold, pair.Offset);
-            surface.IsHidden = record.Mover == (isA ? record.PieceA : record.PieceB)
-                && IsHidden(input, candidate.Contact, surface.Manifold, path, (time - 1) * left, time);
-            surface.Target = surface.IsHidden ? Math.Min(depth, 0) - (CoreShare * extent) : surface.Target;
-        }
-
-        return surface;
     }
 
     /// <summary>
@@ -520,25 +371,6 @@ internal sealed class FastBodySweep
         }
 
         return path;
-    }
-
-    /// <summary>A candidate at the moment of an impact.</summary>
-    private struct Surface
-    {
-        public Manifold Manifold;
-
-        /// <summary>The same as the mover sees it.</summary>
-        public Manifold Own;
-        public Obstacle Obstacle;
-        public ImpactInTurns Impact;
-        public double Depth;
-        public double Tolerance;
-
-        /// <summary>It is the next piece of a surface that the body meets.</summary>
-        public bool IsHidden;
-
-        /// <summary>How deep it may come before it is met again.</summary>
-        public double Target;
     }
 
     private enum Meeting

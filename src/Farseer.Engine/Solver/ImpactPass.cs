@@ -13,7 +13,7 @@ namespace Farseer.Engine.Solver;
 /// a body that was struck, they and the impact are solved in turns, and the speed of parting stays that of the impact: a ball comes
 /// back from a box on the ground as from the ground.
 /// </summary>
-internal sealed unsafe class ImpactPass
+internal sealed unsafe partial class ImpactPass
 {
     /// <summary>Impacts one after the other in a substep; a blow that runs on beyond goes on in the next.</summary>
     private const int MostRounds = 1024;
@@ -150,17 +150,6 @@ internal sealed unsafe class ImpactPass
         return _count > 0;
     }
 
-    private int DirectLanes(ContactBundle* row, int can)
-    {
-        int direct = 0;
-        for (int lane = 0; can >> lane != 0; lane++)
-        {
-            direct |= ((can >> lane) & 1) != 0 && _small!.IsShared(row, lane) ? 1 << lane : 0;
-        }
-
-        return direct;
-    }
-
     /// <summary>Before the velocities of a substep are integrated.</summary>
     public void Prepare(BodyStore bodies, in ContactCoefficients c)
     {
@@ -293,76 +282,6 @@ internal sealed unsafe class ImpactPass
         return true;
     }
 
-    /// <summary>Solves the impacts in small islands, each island by itself, and takes them out of the round.</summary>
-    private void SolveSmall(BodyStore bodies, in ContactCoefficients c)
-    {
-        _islandsHit.Clear();
-        for (int i = 0; i < _hits.Count; i++)
-        {
-            BounceLanes* bounce = _bounces.Pointer + _hits[i];
-            int direct = bounce->Hits & bounce->Direct;
-            for (int lane = 0; direct >> lane != 0; lane++)
-            {
-                if (((direct >> lane) & 1) != 0)
-                {
-                    NoteIsland(_small!.IslandOf(bounce->Row, lane), bounce->Time[lane]);
-                }
-            }
-        }
-
-        for (int i = 0; i < _islandsHit.Count; i++)
-        {
-            int island = _islandsHit[i];
-            _island.Solve(island, _small!, _bounces.Pointer, bodies, _timeOf[island], stop: false, c);
-            for (int k = 0; k < _island.Bodies.Count; k++)
-            {
-                NoteChange(_island.Bodies[k]);
-            }
-
-            NoteOnce(_struckSmall, island);
-        }
-
-        for (int i = 0; i < _hits.Count; i++)
-        {
-            BounceLanes* bounce = _bounces.Pointer + _hits[i];
-            bounce->Hits &= ~bounce->Direct;
-        }
-    }
-
-    private void NoteIsland(int island, float time)
-    {
-        _timeOf[island] = NoteOnce(_islandsHit, island) ? time : Math.Max(_timeOf[island], time);
-    }
-
-    /// <returns>True if it was not noted yet.</returns>
-    private static bool NoteOnce(IndexList list, int item)
-    {
-        for (int i = 0; i < list.Count; i++)
-        {
-            if (list[i] == item)
-            {
-                return false;
-            }
-        }
-
-        list.Add(item);
-        return true;
-    }
-
-    /// <summary>Small islands that were struck bear what has come to lie on them; where impacts are left, what approaches is stopped.</summary>
-    private void FinishSmall(in SolverInput input)
-    {
-        for (int i = 0; i < _islandsHit.Count; i++)
-        {
-            _island.Solve(_islandsHit[i], _small!, _bounces.Pointer, input.Bodies, 0, stop: true, input.Coefficients);
-        }
-
-        for (int i = 0; i < _struckSmall.Count; i++)
-        {
-            _island.GiveLoads(_struckSmall[i], _small!, _bounces.Pointer, input.Bodies, input.GravityVector, input.Coefficients);
-        }
-    }
-
     /// <summary>No impact of the round gives back more than a quarter of its energy.</summary>
     private bool AreAllWeak()
     {
@@ -450,90 +369,6 @@ internal sealed unsafe class ImpactPass
     {
         float arm = row->Point0.TangentArmB[lane];
         return row->MassB[lane] + (row->InertiaB[lane] * arm * arm) > Heavy * row->K11[lane];
-    }
-
-    private void Sweep(BodyStore bodies, in ContactCoefficients c)
-    {
-        int lanes = 0;
-        for (int i = 0; i < _hits.Count; i++)
-        {
-            lanes += BitSet.CountBits((uint)_bounces[_hits[i]].Hits);
-        }
-
-        int sweeps = lanes > 1 ? BounceKernel.Sweeps : 1;
-        for (int sweep = 0; sweep < sweeps; sweep++)
-        {
-            _visits += _hits.Count;
-            for (int i = 0; i < _hits.Count; i++)
-            {
-                BounceLanes* bounce = _bounces.Pointer + _hits[i];
-                if (sweep == 0 && bounce->Heavy != 0)
-                {
-                    int now = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c, bounce->Heavy, onlyHeld: false);
-                    bounce->Hits &= now | ~bounce->Heavy;
-                    bounce->Heavy = 0;
-                }
-
-                if (bounce->Hits != 0)
-                {
-                    BounceKernel.Apply(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c);
-                }
-            }
-
-            if (sweep == 0 && sweeps > 1)
-            {
-                KeepShared();
-                sweeps = Math.Min(sweeps, Math.Max(LeastSweeps, SweepVisits / Math.Max(_hits.Count, 1)));
-            }
-        }
-    }
-
-    /// <summary>What shares no body with another impact has been solved by the first sweep, whatever happens elsewhere meanwhile.</summary>
-    private void KeepShared()
-    {
-        for (int i = 0; i < _hits.Count; i++)
-        {
-            Count(_bounces.Pointer + _hits[i], 0);
-        }
-
-        for (int i = 0; i < _hits.Count; i++)
-        {
-            Count(_bounces.Pointer + _hits[i], 1);
-        }
-
-        int kept = 0;
-        for (int i = 0; i < _hits.Count; i++)
-        {
-            BounceLanes* bounce = _bounces.Pointer + _hits[i];
-            ContactBundle* row = bounce->Row;
-            int hits = bounce->Hits;
-            for (int lane = 0; hits >> lane != 0; lane++)
-            {
-                bool shared = (YieldsA(row, lane) && _hitsAt[row->BodyA[lane]] > 1) || (YieldsB(row, lane) && _hitsAt[row->BodyB[lane]] > 1);
-                bounce->Hits &= shared ? hits : ~(1 << lane);
-            }
-
-            if (bounce->Hits != 0)
-            {
-                _hits.Pointer[kept++] = _hits[i];
-            }
-        }
-
-        _hits.SetCount(kept);
-    }
-
-    /// <summary>Counts the impacts of a bundle at their bodies; 0 in <paramref name="step"/> begins anew.</summary>
-    private void Count(BounceLanes* bounce, int step)
-    {
-        ContactBundle* row = bounce->Row;
-        for (int lane = 0; bounce->Hits >> lane != 0; lane++)
-        {
-            if (((bounce->Hits >> lane) & 1) != 0)
-            {
-                _hitsAt[row->BodyA[lane]] = step * (_hitsAt[row->BodyA[lane]] + 1);
-                _hitsAt[row->BodyB[lane]] = step * (_hitsAt[row->BodyB[lane]] + 1);
-            }
-        }
     }
 
     private void Settle(in SolverInput input, ContactPasses passes)

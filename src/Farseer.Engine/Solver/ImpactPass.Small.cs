@@ -1,0 +1,91 @@
+using System;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Solver;
+
+/// <content>Impacts in small islands, each island by itself: see <see cref="IslandImpact"/>.</content>
+internal sealed unsafe partial class ImpactPass
+{
+    private int DirectLanes(ContactBundle* row, int can)
+    {
+        int direct = 0;
+        for (int lane = 0; can >> lane != 0; lane++)
+        {
+            direct |= ((can >> lane) & 1) != 0 && _small!.IsShared(row, lane) ? 1 << lane : 0;
+        }
+
+        return direct;
+    }
+
+    /// <summary>Solves the impacts in small islands, each island by itself, and takes them out of the round.</summary>
+    private void SolveSmall(BodyStore bodies, in ContactCoefficients c)
+    {
+        _islandsHit.Clear();
+        for (int i = 0; i < _hits.Count; i++)
+        {
+            BounceLanes* bounce = _bounces.Pointer + _hits[i];
+            int direct = bounce->Hits & bounce->Direct;
+            for (int lane = 0; direct >> lane != 0; lane++)
+            {
+                if (((direct >> lane) & 1) != 0)
+                {
+                    NoteIsland(_small!.IslandOf(bounce->Row, lane), bounce->Time[lane]);
+                }
+            }
+        }
+
+        for (int i = 0; i < _islandsHit.Count; i++)
+        {
+            int island = _islandsHit[i];
+            _island.Solve(island, _small!, _bounces.Pointer, bodies, _timeOf[island], stop: false, c);
+            for (int k = 0; k < _island.Bodies.Count; k++)
+            {
+                NoteChange(_island.Bodies[k]);
+            }
+
+            NoteOnce(_struckSmall, island);
+        }
+
+        for (int i = 0; i < _hits.Count; i++)
+        {
+            BounceLanes* bounce = _bounces.Pointer + _hits[i];
+            bounce->Hits &= ~bounce->Direct;
+        }
+    }
+
+    private void NoteIsland(int island, float time)
+    {
+        _timeOf[island] = NoteOnce(_islandsHit, island) ? time : Math.Max(_timeOf[island], time);
+    }
+
+    /// <returns>True if it was not noted yet.</returns>
+    private static bool NoteOnce(IndexList list, int item)
+    {
+        for (int i = 0; i < list.Count; i++)
+        {
+            if (list[i] == item)
+            {
+                return false;
+            }
+        }
+
+        list.Add(item);
+        return true;
+    }
+
+    /// <summary>Small islands that were struck bear what has come to lie on them; where impacts are left, what approaches is stopped.</summary>
+    private void FinishSmall(in SolverInput input)
+    {
+        for (int i = 0; i < _islandsHit.Count; i++)
+        {
+            _island.Solve(_islandsHit[i], _small!, _bounces.Pointer, input.Bodies, 0, stop: true, input.Coefficients);
+        }
+
+        for (int i = 0; i < _struckSmall.Count; i++)
+        {
+            _island.GiveLoads(_struckSmall[i], _small!, _bounces.Pointer, input.Bodies, input.GravityVector, input.Coefficients);
+        }
+    }
+}
