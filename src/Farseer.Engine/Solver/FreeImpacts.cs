@@ -31,6 +31,14 @@ internal sealed unsafe class FreeImpacts
 
     public SmallIslands Small { get; } = new SmallIslands();
 
+    /// <summary>Makes room for all rows that there may be: later steps are not to allocate.</summary>
+    public void Reserve(int bodies, int bundles)
+    {
+        _atRest.EnsureCapacity(bodies);
+        _entries.EnsureCapacity(bundles);
+        Small.Reserve(bodies, bundles);
+    }
+
     /// <summary>Finds them among the rows.</summary>
     /// <param name="colors">The rows.</param>
     /// <param name="degrees">How many rows each body has.</param>
@@ -38,16 +46,13 @@ internal sealed unsafe class FreeImpacts
     /// <param name="joints">What they may hang on.</param>
     /// <param name="springs">The same.</param>
     /// <param name="islands">All islands.</param>
-    /// <param name="bundleRoom">Bundles of rows that there is memory for: there is for as many of these.</param>
     public void Find(
-        System.ReadOnlySpan<GraphColor> colors, int* degrees, BodyStore bodies, JointSolver? joints, SpringStore? springs, IslandStore islands, int bundleRoom)
+        System.ReadOnlySpan<GraphColor> colors, int* degrees, BodyStore bodies, JointSolver? joints, SpringStore? springs, IslandStore islands)
     {
         _count = 0;
         AnySmall = false;
         _anyTwice = false;
         _next = 0;
-        _atRest.EnsureCapacity(bodies.State.Capacity);
-        _entries.EnsureCapacity(bundleRoom);
         for (int k = 0; k < colors.Length; k++)
         {
             foreach (ContactBundle* row in colors[k].Bundles)
@@ -84,7 +89,7 @@ internal sealed unsafe class FreeImpacts
 
         if (AnySmall)
         {
-            Small.Find(colors, islands, joints, bundleRoom);
+            Small.Find(colors, islands, joints);
         }
     }
 

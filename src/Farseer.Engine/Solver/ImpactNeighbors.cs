@@ -22,6 +22,15 @@ internal sealed unsafe class ImpactNeighbors
     /// <summary>The bundles marked since the last call of <see cref="Take"/>, in ascending order.</summary>
     public IndexList Taken { get; } = new IndexList();
 
+    /// <summary>Makes room.</summary>
+    public void Reserve(int capacity, int bodies)
+    {
+        _first.EnsureCapacity(bodies);
+        _next.EnsureCapacity(capacity * Ends);
+        Taken.Reserve(capacity);
+        _marked.Set(capacity);
+    }
+
     /// <summary>Forgets all, and makes room.</summary>
     /// <param name="capacity">Bundles that there may be.</param>
     /// <param name="bodyEnd">One past the highest body.</param>

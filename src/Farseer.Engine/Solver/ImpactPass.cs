@@ -94,6 +94,23 @@ internal sealed unsafe partial class ImpactPass
     /// <summary>The rounds have ended before such impacts did.</summary>
     private bool _goesOn;
 
+    /// <summary>Makes room for as many bodies: later steps are not to allocate.</summary>
+    public void Reserve(int bodies)
+    {
+        _island.Begin(bodies);
+        _timeOf.EnsureCapacity(bodies + 1);
+        _islandsHit.Reserve(bodies);
+        _struckSmall.Reserve(bodies);
+        _bounces.EnsureCapacity(LeastBundles + (bodies / 2));
+        _hits.Reserve(_bounces.Capacity);
+        _met.Reserve(_bounces.Capacity);
+        _latest.EnsureCapacity(bodies);
+        _hitsAt.EnsureCapacity(bodies);
+        _islandStruck.EnsureCapacity(bodies + 1);
+        _changed.EnsureCapacity(bodies);
+        _neighbors.Reserve(_bounces.Capacity, bodies);
+    }
+
     /// <summary>Lists the bundles that can bounce.</summary>
     /// <param name="colors">The rows.</param>
     /// <param name="bodies">The store.</param>
@@ -104,20 +121,6 @@ internal sealed unsafe partial class ImpactPass
         _count = 0;
         _rows = 0;
         _small = free is { AnySmall: true } ? free.Small : null;
-        if (_small != null)
-        {
-            _island.Begin(bodies.State.Capacity);
-            _timeOf.EnsureCapacity(bodies.State.Capacity + 1);
-            _islandsHit.Reserve(bodies.State.Capacity);
-            _struckSmall.Reserve(bodies.State.Capacity);
-        }
-
-        _bounces.EnsureCapacity(LeastBundles + (bodies.Ids.End / 2));
-        _hits.Reserve(_bounces.Capacity);
-        _met.Reserve(_bounces.Capacity);
-        _latest.EnsureCapacity(bodies.Ids.End);
-        _hitsAt.EnsureCapacity(bodies.Ids.End);
-        _islandStruck.EnsureCapacity(bodies.Ids.End + 1);
         for (int k = 0; k < colors.Length; k++)
         {
             foreach (ContactBundle* row in colors[k].Bundles)
@@ -142,7 +145,6 @@ internal sealed unsafe partial class ImpactPass
         if (_count > 0)
         {
             _round = 0;
-            _changed.EnsureCapacity(bodies.State.Capacity);
             new Span<int>(_changed.Pointer, bodies.Ids.End).Clear();
             _neighbors.Begin(_bounces.Capacity, bodies.Ids.End);
         }

@@ -20,7 +20,7 @@ internal unsafe struct SmallIslandRow
 internal sealed unsafe class SmallIslands
 {
     /// <summary>Contacts of the largest: twice as many points, for which a factor takes 0.1 ms.</summary>
-    public const int MostContacts = 48;
+    public const int MostContacts = 32;
 
     private const int TooMany = int.MaxValue / 2;
 
@@ -43,20 +43,24 @@ internal sealed unsafe class SmallIslands
 
     public bool Has(ContactBundle* row, int lane) => _rows[IslandOf(row, lane)] <= MostContacts;
 
+    /// <summary>Makes room for all rows that there may be.</summary>
+    public void Reserve(int bodies, int bundles)
+    {
+        _rows.EnsureCapacity(bodies + 1);
+        _heads.EnsureCapacity(bodies + 1);
+        _entries.EnsureCapacity(bundles * ContactBundle.Lanes);
+    }
+
     /// <summary>Lists the rows of small islands.</summary>
     /// <param name="colors">All rows.</param>
     /// <param name="islands">Of which.</param>
     /// <param name="joints">Bodies that hang on joints answer as more than themselves: their islands are none.</param>
-    /// <param name="bundleRoom">Bundles of rows that there is memory for.</param>
-    public void Find(ReadOnlySpan<GraphColor> colors, IslandStore islands, JointSolver? joints, int bundleRoom)
+    public void Find(ReadOnlySpan<GraphColor> colors, IslandStore islands, JointSolver? joints)
     {
         _count = 0;
         _next = 0;
         _islandOfSlot = islands.OfSlot;
         int end = Math.Max(1, islands.Count);
-        _rows.EnsureCapacity(islands.BodyEnd + 1);
-        _heads.EnsureCapacity(islands.BodyEnd + 1);
-        _entries.EnsureCapacity(bundleRoom * ContactBundle.Lanes);
         for (int i = 0; i < end; i++)
         {
             _rows[i] = 0;

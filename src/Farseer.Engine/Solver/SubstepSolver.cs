@@ -255,6 +255,8 @@ internal sealed unsafe class SubstepSolver
     /// <returns>False: no contact can have an impact by itself in this step.</returns>
     private bool FindImpacts(in SolverInput input)
     {
+        _free.Reserve(input.Bodies.State.Capacity, input.BundleRoom);
+        _impacts.Reserve(input.Bodies.State.Capacity);
         bool jointed = input.Joints != null && input.AnyBounce;
         if (!input.AnyFresh && !jointed)
         {
@@ -264,7 +266,7 @@ internal sealed unsafe class SubstepSolver
         bool free = input.AnyFresh && input.UserJoints == null;
         if (free)
         {
-            _free.Find(input.Colors, input.Degrees, input.Bodies, input.Joints, input.Springs, input.Islands, input.BundleRoom);
+            _free.Find(input.Colors, input.Degrees, input.Bodies, input.Joints, input.Springs, input.Islands);
         }
 
         bool any = _impacts.Begin(input.Colors, input.Bodies, free ? _free : null);
