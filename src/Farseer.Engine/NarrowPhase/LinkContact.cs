@@ -8,7 +8,7 @@ namespace Farseer.Engine.NarrowPhase;
 /// Contact of a one-sided link (a line of a chain) with another piece of two or more corners, or with another link. A link has no
 /// inside that could say which way out is the short one, so three questions come before the contact. Is the other piece in front? Told
 /// where it crosses the link and not by its centre: that of a wide floor lies anywhere. Is the link's own face what it touches? Not if
-/// its nearest corner is far beyond the link's ends and the side that crosses the link is steep: then an end of the link touches that
+/// its nearest corner is beyond the link's ends and the side that crosses the link is steep: then an end of the link touches that
 /// side. Does it meet the open end of a chain? That end has no neighbour that would make the contact in its place.
 /// </summary>
 internal static unsafe class LinkContact
@@ -46,20 +46,21 @@ internal static unsafe class LinkContact
         bool facesA = fromA.Edge >= 0 && fromA.Edge == fromA.RealEdge;
         bool takesA = facesA;
         bool takesB = fromB.Edge >= 0 && fromB.Edge == fromB.RealEdge;
-        if (a.IsLink && (links ? !faceEachOther : IsBehind(a, b, bInA)))
+        if (a.IsLink && (links ? !faceEachOther : IsBehind(a, b, bInA, scale)))
         {
             takesA = false;
             takesB = takesB && a.IsOpenEnd(fromB.Support) && IsShortest(fromB, fromA, links);
         }
 
-        if (b.IsLink && (links ? !faceEachOther : IsBehind(b, a, aInB)))
+        if (b.IsLink && (links ? !faceEachOther : IsBehind(b, a, aInB, scale)))
         {
             takesB = takesB && links;
             takesA = facesA && b.IsOpenEnd(fromA.Support) && IsShortest(fromA, fromB, links);
         }
 
-        takesA = takesA && (!a.IsLink || Touches(a, b, bInA, fromA.Support));
-        takesB = takesB && (!b.IsLink || Touches(b, a, aInB, fromB.Support));
+        float deepest = pair.A.Extent > pair.B.Extent ? -pair.A.Extent : -pair.B.Extent;
+        takesA = takesA && (!a.IsLink || Touches(a, b, bInA, fromA, deepest));
+        takesB = takesB && (!b.IsLink || Touches(b, a, aInB, fromB, deepest));
         if (takesA && (!takesB || !(fromB.Separation > fromA.Separation + (ConvexConvex.ReferenceBias * scale))))
         {
             EdgeContact.Build(a, b, bInA, fromA, pair.Margin, scale, ref manifold, flipped: false);
@@ -82,11 +83,11 @@ internal static unsafe class LinkContact
 
     /// <summary>
     /// True if, of the part of the other piece that lies over or under the link, more reaches out behind it than before it: the way out
-    /// to the back is the shorter one.
+    /// to the back is the shorter one. A little beyond the link's ends belongs to it: of a rod that leans over a joint it would be but the tip.
     /// </summary>
-    private static bool IsBehind(in Hull link, in Hull other, in Placement placement)
+    private static bool IsBehind(in Hull link, in Hull other, in Placement placement, float beyond)
     {
-        var frame = new LinkFrame(link, placement);
+        var frame = new LinkFrame(link, placement, beyond);
         float lowest = float.MaxValue;
         float highest = float.MinValue;
         Vector2 last = frame.Of(other.Vertices[other.Count - 1]);
@@ -100,10 +101,14 @@ internal static unsafe class LinkContact
         return -lowest > highest;
     }
 
-    /// <summary>True if the other piece lies on the link's face with the given corner or with one of the sides at it.</summary>
-    private static bool Touches(in Hull link, in Hull other, in Placement placement, int support)
+    /// <summary>
+    /// True if the other piece lies on the link's face with its nearest corner or with one of the sides at it, and no deeper than the larger
+    /// of the two is thick: beyond is the far side of a floor.
+    /// </summary>
+    private static bool Touches(in Hull link, in Hull other, in Placement placement, in AxisQuery axis, float deepest)
     {
-        var frame = new LinkFrame(link, placement);
+        int support = axis.Support;
+        var frame = new LinkFrame(link, placement, 0);
         float along = frame.Of(other.Vertices[support]).X;
         if (along >= 0 && along <= frame.Length)
         {
@@ -111,7 +116,8 @@ internal static unsafe class LinkContact
         }
 
         Vector2 normal = placement.Rotation.InverseRotate(link.Normals[0]);
-        return Vector2.Dot(other.Normals[support], normal) < -Steep || Vector2.Dot(other.Normals[other.Previous(support)], normal) < -Steep;
+        return axis.Separation >= deepest
+            && (Vector2.Dot(other.Normals[support], normal) < -Steep || Vector2.Dot(other.Normals[other.Previous(support)], normal) < -Steep);
     }
 
     /// <summary>Places along a link from its start and heights before it.</summary>
@@ -121,9 +127,14 @@ internal static unsafe class LinkContact
         private readonly Placement _placement;
         private readonly Vector2 _origin;
         private readonly Vector2 _normal;
+        private readonly float _beyond;
 
-        public LinkFrame(in Hull link, in Placement placement)
+        /// <param name="link">The link.</param>
+        /// <param name="placement">Of what is told about.</param>
+        /// <param name="beyond">How far past its ends what <see cref="Clip"/> takes may lie.</param>
+        public LinkFrame(in Hull link, in Placement placement, float beyond)
         {
+            _beyond = beyond;
             _placement = placement;
             _origin = link.Vertices[0];
             _normal = link.Normals[0];
@@ -136,7 +147,9 @@ internal static unsafe class LinkContact
         /// <summary>Widens the range of heights by that of the part of a side that lies over or under the link.</summary>
         public void Clip(Vector2 from, Vector2 to, ref float lowest, ref float highest)
         {
-            if ((from.X < 0 && to.X < 0) || (from.X > Length && to.X > Length))
+            float least = -_beyond;
+            float most = Length + _beyond;
+            if ((from.X < least && to.X < least) || (from.X > most && to.X > most))
             {
                 return;
             }
@@ -147,7 +160,7 @@ internal static unsafe class LinkContact
 
         private float HeightWithin(Vector2 at, Vector2 other)
         {
-            float x = at.X < 0 ? 0 : at.X > Length ? Length : at.X;
+            float x = at.X < -_beyond ? -_beyond : at.X > Length + _beyond ? Length + _beyond : at.X;
             return x == at.X ? at.Y : at.Y + ((other.Y - at.Y) * ((x - at.X) / (other.X - at.X)));
         }
 
