@@ -16,6 +16,7 @@ internal sealed unsafe partial class JointSolver
         {
             _forest.Trees[_trees[at]].Loose = UsesLanes && !_step.Drifts && !_step.Audited;
             _forest.Trees[_trees[at]].Wishes = true;
+            _forest.Trees[_trees[at]].Wished = false;
         }
 
         for (int at = 0; at < _treeCount; at++)
@@ -42,6 +43,12 @@ internal sealed unsafe partial class JointSolver
             if (item < 0 || _rows[item].Hard > 0)
             {
                 _forest.Trees[group].Wishes = false;
+            }
+
+            if (IsWish(item))
+            {
+                MarkWished(EndsOf(item).NodeA);
+                MarkWished(EndsOf(item).NodeB);
             }
         }
 

@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Joints.Loose;
 using Farseer.Engine.Joints.Trees;
 
 namespace Farseer.Engine.Joints;
@@ -95,6 +96,17 @@ internal sealed unsafe partial class JointSolver
         _nets.Moved();
     }
 
+    private static void NotePlain(TreeNode* node)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            node->PlainMove[k] = node->Move[k];
+            node->PlainVelocity[k] = node->Velocity[k];
+        }
+
+        node->Bent = 0;
+    }
+
     /// <summary>Exact trees move by h·v in double; the others have been moved.</summary>
     /// <param name="pushed">The store has also moved bodies by velocities that push them apart.</param>
     private void Move(bool pushed)
@@ -108,6 +120,16 @@ internal sealed unsafe partial class JointSolver
             if (_forest.Trees[node->Tree].Exact)
             {
                 double* v = node->Velocity;
+                if (pushed && IsPushed(node))
+                {
+                    LoosePush push = LoosePush.Of(_step, node->Body, node->Move);
+                    double x = node->Move[0] + ((h * v[0]) + push.X);
+                    double y = node->Move[1] + ((h * v[1]) + push.Y);
+                    NoteMove(i, x, y, node->Move[2] + ((h * v[2]) + push.Turn));
+                    NotePlain(node);
+                    continue;
+                }
+
                 double turned = pushed && _forest.Trees[node->Tree].Wheel ? TurnOf(node) : node->Move[2] + (h * v[2]);
                 NoteMove(i, node->Move[0] + (h * v[0]), node->Move[1] + (h * v[1]), turned);
             }
@@ -116,13 +138,7 @@ internal sealed unsafe partial class JointSolver
                 LoadMove(node);
             }
 
-            for (int k = 0; k < 3; k++)
-            {
-                node->PlainMove[k] = node->Move[k];
-                node->PlainVelocity[k] = node->Velocity[k];
-            }
-
-            node->Bent = 0;
+            NotePlain(node);
         }
 
         StoreMoves();

@@ -30,7 +30,7 @@ internal sealed unsafe partial class JointSolver
 {
     internal const double Small = 0.02;
 
-    /// <summary>The rows at the present poses; servo and motor keep the speeds of the step's start.</summary>
+    /// <summary>The rows at the present poses; servo and motor keep the speeds and bounds of the step's start.</summary>
     private void WriteRows(bool begin)
     {
         int armed = begin || !_posed || _step.Drifts ? 0 : _armed;
@@ -47,7 +47,7 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
-    /// <summary>The rows of a joint at the present poses, with the speeds of the step's start.</summary>
+    /// <summary>The rows of a joint at the present poses, with the speeds and bounds of the step's start.</summary>
     private void Rewrite(int index, bool armed = false)
     {
         JointRows* rows = _rows.Pointer + index;
@@ -58,10 +58,16 @@ internal sealed unsafe partial class JointSolver
         }
 
         double* speeds = stackalloc double[JointRows.Most];
-        Copy(rows->Speed, speeds, rows->Count);
+        double* lows = stackalloc double[JointRows.Most];
+        double* highs = stackalloc double[JointRows.Most];
         int before = rows->Count;
+        Copy(rows->Speed, speeds, before);
+        Copy(rows->Low, lows, before);
+        Copy(rows->High, highs, before);
         WriteJoint(index);
         Copy(speeds, rows->Speed, before);
+        Copy(lows, rows->Low, before);
+        Copy(highs, rows->High, before);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -142,11 +148,6 @@ internal sealed unsafe partial class JointSolver
         for (int k = rows.Hard; k < rows.Count && joint.Overrun; k++)
         {
             rows.Error[k] -= joint.Outside[k];
-        }
-
-        if (!rows.ErrorsOnly && joint.Role == JointRole.Iterated && rows.Hard == 0)
-        {
-            BoundWish(joint.Ends, _rows.Pointer + index);
         }
     }
 

@@ -34,10 +34,54 @@ internal sealed unsafe partial class JointSolver
         if (_anyWishes)
         {
             _wishing = true;
-            LoadVelocities();
+            ExchangeWished(store: false);
             Sweep(biased ? Pass.Biased : Pass.Relaxed);
-            StoreVelocities();
+            ExchangeWished(store: true);
             _wishing = false;
+        }
+    }
+
+    /// <summary>
+    /// The velocities of single bodies, from the store or back: whether others are asked between the passes would show in their last places.
+    /// </summary>
+    private void ExchangeWished(bool store)
+    {
+        for (int at = 0; at < _nodeCount; at++)
+        {
+            TreeNode* node = _forest.Nodes + _nodes[at];
+            if (!_forest.Trees[_forest.Trees[node->Tree].Group].Wishes)
+            {
+                continue;
+            }
+
+            BodyState* state = _step.Bodies.State.Pointer + node->Body;
+            if (store)
+            {
+                state->LinearVelocity.X = (float)node->Velocity[0];
+                state->LinearVelocity.Y = (float)node->Velocity[1];
+                state->AngularVelocity = (float)node->Velocity[2];
+            }
+            else
+            {
+                node->Velocity[0] = HeldVelocity.Refresh(node->Velocity[0], state->LinearVelocity.X);
+                node->Velocity[1] = HeldVelocity.Refresh(node->Velocity[1], state->LinearVelocity.Y);
+                node->Velocity[2] = HeldVelocity.Refresh(node->Velocity[2], state->AngularVelocity);
+            }
+        }
+    }
+
+    /// <summary>A single body that is solved as loose ones are, of which a joint is not of limits alone.</summary>
+    private bool IsPushed(TreeNode* node)
+    {
+        JointTree* tree = _forest.Trees + node->Tree;
+        return _anyWishes && tree->Wished && _forest.Trees[tree->Group].Wishes;
+    }
+
+    private void MarkWished(int node)
+    {
+        if (node >= 0)
+        {
+            _forest.Trees[_forest.Nodes[node].Tree].Wished = true;
         }
     }
 
@@ -59,6 +103,18 @@ internal sealed unsafe partial class JointSolver
     /// through, and give the rest back when the joint goes. The bound is the same acceleration at any number of substeps. Between two
     /// bodies that move, the mass of the other one is the bound.
     /// </summary>
+    private void BoundWishes()
+    {
+        for (int at = 0; at < _jointCount; at++)
+        {
+            int i = _joints[at];
+            if (_active[i].Role == JointRole.Iterated && _rows[i].Hard == 0)
+            {
+                BoundWish(_active[i].Ends, _rows.Pointer + i);
+            }
+        }
+    }
+
     private void BoundWish(in RowEnds ends, JointRows* rows)
     {
         bool fromA = ends.NodeA >= 0;
@@ -84,7 +140,8 @@ internal sealed unsafe partial class JointSolver
             double* j = (fromA ? rows->A : rows->B) + (k * 3);
             double straight = mass.InverseMass * Math.Sqrt((j[0] * j[0]) + (j[1] * j[1]));
             double given = straight + (size.Reach * mass.InverseInertia * Math.Abs(j[2]));
-            if (given > 0 && rows->Type[k] != (byte)RowType.Limit)
+            bool soft = rows->Type[k] == (byte)RowType.Motor && rows->Damping[k] > 0;
+            if (given > 0 && rows->Type[k] != (byte)RowType.Limit && !soft)
             {
                 double bound = most / given;
                 rows->High[k] = Math.Min(rows->High[k], bound);

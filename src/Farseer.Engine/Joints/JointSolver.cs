@@ -129,6 +129,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         }
 
         MarkFree();
+        BoundWishes();
 
         // Nothing has moved since the rows were written, unless somebody was told of a broken joint; guests are new.
         LoadMoves(BrokenCount > 0 ? 0 : own);

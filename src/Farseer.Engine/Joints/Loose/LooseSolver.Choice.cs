@@ -38,8 +38,6 @@ internal sealed unsafe partial class LooseSolver
         _bundleCount = 0;
         _rowCount = 0;
         _jointCount = 0;
-        _anyWishes = false;
-        _anyLimits = false;
         _bodyCount = Nobody + 1;
     }
 
@@ -160,8 +158,6 @@ internal sealed unsafe partial class LooseSolver
             place->OnlyLimits &= rows->Type[k] == (byte)RowType.Limit;
         }
 
-        _anyWishes |= !place->OnlyLimits;
-        _anyLimits |= place->OnlyLimits;
         _rowCount += rows->Count;
         _looseRows.EnsureCapacity(_rowCount);
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)

@@ -28,10 +28,6 @@ internal sealed unsafe partial class LooseSolver
     private int _rowCount;
     private int _jointCount;
 
-    /// <summary>Some joints are not of limits alone, some are.</summary>
-    private bool _anyWishes;
-    private bool _anyLimits;
-
     public bool Any => _jointCount > 0;
 
     /// <summary>Joints and bodies that were taken; of a body that cannot move the node is -1.</summary>
@@ -165,11 +161,6 @@ internal sealed unsafe partial class LooseSolver
     /// <param name="limits">Over those that are.</param>
     public void Solve(bool biased, int sweeps, bool wishes, bool limits)
     {
-        if (!((wishes && _anyWishes) || (limits && _anyLimits)))
-        {
-            return;
-        }
-
         Refresh();
         for (int sweep = 0; sweep < sweeps; sweep++)
         {
@@ -201,7 +192,7 @@ internal sealed unsafe partial class LooseSolver
             LooseBody* body = _bodies.Pointer + i;
             if (body->Node >= 0 && body->Exact)
             {
-                Push push = pushed && body->Held ? PushOf(body) : default;
+                LoosePush push = pushed && body->Held ? LoosePush.Of(_step, body->Body, body->Move) : default;
                 body->Move[0] += (h * body->Velocity[0]) + push.X;
                 body->Move[1] += (h * body->Velocity[1]) + push.Y;
                 body->Move[2] += (h * body->Velocity[2]) + push.Turn;
@@ -228,28 +219,6 @@ internal sealed unsafe partial class LooseSolver
                 StoreMove(body);
             }
         }
-    }
-
-    /// <summary>
-    /// How much further than its velocity the store has moved a body. Bodies of limits alone are not asked: a limit that contacts do not let
-    /// be reached pulls back at once what was pushed apart, and the two would gain energy from each other.
-    /// </summary>
-    private Push PushOf(LooseBody* body)
-    {
-        BodyState* state = _step.Bodies.State.Pointer + body->Body;
-        float h = (float)_step.Substep;
-        Push push;
-        push.X = state->DeltaPosition.X - (float)((float)body->Move[0] + (float)(h * state->LinearVelocity.X));
-        push.Y = state->DeltaPosition.Y - (float)((float)body->Move[1] + (float)(h * state->LinearVelocity.Y));
-        push.Turn = _step.Bodies.Motion[body->Body].Turned - (float)((float)body->Move[2] + (float)(h * state->AngularVelocity));
-        return push;
-    }
-
-    private struct Push
-    {
-        public double X;
-        public double Y;
-        public double Turn;
     }
 
     /// <summary>All are told where they are, since displacements of others count for every tree with rows.</summary>

@@ -63,6 +63,9 @@ internal struct JointTree
     /// <summary>A single body, in a group of such, that nothing but joints without hard rows has rows at.</summary>
     public bool Wishes;
 
+    /// <summary>A joint that is not of limits alone has rows at it.</summary>
+    public bool Wished;
+
     /// <summary>Springs pull at it in this step.</summary>
     public bool Pulled;
 
