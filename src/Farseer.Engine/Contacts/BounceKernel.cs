@@ -74,7 +74,7 @@ internal static unsafe class BounceKernel
         return bits;
     }
 
-    /// <summary>The slowest approach that is an impact.</summary>
+    /// <summary>The slowest approach that is an impact; a threshold of bounces concerns only what bounces.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Wide Slowest(ContactBundle* row, int lane, BodyDrive* drives, in ContactCoefficients c)
     {
@@ -82,7 +82,8 @@ internal static unsafe class BounceKernel
         Wide nx = Wide.Load(row->NormalX + lane);
         Wide ny = Wide.Load(row->NormalY + lane);
         Wide fall = Wide.Max(Wide.Abs((nx * driveA.A) + (ny * driveA.B)), Wide.Abs((nx * driveB.A) + (ny * driveB.B)));
-        return Wide.Max(Wide.Splat(RestSubsteps) * fall, Wide.Splat(c.BounceThreshold));
+        Wide threshold = Wide.Keep(Wide.Load(row->Restitution + lane) > Wide.Zero, Wide.Splat(c.BounceThreshold));
+        return Wide.Max(Wide.Splat(RestSubsteps) * fall, threshold);
     }
 
     /// <summary>Before a substep: notes where surfaces are, and holds back the points that approach fast.</summary>

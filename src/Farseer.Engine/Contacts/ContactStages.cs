@@ -39,7 +39,7 @@ internal static unsafe class ContactStages
         Wide leak = Wide.Splat(c.ImpulseScale);
         Wide rest = Wide.Splat(c.Rest);
         Wide settle = Wide.Splat(c.BiasRate * c.Rest);
-        Wide settleShare = Wide.Splat(ContactCoefficients.SettleShare);
+        Wide settleShare = Wide.Splat(c.SettleShare);
         Wide sliding = Wide.Splat(c.Sliding);
         ContactWork* end = work + count;
         ContactMoved* moved = Turn(some, count, work, bodies);
