@@ -22,6 +22,12 @@ internal static unsafe class BounceKernel
     /// <summary>Share of the substep within which impacts are at the same moment.</summary>
     public const double SameMoment = 1e-3;
 
+    /// <summary>
+    /// Angle, rad, between surfaces that count as parallel: they land at once. What rests is as level as its loads are known, and a box that lands flat on it
+    /// would go from corner to corner by the rounding of that.
+    /// </summary>
+    private const float Parallel = 1e-4f;
+
     /// <summary>Share of the speeds of two bodies by which their approach may be wrong: a few units in the last place of a float.</summary>
     private const float Rounding = 1e-6f;
 
@@ -74,7 +80,7 @@ internal static unsafe class BounceKernel
         return bits;
     }
 
-    /// <summary>The slowest approach that is an impact.</summary>
+    /// <summary>The slowest approach that is an impact; a threshold of bounces concerns only what bounces.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Wide Slowest(ContactBundle* row, int lane, BodyDrive* drives, in ContactCoefficients c)
     {
@@ -82,7 +88,8 @@ internal static unsafe class BounceKernel
         Wide nx = Wide.Load(row->NormalX + lane);
         Wide ny = Wide.Load(row->NormalY + lane);
         Wide fall = Wide.Max(Wide.Abs((nx * driveA.A) + (ny * driveA.B)), Wide.Abs((nx * driveB.A) + (ny * driveB.B)));
-        return Wide.Max(Wide.Splat(RestSubsteps) * fall, Wide.Splat(c.BounceThreshold));
+        Wide threshold = Wide.Keep(Wide.Load(row->Restitution + lane) > Wide.Zero, Wide.Splat(c.BounceThreshold));
+        return Wide.Max(Wide.Splat(RestSubsteps) * fall, threshold);
     }
 
     /// <summary>Before a substep: notes where surfaces are, and holds back the points that approach fast.</summary>
@@ -172,10 +179,12 @@ internal static unsafe class BounceKernel
             Wide time0 = Wide.Select(met0, Moment(moments, rest + Wide.Load(bounce->Point0.Level + lane), second: false, c.Substep, out Wide w0), none);
             Wide time1 = Wide.Select(met1, Moment(moments, rest + Wide.Load(bounce->Point1.Level + lane), second: true, c.Substep, out Wide w1), none);
 
-            // Of two points the one that landed first has the first impact; the other comes after it.
+            // Of two points the one that landed first has the first impact; the other comes after it, unless the surfaces are parallel by then.
             Wide time = Wide.Max(time0, time1);
-            met0 = met0 & (time0 >= (time - same));
-            met1 = met1 & (time1 >= (time - same));
+            Wide width = Wide.Abs(Wide.Load(row->Point1.TangentArmA + lane) - Wide.Load(row->Point0.TangentArmA + lane));
+            Wide level = Wide.Splat(Parallel) * width;
+            met0 = met0 & ((time0 >= (time - same)) | (((time0 - time) * w0) <= level));
+            met1 = met1 & ((time1 >= (time - same)) | (((time1 - time) * w1) <= level));
             WideLanes.Replace(met, time, bounce->Time + lane);
             Wide restitution = Wide.Load(row->Restitution + lane);
             Begin(&bounce->Point0, lane, met, met0, restitution, w0, v0, slow, c);

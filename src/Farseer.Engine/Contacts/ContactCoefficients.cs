@@ -27,9 +27,11 @@ internal readonly struct ContactCoefficients
 
     /// <summary>
     /// Share of its lesser point's load that a contact gives up to sink to the depth of rest. If it gave up all, nothing would hold
-    /// against friction meanwhile, and a sliding box would tilt.
+    /// against friction meanwhile, and a sliding box would tilt. What is given up in a substep moves it by that share of g·h²: in a shorter one a larger
+    /// share tilts it no further, and with the same share it would sink the slower, the finer the substeps are.
     /// </summary>
-    public const float SettleShare = 0.25f;
+    private const float UsualSettleShare = 0.25f;
+    private const float MostSettleShare = 0.75f;
 
     /// <summary>
     /// Share of the smaller piece by which surfaces that stand sink in at most before they are held where they are. The depth of rest is a length of
@@ -80,6 +82,7 @@ internal readonly struct ContactCoefficients
     {
         MostDriven = mostDriven;
         // Without gravity nothing sinks; a finite number keeps lanes without a piece, of size 0, at 0.
+        SettleShare = System.Math.Min(UsualSettleShare / coarseness, MostSettleShare);
         Smallness = System.Math.Min(coarseness / (LargeSize * gravity * substep * substep), float.MaxValue);
         Gravity = gravity;
         RiseTaken = gravity > 0 ? Extrapolation : WeightlessRise;
@@ -103,6 +106,9 @@ internal readonly struct ContactCoefficients
 
     /// <summary>1/length: the share of the rest that a piece of some size has is the size times that, at most 1.</summary>
     public float Smallness { get; }
+
+    /// <summary>Share of its load that a contact gives up to sink: see <see cref="UsualSettleShare"/>.</summary>
+    public float SettleShare { get; }
 
     /// <summary>h, seconds.</summary>
     public float Substep { get; }

@@ -39,7 +39,7 @@ internal static unsafe class ContactStages
         Wide leak = Wide.Splat(c.ImpulseScale);
         Wide rest = Wide.Splat(c.Rest);
         Wide settle = Wide.Splat(c.BiasRate * c.Rest);
-        Wide settleShare = Wide.Splat(ContactCoefficients.SettleShare);
+        Wide settleShare = Wide.Splat(c.SettleShare);
         Wide sliding = Wide.Splat(c.Sliding);
         ContactWork* end = work + count;
         ContactMoved* moved = Turn(some, count, work, bodies);
@@ -77,7 +77,12 @@ internal static unsafe class ContactStages
                     sink = Wide.Select(ContactBundle.Has(row, lane, ContactBundle.SingleMark), sink, Wide.Min(sink, load1));
                 }
 
-                sink = settleShare * sink;
+                Wide massA = Wide.Load(row->MassA + lane);
+                Wide massB = Wide.Load(row->MassB + lane);
+                Wide lighter = Wide.Max(massA, massB);
+                Wide heavier = Wide.Min(massA, massB);
+                Wide part = Wide.Select(heavier > Wide.Zero, (heavier + heavier) / (lighter + heavier), Wide.One);
+                sink = settleShare * part * sink;
                 Wide hold = rest - ContactBundle.HoldDepth(row, lane);
                 WideMask stands = Wide.Abs(slip) < sliding;
                 Wide slowly = Wide.Min(settle, sink);

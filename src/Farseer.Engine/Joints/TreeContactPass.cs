@@ -274,7 +274,7 @@ internal sealed unsafe partial class TreeContactPass
             return v + (Math.Max(gap, 0) * _c.InverseSubstep);
         }
 
-        double sink = ContactCoefficients.SettleShare * load;
+        double sink = _c.SettleShare * load;
         if (gap > 0)
         {
             return v + (gap * _c.InverseSubstep) + Math.Min((double)_c.BiasRate * _c.Rest, sink);

@@ -17,8 +17,12 @@ internal sealed unsafe class IslandImpact
 {
     private const int MostPoints = 2 * SmallIslands.MostContacts;
 
-    /// <summary>Turns of friction, each point within the cone of what was found for it.</summary>
-    private const int Rubs = 8;
+    /// <summary>Turns of what pushes and what rubs, and sweeps of friction in each.</summary>
+    private const int Turns = 32;
+    private const int Rubs = 4;
+
+    /// <summary>Share of all impulses by which they may still change.</summary>
+    private const double Balanced = 1e-6;
 
     private readonly ContactSystem _system = new ContactSystem();
     private readonly Column<Side> _sides = new Column<Side>();
@@ -71,28 +75,76 @@ internal sealed unsafe class IslandImpact
             }
         }
 
-        if (!_system.Solve())
+        if (!Balance())
         {
             return;
         }
 
         for (int i = 0; i < _system.Count; i++)
         {
-            Push(_system[i], _sides[i].Bounce);
-        }
-
-        for (int turn = 0; turn < Rubs; turn++)
-        {
-            for (int i = 0; i < _system.Count; i++)
-            {
-                Rub(_system[i], ref _sides[i]);
-            }
+            Note(_system[i], _sides[i].Bounce);
         }
 
         for (int i = 0; i < _bodies.Count; i++)
         {
             Give(bodies, _bodies[i], stop ? 0 : time);
         }
+    }
+
+    /// <summary>
+    /// Finds what pushes and what rubs by turns: friction changes how fast surfaces approach, and they push on it until neither changes any more. Left to the next round, what friction
+    /// has undone would be an impact of its own, at a moment that rounding tells.
+    /// </summary>
+    /// <returns>False if no impulses were found.</returns>
+    private bool Balance()
+    {
+        double before = 0;
+        for (int turn = 0; turn < Turns; turn++)
+        {
+            for (int i = 0; i < _bodies.Count; i++)
+            {
+                _changes[_bodies[i]] = new Change { Place = i };
+            }
+
+            for (int i = 0; i < _system.Count; i++)
+            {
+                Rub(_system[i], _sides[i], _sides[i].Rub);
+            }
+
+            for (int i = 0; i < _system.Count; i++)
+            {
+                ref SystemPoint point = ref _system[i];
+                point.Excess = _sides[i].Excess + Parting(point);
+            }
+
+            if (!_system.Solve())
+            {
+                return false;
+            }
+
+            double sum = 0;
+            for (int i = 0; i < _system.Count; i++)
+            {
+                Push(_system[i]);
+                sum += _system[i].Impulse;
+            }
+
+            if (Math.Abs(sum - before) <= Balanced * sum)
+            {
+                break;
+            }
+
+            before = sum;
+            for (int rub = 0; rub < Rubs && turn + 1 < Turns; rub++)
+            {
+                for (int i = 0; i < _system.Count; i++)
+                {
+                    FindRub(_system[i], ref _sides[i]);
+                }
+            }
+        }
+
+        return true;
     }
 
     /// <summary>
@@ -110,8 +162,8 @@ internal sealed unsafe class IslandImpact
             FindGaps(row, lane, bodies, c, out double gap0, out double gap1);
             BounceLanes* bounce = entry.Bounce < 0 ? null : bounces + entry.Bounce;
             bool struck = bounce != null && ((bounce->Struck >> lane) & 1) != 0;
-            bool touches0 = Touches(&row->Point0, lane, gap0) || (struck && bounce->Point0.Pushed[lane] > 0);
-            bool touches1 = Touches(&row->Point1, lane, gap1) || (struck && bounce->Point1.Pushed[lane] > 0);
+            bool touches0 = Touches(&row->Point0, lane, gap0, c) || (struck && bounce->Point0.Pushed[lane] > 0);
+            bool touches1 = Touches(&row->Point1, lane, gap1, c) || (struck && bounce->Point1.Pushed[lane] > 0);
             if (!touches0 && !touches1)
             {
                 continue;
@@ -195,19 +247,20 @@ internal sealed unsafe class IslandImpact
         FindGaps(row, lane, bodies, c, out double gap0, out double gap1);
         Moment a = At(bodies, row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane], 0, c);
         Moment b = At(bodies, row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane], 0, c);
-        if (Touches(&row->Point0, lane, gap0))
+        if (Touches(&row->Point0, lane, gap0, c))
         {
             Add(row, lane, second: false, a, b, 0, null);
         }
 
-        if (Touches(&row->Point1, lane, gap1))
+        if (Touches(&row->Point1, lane, gap1, c))
         {
             Add(row, lane, second: true, a, b, 0, null);
         }
     }
 
-    private static bool Touches(ContactPointLanes* point, int lane, double gap) =>
-        point->Base[lane] < ContactBundle.NoPoint && (point->Normal[lane] > 0 || gap <= 0);
+    /// <summary>It is loaded, or nearer than a substep's fall: what rests has gaps about 0, and their rounding is to decide nothing.</summary>
+    private static bool Touches(ContactPointLanes* point, int lane, double gap, in ContactCoefficients c) =>
+        point->Base[lane] < ContactBundle.NoPoint && (point->Normal[lane] > 0 || gap <= c.Gravity * c.Substep * c.Substep);
 
     /// <summary>How far apart the surfaces of both points are.</summary>
     private static void FindGaps(ContactBundle* row, int lane, BodyStore bodies, in ContactCoefficients c, out double gap0, out double gap1)
@@ -235,8 +288,8 @@ internal sealed unsafe class IslandImpact
         added.ArmB = (b.Cos * point->TangentArmB[lane]) - (b.Sin * point->NormalArmB[lane]);
         double nx = row->NormalX[lane];
         double ny = row->NormalY[lane];
-        added.Excess = (nx * (b.X - a.X)) + (ny * (b.Y - a.Y)) + (b.W * added.ArmB) - (a.W * added.ArmA) - target;
         Side side = default;
+        side.Excess = (nx * (b.X - a.X)) + (ny * (b.Y - a.Y)) + (b.W * added.ArmB) - (a.W * added.ArmA) - target;
         side.Bounce = bounce;
         side.AlongA = (a.Cos * point->NormalArmA[lane]) + (a.Sin * point->TangentArmA[lane]) + row->RadiusA[lane];
         side.AlongB = (b.Cos * point->NormalArmB[lane]) + (b.Sin * point->TangentArmB[lane]) - row->RadiusB[lane];
@@ -277,7 +330,19 @@ internal sealed unsafe class IslandImpact
         return moment;
     }
 
-    private void Push(in SystemPoint point, BounceLanes* bounce)
+    /// <summary>How much faster the surfaces of a point part by what was found so far.</summary>
+    private double Parting(in SystemPoint point)
+    {
+        ContactBundle* row = point.Bundle;
+        int lane = point.Lane;
+        Change a = ChangeOf(row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane]);
+        Change b = ChangeOf(row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane]);
+        return (row->NormalX[lane] * (b.X - a.X)) + (row->NormalY[lane] * (b.Y - a.Y)) + (b.W * point.ArmB) - (a.W * point.ArmA);
+    }
+
+    private Change ChangeOf(int body, float answer) => answer > 0 ? _changes[body] : default;
+
+    private void Push(in SystemPoint point)
     {
         ContactBundle* row = point.Bundle;
         int lane = point.Lane;
@@ -286,40 +351,45 @@ internal sealed unsafe class IslandImpact
         double py = row->NormalY[lane] * x;
         Apply(row->BodyA[lane], -row->MassA[lane] * px, -row->MassA[lane] * py, -row->InertiaA[lane] * point.ArmA * x);
         Apply(row->BodyB[lane], row->MassB[lane] * px, row->MassB[lane] * py, row->InertiaB[lane] * point.ArmB * x);
+    }
+
+    private static void Note(in SystemPoint point, BounceLanes* bounce)
+    {
+        float x = (float)point.Impulse;
         if (bounce == null)
         {
-            row->Struck[lane] += (float)x;
+            point.Bundle->Struck[point.Lane] += x;
             return;
         }
 
-        BouncePointLanes* struck = point.Second ? &bounce->Point1 : &bounce->Point0;
-        point.Lanes->Normal[lane] += (float)x;
-        struck->Pushed[lane] += (float)x;
+        point.Lanes->Normal[point.Lane] += x;
+        (point.Second ? &bounce->Point1 : &bounce->Point0)->Pushed[point.Lane] += x;
     }
 
     /// <summary>Ends the slip of a point as far as its cone allows.</summary>
-    private void Rub(in SystemPoint point, ref Side side)
+    private void FindRub(in SystemPoint point, ref Side side)
     {
         ContactBundle* row = point.Bundle;
         int lane = point.Lane;
-        double bound = row->Friction[lane] * point.Impulse;
-        if (!(bound > 0))
-        {
-            return;
-        }
-
-        Change a = row->MassA[lane] + row->InertiaA[lane] > 0 ? _changes[row->BodyA[lane]] : default;
-        Change b = row->MassB[lane] + row->InertiaB[lane] > 0 ? _changes[row->BodyB[lane]] : default;
-        double tx = row->NormalY[lane];
-        double ty = -row->NormalX[lane];
-        double slip = side.Slip + (tx * (b.X - a.X)) + (ty * (b.Y - a.Y)) + (a.W * side.AlongA) - (b.W * side.AlongB);
+        double bound = row->Friction[lane] * Math.Max(point.Impulse, 0);
+        Change a = ChangeOf(row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane]);
+        Change b = ChangeOf(row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane]);
+        double slip = side.Slip + (row->NormalY[lane] * (b.X - a.X)) - (row->NormalX[lane] * (b.Y - a.Y)) + (a.W * side.AlongA) - (b.W * side.AlongB);
         double response = row->MassA[lane] + row->MassB[lane]
             + (row->InertiaA[lane] * side.AlongA * side.AlongA) + (row->InertiaB[lane] * side.AlongB * side.AlongB);
         double found = Math.Max(-bound, Math.Min(bound, side.Rub - (slip / response)));
-        double p = found - side.Rub;
+        Rub(point, side, found - side.Rub);
         side.Rub = found;
-        Apply(row->BodyA[lane], -row->MassA[lane] * tx * p, -row->MassA[lane] * ty * p, row->InertiaA[lane] * side.AlongA * p);
-        Apply(row->BodyB[lane], row->MassB[lane] * tx * p, row->MassB[lane] * ty * p, -row->InertiaB[lane] * side.AlongB * p);
+    }
+
+    private void Rub(in SystemPoint point, in Side side, double p)
+    {
+        ContactBundle* row = point.Bundle;
+        int lane = point.Lane;
+        double px = row->NormalY[lane] * p;
+        double py = -row->NormalX[lane] * p;
+        Apply(row->BodyA[lane], -row->MassA[lane] * px, -row->MassA[lane] * py, row->InertiaA[lane] * side.AlongA * p);
+        Apply(row->BodyB[lane], row->MassB[lane] * px, row->MassB[lane] * py, -row->InertiaB[lane] * side.AlongB * p);
     }
 
     private void Apply(int body, double x, double y, double w)
@@ -366,6 +436,9 @@ internal sealed unsafe class IslandImpact
         public BounceLanes* Bounce;
         public double AlongA;
         public double AlongB;
+
+        /// <summary>How much too slowly the surfaces part without the impact, below 0 if they do.</summary>
+        public double Excess;
 
         /// <summary>How fast the surfaces slip past each other without the impact, and the friction found.</summary>
         public double Slip;
