@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using Farseer.Accuracy.Dials;
 using Farseer.Accuracy.Extremes;
 using Farseer.Accuracy.General;
 using Farseer.Accuracy.Reporting;
@@ -91,6 +92,9 @@ internal static class Cli
                     return TruthfulCommand.Run(args[1..], output) ? 0 : Failed;
                 case "report":
                     ReportCommand.Run(args[1..], output);
+                    return 0;
+                case "dials":
+                    DialsCommand.Run(args[1..], output);
                     return 0;
                 case "sweep":
                     SweepCommand.Run(args[1..], output);
