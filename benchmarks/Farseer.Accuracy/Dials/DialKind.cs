@@ -25,6 +25,9 @@ internal sealed record DialKind(
     double Rounding,
     string Advice)
 {
+    /// <summary>What a figure of the metric is in the unit that is told; 1 but where the metric has another.</summary>
+    public double Unit { get; init; } = 1;
+
     /// <summary>Coordinates have no meaning but against a reference.</summary>
     public bool IsAgainstReference => Metrics.Length > 1;
 

@@ -12,7 +12,7 @@ internal static class DialKinds
 
     public static IReadOnlyList<DialKind> All { get; } =
     [
-        new("stack", "tall stack: 20 boxes", "height, mm", Known("S15"), [20], ["height_error_pct_of_box"], 100, 1e-4, "A"),
+        new("stack", "tall stack: 20 boxes", "height, mm", Known("S15"), [20], ["height_error_pct_of_box"], 1000, 1e-3, "A") { Unit = 10 },
         new("pyramid", "pyramid of 10 rows", "largest displacement, mm", Known("S16"), [10], ["max_displacement_mm"], 1000, 0.01, "A"),
         new("heavy", "heavy on light: 100 on 1", "height, mm", Known("S17"), [100], ["height_error_mm"], 1000, 1e-3, "A"),
         new("arch", "arch of 17 stones", "largest displacement, mm", Known("S18"), [1], ["max_displacement_mm"], 1000, 0.03, "A"),
@@ -26,6 +26,8 @@ internal static class DialKinds
         new("springs", "springs of 1 to 20 Hz", "frequency, share", Known("S14"), [1005, 8010, 20005], ["freq_rel_error"], 1, 1e-6, "A"),
         new("ragdoll", "ragdoll that lands", "place of the trunk after 1 s, mm", DialScenes.Ragdoll, Each(Throws), _place, 400, 0.01, "A"),
     ];
+
+    public static DialKind Find(string name) => All.Single(kind => kind.Name == name);
 
     private static SceneInfo Known(string name) => Catalogue.Find(name)!;
 
