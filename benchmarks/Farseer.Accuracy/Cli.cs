@@ -49,7 +49,8 @@ internal static class Cli
           truthful [--count N] [--seed N]
                                 whether reports and budgets tell the truth, on random scenes against 64 times the iterations
           report [--plots] [--docs FOLDER]
-                                writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs; --plots the plots alone
+                                writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs; --plots:
+                                the plots alone
           dials [--docs FOLDER] writes docs/Dials.md: what Iterations, 1/dt and other settings give and take in a dozen kinds of scene
           goals [SCENE..]       the figures at the default dial beside their limits; exit code 1 if one fails
         """;

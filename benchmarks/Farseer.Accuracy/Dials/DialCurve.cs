@@ -42,7 +42,7 @@ internal sealed record DialCurve(IReadOnlyList<(double Error, double Cost)> Poin
 /// <param name="Steps">The curve of 1/dt.</param>
 internal sealed record DialResult(DialKind Kind, double Chance, DialCurve Iterations, DialCurve Steps)
 {
-    /// <summary>Dials that buy the other's gain for so many times the time, or less, are alike: what is left is the noise of the clock.</summary>
+    /// <summary>Dials whose orders differ by less than this factor are alike: what is left is the noise of the clock.</summary>
     private const double Alike = 1.15;
 
     /// <summary>Errors that are not larger than this many times what chance leaves open are chance themselves.</summary>

@@ -10,7 +10,7 @@ namespace Farseer.Accuracy.Dials;
 /// <param name="Error">Which error is told, with its unit.</param>
 /// <param name="Scene">What is run.</param>
 /// <param name="Parameters">Each a sample; the error is their median.</param>
-/// <param name="Metrics">One metric that is itself an error; or several, coordinates that are held against a run with far more substeps.</param>
+/// <param name="Metrics">One metric that is an error; or coordinates, held against a run with far more substeps.</param>
 /// <param name="Failure">The error with which the scene has failed, in the unit of the metric; plots give shares of it.</param>
 /// <param name="Rounding">Errors below are rounding of floats or chance: no dial is asked to lessen them.</param>
 /// <param name="Advice">What to do, in a sentence.</param>

@@ -24,7 +24,7 @@ internal static class DialRuns
 
     /// <summary>Both curves of a kind.</summary>
     /// <param name="kind">What is run.</param>
-    /// <param name="seconds">How long settings are timed, in turns: what slows the machine for a while then slows all of them alike.</param>
+    /// <param name="seconds">How long settings are timed, in turns: what slows the machine for a while slows all of them alike.</param>
     public static DialResult Measure(DialKind kind, double seconds)
     {
         List<double[]> right = kind.IsAgainstReference ? Ends(kind, _reference, out _) : [];

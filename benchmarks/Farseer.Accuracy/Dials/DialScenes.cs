@@ -17,19 +17,20 @@ internal static class DialScenes
     private const double Still = 1e-5;
     private const int StillSteps = 10;
 
+    private static readonly Range _numbers = new(1, 1000, WholeNumber: true);
     private static readonly string[] _place = ["x_mm", "y_mm"];
 
     /// <summary>Where a thrown box comes to rest after it has landed, tumbled and slid.</summary>
-    public static SceneInfo Throw { get; } = new("D01_throw", "number of the throw", new(1, 1000, WholeNumber: true), ["1"], _place, Thrown);
+    public static SceneInfo Throw { get; } = new("D01_throw", "number of the throw", _numbers, ["1"], _place, Thrown);
 
     /// <summary>Where a box is that bounces and spins, two seconds after it was let go.</summary>
-    public static SceneInfo Bounce { get; } = new("D02_bounce", "number of the drop", new(1, 1000, WholeNumber: true), ["1"], _place, Bounced);
+    public static SceneInfo Bounce { get; } = new("D02_bounce", "number of the drop", _numbers, ["1"], _place, Bounced);
 
     /// <summary>Where the weight of a rope is that was let go level, before the whip makes its motion chaotic.</summary>
     public static SceneInfo Rope { get; } = new("D03_rope", "mass of the weight, kg", new(1, 1e4), ["100"], _place, Swung);
 
     /// <summary>Where the trunk of a ragdoll is after it has landed.</summary>
-    public static SceneInfo Ragdoll { get; } = new("D04_ragdoll", "number of the drop", new(1, 1000, WholeNumber: true), ["1"], _place, Dropped);
+    public static SceneInfo Ragdoll { get; } = new("D04_ragdoll", "number of the drop", _numbers, ["1"], _place, Dropped);
 
     private static void Thrown(Trial trial) => trial.World(rig =>
     {

@@ -50,16 +50,16 @@ internal static class DialsCommand
         DialCurve i = result.Iterations;
         DialCurve s = result.Steps;
         return FormattableString.Invariant(
-            $"| {result.Kind.Title} | {result.Kind.Error} | {Figure(i.Default)} | {Figure(i.Doubled)} | {Figure(s.Doubled)} | {Order(i)} | {Order(s)} ")
-            + FormattableString.Invariant($"| {i.CostFactor:F1} | {s.CostFactor:F1} | {chance} | {result.Turn} |");
+            $"| {result.Kind.Title} | {result.Kind.Error} | {Figure(i.Default)} | {Figure(i.Doubled)} | {Figure(s.Doubled)} ")
+            + FormattableString.Invariant($"| {Order(i)} | {Order(s)} | {i.CostFactor:F1} | {s.CostFactor:F1} | {chance} | {result.Turn} |");
     }
 
     private static List<string> Table(List<DialResult> results)
     {
         var lines = new List<string>
         {
-            "| scene | error | default | `Iterations` × 2 | 1/dt × 2 | order, `Iterations` | order, 1/dt | time, `Iterations` × 2 | time, 1/dt × 2 "
-            + "| chance | turn |",
+            "| scene | error | at the default | `Iterations` × 2 | 1/dt × 2 | order, `Iterations` | order, 1/dt "
+            + "| time, `Iterations` × 2 | time, 1/dt × 2 | chance | turn |",
             "|---|---|---|---|---|---|---|---|---|---|---|",
         };
         lines.AddRange(results.ConvertAll(Row));
@@ -103,8 +103,8 @@ internal static class DialsCommand
     private static string Plot(DialResult result) => SvgPlot.Draw(
         $"{result.Kind.Title}: {result.Kind.Error[..result.Kind.Error.IndexOf(',', StringComparison.Ordinal)]}",
         [
-            new PlotSeries("Iterations 5, 10, 20, 40", "#e8590c", Shares(result.Kind, result.Iterations)),
-            new PlotSeries("1/dt 60, 120, 240, 480", "#4c7fd6", Shares(result.Kind, result.Steps)),
+            new PlotSeries("Iterations 5, 10, 20, 40", "#e8590c", Shares(result.Kind, result.Iterations), 0),
+            new PlotSeries("1/dt 60, 120, 240, 480", "#4c7fd6", Shares(result.Kind, result.Steps), 0),
         ]);
 
     private static List<SweepPoint> Shares(DialKind kind, DialCurve curve)
@@ -113,8 +113,9 @@ internal static class DialsCommand
         foreach ((double error, double cost) in curve.Points)
         {
             double share = error / kind.Failure;
+            bool failed = !(share < 1);
             points.Add(new SweepPoint(
-                SweepPoint.Own, kind.Name, SweepKind.Dial, 0, Options.DefaultDt, Math.Min(share, 1), cost, Failed: !(share < 1)));
+                SweepPoint.Own, kind.Name, SweepKind.Dial, points.Count, Options.DefaultDt, failed ? 1 : share, cost, failed));
         }
 
         return points;

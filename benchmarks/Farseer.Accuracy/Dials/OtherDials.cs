@@ -17,10 +17,12 @@ internal static class OtherDials
     private static readonly Dial _default = new(Options.DefaultIterations, Options.DefaultDt, 0);
 
     private static readonly DialKind _shot = new(
-        "shot", "shots of 100 m/s at a thin wall", "share that passed", Catalogue.Find("S20")!, [100], ["tunnelled_frac"], 1, 0, string.Empty);
+        "shot", "shots of 100 m/s at a thin wall", "share that passed",
+        Catalogue.Find("S20")!, [100], ["tunnelled_frac"], 1, 0, string.Empty);
 
     private static readonly DialKind _overlap = new(
-        "overlap", "box that begins half in the floor", "seconds until it is out", Catalogue.Find("S19")!, [0.5], ["recovery_time_s"], 10, 0, string.Empty);
+        "overlap", "box that begins half in the floor", "seconds until it is out",
+        Catalogue.Find("S19")!, [0.5], ["recovery_time_s"], 10, 0, string.Empty);
 
     public static IReadOnlyList<OtherDial> All { get; } =
     [
@@ -32,8 +34,10 @@ internal static class OtherDials
         Switch("`ErrorBudget` none → 0.1 mm", "pyramid", simulator => simulator.ErrorBudget = ErrorBudget.OfLength(1e-4f)),
         Switch("`ErrorBudget` none → 1 mm", "pit", simulator => simulator.ErrorBudget = ErrorBudget.OfLength(1e-3f)),
         Switch("`EnableReport` false → true", "pyramid", simulator => simulator.EnableReport = true),
+        Switch("`EnableReport` false → true", "pit", simulator => simulator.EnableReport = true),
         Switch("`AllowSleep` false → true", "pyramid", simulator => simulator.AllowSleep = true),
-        new("`IsContinuousCollisionEnabled` true → false", _shot, _default, Tuned(simulator => simulator.IsContinuousCollisionEnabled = false)),
+        new("`IsContinuousCollisionEnabled` true → false", _shot, _default,
+            Tuned(simulator => simulator.IsContinuousCollisionEnabled = false)),
         new("`BiasFactor` 0.8 → 0.2", _overlap, _default, Tuned(simulator => simulator.BiasFactor = 0.2f)),
     ];
 

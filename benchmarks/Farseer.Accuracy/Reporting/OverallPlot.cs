@@ -14,7 +14,7 @@ internal static class OverallPlot
     /// </summary>
     public const double LeastError = 1e-4;
 
-    private static readonly SweepScene _all = new("all", "error", 1, "error against time: geometric means of ten scenes", 0);
+    private static readonly SweepScene _all = new("all", "error", 1, "Ten scenes, geometric means; ringed: the default settings", 0);
 
     /// <summary>A picture of the engines in the points.</summary>
     public static string Draw(IReadOnlyList<SweepPoint> points) => SvgPlot.Draw(_all, Means(points));

@@ -10,7 +10,8 @@ namespace Farseer.Accuracy.Reporting;
 /// <param name="Name">In the legend.</param>
 /// <param name="Color">Of middle brightness, so that it shows on light and on dark.</param>
 /// <param name="Points">Errors as shares of failure.</param>
-internal sealed record PlotSeries(string Name, string Color, IReadOnlyList<SweepPoint> Points);
+/// <param name="DefaultDial">Of the setting at 1/60 s that has a ring about it.</param>
+internal sealed record PlotSeries(string Name, string Color, IReadOnlyList<SweepPoint> Points, int DefaultDial);
 
 /// <summary>
 /// Error against cost as an SVG picture. Both axes are logarithmic; a line joins the settings that no other of the same series beats.
@@ -26,21 +27,22 @@ internal static class SvgPlot
     private const double Top = 56;
     private const double Bottom = 48;
 
-    private static readonly (string Engine, string Color)[] _colors =
+    private static readonly (string Engine, string Color, int DefaultDial)[] _engines =
     [
-        (SweepPoint.Own, "#e8590c"), ("Box2D.NET", "#4c7fd6"), ("Box2D.NET(stiff)", "#8a70d8"), ("Aether", "#2f9e62"), ("Farseer2.0.1", "#a0862a"),
+        (SweepPoint.Own, "#e8590c", Options.DefaultIterations), ("Box2D.NET", "#4c7fd6", 4), ("Box2D.NET(stiff)", "#8a70d8", 4),
+        ("Aether", "#2f9e62", 8), ("Farseer2.0.1", "#a0862a", 5),
     ];
 
     /// <summary>A scene of the sweep, a line for each engine.</summary>
     public static string Draw(SweepScene scene, IReadOnlyList<SweepPoint> points)
     {
         var series = new List<PlotSeries>();
-        foreach ((string engine, string color) in _colors)
+        foreach ((string engine, string color, int dial) in _engines)
         {
             List<SweepPoint> own = SweepTables.Of(points, engine, scene.Scene, SweepKind.Dial);
             if (own.Count > 0)
             {
-                series.Add(new PlotSeries(engine, color, own));
+                series.Add(new PlotSeries(engine, color, own, dial));
             }
         }
 
@@ -52,8 +54,9 @@ internal static class SvgPlot
     {
         (double lowX, double highX, double lowY) = Bounds(lines);
         var svg = new StringBuilder();
-        svg.Append(Invariant($"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {Width} {Height}\" width=\"{Width}\" height=\"{Height}\" role=\"img\">\n"));
-        svg.Append(Invariant($"<title>{title}: error against cost</title>\n"));
+        svg.Append(Invariant($"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {Width} {Height}\" "));
+        svg.Append(Invariant($"width=\"{Width}\" height=\"{Height}\" role=\"img\">\n"));
+        svg.Append(Invariant($"<title>{title}, error against cost; rings: the default settings</title>\n"));
         svg.Append("<style>text{font:12px system-ui,sans-serif;fill:#333}.b{fill:#fff}.h{font-size:14px;font-weight:600}");
         svg.Append(".g{stroke:#888;stroke-opacity:.35}@media(prefers-color-scheme:dark){text{fill:#ddd}.b{fill:#161b22}}</style>\n");
         svg.Append(Invariant($"<rect class=\"b\" width=\"{Width}\" height=\"{Height}\" rx=\"6\"/>\n"));
@@ -65,29 +68,34 @@ internal static class SvgPlot
             svg.Append(Invariant($"<circle cx=\"{legend + 5}\" cy=\"38\" r=\"4\" fill=\"{line.Color}\"/>"));
             svg.Append(Invariant($"<text x=\"{legend + 13}\" y=\"42\">{line.Name}</text>\n"));
             legend += 30 + (7.0 * line.Name.Length);
-            Series(svg, line.Points, line.Color, lowX, highX, lowY);
+            Series(svg, line, lowX, highX, lowY);
         }
 
         svg.Append("</svg>\n");
         return svg.ToString();
     }
 
-    private static void Series(StringBuilder svg, IReadOnlyList<SweepPoint> points, string color, double lowX, double highX, double lowY)
+    private static void Series(StringBuilder svg, PlotSeries series, double lowX, double highX, double lowY)
     {
+        string color = series.Color;
         var line = new StringBuilder();
-        foreach (SweepPoint point in Pareto.Front(points))
+        foreach (SweepPoint point in Pareto.Front(series.Points))
         {
             line.Append(Invariant($"{X(point, lowX, highX):F1},{Y(point, lowY):F1} "));
         }
 
         svg.Append(Invariant($"<polyline fill=\"none\" stroke=\"{color}\" stroke-width=\"2\" points=\"{line.ToString().TrimEnd()}\"/>\n"));
-        foreach (SweepPoint point in points)
+        foreach (SweepPoint point in series.Points)
         {
             double x = X(point, lowX, highX);
             double y = Y(point, lowY);
             svg.Append(point.Failed
                 ? Invariant($"<path stroke=\"{color}\" stroke-width=\"1.5\" d=\"M{x - 4:F1} {y - 4:F1}l8 8m0 -8l-8 8\"/>\n")
                 : Invariant($"<circle cx=\"{x:F1}\" cy=\"{y:F1}\" r=\"3\" fill=\"{color}\"/>\n"));
+            if (point.Dial == series.DefaultDial && Math.Abs(point.Dt - Options.DefaultDt) < 1e-6)
+            {
+                svg.Append(Invariant($"<circle fill=\"none\" stroke=\"{color}\" stroke-width=\"2\" cx=\"{x:F1}\" cy=\"{y:F1}\" r=\"7\"/>\n"));
+            }
         }
     }
 
