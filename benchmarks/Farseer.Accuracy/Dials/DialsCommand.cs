@@ -51,7 +51,8 @@ internal static class DialsCommand
         DialCurve s = result.Steps;
         return FormattableString.Invariant(
             $"| {result.Kind.Title} | {result.Kind.Error} | {Figure(i.Default)} | {Figure(i.Doubled)} | {Figure(s.Doubled)} ")
-            + FormattableString.Invariant($"| {Order(i)} | {Order(s)} | {i.CostFactor:F1} | {s.CostFactor:F1} | {chance} | {result.Turn} |");
+            + FormattableString.Invariant($"| {Order(i)} | {Order(s)} | {i.CostFactor:F1} | {s.CostFactor:F1} ")
+            + $"| {chance} | {result.Turn} |";
     }
 
     private static List<string> Table(List<DialResult> results)

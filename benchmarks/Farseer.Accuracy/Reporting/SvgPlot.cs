@@ -94,7 +94,8 @@ internal static class SvgPlot
                 : Invariant($"<circle cx=\"{x:F1}\" cy=\"{y:F1}\" r=\"3\" fill=\"{color}\"/>\n"));
             if (point.Dial == series.DefaultDial && Math.Abs(point.Dt - Options.DefaultDt) < 1e-6)
             {
-                svg.Append(Invariant($"<circle fill=\"none\" stroke=\"{color}\" stroke-width=\"2\" cx=\"{x:F1}\" cy=\"{y:F1}\" r=\"7\"/>\n"));
+                svg.Append(Invariant($"<circle fill=\"none\" stroke=\"{color}\" stroke-width=\"2\" "));
+                svg.Append(Invariant($"cx=\"{x:F1}\" cy=\"{y:F1}\" r=\"7\"/>\n"));
             }
         }
     }
