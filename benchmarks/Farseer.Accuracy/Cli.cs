@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using Farseer.Accuracy.Dials;
 using Farseer.Accuracy.Extremes;
 using Farseer.Accuracy.General;
 using Farseer.Accuracy.Reporting;
@@ -47,7 +48,10 @@ internal static class Cli
                                 what differs by more than a tenth between two builds, lost limits first; exit code 1 if one is lost
           truthful [--count N] [--seed N]
                                 whether reports and budgets tell the truth, on random scenes against 64 times the iterations
-          report [--docs FOLDER] writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs
+          report [--plots] [--docs FOLDER]
+                                writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs; --plots:
+                                the plots alone
+          dials [--docs FOLDER] writes docs/Dials.md: what Iterations, 1/dt and other settings give and take in a dozen kinds of scene
           goals [SCENE..]       the figures at the default dial beside their limits; exit code 1 if one fails
         """;
 
@@ -91,6 +95,9 @@ internal static class Cli
                     return TruthfulCommand.Run(args[1..], output) ? 0 : Failed;
                 case "report":
                     ReportCommand.Run(args[1..], output);
+                    return 0;
+                case "dials":
+                    DialsCommand.Run(args[1..], output);
                     return 0;
                 case "sweep":
                     SweepCommand.Run(args[1..], output);

@@ -29,6 +29,7 @@ internal sealed partial class Rig : IDisposable
             Iterations = dial.Iterations,
             AllowedPenetration = (float)(dial.PenetrationShare * bodySize),
         };
+        dial.Tune?.Invoke(_simulator);
     }
 
     /// <summary>Both coefficients of the geoms added from now on.</summary>

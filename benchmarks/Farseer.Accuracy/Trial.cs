@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using FarseerGames.FarseerPhysics;
 
 namespace Farseer.Accuracy;
 
@@ -8,7 +9,11 @@ namespace Farseer.Accuracy;
 /// <param name="Iterations">The accuracy dial of the simulator.</param>
 /// <param name="Dt">Step length asked for, seconds.</param>
 /// <param name="PenetrationShare"><c>AllowedPenetration</c> as a share of the smallest body extent of the scene.</param>
-internal readonly record struct Dial(int Iterations, double Dt, double PenetrationShare);
+internal readonly record struct Dial(int Iterations, double Dt, double PenetrationShare)
+{
+    /// <summary>What else is set before the world is filled; null: nothing.</summary>
+    public Action<PhysicsSimulator>? Tune { get; init; }
+}
 
 /// <summary>A coordinate is not finite or beyond 3·10⁷, or the engine has put a body out of action.</summary>
 internal sealed class ExplodedException : Exception

@@ -15,51 +15,22 @@ internal static class ReportCommand
 
     public static void Run(string[] args, TextWriter output)
     {
-        string folder = args.Length switch
-        {
-            0 => "docs",
-            2 when args[0] == "--docs" => args[1],
-            _ => throw new UsageException("report: only --docs FOLDER is known."),
-        };
-        string path = Path.Combine(folder, Document);
-        if (!File.Exists(path))
-        {
-            throw new UsageException($"report: there is no {path}; run it from the repository's root or name the folder with --docs.");
-        }
-
-        string text = File.ReadAllText(path);
+        bool isPlotsOnly = args.Length > 0 && args[0] == "--plots";
+        (string folder, string path, string text) = GeneratedPart.Open("report", Document, isPlotsOnly ? args[1..] : args);
         var points = new List<SweepPoint>(SweepData.Stored());
         points.AddRange(SweepData.Peers());
-        text = Replaced(text, "aims", AimLines());
-        text = Replaced(text, "costs", Costs.Lines());
-        text = Replaced(text, "sweep", SweepLines(points));
-        text = Replaced(text, "plots", Plots(folder, points));
-        text = Replaced(text, "floors", FloorLines(points));
-        text = Replaced(text, "extremes", Extremes.ExtremesCommand.Lines());
+        text = GeneratedPart.Replaced(text, "plots", Plots(folder, points));
+        if (!isPlotsOnly)
+        {
+            text = GeneratedPart.Replaced(text, "aims", AimLines());
+            text = GeneratedPart.Replaced(text, "costs", Costs.Lines());
+            text = GeneratedPart.Replaced(text, "sweep", SweepLines(points));
+            text = GeneratedPart.Replaced(text, "floors", FloorLines(points));
+            text = GeneratedPart.Replaced(text, "extremes", Extremes.ExtremesCommand.Lines());
+        }
+
         File.WriteAllText(path, text);
         output.WriteLine($"written: {path} and {SweepScene.All.Count} plots");
-    }
-
-    /// <summary>The lines between the marks of a part are replaced.</summary>
-    private static string Replaced(string text, string part, List<string> lines)
-    {
-        string from = $"<!-- {part}: generated -->\n";
-        string to = $"<!-- {part}: end -->";
-        int start = text.IndexOf(from, StringComparison.Ordinal);
-        int end = text.IndexOf(to, StringComparison.Ordinal);
-        if (start < 0 || end < start)
-        {
-            throw new UsageException($"report: {Document} has no part '{part}' between its two marks.");
-        }
-
-        var middle = new StringBuilder("\n");
-        foreach (string line in lines)
-        {
-            middle.Append(line).Append('\n');
-        }
-
-        middle.Append('\n');
-        return text[..(start + from.Length)] + middle + text[end..];
     }
 
     private static List<string> AimLines()

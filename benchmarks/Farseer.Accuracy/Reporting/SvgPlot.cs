@@ -6,9 +6,17 @@ using Farseer.Accuracy.Sweeping;
 
 namespace Farseer.Accuracy.Reporting;
 
+/// <summary>What one line of a plot joins.</summary>
+/// <param name="Name">In the legend.</param>
+/// <param name="Color">Of middle brightness, so that it shows on light and on dark.</param>
+/// <param name="Points">Errors as shares of failure.</param>
+/// <param name="DefaultDial">Of the setting at 1/60 s that has a ring about it.</param>
+internal sealed record PlotSeries(string Name, string Color, IReadOnlyList<SweepPoint> Points, int DefaultDial);
+
 /// <summary>
-/// Error against cost of one scene as an SVG picture. Both axes are logarithmic; a line joins the settings that no other of the same
-/// engine beats. Text and frame take the colours of a light or a dark page; the engines' colours are of middle brightness.
+/// Error against cost as an SVG picture. Both axes are logarithmic; a line joins the settings that no other of the same series beats.
+/// Ground, text and frame take the colours of a light or a dark page, and the ground is the picture's own: a page whose colours are not
+/// those that the system prefers does not make it unreadable.
 /// </summary>
 internal static class SvgPlot
 {
@@ -19,63 +27,76 @@ internal static class SvgPlot
     private const double Top = 56;
     private const double Bottom = 48;
 
-    private static readonly (string Engine, string Color)[] _colors =
+    private static readonly (string Engine, string Color, int DefaultDial)[] _engines =
     [
-        (SweepPoint.Own, "#e8590c"), ("Box2D.NET", "#4c7fd6"), ("Box2D.NET(stiff)", "#8a70d8"), ("Aether", "#2f9e62"), ("Farseer2.0.1", "#a0862a"),
+        (SweepPoint.Own, "#e8590c", Options.DefaultIterations), ("Box2D.NET", "#4c7fd6", 4), ("Box2D.NET(stiff)", "#8a70d8", 4),
+        ("Aether", "#2f9e62", 8), ("Farseer2.0.1", "#a0862a", 5),
     ];
 
+    /// <summary>A scene of the sweep, a line for each engine.</summary>
     public static string Draw(SweepScene scene, IReadOnlyList<SweepPoint> points)
     {
-        (double lowX, double highX, double lowY) = Bounds(points);
+        var series = new List<PlotSeries>();
+        foreach ((string engine, string color, int dial) in _engines)
+        {
+            List<SweepPoint> own = SweepTables.Of(points, engine, scene.Scene, SweepKind.Dial);
+            if (own.Count > 0)
+            {
+                series.Add(new PlotSeries(engine, color, own, dial));
+            }
+        }
+
+        return Draw(scene.Title, series);
+    }
+
+    /// <summary>Any lines, in the order of the legend.</summary>
+    public static string Draw(string title, IReadOnlyList<PlotSeries> lines)
+    {
+        (double lowX, double highX, double lowY) = Bounds(lines);
         var svg = new StringBuilder();
-        svg.Append(Invariant($"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {Width} {Height}\" width=\"{Width}\" height=\"{Height}\" role=\"img\">\n"));
-        svg.Append(Invariant($"<title>{scene.Title}: error against cost</title>\n"));
-        svg.Append("<style>text{font:12px system-ui,sans-serif;fill:#333}.h{font-size:14px;font-weight:600}.g{stroke:#888;stroke-opacity:.35}");
-        svg.Append("@media(prefers-color-scheme:dark){text{fill:#ddd}}</style>\n");
-        svg.Append(Invariant($"<text class=\"h\" x=\"{Left}\" y=\"20\">{scene.Title}</text>\n"));
+        svg.Append(Invariant($"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {Width} {Height}\" "));
+        svg.Append(Invariant($"width=\"{Width}\" height=\"{Height}\" role=\"img\">\n"));
+        svg.Append(Invariant($"<title>{title}, error against cost; rings: the default settings</title>\n"));
+        svg.Append("<style>text{font:12px system-ui,sans-serif;fill:#333}.b{fill:#fff}.h{font-size:14px;font-weight:600}");
+        svg.Append(".g{stroke:#888;stroke-opacity:.35}@media(prefers-color-scheme:dark){text{fill:#ddd}.b{fill:#161b22}}</style>\n");
+        svg.Append(Invariant($"<rect class=\"b\" width=\"{Width}\" height=\"{Height}\" rx=\"6\"/>\n"));
+        svg.Append(Invariant($"<text class=\"h\" x=\"{Left}\" y=\"20\">{title}</text>\n"));
         Axes(svg, lowX, highX, lowY);
         double legend = Left;
-        foreach ((string engine, string color) in _colors)
+        foreach (PlotSeries line in lines)
         {
-            var own = new List<SweepPoint>();
-            foreach (SweepPoint point in points)
-            {
-                if (point.Engine == engine && point.Kind == SweepKind.Dial && point.Scene == scene.Scene)
-                {
-                    own.Add(point);
-                }
-            }
-
-            if (own.Count == 0)
-            {
-                continue;
-            }
-
-            svg.Append(Invariant($"<circle cx=\"{legend + 5}\" cy=\"38\" r=\"4\" fill=\"{color}\"/><text x=\"{legend + 13}\" y=\"42\">{engine}</text>\n"));
-            legend += 30 + (7.0 * engine.Length);
-            Series(svg, own, color, lowX, highX, lowY);
+            svg.Append(Invariant($"<circle cx=\"{legend + 5}\" cy=\"38\" r=\"4\" fill=\"{line.Color}\"/>"));
+            svg.Append(Invariant($"<text x=\"{legend + 13}\" y=\"42\">{line.Name}</text>\n"));
+            legend += 30 + (7.0 * line.Name.Length);
+            Series(svg, line, lowX, highX, lowY);
         }
 
         svg.Append("</svg>\n");
         return svg.ToString();
     }
 
-    private static void Series(StringBuilder svg, List<SweepPoint> points, string color, double lowX, double highX, double lowY)
+    private static void Series(StringBuilder svg, PlotSeries series, double lowX, double highX, double lowY)
     {
+        string color = series.Color;
         var line = new StringBuilder();
-        foreach (SweepPoint point in Pareto.Front(points))
+        foreach (SweepPoint point in Pareto.Front(series.Points))
         {
             line.Append(Invariant($"{X(point, lowX, highX):F1},{Y(point, lowY):F1} "));
         }
 
         svg.Append(Invariant($"<polyline fill=\"none\" stroke=\"{color}\" stroke-width=\"2\" points=\"{line.ToString().TrimEnd()}\"/>\n"));
-        foreach (SweepPoint point in points)
+        foreach (SweepPoint point in series.Points)
         {
             double x = X(point, lowX, highX);
             double y = Y(point, lowY);
             svg.Append(point.Failed
                 ? Invariant($"<path stroke=\"{color}\" stroke-width=\"1.5\" d=\"M{x - 4:F1} {y - 4:F1}l8 8m0 -8l-8 8\"/>\n")
                 : Invariant($"<circle cx=\"{x:F1}\" cy=\"{y:F1}\" r=\"3\" fill=\"{color}\"/>\n"));
+            if (point.Dial == series.DefaultDial && Math.Abs(point.Dt - Options.DefaultDt) < 1e-6)
+            {
+                svg.Append(Invariant($"<circle fill=\"none\" stroke=\"{color}\" stroke-width=\"2\" "));
+                svg.Append(Invariant($"cx=\"{x:F1}\" cy=\"{y:F1}\" r=\"7\"/>\n"));
+            }
         }
     }
 
@@ -100,17 +121,20 @@ internal static class SvgPlot
         svg.Append(Invariant($"<text transform=\"translate(16 {(Top + Height - Bottom) / 2}) rotate(-90)\" text-anchor=\"middle\">error, share of failure</text>\n"));
     }
 
-    private static (double LowX, double HighX, double LowY) Bounds(IReadOnlyList<SweepPoint> points)
+    private static (double LowX, double HighX, double LowY) Bounds(IReadOnlyList<PlotSeries> lines)
     {
         double lowX = double.MaxValue;
         double highX = double.MinValue;
         double lowY = 0;
-        foreach (SweepPoint point in points)
+        foreach (PlotSeries line in lines)
         {
-            double cost = Math.Log10(point.Cost);
-            lowX = Math.Min(lowX, cost);
-            highX = Math.Max(highX, cost);
-            lowY = Math.Min(lowY, Math.Log10(Math.Max(point.Error, 1e-14)));
+            foreach (SweepPoint point in line.Points)
+            {
+                double cost = Math.Log10(point.Cost);
+                lowX = Math.Min(lowX, cost);
+                highX = Math.Max(highX, cost);
+                lowY = Math.Min(lowY, Math.Log10(Math.Max(point.Error, 1e-14)));
+            }
         }
 
         return (Math.Floor(lowX), Math.Ceiling(highX), Math.Floor(lowY));

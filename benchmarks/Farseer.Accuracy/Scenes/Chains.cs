@@ -78,7 +78,8 @@ internal static class Chains
         },
         bodySize: 0.125);
 
-    private static Actor MakeRope(Rig rig, double mass, Vec along)
+    /// <summary>A straight rope from the origin with a weight at its end, which is returned.</summary>
+    public static Actor MakeRope(Rig rig, double mass, Vec along)
     {
         double angle = Math.Atan2(along.X, -along.Y);
         Actor before = rig.AddAnchor(0, 0);
