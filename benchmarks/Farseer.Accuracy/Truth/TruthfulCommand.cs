@@ -190,22 +190,26 @@ internal static class TruthfulCommand
 
     /// <summary>
     /// What the finer run itself may be off by: each of its substeps rounds a velocity and a displacement to a float, by half a unit in the
-    /// last place at most.
+    /// last place at most, and a contact reads its gap to half a unit of the body's size and holds the body there, now here and now there.
     /// </summary>
     private static double Rounding(RandomScene exact)
     {
         const double HalfUnit = 1.0 / (1 << 24);
         double fastest = 0;
         double farthest = 0;
+        double largest = 0;
         foreach (Body body in exact.Bodies)
         {
-            double turn = Math.Abs(body.AngularVelocity) * Math.Sqrt(body.MomentOfInertia / body.Mass);
+            double radius = Math.Sqrt(body.MomentOfInertia / body.Mass);
+            double turn = Math.Abs(body.AngularVelocity) * radius;
+            largest = Math.Max(largest, 2 * radius);
             fastest = Math.Max(fastest, body.LinearVelocity.Length() + turn);
             farthest = Math.Max(farthest, Math.Max(Math.Abs(body.Position.X), Math.Abs(body.Position.Y)));
         }
 
         int substeps = exact.Simulator.Iterations;
-        return (HalfUnit * substeps * (fastest + (10 * exact.Dt)) * exact.Dt) + (2 * HalfUnit * farthest);
+        double gaps = HalfUnit * largest * Math.Sqrt(substeps);
+        return (HalfUnit * substeps * (fastest + (10 * exact.Dt)) * exact.Dt) + (2 * HalfUnit * farthest) + gaps;
     }
 
     private static double Difference(RandomScene mine, RandomScene other)

@@ -52,7 +52,8 @@ internal static class AdviseCommand
 
     private static void Write(AccuracyAdvice advice, Scene scene)
     {
-        Console.WriteLine(scene.Title + ": constraint error (overlaps, joints, slip, impacts) and motion error (where bodies are), lengths;");
+        Console.WriteLine(scene.Title + ": lengths of the constraint error (overlaps,");
+        Console.WriteLine("joints, slip, impacts) and of the motion error (where bodies are);");
         Console.WriteLine("milliseconds for a second of the scene");
         Console.WriteLine("rate  iterations  constr.   motion      rms      end   work  ms/second");
         foreach (AccuracyPoint point in advice.Curve)

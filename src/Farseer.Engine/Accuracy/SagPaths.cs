@@ -75,7 +75,8 @@ internal sealed class SagPaths
         }
     }
 
-    public double Of(int body) => _sag[body];
+    /// <summary>Place and turn of a body, as a length: what its contact is off by moves it, and turns it about its other contacts by as much again.</summary>
+    public double Of(int body) => 2 * _sag[body];
 
     private void Raise(int body, double error)
     {

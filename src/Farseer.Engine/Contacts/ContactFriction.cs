@@ -9,35 +9,6 @@ namespace Farseer.Engine.Contacts;
 /// </summary>
 internal static unsafe class ContactFriction
 {
-    /// <summary>
-    /// Two friction rows in turn; the second sees the first's change through the coupling of the tangent arms. Lanes that are
-    /// not <paramref name="active"/> keep their impulses. The arms turn along as in the normal rows.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Solve(
-        ContactBundle* row,
-        int lane,
-        ref WideVelocity a,
-        ref WideVelocity b,
-        in WideDelta movedA,
-        in WideDelta movedB,
-        Wide normal0,
-        Wide normal1,
-        WideMask active)
-    {
-        WideDelta nearA = TurnedArms.Limited(movedA);
-        WideDelta nearB = TurnedArms.Limited(movedB);
-        TurnedArms.Normal(&row->Point0, lane, nearA, nearB, out Wide armA0, out Wide armB0);
-        TurnedArms.Normal(&row->Point1, lane, nearA, nearB, out Wide armA1, out Wide armB1);
-        WithRadii(row, lane, ref armA0, ref armB0);
-        WithRadii(row, lane, ref armA1, ref armB1);
-        Wide slip = Slip(row, lane, a, b);
-        Wide change0 = Find(row, &row->Point0, lane, SlipOf(slip, a, b, armA0, armB0), normal0, active);
-        Wide slip1 = SlipOf(slip, a, b, armA1, armB1) + (Coupling(row, lane, armA0, armB0, armA1, armB1) * change0);
-        Wide change1 = Find(row, &row->Point1, lane, slip1, normal1, active);
-        ContactKernel.ApplyTangent(row, lane, ref a, ref b, change0, change1);
-    }
-
     /// <summary>Turned normal arms, from the cores to the surfaces.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void WithRadii(ContactBundle* row, int lane, ref Wide armA, ref Wide armB)

@@ -38,12 +38,6 @@ internal static unsafe class TurnedArms
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WideMask AreWithin(in WideDelta a, in WideDelta b) => Wide.Min(a.Cos, b.Cos) >= Wide.Splat(LeastCosine);
 
-    /// <summary>How fast separations change, with arms turned along no further than that.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void NormalVelocities(
-        ContactBundle* row, int lane, in WideVelocity a, in WideVelocity b, in WideDelta movedA, in WideDelta movedB, out Wide v0, out Wide v1) =>
-        ContactKernel.TurnedNormalVelocities(row, lane, a, b, Limited(movedA), Limited(movedB), out v0, out v1, out _);
-
     /// <summary>Normal arms of a point, turned along: of gaps and of friction.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Normal(ContactPointLanes* p, int lane, in WideDelta a, in WideDelta b, out Wide turnedA, out Wide turnedB)

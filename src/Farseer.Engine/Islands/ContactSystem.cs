@@ -35,12 +35,10 @@ internal unsafe struct SystemPoint
 internal sealed unsafe class ContactSystem
 {
     /// <summary>
-    /// Softness that makes loads on more supports than needed definite. Arms are floats, so what such loads must bear is wrong by some 10⁻⁷ of them: with less than that to hold
-    /// against it their rounding would say which of the supports bears all. What a load is wrong by for it, this share times the ratio of the masses, is taken off
-    /// by solving again from there: each time leaves that share of it.
+    /// Softness that makes loads on more supports than needed definite. An error of this share times the ratio of the masses is what it
+    /// costs, and rounding starts four digits below.
     /// </summary>
-    private const double Softness = 1e-6;
-    private const int Refinements = 3;
+    private const double Softness = 1e-12;
 
     /// <summary>Shares of the largest impulse and speed below which they are rounding.</summary>
     private const double ImpulseRounding = 1e-12;
@@ -204,21 +202,9 @@ internal sealed unsafe class ContactSystem
             }
         }
 
-        for (int k = 0; k <= Refinements; k++)
-        {
-            Refine(n, count);
-        }
-
-        return true;
-    }
-
-    /// <summary>Solves for the impulses of the points that push, the softness being from those found before.</summary>
-    private void Refine(int n, int count)
-    {
         for (int i = 0; i < count; i++)
         {
-            ref SystemPoint p = ref _points[_pushing[i]];
-            double sum = (Softness * _responses[(_pushing[i] * n) + _pushing[i]] * p.Impulse) - p.Excess;
+            double sum = -_points[_pushing[i]].Excess;
             for (int k = 0; k < i; k++)
             {
                 sum -= _factor[(i * n) + k] * _right[k];
@@ -238,6 +224,8 @@ internal sealed unsafe class ContactSystem
             _right[i] = sum / _factor[(i * n) + i];
             _points[_pushing[i]].Impulse = _right[i];
         }
+
+        return true;
     }
 
     /// <summary>What the impulse of the second point changes in the speed of the first.</summary>

@@ -36,7 +36,7 @@ internal sealed unsafe class FreeImpacts
     {
         _atRest.EnsureCapacity(bodies);
         _entries.EnsureCapacity(bundles);
-        Small.Reserve(bodies, bundles);
+        Small.Reserve(bodies);
     }
 
     /// <summary>Finds them among the rows.</summary>

@@ -31,17 +31,14 @@ internal sealed unsafe class ImpactNeighbors
         _marked.Set(capacity);
     }
 
-    /// <summary>Forgets all, and makes room.</summary>
+    /// <summary>Forgets all.</summary>
     /// <param name="capacity">Bundles that there may be.</param>
     /// <param name="bodyEnd">One past the highest body.</param>
     public void Begin(int capacity, int bodyEnd)
     {
+        Reserve(capacity, bodyEnd);
         _linked = false;
         _bodyEnd = bodyEnd;
-        _first.EnsureCapacity(bodyEnd);
-        _next.EnsureCapacity(capacity * Ends);
-        Taken.Reserve(capacity);
-        _marked.Set(capacity);
         _marked.ClearAll();
     }
 

@@ -34,8 +34,12 @@ internal sealed unsafe partial class ImpactPass
     /// </summary>
     private const int MostWeakRounds = 64;
 
-    /// <summary>Room from the first step on, and half a bundle for each body: later steps are not to allocate.</summary>
+    /// <summary>
+    /// Room from the first step on, and bundles for each body where something bounces, and where bodies only fall: later steps are not to allocate.
+    /// </summary>
     private const int LeastBundles = 64;
+    private const float BouncingShare = 0.5f;
+    private const float FallingShare = 1f / 32;
 
     /// <summary>Visits of bundles in the sweeps of a round, but for the first few: what still approaches is found by the next one.</summary>
     private const int SweepVisits = 512;
@@ -94,14 +98,16 @@ internal sealed unsafe partial class ImpactPass
     /// <summary>The rounds have ended before such impacts did.</summary>
     private bool _goesOn;
 
-    /// <summary>Makes room for as many bodies: later steps are not to allocate.</summary>
-    public void Reserve(int bodies)
+    /// <summary>Makes room: later steps are not to allocate.</summary>
+    /// <param name="bodies">For as many bodies.</param>
+    /// <param name="bounce">Some of which bounce.</param>
+    public void Reserve(int bodies, bool bounce)
     {
         _island.Begin(bodies);
         _timeOf.EnsureCapacity(bodies + 1);
         _islandsHit.Reserve(bodies);
         _struckSmall.Reserve(bodies);
-        _bounces.EnsureCapacity(LeastBundles + (bodies / 2));
+        _bounces.EnsureCapacity(LeastBundles + (int)(bodies * (bounce ? BouncingShare : FallingShare)));
         _hits.Reserve(_bounces.Capacity);
         _met.Reserve(_bounces.Capacity);
         _latest.EnsureCapacity(bodies);

@@ -43,12 +43,12 @@ internal sealed unsafe class SmallIslands
 
     public bool Has(ContactBundle* row, int lane) => _rows[IslandOf(row, lane)] <= MostContacts;
 
-    /// <summary>Makes room for all rows that there may be.</summary>
-    public void Reserve(int bodies, int bundles)
+    /// <summary>Makes room for so many bodies, and a row of each.</summary>
+    public void Reserve(int bodies)
     {
         _rows.EnsureCapacity(bodies + 1);
         _heads.EnsureCapacity(bodies + 1);
-        _entries.EnsureCapacity(bundles * ContactBundle.Lanes);
+        _entries.EnsureCapacity(bodies);
     }
 
     /// <summary>Lists the rows of small islands.</summary>
@@ -125,6 +125,7 @@ internal sealed unsafe class SmallIslands
         }
         else if (_rows[island] <= MostContacts)
         {
+            _entries.EnsureCapacity(_count + 1);
             _entries[_count] = new SmallIslandRow { Row = row, Lane = lane, Bounce = -1, Next = -1 };
             Insert(island, _count++);
         }

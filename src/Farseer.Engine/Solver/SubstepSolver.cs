@@ -256,7 +256,7 @@ internal sealed unsafe class SubstepSolver
     private bool FindImpacts(in SolverInput input)
     {
         _free.Reserve(input.Bodies.State.Capacity, input.BundleRoom);
-        _impacts.Reserve(input.Bodies.State.Capacity);
+        _impacts.Reserve(input.Bodies.State.Capacity, input.AnyBounce);
         bool jointed = input.Joints != null && input.AnyBounce;
         if (!input.AnyFresh && !jointed)
         {

@@ -21,6 +21,9 @@ internal sealed class WarmUpWorld
     /// <summary>Columns that stand side by side: more than the longest vectors have lanes, so that there are full records of rows and others.</summary>
     private const int Columns = 20;
 
+    /// <summary>Of circles, so that with the bodies beside them there is an even number of bundles of contacts with the ground, and of boxes an odd one.</summary>
+    private const int CircleColumns = 28;
+
     /// <summary>Bodies of a column: more bodies in all than are looked through without a grid.</summary>
     private const int Levels = 7;
     private const float Spacing = 1.5f;
@@ -46,7 +49,7 @@ internal sealed class WarmUpWorld
     public static void Run()
     {
         var mixed = new WarmUpWorld();
-        AddColumns(mixed.Box);
+        AddColumns(mixed.Box, Columns);
         mixed.AddColumnsOfPolygons();
         mixed.AddPairsOfShapes(new Vector2(-4f, 0f));
         mixed.AddJointed(new Vector2(0f, 20f));
@@ -54,7 +57,7 @@ internal sealed class WarmUpWorld
         mixed.AddFlying(new Vector2(50f, 8f));
         mixed.Update();
         var circles = new WarmUpWorld(inGrid: true);
-        AddColumns((x, y) => circles.Circle(x, y));
+        AddColumns((x, y) => circles.Circle(x, y), CircleColumns);
         circles.Update();
         var few = new WarmUpWorld();
         few.AddFew();
@@ -107,15 +110,15 @@ internal sealed class WarmUpWorld
     }
 
     /// <summary>Columns of one shape, a unit wide and high, and two that overlap by half, one of which spins.</summary>
-    private static void AddColumns(Func<float, float, Body> add)
+    private static void AddColumns(Func<float, float, Body> add, int columns)
     {
-        for (int i = 0; i < Columns * Levels; i++)
+        for (int i = 0; i < columns * Levels; i++)
         {
-            add(i % Columns * Spacing, 0.5f + (i / Columns));
+            add(i % columns * Spacing, 0.5f + (i / columns));
         }
 
-        add(Columns * Spacing, 0.5f);
-        add((Columns + 0.3f) * Spacing, 0.5f).AngularVelocity = FastSpin;
+        add(columns * Spacing, 0.5f);
+        add((columns + 0.3f) * Spacing, 0.5f).AngularVelocity = FastSpin;
     }
 
     private void AddColumnsOfPolygons()

@@ -196,6 +196,7 @@ internal sealed class Bench
             : type == typeof(Action<Arbiter>) ? (Action<Arbiter>)(_ => { })
             : type == typeof(Func<PhysicsSimulator>) ? (Func<PhysicsSimulator>)(() => new PhysicsSimulator())
             : type == typeof(Action<PhysicsSimulator, int, float>) ? (Action<PhysicsSimulator, int, float>)((_, _, _) => { })
+            : type == typeof(IProgress<double>) ? new Progress<double>()
             : type == typeof(Predicate<Arbiter>) ? (Predicate<Arbiter>)(_ => false)
             : type.GetConstructor(new[] { typeof(PhysicsSimulator) }) is { } forSimulator ? forSimulator.Invoke(new object[] { Simulator })
             : type.GetConstructor(Type.EmptyTypes) is { } plain ? plain.Invoke(null)
