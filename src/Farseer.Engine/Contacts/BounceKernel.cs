@@ -60,9 +60,13 @@ internal static unsafe class BounceKernel
         int bits = 0;
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            WideMask unloaded = ((Wide.Load(row->Point0.Normal + lane) + Wide.Load(row->Point1.Normal + lane)) <= Wide.Zero)
-                & (Wide.Load(row->Point0.Base + lane) < Wide.Splat(ContactBundle.NoPoint));
-            bits |= WideLanes.Bits(unloaded) << lane;
+            WideMask unloaded = Wide.Load(row->Point0.Normal + lane) <= Wide.Zero;
+            if (WideLanes.Any(unloaded))
+            {
+                unloaded = unloaded & (Wide.Load(row->Point1.Normal + lane) <= Wide.Zero)
+                    & (Wide.Load(row->Point0.Base + lane) < Wide.Splat(ContactBundle.NoPoint));
+                bits |= WideLanes.Bits(unloaded) << lane;
+            }
         }
 
         return bits;

@@ -70,19 +70,14 @@ internal static unsafe class ContactStages
                 Wide gap1 = s1 - rest;
                 WideMask apart0 = gap0 > Wide.Zero;
                 WideMask apart1 = gap1 > Wide.Zero;
-                Wide sink = lambda0 * Wide.Load(row->K11 + lane);
+                Wide load = lambda0;
                 if (two)
                 {
-                    Wide load1 = lambda1 * Wide.Load(row->K22 + lane);
-                    sink = Wide.Select(ContactBundle.Has(row, lane, ContactBundle.SingleMark), sink, Wide.Min(sink, load1));
+                    load = Wide.Min(lambda0, lambda1);
+                    load = Wide.Select(ContactBundle.Has(row, lane, ContactBundle.SingleMark), lambda0, load + load);
                 }
 
-                Wide massA = Wide.Load(row->MassA + lane);
-                Wide massB = Wide.Load(row->MassB + lane);
-                Wide lighter = Wide.Max(massA, massB);
-                Wide heavier = Wide.Min(massA, massB);
-                Wide part = Wide.Select(heavier > Wide.Zero, (heavier + heavier) / (lighter + heavier), Wide.One);
-                sink = settleShare * part * sink;
+                Wide sink = settleShare * load * Mobility(row, lane);
                 Wide hold = rest - ContactBundle.HoldDepth(row, lane);
                 WideMask stands = Wide.Abs(slip) < sliding;
                 Wide slowly = Wide.Min(settle, sink);
@@ -126,6 +121,19 @@ internal static unsafe class ContactStages
         }
 
         least = Wide.Min(least, Wide.Min(movedA.Cos, movedB.Cos));
+    }
+
+    /// <summary>
+    /// What a load keeps the heavier body from, as a speed, is the load times this: of a heavy body on a light one the response of the light one would be far more, and it would come down at
+    /// a speed that the light one cannot stop.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Wide Mobility(ContactBundle* row, int lane)
+    {
+        Wide a = Wide.Load(row->MassA + lane);
+        Wide b = Wide.Load(row->MassB + lane);
+        Wide lesser = Wide.Min(a, b);
+        return Wide.Select(lesser > Wide.Zero, lesser + lesser, Wide.Max(a, b));
     }
 
     /// <summary>Sunk in as far as is needed, but not as far as is allowed.</summary>

@@ -43,6 +43,8 @@ internal sealed unsafe partial class IslandStore : IStageWork
     private int* _slotOf;
     private int* _flooded;
     private GraphColor _color = null!;
+    private readonly Column<int> _rowsOf = new Column<int>();
+    private int* _degrees;
     private byte* _moves;
     private Part _part;
 
@@ -67,6 +69,9 @@ internal sealed unsafe partial class IslandStore : IStageWork
     /// <summary>One past the highest body when the islands were last built.</summary>
     public int BodyEnd => _bodyEnd;
 
+    /// <summary>Contacts of an island when the islands were last built.</summary>
+    public int RowsOf(int island) => _rowsOf[island];
+
     /// <summary>First slot of each island; the entry after the last island is <see cref="SlotCount"/>.</summary>
     public int* FirstSlot => _firstSlot.Pointer;
 
@@ -88,6 +93,7 @@ internal sealed unsafe partial class IslandStore : IStageWork
         _bodyEnd = bodyEnd;
         _moves = moves;
         Begin(graph.Degrees);
+        _degrees = graph.Degrees;
         _part = Part.List;
         foreach (GraphColor color in graph.Used)
         {
@@ -115,6 +121,7 @@ internal sealed unsafe partial class IslandStore : IStageWork
         _begin.EnsureCapacity(bodyEnd);
         _end.EnsureCapacity(bodyEnd);
         _firstSlot.EnsureCapacity(bodyEnd + 1);
+        _rowsOf.EnsureCapacity(bodyEnd + 1);
         _ofSlot.EnsureCapacity(bodyEnd + 1);
         _neighbours.EnsureCapacity(2 * Math.Max(rows, 2 * bodyEnd));
     }
@@ -257,11 +264,14 @@ internal sealed unsafe partial class IslandStore : IStageWork
         int* neighbours = _neighbours.Pointer;
         int* islandOf = _islandOf.Pointer;
         int queued = 1;
+        int ends = 0;
         queue[0] = first;
         islandOf[first] = island;
         for (int head = 0; head < queued; head++)
         {
+            // A row between two bodies that move is a neighbour of both, and counts half at each; one with what cannot move is nobody's neighbour.
             int body = queue[head];
+            ends += (2 * _degrees[body]) - (end[body] - begin[body]);
             for (int k = begin[body]; k < end[body]; k++)
             {
                 int other = neighbours[k];
@@ -269,6 +279,8 @@ internal sealed unsafe partial class IslandStore : IStageWork
                 queued += Reach(ref islandOf[other], island);
             }
         }
+
+        _rowsOf[island] = ends / 2;
     }
 
     /// <summary>A slot for each level of each island, for one at least.</summary>

@@ -23,11 +23,8 @@ internal sealed unsafe class FreeImpacts
     private int _count;
     private int _next;
 
-    /// <summary>A body has several such contacts: those of one moment are one problem.</summary>
-    private bool _anyTwice;
-
-    /// <summary>Small islands are known, for some of their contacts are new.</summary>
-    public bool AnySmall { get; private set; }
+    /// <summary>Bundles with contacts that nothing presses yet.</summary>
+    public int Count => _count;
 
     public SmallIslands Small { get; } = new SmallIslands();
 
@@ -50,18 +47,21 @@ internal sealed unsafe class FreeImpacts
         System.ReadOnlySpan<GraphColor> colors, int* degrees, BodyStore bodies, JointSolver? joints, SpringStore? springs, IslandStore islands)
     {
         _count = 0;
-        AnySmall = false;
-        _anyTwice = false;
         _next = 0;
+        Small.Begin(islands);
+        int place = 0;
         for (int k = 0; k < colors.Length; k++)
         {
             foreach (ContactBundle* row in colors[k].Bundles)
             {
+                ContactBundle.AskAhead(row->Point0.Normal);
                 int fresh = BounceKernel.UnloadedLanes(row);
                 if (fresh != 0)
                 {
-                    _entries[_count++] = new Entry { Row = row, Lanes = fresh };
+                    _entries[_count++] = new Entry { Row = row, Place = place, Lanes = fresh };
                 }
+
+                place++;
             }
         }
 
@@ -76,21 +76,33 @@ internal sealed unsafe class FreeImpacts
         for (int i = 0; i < _count; i++)
         {
             ref Entry entry = ref _entries[i];
-            int lanes = 0;
             for (int lane = 0; entry.Lanes >> lane != 0; lane++)
             {
-                bool free = ((entry.Lanes >> lane) & 1) != 0 && IsFree(entry.Row, lane, degrees, joints, springs);
-                lanes |= free ? 1 << lane : 0;
+                if (((entry.Lanes >> lane) & 1) != 0)
+                {
+                    bool free = IsFree(entry.Row, lane, degrees, joints, springs, out bool twice);
+                    entry.Free |= free ? 1 << lane : 0;
+                    if (!free || twice)
+                    {
+                        Small.AskFor(entry.Row, lane);
+                    }
+                }
             }
-
-            AnySmall |= entry.Lanes != lanes || _anyTwice;
-            entry.Free = lanes;
         }
 
-        if (AnySmall)
+        if (Small.Any)
         {
-            Small.Find(colors, islands, joints);
+            Small.Find(colors, joints);
         }
+    }
+
+    /// <summary>One of the bundles, in the order of the rows.</summary>
+    /// <param name="index">Which.</param>
+    /// <param name="place">Which bundle of all it is.</param>
+    public ContactBundle* BundleAt(int index, out int place)
+    {
+        place = _entries[index].Place;
+        return _entries[index].Row;
     }
 
     /// <summary>
@@ -109,7 +121,7 @@ internal sealed unsafe class FreeImpacts
         Entry entry = _entries[_next++];
         free = entry.Free;
         int lanes = free;
-        for (int lane = 0; AnySmall && entry.Lanes >> lane != 0; lane++)
+        for (int lane = 0; Small.Any && entry.Lanes >> lane != 0; lane++)
         {
             lanes |= ((entry.Lanes >> lane) & 1) != 0 && Small.Has(row, lane) ? 1 << lane : 0;
         }
@@ -137,12 +149,13 @@ internal sealed unsafe class FreeImpacts
         return a == b ? -1 : a ? row->BodyA[lane] : row->BodyB[lane];
     }
 
-    private bool IsFree(ContactBundle* row, int lane, int* degrees, JointSolver? joints, SpringStore? springs)
+    /// <param name="twice">It is one of several of a body with what cannot move: those of one moment are one problem.</param>
+    private bool IsFree(ContactBundle* row, int lane, int* degrees, JointSolver? joints, SpringStore? springs, out bool twice)
     {
         int mover = Mover(row, lane);
+        twice = mover >= 0 && _atRest[mover] > 1;
         if (mover >= 0)
         {
-            _anyTwice |= _atRest[mover] > 1;
             return degrees[mover] == _atRest[mover] && !IsHeld(mover, joints, springs);
         }
 
@@ -157,6 +170,7 @@ internal sealed unsafe class FreeImpacts
     private struct Entry
     {
         public ContactBundle* Row;
+        public int Place;
         public int Lanes;
         public int Free;
     }

@@ -13,7 +13,7 @@ internal sealed unsafe partial class ImpactPass
         int direct = 0;
         for (int lane = 0; can >> lane != 0; lane++)
         {
-            direct |= ((can >> lane) & 1) != 0 && _small!.IsShared(row, lane) ? 1 << lane : 0;
+            direct |= ((can >> lane) & 1) != 0 && _small!.Has(row, lane) ? 1 << lane : 0;
         }
 
         return direct;

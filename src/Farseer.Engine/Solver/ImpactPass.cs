@@ -117,34 +117,35 @@ internal sealed unsafe partial class ImpactPass
         _neighbors.Reserve(_bounces.Capacity, bodies);
     }
 
-    /// <summary>Lists the bundles that can bounce.</summary>
+    /// <summary>Lists the bundles that can have impacts.</summary>
     /// <param name="colors">The rows.</param>
     /// <param name="bodies">The store.</param>
-    /// <param name="free">Contacts whose impacts concern nobody else; null: there are none.</param>
+    /// <param name="bounce">Some of them bounce.</param>
+    /// <param name="free">Contacts that nothing presses yet; null: there are none.</param>
     /// <returns>True if there are some.</returns>
-    public bool Begin(ReadOnlySpan<GraphColor> colors, BodyStore bodies, FreeImpacts? free)
+    public bool Begin(ReadOnlySpan<GraphColor> colors, BodyStore bodies, bool bounce, FreeImpacts? free)
     {
         _count = 0;
         _rows = 0;
-        _small = free is { AnySmall: true } ? free.Small : null;
-        for (int k = 0; k < colors.Length; k++)
+        _small = free is { Small.Any: true } ? free.Small : null;
+        if (bounce)
         {
-            foreach (ContactBundle* row in colors[k].Bundles)
+            int place = 0;
+            for (int k = 0; k < colors.Length; k++)
             {
-                ContactBundle.AskAhead(row->Restitution);
-                int alone = 0;
-                int can = BounceKernel.BouncingLanes(row) | (free != null ? free.LanesOf(row, out alone) : 0);
-                _small?.Bind(row, can != 0 ? _count : -1);
-                if (can != 0)
+                foreach (ContactBundle* row in colors[k].Bundles)
                 {
-                    _rows += BitSet.CountBits((uint)can);
-                    _bounces.EnsureCapacity(_count + 1);
-                    BounceLanes* bounce = _bounces.Pointer + _count++;
-                    bounce->Row = row;
-                    bounce->Can = can;
-                    bounce->Free = alone;
-                    bounce->Direct = _small != null ? DirectLanes(row, can) : 0;
+                    ContactBundle.AskAhead(row->Restitution);
+                    List(row, place++, BounceKernel.BouncingLanes(row), free);
                 }
+            }
+        }
+        else if (free != null)
+        {
+            for (int i = 0; i < free.Count; i++)
+            {
+                ContactBundle* row = free.BundleAt(i, out int place);
+                List(row, place, 0, free);
             }
         }
 
@@ -156,6 +157,25 @@ internal sealed unsafe partial class ImpactPass
         }
 
         return _count > 0;
+    }
+
+    private void List(ContactBundle* row, int place, int can, FreeImpacts? free)
+    {
+        int alone = 0;
+        can |= free != null ? free.LanesOf(row, out alone) : 0;
+        if (can == 0)
+        {
+            return;
+        }
+
+        _small?.Bind(place, _count);
+        _rows += BitSet.CountBits((uint)can);
+        _bounces.EnsureCapacity(_count + 1);
+        BounceLanes* bounce = _bounces.Pointer + _count++;
+        bounce->Row = row;
+        bounce->Can = can;
+        bounce->Free = alone;
+        bounce->Direct = _small != null ? DirectLanes(row, can) : 0;
     }
 
     /// <summary>Before the velocities of a substep are integrated.</summary>

@@ -14,83 +14,105 @@ internal unsafe struct SmallIslandRow
     public int Lane;
     public int Bounce;
     public int Next;
+
+    /// <summary>The place of its bundle among all.</summary>
+    public int Place;
 }
 
-/// <summary>The islands whose contacts are few enough to be solved directly: their rows, island by island.</summary>
+/// <summary>Islands whose contacts are few enough to be solved directly, those of them in which something new has come to touch: their rows, island by island.</summary>
 internal sealed unsafe class SmallIslands
 {
     /// <summary>Contacts of the largest: twice as many points, for which a factor takes 0.1 ms.</summary>
     public const int MostContacts = 32;
 
-    private const int TooMany = int.MaxValue / 2;
+    /// <summary>First rows of islands that are not asked for, or whose bodies hang on joints: these answer as more than themselves.</summary>
+    private const int Unasked = -2;
+    private const int Jointed = -3;
 
-    private readonly Column<int> _rows = new Column<int>();
     private readonly Column<int> _heads = new Column<int>();
     private readonly Column<SmallIslandRow> _entries = new Column<SmallIslandRow>();
-    private int* _islandOfSlot;
+    private IslandStore? _islands;
     private int _count;
     private int _next;
+
+    /// <summary>Some island is asked for.</summary>
+    public bool Any { get; private set; }
 
     public ref SmallIslandRow this[int entry] => ref _entries[entry];
 
     /// <summary>The first row of a small island; the entries name the next one, -1 behind the last.</summary>
     public int First(int island) => _heads[island];
 
-    public int IslandOf(ContactBundle* row, int lane) => _islandOfSlot[row->Slot[lane]];
+    public int IslandOf(ContactBundle* row, int lane) => _islands!.OfSlot[row->Slot[lane]];
 
-    /// <summary>The contact is not the only one of its island, which is small.</summary>
-    public bool IsShared(ContactBundle* row, int lane) => Has(row, lane) && _rows[IslandOf(row, lane)] > 1;
-
-    public bool Has(ContactBundle* row, int lane) => _rows[IslandOf(row, lane)] <= MostContacts;
+    /// <summary>A contact is one of several of an island that is asked for.</summary>
+    public bool Has(ContactBundle* row, int lane) => _heads[IslandOf(row, lane)] > Unasked;
 
     /// <summary>Makes room for so many bodies, and a row of each.</summary>
     public void Reserve(int bodies)
     {
-        _rows.EnsureCapacity(bodies + 1);
         _heads.EnsureCapacity(bodies + 1);
         _entries.EnsureCapacity(bodies);
     }
 
-    /// <summary>Lists the rows of small islands.</summary>
-    /// <param name="colors">All rows.</param>
-    /// <param name="islands">Of which.</param>
-    /// <param name="joints">Bodies that hang on joints answer as more than themselves: their islands are none.</param>
-    public void Find(ReadOnlySpan<GraphColor> colors, IslandStore islands, JointSolver? joints)
+    /// <summary>Begins without any.</summary>
+    public void Begin(IslandStore islands)
     {
+        _islands = islands;
         _count = 0;
         _next = 0;
-        _islandOfSlot = islands.OfSlot;
+        Any = false;
         int end = Math.Max(1, islands.Count);
         for (int i = 0; i < end; i++)
         {
-            _rows[i] = 0;
-            _heads[i] = -1;
+            _heads[i] = Unasked;
         }
+    }
 
-        for (int step = 0; step < 2; step++)
+    /// <summary>Asks for the island of a contact, if it is small and has others.</summary>
+    public void AskFor(ContactBundle* row, int lane)
+    {
+        int island = IslandOf(row, lane);
+        if (_islands!.Count > 0 && _islands.RowsOf(island) is > 1 and <= MostContacts)
         {
-            for (int k = 0; k < colors.Length; k++)
+            _heads[island] = -1;
+            Any = true;
+        }
+    }
+
+    /// <summary>Lists the rows of the islands that are asked for.</summary>
+    public void Find(ReadOnlySpan<GraphColor> colors, JointSolver? joints)
+    {
+        int place = 0;
+        for (int k = 0; k < colors.Length; k++)
+        {
+            foreach (ContactBundle* row in colors[k].Bundles)
             {
-                foreach (ContactBundle* row in colors[k].Bundles)
+                ContactBundle.AskAhead(row->Slot);
+                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+                    if (row->Contact[lane] >= 0 && _heads[IslandOf(row, lane)] > Unasked)
                     {
-                        if (row->Contact[lane] >= 0)
-                        {
-                            Note(row, lane, joints, step > 0);
-                        }
+                        Note(row, lane, place, joints);
                     }
                 }
+
+                place++;
             }
         }
     }
 
     /// <summary>Names the place where the impacts of a bundle are described. Bundles are named in the order of the rows.</summary>
-    public void Bind(ContactBundle* row, int bounce)
+    /// <param name="place">Which bundle of all it is.</param>
+    /// <param name="bounce">Where they are described.</param>
+    public void Bind(int place, int bounce)
     {
-        for (; _next < _count && _entries[_next].Row == row; _next++)
+        for (; _next < _count && _entries[_next].Place <= place; _next++)
         {
-            _entries[_next].Bounce = bounce;
+            if (_entries[_next].Place == place)
+            {
+                _entries[_next].Bounce = bounce;
+            }
         }
     }
 
@@ -115,19 +137,17 @@ internal sealed unsafe class SmallIslands
         return ((long)row.Row->PieceA[row.Lane] << 32) | (uint)row.Row->PieceB[row.Lane];
     }
 
-    private void Note(ContactBundle* row, int lane, JointSolver? joints, bool list)
+    private void Note(ContactBundle* row, int lane, int place, JointSolver? joints)
     {
         int island = IslandOf(row, lane);
-        if (!list)
+        if (joints != null && (joints.Holds(row->BodyA[lane]) || joints.Holds(row->BodyB[lane])))
         {
-            bool jointed = joints != null && (joints.Holds(row->BodyA[lane]) || joints.Holds(row->BodyB[lane]));
-            _rows[island] = jointed ? TooMany : _rows[island] + 1;
+            _heads[island] = Jointed;
+            return;
         }
-        else if (_rows[island] <= MostContacts)
-        {
-            _entries.EnsureCapacity(_count + 1);
-            _entries[_count] = new SmallIslandRow { Row = row, Lane = lane, Bounce = -1, Next = -1 };
-            Insert(island, _count++);
-        }
+
+        _entries.EnsureCapacity(_count + 1);
+        _entries[_count] = new SmallIslandRow { Row = row, Lane = lane, Bounce = -1, Next = -1, Place = place };
+        Insert(island, _count++);
     }
 }
