@@ -45,6 +45,12 @@ internal sealed unsafe partial class IslandStore
         for (int i = 0; i < count; i++)
         {
             int contact = changes[i].Contact;
+            int body = moves[changes[i].BodyA] != 0 ? changes[i].BodyA : changes[i].BodyB;
+            if (_islandOf[body] >= 0)
+            {
+                _rowsOf[_islandOf[body]] += contact == GraphChange.Gone ? -1 : 1;
+            }
+
             if (contact != GraphChange.Gone && records[contact].Color >= 0 && records[contact].Color < ConstraintGraph.ColorCount)
             {
                 WriteLane(graph.BundleOf(records[contact].Row), RowArena.LaneOf(records[contact].Row), moves);

@@ -69,8 +69,22 @@ internal sealed unsafe partial class IslandStore : IStageWork
     /// <summary>One past the highest body when the islands were last built.</summary>
     public int BodyEnd => _bodyEnd;
 
-    /// <summary>Contacts of an island when the islands were last built.</summary>
+    /// <summary>Contacts of an island.</summary>
     public int RowsOf(int island) => _rowsOf[island];
+
+    /// <summary>Some island has as few contacts as these at most.</summary>
+    public bool AnySmaller(int rows)
+    {
+        for (int i = 0; i < Count; i++)
+        {
+            if (_rowsOf[i] <= rows)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
 
     /// <summary>First slot of each island; the entry after the last island is <see cref="SlotCount"/>.</summary>
     public int* FirstSlot => _firstSlot.Pointer;

@@ -62,9 +62,6 @@ internal struct BundleSums
     /// <summary>A contact can bounce.</summary>
     public bool AnyBounce;
 
-    /// <summary>Some contacts are not pressed yet.</summary>
-    public bool AnyFresh;
-
     /// <summary>Adds the pairs of a bundle.</summary>
     public void Add(in ContactFates fates)
     {
@@ -74,12 +71,8 @@ internal struct BundleSums
         AnyHeard |= fates.Heard != 0;
     }
 
-    /// <summary>Notes whether contacts of a bundle may have impacts.</summary>
-    public unsafe void NoteImpacts(ContactBundle* bundle)
-    {
-        AnyBounce |= BounceKernel.Bounces(bundle);
-        AnyFresh |= BounceKernel.UnloadedLanes(bundle) != 0;
-    }
+    /// <summary>Notes whether contacts of a bundle can bounce.</summary>
+    public unsafe void NoteBounces(ContactBundle* bundle) => AnyBounce |= BounceKernel.Bounces(bundle);
 
     public void Add(in BundleSums other)
     {
@@ -88,6 +81,5 @@ internal struct BundleSums
         Hulls += other.Hulls;
         AnyHeard |= other.AnyHeard;
         AnyBounce |= other.AnyBounce;
-        AnyFresh |= other.AnyFresh;
     }
 }

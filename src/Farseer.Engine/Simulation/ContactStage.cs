@@ -45,9 +45,6 @@ internal sealed unsafe class ContactStage : IStageWork
     /// <summary>A contact of the graph can bounce.</summary>
     public bool AnyBounce { get; private set; }
 
-    /// <summary>There are contacts that nothing presses yet.</summary>
-    public bool AnyFresh { get; private set; }
-
     /// <summary>
     /// At least half of the pairs that touch do so for the first time in this step or the one before: an impact late in a step
     /// ends in the next.
@@ -85,7 +82,6 @@ internal sealed unsafe class ContactStage : IStageWork
         input.Hulls = _sides.Hulls;
         input.Pairs = _work.Pairs;
         AnyBounce = false;
-        AnyFresh = false;
         AnyHeard = false;
         _touching = 0;
         _touchingNow = 0;
@@ -118,7 +114,6 @@ internal sealed unsafe class ContactStage : IStageWork
         scratch.Release(mark);
 
         AnyBounce = AnyBounce || _fast.AnyBounce;
-        AnyFresh = AnyFresh || _fast.Given > 0;
         _touching += _fast.Given;
         _touchingNow += _fast.Given;
         bool now = _touchingNow > 0 && _touchingNow * 2 >= _touching;
@@ -312,7 +307,6 @@ internal sealed unsafe class ContactStage : IStageWork
         _hulls += sums.Hulls;
         AnyHeard |= sums.AnyHeard;
         AnyBounce |= sums.AnyBounce;
-        AnyFresh |= sums.AnyFresh;
     }
 
     /// <summary>
@@ -414,7 +408,6 @@ internal sealed unsafe class ContactStage : IStageWork
 
         BundleSums sums = _work.FillRows(runner, input, graph, _gained.Pointer, _gained.Count);
         AnyBounce |= sums.AnyBounce;
-        AnyFresh |= sums.AnyFresh;
     }
 
     /// <summary>Gives rows to pairs beside a blow.</summary>

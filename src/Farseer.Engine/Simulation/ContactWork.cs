@@ -188,7 +188,7 @@ internal sealed unsafe class ContactWork : IStageWork
 
             ContactUpdate.UpdateRows(input, bundle, out ContactFates fates);
             sums.Add(fates);
-            sums.NoteImpacts(bundle);
+            sums.NoteBounces(bundle);
             int follows = fates.Follows;
             _notes.Note(number, follows);
             if (follows != 0)
@@ -221,8 +221,8 @@ internal sealed unsafe class ContactWork : IStageWork
 
             ContactUpdate.UpdateRecord(input, bundle, out ContactFates fates);
             sums.Add(fates);
-            sums.NoteImpacts(bundle);
-            sums.NoteImpacts(ContactBundle.Next(bundle));
+            sums.NoteBounces(bundle);
+            sums.NoteBounces(ContactBundle.Next(bundle));
             int follows = fates.Follows;
             _notes.Note(number, PairBits.Of(follows, 0));
             _notes.Note(number + 1, PairBits.Of(follows, 1));
@@ -268,7 +268,7 @@ internal sealed unsafe class ContactWork : IStageWork
             }
 
             ContactUpdate.FillRows(input, bundle);
-            sums.NoteImpacts(bundle);
+            sums.NoteBounces(bundle);
             for (int lane = 0; lane < count; lane++)
             {
                 ref ContactRecord record = ref records[gained[lane]];

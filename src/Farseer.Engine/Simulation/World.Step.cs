@@ -252,7 +252,7 @@ internal sealed partial class World
         input.Springs = _springs;
         input.AnyDeep = anyDeep;
         input.AnyBounce = _contactStage.AnyBounce;
-        input.AnyFresh = _contactStage.AnyFresh;
+        input.AnySmall = _islands.AnySmaller(SmallIslands.MostContacts);
         input.GravityVector = Settings.Gravity;
         input.Degrees = _graph.Degrees;
         input.ColdStart = _contactStage.ColdStart;

@@ -39,7 +39,7 @@ internal sealed unsafe class SolverUnits : IStageWork
     private float _recovery;
     private bool _anyDeep;
     private bool _coldStart;
-    private bool _anyFresh;
+    private bool _anySmall;
     private int* _degrees;
     private IslandStore _islands = null!;
     private Vector2 _gravity;
@@ -91,7 +91,7 @@ internal sealed unsafe class SolverUnits : IStageWork
         _recovery = input.Recovery;
         _anyDeep = input.AnyDeep;
         _coldStart = input.ColdStart;
-        _anyFresh = input.AnyFresh;
+        _anySmall = input.AnySmall;
         _degrees = input.Degrees;
         _islands = input.Islands;
         _gravity = input.GravityVector;
@@ -123,7 +123,7 @@ internal sealed unsafe class SolverUnits : IStageWork
             input.Recovery = _recovery;
             input.AnyDeep = _anyDeep;
             input.ColdStart = _coldStart;
-            input.AnyFresh = _anyFresh;
+            input.AnySmall = _anySmall;
             input.Degrees = _degrees;
             input.Islands = _islands;
             input.GravityVector = _gravity;

@@ -50,8 +50,8 @@ internal unsafe ref struct SolverInput
     public bool AnyDeep;
     public bool AnyBounce;
 
-    /// <summary>Some contacts are new, and how many rows each body has.</summary>
-    public bool AnyFresh;
+    /// <summary>Some island is small, and how many rows each body has.</summary>
+    public bool AnySmall;
     public Vector2 GravityVector;
     public int* Degrees;
 
@@ -258,12 +258,12 @@ internal sealed unsafe class SubstepSolver
         _free.Reserve(input.Bodies.State.Capacity, input.BundleRoom);
         _impacts.Reserve(input.Bodies.State.Capacity, input.AnyBounce);
         bool jointed = input.Joints != null && input.AnyBounce;
-        if (!input.AnyFresh && !jointed)
+        if (!input.AnySmall && !input.AnyBounce)
         {
             return false;
         }
 
-        bool free = input.AnyFresh && input.UserJoints == null;
+        bool free = input.AnySmall && input.UserJoints == null;
         if (free)
         {
             _free.Find(input.Colors, input.Degrees, input.Bodies, input.Joints, input.Springs, input.Islands);
