@@ -54,7 +54,6 @@ internal sealed unsafe partial class ImpactPass
     /// with the speed before all of them thirty elastic balls took 0.3 % too much.
     /// </summary>
     private const float Heavy = 1f / 64;
-    private const int AllLanes = (1 << ContactBundle.Lanes) - 1;
 
     private readonly Column<BounceLanes> _bounces = new Column<BounceLanes>();
 
@@ -380,9 +379,16 @@ internal sealed unsafe partial class ImpactPass
 
     private void Look(int index, BodyStore bodies, in ContactCoefficients c, bool again)
     {
-        _visits++;
+        // At first nothing but what was held back can have met.
         BounceLanes* bounce = _bounces.Pointer + index;
-        int lanes = again ? ChangedLanes(bounce->Row, bounce->Can) : AllLanes;
+        int lanes = again ? ChangedLanes(bounce->Row, bounce->Can) : bounce->Held;
+        if (lanes == 0)
+        {
+            bounce->Hits = 0;
+            return;
+        }
+
+        _visits++;
         bounce->Hits = BounceKernel.Find(bounce, bodies.State.Pointer, bodies.Motion.Pointer, c, lanes, onlyHeld: !again);
         if (bounce->Hits == 0)
         {
