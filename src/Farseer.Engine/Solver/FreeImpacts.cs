@@ -149,7 +149,7 @@ internal sealed unsafe class FreeImpacts
         return a == b ? -1 : a ? row->BodyA[lane] : row->BodyB[lane];
     }
 
-    /// <param name="twice">It is one of several of a body with what cannot move: those of one moment are one problem.</param>
+    /// <summary>Nobody else is concerned. Several of a body with what cannot move, <c>twice</c>, are one problem if they are of one moment.</summary>
     private bool IsFree(ContactBundle* row, int lane, int* degrees, JointSolver? joints, SpringStore? springs, out bool twice)
     {
         int mover = Mover(row, lane);
