@@ -159,6 +159,19 @@ internal static unsafe class ContactKernel
         }
     }
 
+    /// <summary>
+    /// What a load keeps the heavier body from, as a speed, is the load times this: of a heavy body on a light one the response of the light one would be far more, and it would come down at
+    /// a speed that the light one cannot stop.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Wide Mobility(ContactBundle* row, int lane)
+    {
+        Wide a = Wide.Load(row->MassA + lane);
+        Wide b = Wide.Load(row->MassB + lane);
+        Wide lesser = Wide.Min(a, b);
+        return Wide.Select(lesser > Wide.Zero, lesser + lesser, Wide.Max(a, b));
+    }
+
     /// <summary>How many bundles from the first on have a contact of a deep island.</summary>
     private static int CountDeep(ContactBundle** some, int most)
     {

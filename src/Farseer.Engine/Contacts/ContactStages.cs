@@ -77,7 +77,7 @@ internal static unsafe class ContactStages
                     load = Wide.Select(ContactBundle.Has(row, lane, ContactBundle.SingleMark), lambda0, load + load);
                 }
 
-                Wide sink = settleShare * load * Mobility(row, lane);
+                Wide sink = settleShare * load * ContactKernel.Mobility(row, lane);
                 Wide hold = rest - ContactBundle.HoldDepth(row, lane);
                 WideMask stands = Wide.Abs(slip) < sliding;
                 Wide slowly = Wide.Min(settle, sink);
@@ -121,19 +121,6 @@ internal static unsafe class ContactStages
         }
 
         least = Wide.Min(least, Wide.Min(movedA.Cos, movedB.Cos));
-    }
-
-    /// <summary>
-    /// What a load keeps the heavier body from, as a speed, is the load times this: of a heavy body on a light one the response of the light one would be far more, and it would come down at
-    /// a speed that the light one cannot stop.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Wide Mobility(ContactBundle* row, int lane)
-    {
-        Wide a = Wide.Load(row->MassA + lane);
-        Wide b = Wide.Load(row->MassB + lane);
-        Wide lesser = Wide.Min(a, b);
-        return Wide.Select(lesser > Wide.Zero, lesser + lesser, Wide.Max(a, b));
     }
 
     /// <summary>Sunk in as far as is needed, but not as far as is allowed.</summary>
