@@ -106,7 +106,8 @@ internal sealed unsafe class FreeImpacts
     }
 
     /// <summary>
-    /// The lanes of a bundle with such contacts, or with contacts of small islands which nothing presses yet. Bundles are asked for in the order of the rows.
+    /// The lanes of a bundle with such contacts, or with contacts of small islands between bodies that move, which nothing presses yet. (What is already held by something that cannot
+    /// move, and meets more of it, is the passes' business.) Bundles are asked for in the order of the rows.
     /// </summary>
     /// <param name="row">The bundle.</param>
     /// <param name="free">Those that concern nobody else.</param>
@@ -123,7 +124,8 @@ internal sealed unsafe class FreeImpacts
         int lanes = free;
         for (int lane = 0; Small.Any && entry.Lanes >> lane != 0; lane++)
         {
-            lanes |= ((entry.Lanes >> lane) & 1) != 0 && Small.Has(row, lane) ? 1 << lane : 0;
+            bool both = ((entry.Lanes >> lane) & 1) != 0 && Mover(row, lane) < 0;
+            lanes |= both && Small.Has(row, lane) ? 1 << lane : 0;
         }
 
         return lanes;

@@ -197,7 +197,6 @@ internal sealed unsafe partial class ImpactPass
 
         BodyStore bodies = input.Bodies;
         ListMet();
-        SteadyHeld(bodies);
         HoldAll(false);
         _islandsHit.Clear();
         _struckSmall.Clear();
@@ -228,48 +227,6 @@ internal sealed unsafe partial class ImpactPass
         if (struck && _rows < input.RowCount)
         {
             Settle(input, passes);
-        }
-    }
-
-    /// <summary>
-    /// A body that the passes stopped meanwhile, for something else struck it that is not held back, was stopped as the substep began: spread over the substep its stop would be an
-    /// acceleration, and what it meets later would be given the speed that it has no more. What changes a velocity by more than rest does is such a blow.
-    /// </summary>
-    private void SteadyHeld(BodyStore bodies)
-    {
-        for (int i = 0; i < _met.Count; i++)
-        {
-            BounceLanes* bounce = _bounces.Pointer + _met[i];
-            int held = bounce->Held & ~bounce->Free;
-            for (int lane = 0; held >> lane != 0; lane++)
-            {
-                if (((held >> lane) & 1) != 0)
-                {
-                    Steady(bodies, bounce->Row->BodyA[lane], bounce->Row->MassA[lane], bounce->Slow[lane]);
-                    Steady(bodies, bounce->Row->BodyB[lane], bounce->Row->MassB[lane], bounce->Slow[lane]);
-                }
-            }
-        }
-    }
-
-    private static void Steady(BodyStore bodies, int body, float inverseMass, float slow)
-    {
-        // What cannot move is not integrated: its start is of another time.
-        if (!(inverseMass > 0))
-        {
-            return;
-        }
-
-        ref BodyState state = ref bodies.State[body];
-        ref BodyMotion motion = ref bodies.Motion[body];
-        ref BodyDrive drive = ref bodies.Drive[body];
-        float x = state.LinearVelocity.X - motion.StartX - drive.X;
-        float y = state.LinearVelocity.Y - motion.StartY - drive.Y;
-        if ((x * x) + (y * y) > slow * slow)
-        {
-            motion.StartX = state.LinearVelocity.X - drive.X;
-            motion.StartY = state.LinearVelocity.Y - drive.Y;
-            motion.StartW = state.AngularVelocity - drive.W;
         }
     }
 

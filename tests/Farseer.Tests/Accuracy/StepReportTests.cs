@@ -114,8 +114,8 @@ public class StepReportTests
         Assert.Equal(report.LargestPenetration, report.ConstraintError);
         Assert.Equal(ErrorCause.Motion, report.Cause);
 
-        // The top is off by what all ten contacts sink in.
-        Assert.InRange(report.MotionError, 3 * report.LargestPenetration, 10 * report.LargestPenetration);
+        // The top is off by what all ten contacts sink in, which is counted twice: what a contact is off by also turns a body.
+        Assert.InRange(report.MotionError, 3 * report.LargestPenetration, 20 * report.LargestPenetration);
         Assert.InRange(report.RmsPenetration, 1e-9, report.LargestPenetration);
     }
 

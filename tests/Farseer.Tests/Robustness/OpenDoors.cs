@@ -99,6 +99,7 @@ internal static class OpenDoors
         ["ControllerList.Added"] = NoHandler,
         ["ControllerList.Removed"] = NoHandler,
         ["FluidDragController.Entry"] = NoHandler,
+        ["AccuracyAdvisor.Advise(progress)"] = "null tells nobody",
         ["BodyController.Filter"] = "null lets all bodies pass",
         ["SvgDebugDraw.Draw*"] = "a place that is not finite is nowhere in the picture; a debug view must not stop the game",
         ["DebugColor.Equals*"] = Comparison,
