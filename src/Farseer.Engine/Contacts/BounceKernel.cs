@@ -34,9 +34,8 @@ internal static unsafe class BounceKernel
     /// <summary>The least restitution of bounces that are not weak.</summary>
     private const float Strong = 0.5f;
 
-    /// <summary>Newton's steps to the moment of an impact: each doubles the digits; and the share of the substep to which it is found.</summary>
+    /// <summary>Newton's steps to the moment of an impact: each doubles the digits.</summary>
     private const int MomentSteps = 6;
-    private const float Near = 1e-6f;
 
     /// <summary>A contact of the bundle can bounce.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -181,8 +180,8 @@ internal static unsafe class BounceKernel
             moments.B = WideFlight.AtEnd(bodies, motions, row->BodyB + lane, Wide.Load(row->MassB + lane) + Wide.Load(row->InertiaB + lane), inverseSubstep);
             moments.Row = row;
             moments.Lane = lane;
-            Wide time0 = Wide.Select(met0, Moment(moments, met0, rest + Wide.Load(bounce->Point0.Level + lane), second: false, c.Substep, out Wide w0), none);
-            Wide time1 = Wide.Select(met1, Moment(moments, met1, rest + Wide.Load(bounce->Point1.Level + lane), second: true, c.Substep, out Wide w1), none);
+            Wide time0 = Wide.Select(met0, Moment(moments, rest + Wide.Load(bounce->Point0.Level + lane), second: false, c.Substep, out Wide w0), none);
+            Wide time1 = Wide.Select(met1, Moment(moments, rest + Wide.Load(bounce->Point1.Level + lane), second: true, c.Substep, out Wide w1), none);
 
             // Of two points the one that landed first has the first impact; the other comes after it, unless the surfaces are parallel by then.
             Wide time = Wide.Max(time0, time1);
@@ -372,31 +371,31 @@ internal static unsafe class BounceKernel
     /// 0 and the substep, and found by Newton's steps that are halvings where they would leave what is left of it.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    private static Wide Moment(in Moments moments, WideMask met, Wide level, bool second, float substep, out Wide speed)
+    private static Wide Moment(in Moments moments, Wide level, bool second, float substep, out Wide speed)
     {
         Wide after = Wide.Zero;
         Wide before = Wide.Splat(substep);
-        Wide near = Wide.Splat(Near * substep);
         Wide time = Wide.Zero;
         speed = Wide.Zero;
-        for (int i = 0; i < MomentSteps && WideLanes.Any(met); i++)
+        for (int i = 0; i < MomentSteps; i++)
         {
             moments.A.Before(time, out WideDelta movedA, out WideVelocity a);
             moments.B.Before(time, out WideDelta movedB, out WideVelocity b);
             ContactKernel.Separations(moments.Row, moments.Lane, movedA, movedB, out Wide s0, out Wide s1);
             new ImpactArms(moments.Row, moments.Lane, movedA, movedB).Velocities(a, b, out Wide v0, out Wide v1);
             Wide beyond = (second ? s1 : s0) - level;
-            speed = Wide.Select(met, second ? v1 : v0, speed);
+            speed = second ? v1 : v0;
+            if (i + 1 == MomentSteps)
+            {
+                break;
+            }
+
             WideMask late = beyond < Wide.Zero;
-            after = Wide.Select(met & late, time, after);
-            before = Wide.Select(met & ~late, time, before);
+            after = Wide.Select(late, time, after);
+            before = Wide.Select(late, before, time);
             Wide next = time + (beyond / Wide.Min(speed, Wide.Splat(-float.Epsilon)));
             WideMask within = (speed < Wide.Zero) & (next >= after) & (next <= before);
-            next = Wide.Select(within, next, Wide.Splat(0.5f) * (after + before));
-
-            // Where it is found it stays, so that how long others take changes nothing.
-            met = met & (Wide.Abs(next - time) > near);
-            time = i + 1 < MomentSteps ? Wide.Select(met, next, time) : time;
+            time = Wide.Select(within, next, Wide.Splat(0.5f) * (after + before));
         }
 
         return time;
