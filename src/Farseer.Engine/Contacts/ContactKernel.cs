@@ -13,6 +13,9 @@ namespace Farseer.Engine.Contacts;
 /// </summary>
 internal static unsafe class ContactKernel
 {
+    /// <summary>1/mass times this is the response of the corners of two boxes of that mass: of equal bodies the bound takes nothing.</summary>
+    private const float MobilityOfPair = 5f;
+
     /// <summary>
     /// Applies the impulses of the substep before, extrapolated by a third of their change (a free momentum term for the
     /// block solver), friction kept within its cone.
@@ -160,16 +163,14 @@ internal static unsafe class ContactKernel
     }
 
     /// <summary>
-    /// What a load keeps the heavier body from, as a speed, is the load times this: of a heavy body on a light one the response of the light one would be far more, and it would come down at
-    /// a speed that the light one cannot stop.
+    /// Speed per load of a point at which the heavier of two bodies that move may sink: the response of a light one under it is far more, and at that pace the heavy one would come
+    /// down faster than the light one can stop. A body on what cannot move has no such bound.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static Wide Mobility(ContactBundle* row, int lane)
     {
-        Wide a = Wide.Load(row->MassA + lane);
-        Wide b = Wide.Load(row->MassB + lane);
-        Wide lesser = Wide.Min(a, b);
-        return Wide.Select(lesser > Wide.Zero, lesser + lesser, Wide.Max(a, b));
+        Wide lesser = Wide.Min(Wide.Load(row->MassA + lane), Wide.Load(row->MassB + lane));
+        return Wide.Select(lesser > Wide.Zero, Wide.Splat(MobilityOfPair) * lesser, Wide.Splat(ContactBundle.NoPoint));
     }
 
     /// <summary>How many bundles from the first on have a contact of a deep island.</summary>

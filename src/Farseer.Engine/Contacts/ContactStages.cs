@@ -71,13 +71,15 @@ internal static unsafe class ContactStages
                 WideMask apart0 = gap0 > Wide.Zero;
                 WideMask apart1 = gap1 > Wide.Zero;
                 Wide load = lambda0;
+                Wide sink = lambda0 * Wide.Load(row->K11 + lane);
                 if (two)
                 {
-                    load = Wide.Min(lambda0, lambda1);
-                    load = Wide.Select(ContactBundle.Has(row, lane, ContactBundle.SingleMark), lambda0, load + load);
+                    WideMask single = ContactBundle.Has(row, lane, ContactBundle.SingleMark);
+                    load = Wide.Select(single, load, Wide.Min(lambda0, lambda1));
+                    sink = Wide.Select(single, sink, Wide.Min(sink, lambda1 * Wide.Load(row->K22 + lane)));
                 }
 
-                Wide sink = settleShare * load * ContactKernel.Mobility(row, lane);
+                sink = settleShare * Wide.Min(sink, load * ContactKernel.Mobility(row, lane));
                 Wide hold = rest - ContactBundle.HoldDepth(row, lane);
                 WideMask stands = Wide.Abs(slip) < sliding;
                 Wide slowly = Wide.Min(settle, sink);
