@@ -19,7 +19,7 @@ internal sealed unsafe class IslandImpact
 
     /// <summary>Turns of what pushes and what rubs, and sweeps of friction in each.</summary>
     private const int Turns = 32;
-    private const int Rubs = 4;
+    private const int Rubs = 8;
 
     /// <summary>Share of all impulses by which they may still change.</summary>
     private const double Balanced = 1e-6;
