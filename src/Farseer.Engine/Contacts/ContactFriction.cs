@@ -46,12 +46,11 @@ internal static unsafe class ContactFriction
     /// <returns>The change of its impulse; the bodies do not know yet.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Wide Find(
-        ContactBundle* row, ContactPointLanes* point, int lane, Wide slip, Wide normal, WideMask active)
+        ContactBundle* row, ContactPointLanes* point, int lane, Wide slip, Wide normal)
     {
         Wide old = Wide.Load(point->Tangent + lane);
         Wide bound = Wide.Load(row->Friction + lane) * normal;
         Wide found = Wide.Max(Wide.Min(old - (TangentMass(row, point, lane) * slip), bound), Wide.Zero - bound);
-        found = Wide.Select(active, found, old);
         found.Store(point->Tangent + lane);
         return found - old;
     }

@@ -367,7 +367,7 @@ internal static unsafe class ContactStages
                 ContactFriction.WithRadii(row, lane, ref armA0, ref armB0);
                 Wide slip0 = ContactFriction.SlipOf(slip, a, b, armA0, armB0);
                 Wide normal0 = Wide.Load(row->Point0.Normal + lane);
-                Wide rub0 = ContactFriction.Find(row, &row->Point0, lane, slip0, normal0, WideLanes.AllSet);
+                Wide rub0 = ContactFriction.Find(row, &row->Point0, lane, slip0, normal0);
                 rub0.Store(work->Value0 + lane);
                 if (two)
                 {
@@ -377,7 +377,7 @@ internal static unsafe class ContactStages
                     Wide slip1 = ContactFriction.SlipOf(slip, a, b, armA1, armB1)
                         + (ContactFriction.Coupling(row, lane, armA0, armB0, armA1, armB1) * rub0);
                     Wide normal1 = Wide.Load(row->Point1.Normal + lane);
-                    ContactFriction.Find(row, &row->Point1, lane, slip1, normal1, WideLanes.AllSet)
+                    ContactFriction.Find(row, &row->Point1, lane, slip1, normal1)
                         .Store(work->Value1 + lane);
                 }
             }

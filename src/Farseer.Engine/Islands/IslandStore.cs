@@ -106,8 +106,8 @@ internal sealed unsafe partial class IslandStore : IStageWork
         _flooded = scratch.Take<int>(bodyEnd + 1);
         _bodyEnd = bodyEnd;
         _moves = moves;
-        Begin(graph.Degrees);
         _degrees = graph.Degrees;
+        Begin();
         _part = Part.List;
         foreach (GraphColor color in graph.Used)
         {
@@ -168,7 +168,7 @@ internal sealed unsafe partial class IslandStore : IStageWork
     }
 
     /// <summary>Empty lists with room for a neighbour a row; those of rows at the ground stay without.</summary>
-    private void Begin(int* degrees)
+    private void Begin()
     {
         int* begin = _begin.Pointer;
         int* end = _end.Pointer;
@@ -181,7 +181,7 @@ internal sealed unsafe partial class IslandStore : IStageWork
             end[i] = next;
             level[i] = -1;
             islandOf[i] = -1;
-            next += degrees[i];
+            next += _degrees[i];
         }
     }
 

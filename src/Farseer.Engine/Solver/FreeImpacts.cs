@@ -39,12 +39,11 @@ internal sealed unsafe class FreeImpacts
     /// <summary>Finds them among the rows.</summary>
     /// <param name="colors">The rows.</param>
     /// <param name="degrees">How many rows each body has.</param>
-    /// <param name="bodies">The store.</param>
     /// <param name="joints">What they may hang on.</param>
     /// <param name="springs">The same.</param>
     /// <param name="islands">All islands.</param>
     public void Find(
-        System.ReadOnlySpan<GraphColor> colors, int* degrees, BodyStore bodies, JointSolver? joints, SpringStore? springs, IslandStore islands)
+        System.ReadOnlySpan<GraphColor> colors, int* degrees, JointSolver? joints, SpringStore? springs, IslandStore islands)
     {
         _count = 0;
         _next = 0;

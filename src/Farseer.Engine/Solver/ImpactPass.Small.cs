@@ -23,6 +23,7 @@ internal sealed unsafe partial class ImpactPass
     private void SolveSmall(BodyStore bodies, in ContactCoefficients c)
     {
         _islandsHit.Clear();
+        _smallRound++;
         for (int i = 0; i < _hits.Count; i++)
         {
             BounceLanes* bounce = _bounces.Pointer + _hits[i];
@@ -45,7 +46,7 @@ internal sealed unsafe partial class ImpactPass
                 NoteChange(_island.Bodies[k]);
             }
 
-            NoteOnce(_struckSmall, island);
+            NoteOnce(_struckSmall, _struckIn, _smallRun, island);
         }
 
         for (int i = 0; i < _hits.Count; i++)
@@ -57,21 +58,20 @@ internal sealed unsafe partial class ImpactPass
 
     private void NoteIsland(int island, float time)
     {
-        _timeOf[island] = NoteOnce(_islandsHit, island) ? time : Math.Max(_timeOf[island], time);
+        _timeOf[island] = NoteOnce(_islandsHit, _hitIn, _smallRound, island) ? time : Math.Max(_timeOf[island], time);
     }
 
-    /// <returns>True if it was not noted yet.</returns>
-    private static bool NoteOnce(IndexList list, int item)
+    /// <summary>Lists an island that was not listed since a count began; as many may be struck at once as there are, so the list is not searched.</summary>
+    /// <returns>True if it was not listed yet.</returns>
+    private static bool NoteOnce(IndexList list, Column<int> listedIn, int now, int island)
     {
-        for (int i = 0; i < list.Count; i++)
+        if (listedIn[island] == now)
         {
-            if (list[i] == item)
-            {
-                return false;
-            }
+            return false;
         }
 
-        list.Add(item);
+        listedIn[island] = now;
+        list.Add(island);
         return true;
     }
 

@@ -83,6 +83,12 @@ internal sealed unsafe partial class ImpactPass
     private readonly Column<float> _timeOf = new Column<float>();
     private SmallIslands? _small;
 
+    /// <summary>The round and the substep, counted without end, in which a small island was listed last.</summary>
+    private readonly Column<int> _hitIn = new Column<int>();
+    private readonly Column<int> _struckIn = new Column<int>();
+    private int _smallRound;
+    private int _smallRun;
+
     /// <summary>The last round, counted in the step, that changed a body.</summary>
     private readonly Column<int> _changed = new Column<int>();
     private int _round;
@@ -106,6 +112,8 @@ internal sealed unsafe partial class ImpactPass
         _timeOf.EnsureCapacity(bodies + 1);
         _islandsHit.Reserve(bodies);
         _struckSmall.Reserve(bodies);
+        _hitIn.EnsureCapacity(bodies + 1);
+        _struckIn.EnsureCapacity(bodies + 1);
         _bounces.EnsureCapacity(LeastBundles + (int)(bodies * (bounce ? BouncingShare : FallingShare)));
         _hits.Reserve(_bounces.Capacity);
         _met.Reserve(_bounces.Capacity);
@@ -200,6 +208,7 @@ internal sealed unsafe partial class ImpactPass
         HoldAll(false);
         _islandsHit.Clear();
         _struckSmall.Clear();
+        _smallRun++;
         bool struck = false;
         int weakRounds = 0;
         _visits = PassVisits * _count;

@@ -266,7 +266,7 @@ internal sealed unsafe class SubstepSolver
         bool free = input.AnySmall && input.UserJoints == null;
         if (free)
         {
-            _free.Find(input.Colors, input.Degrees, input.Bodies, input.Joints, input.Springs, input.Islands);
+            _free.Find(input.Colors, input.Degrees, input.Joints, input.Springs, input.Islands);
         }
 
         bool any = _impacts.Begin(input.Colors, input.Bodies, input.AnyBounce, free ? _free : null);
