@@ -34,8 +34,8 @@ internal static class DialKinds
             + "runs scatter; the figure is a median of three."),
         new("throw", "throw: landing, tumbling, sliding", "resting place, mm",
             DialScenes.Throw, Each(Throws), _place, 1000, 0.01,
-            "Neither helps. Roundings decide where a tumbling box comes to rest: two runs with a hundred times the substeps "
-            + "are as far apart as the default is from them."),
+            "Neither helps much: over several doublings the error falls more slowly than the dial rises. Where a tumbling box "
+            + "comes to rest hangs on each of its hits."),
         new("bounce", "bouncing and spinning box", "place after 2 s, mm",
             DialScenes.Bounce, Each(Throws), _place, 1000, 0.01,
             "Neither helps, and little is missing: impacts happen at their moment at any setting. What is left scatters by "
