@@ -33,7 +33,7 @@ internal sealed unsafe class FreeImpacts
     {
         _atRest.EnsureCapacity(bodies);
         _entries.EnsureCapacity(bundles);
-        Small.Reserve(bodies);
+        Small.Reserve(bodies, bundles);
     }
 
     /// <summary>Finds them among the rows.</summary>

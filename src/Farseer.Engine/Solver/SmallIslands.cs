@@ -48,11 +48,11 @@ internal sealed unsafe class SmallIslands
     /// <summary>A contact is one of several of an island that is asked for.</summary>
     public bool Has(ContactBundle* row, int lane) => _heads[IslandOf(row, lane)] > Unasked;
 
-    /// <summary>Makes room for so many bodies, and a row of each.</summary>
-    public void Reserve(int bodies)
+    /// <summary>Makes room for all rows that there may be.</summary>
+    public void Reserve(int bodies, int bundles)
     {
         _heads.EnsureCapacity(bodies + 1);
-        _entries.EnsureCapacity(bodies);
+        _entries.EnsureCapacity(bundles * ContactBundle.Lanes);
     }
 
     /// <summary>Begins without any.</summary>
@@ -146,7 +146,6 @@ internal sealed unsafe class SmallIslands
             return;
         }
 
-        _entries.EnsureCapacity(_count + 1);
         _entries[_count] = new SmallIslandRow { Row = row, Lane = lane, Bounce = -1, Next = -1, Place = place };
         Insert(island, _count++);
     }

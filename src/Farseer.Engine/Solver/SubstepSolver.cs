@@ -255,13 +255,15 @@ internal sealed unsafe class SubstepSolver
     /// <returns>False: no contact can have an impact by itself in this step.</returns>
     private bool FindImpacts(in SolverInput input)
     {
-        _free.Reserve(input.Bodies.State.Capacity, input.BundleRoom);
-        _impacts.Reserve(input.Bodies.State.Capacity, input.AnyBounce);
-        bool jointed = input.Joints != null && input.AnyBounce;
         if (!input.AnySmall && !input.AnyBounce)
         {
             return false;
         }
+
+        // Once such an island is there, later steps are not to allocate, whatever is struck in them.
+        bool jointed = input.Joints != null && input.AnyBounce;
+        _free.Reserve(input.Bodies.State.Capacity, input.BundleRoom);
+        _impacts.Reserve(input.Bodies.State.Capacity, input.AnyBounce);
 
         bool free = input.AnySmall && input.UserJoints == null;
         if (free)
