@@ -15,8 +15,11 @@ public class HeapSleepTests
 {
     private const float Dt = 1 / 60f;
 
+    private const int Heaps = 32;
+
     // While the depth of rest, 5 % of these bodies, was gone through by each contact at its own pace, none of them slept within a minute.
-    // They take 6 to 18 s; no other than the default settings were looked at.
+    // When the last body of a heap comes to rest is chance, with a long tail (of 64 heaps of each kind the median is 8 to 15 s, and none to
+    // three take longer than a minute), so the bound is one over many: half of them within 30 s, seven in eight within a minute.
     [Theory]
     [InlineData("boxes", 36, 0.2f)]
     [InlineData("boxes", 144, 0.6f)]
@@ -24,17 +27,11 @@ public class HeapSleepTests
     [InlineData("polygons", 144, 0.2f)]
     [InlineData("mixed", 144, 0.2f)]
     [InlineData("mixed", 144, 0.6f)]
-    public void Heap_DroppedIntoABin_FallsAsleepWithinHalfAMinute(string kind, int count, float friction)
+    public void Heaps_DroppedIntoABin_FallAsleep(string kind, int count, float friction)
     {
-        using var simulator = new PhysicsSimulator(new Vector2(0, -10)) { AllowSleep = true };
-        List<Body> bodies = Drop(simulator, kind, count, friction);
-        Run(simulator, 30);
-        Assert.Equal(count, simulator.SleepingBodyCount);
-
-        // At rest where they are, not stopped in their fall: none is more than a body's height above the others.
-        float[] heights = bodies.Select(b => b.Position.Y).Order().ToArray();
-        Assert.InRange(heights[0], 0, 1);
-        Assert.True(heights.Zip(heights.Skip(1), (low, high) => high - low).Max() < 1.5f);
+        double[] seconds = [.. Enumerable.Range(1, Heaps).Select(seed => SecondsUntilAsleep(kind, count, friction, seed)).Order()];
+        Assert.InRange(seconds[Heaps / 2], 0, 30);
+        Assert.InRange(seconds[(Heaps * 7 / 8) - 1], 0, 60);
     }
 
     [Fact]
@@ -71,9 +68,35 @@ public class HeapSleepTests
         Assert.Equal(sleeps, !ball.Awake);
     }
 
-    private static List<Body> Drop(PhysicsSimulator simulator, string kind, int count, float friction)
+    /// <summary>Infinity: not within a minute.</summary>
+    private static double SecondsUntilAsleep(string kind, int count, float friction, int seed)
     {
-        var random = new Random(1);
+        using var simulator = new PhysicsSimulator(new Vector2(0, -10)) { AllowSleep = true };
+        List<Body> bodies = Drop(simulator, kind, count, friction, seed);
+        for (int seconds = 1; seconds <= 60; seconds++)
+        {
+            Run(simulator, 1);
+            if (simulator.SleepingBodyCount == count)
+            {
+                AssertLying(bodies);
+                return seconds;
+            }
+        }
+
+        return double.PositiveInfinity;
+    }
+
+    /// <summary>At rest where they are, not stopped in their fall: none is more than a body's height above the others.</summary>
+    private static void AssertLying(List<Body> bodies)
+    {
+        float[] heights = [.. bodies.Select(b => b.Position.Y).Order()];
+        Assert.InRange(heights[0], 0, 1);
+        Assert.True(heights.Zip(heights.Skip(1), (low, high) => high - low).Max() < 1.5f);
+    }
+
+    private static List<Body> Drop(PhysicsSimulator simulator, string kind, int count, float friction, int seed)
+    {
+        var random = new Random(seed);
         float width = MathF.Sqrt(count) * 1.1f;
         Wall(simulator, 0, -1, width + 4, 2, friction);
         Wall(simulator, (-width / 2) - 1, 100, 2, 200, friction);
