@@ -7,6 +7,9 @@ namespace Box2D.Bridge;
 /// <summary>All contacts, newest first, and where to find that of two colliders.</summary>
 internal sealed class ContactBook
 {
+    /// <summary>There are so many contacts for each that is made for later, when one is missing.</summary>
+    private const int GrowthShare = 4;
+
     private readonly Dictionary<ulong, b2Contact> _byPair = new Dictionary<ulong, b2Contact>();
 
     /// <summary>Ended contacts, accepted and refused ones, for those to come: steps are not to allocate.</summary>
@@ -28,17 +31,16 @@ internal sealed class ContactBook
     {
         (b2Shape first, b2Shape second) = IsSwapped(shapeA, shapeB) ? (shapeB, shapeA) : (shapeA, shapeB);
         Stack<b2Contact> spare = accepted ? _spare : _spareRefused;
-        b2Contact contact;
-        if (spare.Count > 0)
+        int missing = spare.Count == 0 ? 1 + (Count / GrowthShare) : 0;
+
+        // By a share of what there is: few steps allocate until there are as many as ever are wanted at once.
+        for (int i = 0; i < missing; i++)
         {
-            contact = spare.Pop();
-            contact.Begin(first, second);
-        }
-        else
-        {
-            contact = accepted ? new b2Contact(first, second) : new b2NullContact(first, second);
+            spare.Push(accepted ? new b2Contact(first, second) : new b2NullContact(first, second));
         }
 
+        b2Contact contact = spare.Pop();
+        contact.Begin(first, second);
         contact.Key = Key(shapeA.Link.Collider.Index, shapeB.Link.Collider.Index);
         contact.Next = First;
         if (First is not null)
