@@ -29,6 +29,12 @@ internal static unsafe class FastPairs
     /// <summary>Share of the extent to which a time of impact is found.</summary>
     private const float ToleranceShare = 1e-3f;
 
+    /// <summary>
+    /// Share of a way up to which a search looks beyond the time of an impact that is known already: the way of what is fast is longer than its extent, and this much
+    /// of it longer than the tolerance.
+    /// </summary>
+    public const double MomentShare = ToleranceShare;
+
     /// <summary>Looks where the pairs go in the step, and gives those with a fast body other margins.</summary>
     public static SweepBits Look(in ContactUpdateInput input)
     {

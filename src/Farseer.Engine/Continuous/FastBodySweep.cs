@@ -326,7 +326,7 @@ internal sealed partial class FastBodySweep
         ImpactQuery query;
         query.Tolerance = FastPairs.Tolerance(extent);
         query.From = 0;
-        query.Until = Math.Min(1, until + query.Tolerance);
+        query.Until = Math.Min(1, until + FastPairs.MomentShare);
         if (candidate.Mode == SweepMode.Met)
         {
             query.Target = candidate.Target;

@@ -203,7 +203,7 @@ internal sealed class PairFlight
                 }
 
                 query.Target = 0;
-                query.Until = deep + query.Tolerance;
+                query.Until = Math.Min(1, deep + FastPairs.MomentShare);
                 search.Find(query, out time, out _separation);
                 return true;
             }

@@ -221,7 +221,7 @@ internal sealed unsafe class FastPairStage : IStageWork
         }
 
         query.Target = 0;
-        query.Until = deep + query.Tolerance;
+        query.Until = Math.Min(1, deep + FastPairs.MomentShare);
         search.Find(query, out double time, out _);
         PairInput pair = ImpactPose.Pair(input.Shapes, record.PieceA, record.PieceB, a, b, time, (float)(4 * query.Tolerance));
         Collision.Collide(pair, out Manifold manifold);

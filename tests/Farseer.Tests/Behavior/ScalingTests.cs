@@ -14,9 +14,10 @@ public class ScalingTests
     [Theory]
     [InlineData(1024f)]
     [InlineData(1 / 1024f)]
+    [InlineData(1048576f)]
     public void Pile_ScaledByAPowerOfTwo_GoesTheSameWayBitForBit(float scale)
     {
-        for (int seed = 1; seed <= 3; seed++)
+        for (int seed = 1; seed <= 12; seed++)
         {
             var pile = new RandomPile(seed, 30, 1);
             var scaled = new RandomPile(seed, 30, scale);
