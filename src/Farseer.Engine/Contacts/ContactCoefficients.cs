@@ -48,7 +48,7 @@ internal readonly struct ContactCoefficients
     public const float SmallestFeedRest = 1e-4f;
 
     /// <summary>
-    /// Size in units of the fall g·h² from which on a piece is large: the sag is in proportion to g·h² whatever the size, so for
+    /// Size in units of the fall g·h² in the usual substep from which on a piece is large: the sag is in proportion to g·h² whatever the size, so for
     /// smaller pieces the rest shrinks with the size, and a box of 1 cm rests as truly, for its size, as one of 1 m.
     /// </summary>
     private const float LargeSize = 8000f;
@@ -67,7 +67,7 @@ internal readonly struct ContactCoefficients
     /// <param name="bounceThreshold">Approach slower than this does not bounce.</param>
     /// <param name="coarseness">
     /// How many times as long as usual the substep is against the step. For small pieces the sag is in proportion to their size, whatever
-    /// the substep; with this it falls with each doubling of the substeps as well.
+    /// the step; by the usual substep their rest is the same at every dial, and the sag falls fourfold with each doubling of the substeps.
     /// </param>
     /// <param name="recovery">The substep at whose rate depths go, if it is longer than h.</param>
     /// <param name="mostDriven">See <see cref="MostDriven"/>.</param>
@@ -83,7 +83,8 @@ internal readonly struct ContactCoefficients
         MostDriven = mostDriven;
         // Without gravity nothing sinks; a finite number keeps lanes without a piece, of size 0, at 0.
         SettleShare = System.Math.Min(UsualSettleShare / coarseness, MostSettleShare);
-        Smallness = System.Math.Min(coarseness / (LargeSize * gravity * substep * substep), float.MaxValue);
+        float usual = substep / coarseness;
+        Smallness = System.Math.Min(1f / (LargeSize * gravity * usual * usual), float.MaxValue);
         Gravity = gravity;
         RiseTaken = gravity > 0 ? Extrapolation : WeightlessRise;
         FallTaken = gravity > 0 ? Extrapolation : WeightlessFall;
