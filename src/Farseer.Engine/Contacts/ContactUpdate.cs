@@ -147,29 +147,46 @@ internal static unsafe class ContactUpdate
     public static int FindStruck(in ContactUpdateInput input, ContactBundle* row)
     {
         PairBits bits = PairStage.Load(input, row);
-        int lanes = bits.Solid & bits.Exists & ~bits.Fast;
+        int lanes = bits.Solid & bits.Exists & ~FindFastAtWalls(input, bits);
         if (lanes == 0)
         {
             return 0;
         }
 
+        // Of pairs with a fast body only those that would not meet without the blow: what they would meet was looked for along their ways.
         PairManifolds.Widen(input, row);
         PairManifolds.Collide(input, row, bits);
         TouchBits touch = PairStage.Touch(input, row);
-        lanes &= touch.Hit;
+        lanes &= touch.Hit & ~(bits.Fast & touch.Touching);
         GlancingContact.Drop(input, row, lanes, ref touch);
         return lanes & touch.Hit & ~FindRefused(row, bits, 0);
+    }
+
+    /// <summary>Pairs of a fast body with what cannot move: the sweep looks after these along the way that the body takes in the end.</summary>
+    private static int FindFastAtWalls(in ContactUpdateInput input, in PairBits bits)
+    {
+        int atWalls = 0;
+        for (int lane = 0, fast = bits.Fast & bits.Exists; fast != 0; lane++, fast >>= 1)
+        {
+            int both = input.Pairs->A.Flags[lane] & input.Pairs->B.Flags[lane];
+            atWalls |= (fast & 1) != 0 && (both & (int)SideFlags.Moves) == 0 ? 1 << lane : 0;
+        }
+
+        return atWalls;
     }
 
     /// <summary>
     /// Writes the constraints of pairs that have just been given a place in the graph. Their manifolds are found again: to keep those of all
     /// pairs for the few that get a row was a tenth of what a body kept, and no quicker.
     /// </summary>
-    public static void FillRows(in ContactUpdateInput input, ContactBundle* row)
+    /// <param name="input">Columns and numbers of this step.</param>
+    /// <param name="row">Names the pairs.</param>
+    /// <param name="beside">They lie beside a blow: from where they are, wherever their own ways go.</param>
+    public static void FillRows(in ContactUpdateInput input, ContactBundle* row, bool beside)
     {
         PairBits bits = PairStage.Load(input, row);
         PairManifolds.Widen(input, row);
-        if ((bits.Fast & bits.Exists) != 0)
+        if ((bits.Fast & bits.Exists) != 0 && !beside)
         {
             FastPairs.Look(input);
         }

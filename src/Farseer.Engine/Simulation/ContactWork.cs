@@ -267,7 +267,7 @@ internal sealed unsafe class ContactWork : IStageWork
                 ContactLanes.Name(bundle, lane, gained[lane], records[gained[lane]]);
             }
 
-            ContactUpdate.FillRows(input, bundle);
+            ContactUpdate.FillRows(input, bundle, beside: input.Throws != null);
             sums.NoteBounces(bundle);
             for (int lane = 0; lane < count; lane++)
             {

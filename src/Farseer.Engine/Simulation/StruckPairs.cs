@@ -238,7 +238,7 @@ internal sealed unsafe class StruckPairs : IStageWork
 
     private void Rewrite(in ContactUpdateInput input, ContactBundle* bundle, int filled)
     {
-        ContactUpdate.FillRows(input, bundle);
+        ContactUpdate.FillRows(input, bundle, beside: false);
         for (int lane = 0; lane < filled; lane++)
         {
             if (input.Pairs->Count[lane] > 1)
