@@ -284,24 +284,19 @@ internal sealed unsafe class StruckPairs : IStageWork
             return;
         }
 
-        float a = Response(input, record.BodyA, record.PieceA);
-        float b = Response(input, record.BodyB, record.PieceB);
-        if (a > 0)
-        {
-            Note(record.BodyA, sinking * (a / (a + b)));
-        }
-        else
-        {
-            HandOn(input, record.BodyA, Whip * sinking);
-        }
+        Note(input, record.BodyA, record.PieceA, record.BodyB, sinking);
+        Note(input, record.BodyB, record.PieceB, record.BodyA, sinking);
+    }
 
-        if (b > 0)
+    private void Note(in ContactUpdateInput input, int body, int piece, int other, float sinking)
+    {
+        if (input.Moves[body] == 0 || _joints.Degree(body) > 0)
         {
-            Note(record.BodyB, sinking * (b / (a + b)));
+            HandOn(input, body, Whip * sinking);
         }
         else
         {
-            HandOn(input, record.BodyB, Whip * sinking);
+            Note(body, sinking * ShareOf(input, body, piece, other));
         }
     }
 
@@ -350,16 +345,18 @@ internal sealed unsafe class StruckPairs : IStageWork
         _throws[body] = Math.Max(_throws[body], way);
     }
 
-    /// <summary>What an impulse at the rim of a piece moves there; 0 for a body with joints, which hand the blow on to others.</summary>
-    private float Response(in ContactUpdateInput input, int body, int piece)
+    /// <summary>
+    /// The most by which a point of a piece is thrown off its way, by what the struck points would sink in. An impulse at the lever x·R that ends the approach of a body with the
+    /// inverse mass m and inertia i on one of m' moves the rim, at the lever R, by (m + i·R²·x)/(m + i·R²·x² + m'), if that one is hit in its middle: at most by 1/(2x) at the root of
+    /// i·R²·x² + 2·m·x = m + m'.
+    /// </summary>
+    private float ShareOf(in ContactUpdateInput input, int body, int piece, int other)
     {
-        if (input.Moves[body] == 0 || _joints.Degree(body) > 0)
-        {
-            return 0;
-        }
-
         ref BodyMass mass = ref input.Bodies.Mass[body];
         float reach = input.Shapes.Pieces[piece].Reach;
-        return mass.InverseMass + (mass.InverseInertia * reach * reach);
+        float turn = mass.InverseInertia * reach * reach;
+        float both = mass.InverseMass + (input.Moves[other] != 0 && _joints.Degree(other) == 0 ? input.Bodies.Mass[other].InverseMass : 0);
+        float lever = (both / (mass.InverseMass + (float)Math.Sqrt((mass.InverseMass * mass.InverseMass) + (turn * both))));
+        return lever < 1 ? 0.5f / lever : (mass.InverseMass + turn) / (both + turn);
     }
 }
