@@ -67,7 +67,8 @@ internal readonly struct ContactCoefficients
     /// <param name="bounceThreshold">Approach slower than this does not bounce.</param>
     /// <param name="coarseness">
     /// How many times as long as usual the substep is against the step. For small pieces the sag is in proportion to their size, whatever
-    /// the step; by the usual substep their rest is the same at every dial, and the sag falls fourfold with each doubling of the substeps.
+    /// the step; by the usual substep their rest is the same at every finer dial, and the sag falls fourfold with each doubling of the substeps. In longer substeps
+    /// the rest is less, so that the sag only grows with their length.
     /// </param>
     /// <param name="recovery">The substep at whose rate depths go, if it is longer than h.</param>
     /// <param name="mostDriven">See <see cref="MostDriven"/>.</param>
@@ -84,7 +85,7 @@ internal readonly struct ContactCoefficients
         // Without gravity nothing sinks; a finite number keeps lanes without a piece, of size 0, at 0.
         SettleShare = System.Math.Min(UsualSettleShare / coarseness, MostSettleShare);
         float usual = substep / coarseness;
-        Smallness = System.Math.Min(1f / (LargeSize * gravity * usual * usual), float.MaxValue);
+        Smallness = System.Math.Min(1f / (LargeSize * gravity * usual * System.Math.Max(usual, substep)), float.MaxValue);
         Gravity = gravity;
         RiseTaken = gravity > 0 ? Extrapolation : WeightlessRise;
         FallTaken = gravity > 0 ? Extrapolation : WeightlessFall;
