@@ -46,6 +46,9 @@ internal static unsafe class HiddenContact
     /// <summary>The other's contact must lean less by this factor.</summary>
     private const float Clearly = 0.5f;
 
+    /// <summary>Faces that lean towards each other by more than this (sine) meet at a corner: their nearer point alone says with what the contact is.</summary>
+    private const float Level = 0.1f;
+
     /// <summary>Corners of the body that are no farther back than this share of its extent are its front.</summary>
     private const float FrontShare = 0.25f;
 
@@ -174,7 +177,7 @@ internal static unsafe class HiddenContact
         /// <summary>From the piece to the body.</summary>
         public Vector2 Normal;
 
-        /// <summary>Points of the piece; the second is the first if there is one.</summary>
+        /// <summary>Points of the piece; the second is the first if there is one, or if it is nearer than the second.</summary>
         public Vector2 Point0;
         public Vector2 Point1;
 
@@ -193,8 +196,14 @@ internal static unsafe class HiddenContact
             touch.Point1 = touch.Point0;
             if (manifold.Count > 1)
             {
-                touch.Separation = Math.Min(touch.Separation, manifold.Point1.Separation);
                 touch.Point1 = manifold.Point1.Anchor + center - (touch.Normal * (0.5f * manifold.Point1.Separation));
+                float farther = manifold.Point1.Separation - touch.Separation;
+                touch.Separation = Math.Min(touch.Separation, manifold.Point1.Separation);
+                if (Math.Abs(farther) > Level * (touch.Point1 - touch.Point0).Length())
+                {
+                    touch.Point0 = farther > 0 ? touch.Point0 : touch.Point1;
+                    touch.Point1 = touch.Point0;
+                }
             }
 
             return touch;
