@@ -24,6 +24,9 @@ internal sealed unsafe class IslandImpact
     /// <summary>Share of all impulses by which they may still change.</summary>
     private const double Balanced = 1e-6;
 
+    /// <summary>Share of the arms by which a gap may be wrong: some units in the last place of each.</summary>
+    private const double GapRounding = 1e-6;
+
     private readonly ContactSystem _system = new ContactSystem();
     private readonly Column<Side> _sides = new Column<Side>();
     private readonly Column<Change> _changes = new Column<Change>();
@@ -272,9 +275,13 @@ internal sealed unsafe class IslandImpact
         }
     }
 
-    /// <summary>It is loaded, or nearer than a substep's fall: what rests has gaps about 0, and their rounding is to decide nothing.</summary>
-    private static bool Touches(ContactPointLanes* point, int lane, double gap, in ContactCoefficients c) =>
-        point->Base[lane] < ContactBundle.NoPoint && (point->Normal[lane] > 0 || gap <= c.Gravity * c.Substep * c.Substep);
+    /// <summary>It is loaded, or nearer than a substep's fall and its rounding: what rests has gaps about 0, and their rounding is to decide nothing.</summary>
+    private static bool Touches(ContactPointLanes* point, int lane, double gap, in ContactCoefficients c)
+    {
+        double arms = Math.Abs(point->NormalArmA[lane]) + Math.Abs(point->NormalArmB[lane]);
+        return point->Base[lane] < ContactBundle.NoPoint
+            && (point->Normal[lane] > 0 || gap <= (c.Gravity * c.Substep * c.Substep) + (GapRounding * arms));
+    }
 
     /// <summary>How far apart the surfaces of both points are.</summary>
     private static void FindGaps(ContactBundle* row, int lane, BodyStore bodies, in ContactCoefficients c, out double gap0, out double gap1)
