@@ -188,18 +188,22 @@ internal static class Impact
             K = mover.InverseMass + (mover.InverseInertia * Arm * Arm) + (other.InverseMass + (other.InverseInertia * OtherArm * OtherArm));
         }
 
+        /// <summary>
+        /// The speed at which the surfaces are to part at least. An impulse x at a point takes the energy -x·(v + v')/2, so one that parts already may come to approach as fast: stopped
+        /// before, it would add energy. It is met again later.
+        /// </summary>
         public double Target(in Obstacle other)
         {
             double back = -other.Restitution * Velocity;
             back = other.Restitution > 1 ? Math.Max(Math.Min(back, other.MostDriven), -Velocity) : back;
-            return Velocity < -other.Slowest ? back : 0;
+            return Velocity < -other.Slowest ? back : Math.Min(0, -Velocity);
         }
     }
 }
 
 /// <summary>
 /// The impact of a body with one of several things that it meets at the same moment. Each point has the speed at which it is to part from what it was before all of
-/// them; the impulses are found in turns, x ≥ 0 with v' ≥ -e·v and x·(v' + e·v) = 0, and of these energies none is gained: Σ x·(v + v')/2 = (1 - e)·Σ x·v/2 ≤ 0.
+/// them; the impulses are found in turns, x ≥ 0 with v' ≥ -e·v and x·(v' + e·v) = 0, and of these energies none is gained: Σ x·(v + v')/2 = (1 - e)·Σ x·v/2 ≤ 0, e being 1 where surfaces part.
 /// </summary>
 internal struct ImpactInTurns
 {
@@ -216,8 +220,8 @@ internal struct ImpactInTurns
     {
         this = default;
         _own = own;
-        _target0 = Math.Max(0, new Impact.Row(mover, other, own.Point0.Anchor, own.Normal).Target(other));
-        _target1 = own.Count > 1 ? Math.Max(0, new Impact.Row(mover, other, own.Point1.Anchor, own.Normal).Target(other)) : 0;
+        _target0 = new Impact.Row(mover, other, own.Point0.Anchor, own.Normal).Target(other);
+        _target1 = own.Count > 1 ? new Impact.Row(mover, other, own.Point1.Anchor, own.Normal).Target(other) : 0;
     }
 
     /// <summary>One turn.</summary>

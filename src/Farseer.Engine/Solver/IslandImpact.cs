@@ -110,6 +110,13 @@ internal sealed unsafe class IslandImpact
         // Newton's rule with friction in the balance may add energy, and what has not come to one may too: those are pushed as if they were smooth, and rubbed afterwards, which takes energy
         // in any case. Without a bounce impulses p leave velocities v' with p·v' ≤ 0, and take half of pᵀKp.
         int turns = _bounces ? 1 : Turns;
+        for (int i = 0; _bounces && i < _system.Count; i++)
+        {
+            // Beside a bounce what parts already may come to approach as fast: to stop it before adds energy (see Impact.Row.Target).
+            ref Side side = ref _sides[i];
+            side.Excess = side.Bounce == null && side.Excess > 0 ? 2 * side.Excess : side.Excess;
+        }
+
         for (int turn = 0; turn < turns; turn++)
         {
             bool last = turn + 1 == turns;

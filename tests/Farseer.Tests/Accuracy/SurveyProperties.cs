@@ -14,6 +14,7 @@ public class SurveyProperties
     [InlineData("G01")]
     [InlineData("G02")]
     [InlineData("G03")]
+    [InlineData("G04")]
     [InlineData("G05")]
     [InlineData("G07")]
     [InlineData("G08")]
