@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using Farseer.Accuracy.Dials;
+using Farseer.Accuracy.Energies;
 using Farseer.Accuracy.Extremes;
 using Farseer.Accuracy.General;
 using Farseer.Accuracy.Reporting;
@@ -41,12 +42,11 @@ internal static class Cli
                                 scenes that must hold for a whole range of parameters, with parameters drawn by the seed
                                 (default 1): the worst of each figure beside its limit; exit code 1 if one is missed.
                                 --full runs G19 and G27 for their stated 10 minutes instead of 60 and 30 s; --each tells every sample
-          truth --csv FILE [goals aims general worlds recordings] [--seed N]
-                                writes every figure of goals, aims, general scenes, the energy of 40 random worlds and the
-                                counts of recorded scenes with its limit, one a line; run it inside the repository
-          compare-truth BEFORE.csv AFTER.csv
-                                what differs by more than a tenth between two builds, lost limits first; exit code 1 if one is lost
-          truthful [--count N] [--seed N]
+          truth --csv FILE [goals aims general] [--seed N]
+                                writes every figure of goals, aims and general scenes with its limit, one a line
+          energies [--seeds N] [--seconds S] [--csv FILE]
+                                random worlds in which nothing drives: how far their energy rises again; exit code 1 if one exceeds the limit
+          truthful [--count N] [--seed N] [--csv FILE]
                                 whether reports and budgets tell the truth, on random scenes against 64 times the iterations
           report [--plots] [--docs FOLDER]
                                 writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs; --plots:
@@ -89,8 +89,8 @@ internal static class Cli
                 case "truth":
                     TruthCommand.Run(args[1..], output);
                     return 0;
-                case "compare-truth":
-                    return CompareTruth.Run(args[1..], output) ? 0 : Failed;
+                case "energies":
+                    return EnergyCommand.Run(args[1..], output) ? 0 : Failed;
                 case "truthful":
                     return TruthfulCommand.Run(args[1..], output) ? 0 : Failed;
                 case "report":

@@ -76,6 +76,10 @@ internal sealed partial class Rig
     public void AddRod(Actor a, Actor b, double length) =>
         _simulator.Add(new DistanceJoint(a.Body, Vector2.Zero, b.Body, Vector2.Zero) { TargetDistance = (float)length });
 
+    /// <summary>Holds the centres of two bodies no further apart than a length.</summary>
+    public void AddTether(Actor a, Actor b, double length) =>
+        _simulator.Add(new RopeJoint(a.Body, Vector2.Zero, b.Body, Vector2.Zero, (float)length));
+
     public double LargestHingeError()
     {
         double largest = 0;

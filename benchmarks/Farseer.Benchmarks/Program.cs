@@ -19,7 +19,7 @@ switch (args.Length > 0 ? args[0] : "")
     case "scenes":
         return SceneCommand.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "resting":
-        return RestingTiming.Run(Console.Out);
+        return RestingTiming.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "series":
         return SizeSeries.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "compare":
@@ -41,7 +41,8 @@ switch (args.Length > 0 ? args[0] : "")
         Console.WriteLine("  sleeping time of steps of worlds asleep and awake, and of allowing sleep where nothing rests");
         Console.WriteLine($"  {SceneCommand.Usage}");
         Console.WriteLine("          whole steps of the performance scenes, --runs times after a run that warms up");
-        Console.WriteLine("  resting time of a step of 1, 5, 10 and 20 boxes at rest");
+        Console.WriteLine($"  {RestingTiming.Usage}");
+        Console.WriteLine("          time of a step of 1, 5, 10 and 20 boxes at rest");
         Console.WriteLine($"  {SizeSeries.Usage}");
         Console.WriteLine("          ns a body-step from 15 bodies to 1,000,000, or to LARGEST, beside those of 1,000");
         Console.WriteLine($"  {ResultComparison.Usage}");

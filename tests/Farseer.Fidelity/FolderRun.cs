@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -25,6 +26,7 @@ public static class FolderRun
                 return 0;
             }
 
+            using StreamWriter? csv = options.CsvPath is null ? null : new StreamWriter(options.CsvPath);
             Report report = new(output, options.Verbose);
             report.Begin();
             foreach (SceneFile scene in scenes)
@@ -33,9 +35,14 @@ public static class FolderRun
             }
 
             report.End();
+            if (csv is not null)
+            {
+                report.WriteCsv(csv);
+            }
+
             return report.AnyFailed ? 1 : 0;
         }
-        catch (BadSceneException e)
+        catch (Exception e) when (e is BadSceneException or IOException or UnauthorizedAccessException)
         {
             error.WriteLine(e.Message);
             return 2;

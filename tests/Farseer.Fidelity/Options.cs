@@ -5,14 +5,15 @@ using Farseer.Fidelity.Scenes;
 namespace Farseer.Fidelity;
 
 /// <summary>The command line.</summary>
-public sealed record Options(string Folder, IReadOnlyCollection<string> Categories, string? Scene, bool Verbose, bool List)
+public sealed record Options(string Folder, IReadOnlyCollection<string> Categories, string? Scene, bool Verbose, bool List, string? CsvPath = null)
 {
-    public const string Usage = "Farseer.Fidelity <folder> [--category a,b] [--scene name] [--verbose] [--list]";
+    public const string Usage = "Farseer.Fidelity <folder> [--category a,b] [--scene name] [--verbose] [--list] [--csv file]";
 
     public static Options Parse(IReadOnlyList<string> args)
     {
         string? folder = null;
         string? scene = null;
+        string? csv = null;
         string[] categories = [];
         bool verbose = false;
         bool list = false;
@@ -25,6 +26,9 @@ public sealed record Options(string Folder, IReadOnlyCollection<string> Categori
                     break;
                 case "--scene":
                     scene = Value(args, ref i);
+                    break;
+                case "--csv":
+                    csv = Value(args, ref i);
                     break;
                 case "--verbose":
                     verbose = true;
@@ -43,7 +47,7 @@ public sealed record Options(string Folder, IReadOnlyCollection<string> Categori
             }
         }
 
-        return new Options(folder ?? throw new BadSceneException("No folder is given. Usage: " + Usage), categories, scene, verbose, list);
+        return new Options(folder ?? throw new BadSceneException("No folder is given. Usage: " + Usage), categories, scene, verbose, list, csv);
     }
 
     private static string Value(IReadOnlyList<string> args, ref int i)

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using Farseer.Fidelity.Judging;
@@ -52,6 +53,24 @@ public sealed class Report
     /// <summary>The last line, which a program may read.</summary>
     public void End()
         => _output.WriteLine($"{Count(Outcome.Pass)} passed, {Count(Outcome.Fail)} failed, {Count(Outcome.Skip)} skipped");
+
+    /// <summary>Every check with its limit, one a line, and for each scene whether it ran to its end.</summary>
+    public void WriteCsv(TextWriter csv)
+    {
+        csv.WriteLine("name,value,limit,better");
+        foreach (Verdict verdict in _verdicts)
+        {
+            bool ran = verdict.Outcome != Outcome.Skip && !(verdict.Outcome == Outcome.Fail && verdict.Checks.All(c => c.Passed));
+            WriteLine(csv, verdict.Scene + " ends early", ran ? 0 : 1, 0);
+            foreach (Check check in verdict.Checks)
+            {
+                WriteLine(csv, verdict.Scene + " " + check.What, check.Error, check.Limit);
+            }
+        }
+    }
+
+    private static void WriteLine(TextWriter csv, string name, double value, double limit)
+        => csv.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{name.Replace(',', ';')},{value:G9},{limit:G9},less"));
 
     private int Count(Outcome outcome) => _verdicts.Count(v => v.Outcome == outcome);
 

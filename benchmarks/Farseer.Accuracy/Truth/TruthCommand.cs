@@ -7,7 +7,7 @@ using Farseer.Accuracy.Reporting;
 
 namespace Farseer.Accuracy.Truth;
 
-/// <summary>Writes all that is known of a build's accuracy, one line a figure, to be set beside another build's.</summary>
+/// <summary>Writes the figures of promises, aims and general scenes, one a line with its limit, to be set beside another build's.</summary>
 internal static class TruthCommand
 {
     private static readonly (string Name, Action<List<TruthFigure>, GeneralSettings> Add)[] _parts =
@@ -15,8 +15,6 @@ internal static class TruthCommand
         ("goals", (figures, _) => AddGoals(figures)),
         ("aims", (figures, _) => AddAims(figures)),
         ("general", AddGeneral),
-        ("worlds", (figures, settings) => RandomWorlds.Add(figures, settings.Seed)),
-        ("recordings", (figures, _) => Recordings.Add(figures)),
     ];
 
     public static void Run(string[] args, TextWriter output)

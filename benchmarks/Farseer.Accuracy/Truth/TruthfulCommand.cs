@@ -29,15 +29,22 @@ internal static class TruthfulCommand
     private static readonly float[] _budgets = [1e-6f, 1e-5f, 1e-4f, 1e-3f, 1e-2f];
 
     /// <summary>Prints the shares; true if all are as they should be.</summary>
-    /// <param name="args">--count N, --seed N.</param>
+    /// <param name="args">--count N, --seed N, --csv FILE.</param>
     /// <param name="output">Where the table goes.</param>
     public static bool Run(string[] args, TextWriter output)
     {
         int count = 300;
         int seed = 1;
+        string? path = null;
         for (int i = 0; i < args.Length; i += 2)
         {
             string text = i + 1 < args.Length ? args[i + 1] : string.Empty;
+            if (args[i] == "--csv")
+            {
+                path = text;
+                continue;
+            }
+
             if (!int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int value) || value == 0)
             {
                 throw new UsageException($"truthful: {args[i]} needs a whole number above 0.");
@@ -56,6 +63,7 @@ internal static class TruthfulCommand
             }
         }
 
+        using StreamWriter? csv = Cli.OpenCsv(path);
         var kinds = new Dictionary<string, Tally>();
         var all = new Tally("all");
         foreach (string kind in RandomScene.Kinds)
@@ -95,7 +103,25 @@ internal static class TruthfulCommand
         string budgets = Text($"budgets kept or flagged in {all.Told} of {all.Asked}, said to be kept {all.Kept}, unknown {all.Unknown} besides");
         Check(output, budgets, all.Told == all.Asked, ref passed, ref failed);
         output.WriteLine($"{passed} passed, {failed} failed");
+        if (csv is not null)
+        {
+            TruthFigure.Write(csv, Figures(all, kinds.Values));
+        }
+
         return failed == 0;
+    }
+
+    /// <summary>What is asked of all scenes, and by kind what holds for each of them.</summary>
+    private static List<TruthFigure> Figures(Tally all, IEnumerable<Tally> kinds)
+    {
+        var figures = new List<TruthFigure> { new("all within", all.Within, Share, true) };
+        foreach (Tally tally in kinds)
+        {
+            figures.Add(new($"{tally.Name} worst", tally.Worst, Most, false));
+            figures.Add(new($"{tally.Name} budgets_untold", tally.Asked - tally.Told, 0, false));
+        }
+
+        return figures;
     }
 
     private static string Text(FormattableString text) => FormattableString.Invariant(text);
@@ -256,6 +282,8 @@ internal static class TruthfulCommand
         private int _motionWithin;
         private int _count;
 
+        public string Name { get; } = name;
+
         public double Within => _within / (double)Math.Max(1, _count);
 
         public double Worst { get; private set; }
@@ -290,7 +318,7 @@ internal static class TruthfulCommand
             string median = _over.Count > 0 ? Text($"{_over[_over.Count / 2]:0.0}") : "–";
             string ninety = _over.Count > 0 ? Text($"{_over[_over.Count * 9 / 10]:0.0}") : "–";
             double motion = _motionWithin / (double)Math.Max(1, _count);
-            string shares = Text($"{name,-10} {_count,6} {Within,8:P1} {Worst,8:0.00} {motion,8:P1}");
+            string shares = Text($"{Name,-10} {_count,6} {Within,8:P1} {Worst,8:0.00} {motion,8:P1}");
             output.WriteLine(Text($"{shares} {median,12} {ninety,10} {Asked - Told,5}"));
         }
     }

@@ -13,6 +13,9 @@ namespace Farseer.Benchmarks.Scenes;
 /// </summary>
 internal static class RestingTiming
 {
+    public const string Usage = "resting [--csv FILE]";
+
+    private const int Misused = 2;
     private const int Steps = 100_000;
     private const int BlockSteps = 2000;
     private const int WarmBlocks = 50;
@@ -20,16 +23,37 @@ internal static class RestingTiming
 
     private static readonly int[] Sizes = [1, 5, 10, 20];
 
-    public static int Run(TextWriter output)
+    public static int Run(ReadOnlySpan<string> args, TextWriter output, TextWriter errors)
+    {
+        if (args.Length != 0 && (args.Length != 2 || args[0] != "--csv"))
+        {
+            errors.WriteLine($"usage: {Usage}");
+            return Misused;
+        }
+
+        try
+        {
+            using StreamWriter? csv = args.Length == 0 ? null : new StreamWriter(args[1]);
+            Measure(output, csv);
+            return 0;
+        }
+        catch (Exception mistake) when (mistake is IOException or UnauthorizedAccessException)
+        {
+            errors.WriteLine(mistake.Message);
+            return Misused;
+        }
+    }
+
+    private static void Measure(TextWriter output, StreamWriter? csv)
     {
         var scene = new RestingBoxes();
         var simulators = new PhysicsSimulator[Sizes.Length];
-        var least = new double[Sizes.Length];
+        var times = new double[Sizes.Length][];
         for (int i = 0; i < Sizes.Length; i++)
         {
             simulators[i] = new PhysicsSimulator { WorkerCount = 1 };
             scene.Build(simulators[i], Sizes[i]);
-            least[i] = double.PositiveInfinity;
+            times[i] = new double[Blocks];
         }
 
         for (int block = 0; block < WarmBlocks + Blocks; block++)
@@ -37,21 +61,27 @@ internal static class RestingTiming
             for (int i = 0; i < Sizes.Length; i++)
             {
                 double seconds = RunBlock(simulators[i], scene.Dt);
-                least[i] = block < WarmBlocks ? least[i] : Math.Min(least[i], seconds);
+                if (block >= WarmBlocks)
+                {
+                    times[i][block - WarmBlocks] = seconds;
+                }
             }
         }
 
+        csv?.WriteLine(StepTimes.CsvHeader);
         output.WriteLine($"boxes at rest, fastest of {Blocks} blocks of {BlockSteps} steps");
         for (int i = 0; i < Sizes.Length; i++)
         {
-            double microseconds = 1e6 * least[i] / BlockSteps;
+            Array.Sort(times[i]);
+            double microseconds = 1e6 * times[i][0] / BlockSteps;
+            double median = 1e6 * times[i][Blocks / 2] / BlockSteps;
+            ulong hash = simulators[i].StateHash();
             output.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{Sizes[i],4} boxes: {microseconds,7:F3} us a step, {1e-3 * microseconds * Steps,7:F1} ms for {Steps} steps, hash {simulators[i].StateHash():x16}"));
+                $"{Sizes[i],4} boxes: {microseconds,7:F3} us a step, {1e-3 * microseconds * Steps,7:F1} ms for {Steps} steps, hash {hash:x16}"));
+            csv?.WriteLine(StepTimes.ToCsv(scene.Name, Sizes[i], 1e-3 * microseconds, 1e-3 * median, 1e-3 * microseconds, hash));
             simulators[i].Dispose();
         }
-
-        return 0;
     }
 
     private static double RunBlock(PhysicsSimulator simulator, float dt)

@@ -1,11 +1,15 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 
 namespace Farseer.Benchmarks.Scenes;
 
 /// <summary>Milliseconds of the steps of several runs of the same scene: whole runs, and for each step the fastest of the runs.</summary>
 internal sealed class StepTimes
 {
+    /// <summary>What every file of times has, for <see cref="ResultComparison"/>.</summary>
+    public const string CsvHeader = "scene,size,ms_step_min,ms_step_median,ms_step_quiet,state_hash";
+
     private readonly List<double> _runs = [];
     private readonly double[] _best;
     private double _total;
@@ -34,6 +38,9 @@ internal sealed class StepTimes
             return sum;
         }
     }
+
+    public static string ToCsv(string scene, int size, double least, double median, double quiet, ulong hash) =>
+        string.Create(CultureInfo.InvariantCulture, $"{scene},{size},{least:G6},{median:G6},{quiet:G6},{hash:x16}");
 
     public void Add(int step, double milliseconds)
     {

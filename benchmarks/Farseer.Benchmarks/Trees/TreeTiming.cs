@@ -2,6 +2,7 @@ using System;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
+using Farseer.Benchmarks.Scenes;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Simulation;
 
@@ -13,7 +14,7 @@ namespace Farseer.Benchmarks.Trees;
 /// </summary>
 internal static class TreeTiming
 {
-    public const string Usage = "trees [NAME | kinds [PART]] [--runs N] [--lanes]";
+    public const string Usage = "trees [NAME | kinds [PART]] [--runs N] [--lanes] [--csv FILE]";
 
     private const float Dt = 1f / 60;
     private const int WarmSteps = 60;
@@ -48,11 +49,16 @@ internal static class TreeTiming
         string part = "";
         int runs = DefaultRuns;
         bool lanesOnly = false;
+        string? csvPath = null;
         for (int i = 0; i < arguments.Length; i++)
         {
             if (arguments[i] == "--runs" && i + 1 < arguments.Length)
             {
                 runs = int.Parse(arguments[++i], CultureInfo.InvariantCulture);
+            }
+            else if (arguments[i] == "--csv" && i + 1 < arguments.Length)
+            {
+                csvPath = arguments[++i];
             }
             else if (arguments[i] == "--lanes")
             {
@@ -68,6 +74,8 @@ internal static class TreeTiming
             }
         }
 
+        using StreamWriter? csv = csvPath is null ? null : new StreamWriter(csvPath);
+        csv?.WriteLine(StepTimes.CsvHeader);
         output.WriteLine($"ns a body and substep: mean over {Steps} steps of the least of {runs} runs; user time, median; the least with trees one by one");
         if (name == "kinds")
         {
@@ -78,8 +86,8 @@ internal static class TreeTiming
                     continue;
                 }
 
-                Time(new Scene("air", link.Name, () => TreeScenes.Crowd(64, link, false)), runs, lanesOnly, output);
-                Time(new Scene("floor", link.Name, () => TreeScenes.Crowd(64, link, true)), runs, lanesOnly, output);
+                Time(new Scene("air", link.Name, () => TreeScenes.Crowd(64, link, false), link.Name), runs, lanesOnly, output, csv);
+                Time(new Scene("floor", link.Name, () => TreeScenes.Crowd(64, link, true), link.Name), runs, lanesOnly, output, csv);
             }
 
             return 0;
@@ -89,31 +97,32 @@ internal static class TreeTiming
         {
             if (name.Length == 0 || name == scene.Name)
             {
-                Time(scene, runs, lanesOnly, output);
+                Time(scene, runs, lanesOnly, output, csv);
             }
         }
 
         return 0;
     }
 
-    private static void Time(Scene scene, int runs, bool lanesOnly, TextWriter output)
+    private static void Time(Scene scene, int runs, bool lanesOnly, TextWriter output, StreamWriter? csv)
     {
-        double lanes = Least(scene, runs, true, out double user, out ulong hash);
-        ulong other = hash;
-        double single = lanesOnly ? double.NaN : Least(scene, runs, false, out _, out other);
+        Cost lanes = Measure(scene, runs, true);
+        Cost? single = lanesOnly ? null : Measure(scene, runs, false);
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"  {scene.Name,-9} {lanes,6:F0} {user,6:F0} {single,6:F0}  {hash:x16} {(hash == other ? "same bits" : "OTHER BITS")}  {scene.Title}"));
+            $"  {scene.Name,-9} {lanes.Of(lanes.Least),6:F0} {lanes.Of(lanes.User),6:F0} {single?.Of(single.Least) ?? double.NaN,6:F0}  {lanes.Hash:x16} {((single ?? lanes).Hash == lanes.Hash ? "same bits" : "OTHER BITS")}  {scene.Title}"));
+        string name = scene.Kind.Length == 0 ? scene.Name : $"{scene.Name} {scene.Kind.Replace(',', ';')}";
+        csv?.WriteLine(StepTimes.ToCsv(name, lanes.Bodies, lanes.Run, lanes.Median, lanes.Least, lanes.Hash));
     }
 
     /// <summary>Of each step the least time of all runs, which leaves out what else the machine did meanwhile; their mean.</summary>
-    private static double Least(Scene scene, int runs, bool onLanes, out double user, out ulong hash)
+    private static Cost Measure(Scene scene, int runs, bool onLanes)
     {
-        var least = new double[Steps];
-        Array.Fill(least, double.PositiveInfinity);
+        var times = new StepTimes(Steps);
         var users = new double[runs];
-        double units = 1;
-        hash = 0;
+        int bodies = 0;
+        int substeps = 0;
+        ulong hash = 0;
         long begin = Stopwatch.GetTimestamp();
         for (int run = 0; run < runs; run++)
         {
@@ -125,16 +134,18 @@ internal static class TreeTiming
                 world.Step(Dt);
             }
 
-            units = world.Settings.Substeps * MovingBodies(world);
             TimeSpan before = Process.GetCurrentProcess().UserProcessorTime;
             for (int step = 0; step < Steps; step++)
             {
                 long start = Stopwatch.GetTimestamp();
                 world.Step(Dt);
-                least[step] = Math.Min(least[step], Stopwatch.GetElapsedTime(start).TotalNanoseconds / units);
+                times.Add(step, Stopwatch.GetElapsedTime(start).TotalMilliseconds);
             }
 
-            users[run] = (Process.GetCurrentProcess().UserProcessorTime - before).TotalNanoseconds / (Steps * units);
+            users[run] = (Process.GetCurrentProcess().UserProcessorTime - before).TotalMilliseconds / Steps;
+            times.EndRun();
+            substeps = world.Settings.Substeps;
+            bodies = MovingBodies(world);
             hash = world.StateHash();
 
             // As many runs more as the compiler takes to be done with the passes of a small scene.
@@ -142,14 +153,7 @@ internal static class TreeTiming
         }
 
         Array.Sort(users);
-        user = users[runs / 2];
-        double sum = 0;
-        foreach (double time in least)
-        {
-            sum += time;
-        }
-
-        return sum / Steps;
+        return new Cost(times.Quiet / Steps, times.LeastRun / Steps, times.MedianRun / Steps, users[runs / 2], bodies, substeps, hash);
     }
 
     private static int MovingBodies(World world)
@@ -163,5 +167,16 @@ internal static class TreeTiming
         return count;
     }
 
-    private sealed record Scene(string Name, string Title, Func<World> Build);
+    /// <param name="Kind">Of the joints, in a crowd of one kind.</param>
+    private sealed record Scene(string Name, string Title, Func<World> Build, string Kind = "");
+
+    /// <param name="Least">Milliseconds a step, of a run made of the fastest of each step.</param>
+    /// <param name="Run">Of the fastest run.</param>
+    /// <param name="Median">Of the median run.</param>
+    /// <param name="User">The processor's time, of the median run.</param>
+    private sealed record Cost(double Least, double Run, double Median, double User, int Bodies, int Substeps, ulong Hash)
+    {
+        /// <summary>Nanoseconds a body and substep.</summary>
+        public double Of(double milliseconds) => 1e6 * milliseconds / (Bodies * Substeps);
+    }
 }

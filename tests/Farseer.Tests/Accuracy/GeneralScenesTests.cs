@@ -8,11 +8,9 @@ using Xunit;
 
 namespace Farseer.Tests.Accuracy;
 
-/// <summary>The bench of general scenes and of two builds side by side tells the truth about what it runs.</summary>
+/// <summary>The bench of general scenes tells the truth about what it runs.</summary>
 public class GeneralScenesTests
 {
-    private const string Header = "name,value,limit,better\n";
-
     [Fact]
     public void Catalogue_OfGeneralScenes_HasEveryNumberOnce()
     {
@@ -44,7 +42,10 @@ public class GeneralScenesTests
     [InlineData("general", "G99")]
     [InlineData("general", "--seed")]
     [InlineData("truth", "--seed", "1")]
-    [InlineData("compare-truth", "nowhere.csv", "nowhere.csv")]
+    [InlineData("energies", "--seeds", "0")]
+    [InlineData("energies", "--seeds")]
+    [InlineData("energies", "all")]
+    [InlineData("truthful", "--csv", "nowhere/at/all.csv")]
     public void Command_Misused_SaysSo(params string[] args) => Assert.Equal(2, Run(args).Code);
 
     /// <summary>Of 200 boxes that fall on a corner, the moment follows from the height of the corner, the impulse from its arm.</summary>
@@ -94,30 +95,6 @@ public class GeneralScenesTests
         }
 
         Assert.True(touched > 100, $"{touched} pairs touched.");
-    }
-
-    [Fact]
-    public void CompareTruth_OfTwoFiles_TellsLostLimitsFirst()
-    {
-        string folder = Directory.CreateTempSubdirectory().FullName;
-        try
-        {
-            string before = Path.Combine(folder, "before.csv");
-            string after = Path.Combine(folder, "after.csv");
-            File.WriteAllText(before, Header + "same,1,2,less\nbetter,1,2,less\nlost,1,2,less\ntiny,0,1,less\nmore,5,4,more\n");
-            File.WriteAllText(after, Header + "same,1.05,2,less\nbetter,0.5,2,less\nlost,3,2,less\ntiny,1e-9,1,less\nmore,8,4,more\n");
-            (int code, string told) = Run("compare-truth", before, after);
-            Assert.Equal(1, code);
-            string[] lines = told.TrimEnd().Split('\n');
-            Assert.StartsWith("lost    lost", lines[1], StringComparison.Ordinal);
-            Assert.StartsWith("1 lost, 0 worse, 0 gained, 2 better, 2 the same, 0 gone, 0 new", lines[^1], StringComparison.Ordinal);
-            Assert.Equal(0, Run("compare-truth", before, before).Code);
-            Assert.Equal(0, Run("compare-truth", after, before).Code);
-        }
-        finally
-        {
-            Directory.Delete(folder, true);
-        }
     }
 
     private static (int Code, string Output) Run(params string[] args)

@@ -64,6 +64,21 @@ public sealed class FolderRunTests : IDisposable
     }
 
     [Fact]
+    public void Run_WithAFile_WritesEveryCheckWithItsLimit()
+    {
+        string file = Path.Combine(_folder, "checks.csv");
+
+        Assert.Equal(0, Run(ReferenceData.Folder, "--scene", "free_fall", "--csv", file).Code);
+
+        string[] lines = File.ReadAllLines(file);
+        Assert.Equal("name,value,limit,better", lines[0]);
+        Assert.Equal("free_fall ends early,0,0,less", lines[1]);
+        Assert.True(lines.Length > 2);
+        Assert.All(lines, line => Assert.Equal(4, line.Split(',').Length));
+        Assert.Equal(2, Run(ReferenceData.Folder, "--csv", Path.Combine(_folder, "no", "where.csv")).Code);
+    }
+
+    [Fact]
     public void Run_List_NamesTheScenesOfACategory()
     {
         (int code, string output, _) = Run(ReferenceData.Folder, "--category", "vertices,query", "--list");
