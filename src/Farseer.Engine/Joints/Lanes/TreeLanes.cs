@@ -278,6 +278,10 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         LeaveAstray(trees);
         Factor(trees, false);
         EndSubstep(trees);
+        if (trees->SweepsSofts)
+        {
+            Resume(trees);
+        }
     }
 
     private void FindErrors(LaneTrees* trees)
@@ -386,6 +390,17 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         {
             LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
             LaneSweep.WarmStart(WalksOf(trees, lane), _softs.Pointer + trees->SoftFirst, places, trees->Softs, lane);
+        }
+
+        StoreVelocities(trees);
+    }
+
+    private void Resume(LaneTrees* trees)
+    {
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
+        {
+            LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
+            LaneSweep.Resume(WalksOf(trees, lane), _softs.Pointer + trees->SoftFirst, places, trees->Softs, lane);
         }
 
         StoreVelocities(trees);

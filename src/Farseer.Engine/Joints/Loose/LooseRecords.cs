@@ -72,8 +72,9 @@ internal unsafe struct LooseBundle
     public fixed double InertiaB[4];
     public fixed double SpringMass[4];
 
-    /// <summary>See <see cref="JointPass.HoldOf"/>.</summary>
+    /// <summary>See <see cref="JointPass.HoldOf"/> and <see cref="JointPass.EarlyOf"/>.</summary>
     public fixed double Hold[4];
+    public fixed double Early[4];
 
     /// <summary>Of soft points: what one of the two rows answers to the other.</summary>
     public fixed double PointCoupling[4];

@@ -88,6 +88,7 @@ internal sealed unsafe partial class LooseSolver
         bundle->InertiaB[0] = b->InverseInertia;
         bundle->SpringMass[0] = _rows[active].SpringMass;
         bundle->Hold[0] = JointPass.HoldOf(_forest.Trees, _forest.Nodes, _active + active);
+        bundle->Early[0] = JointPass.EarlyOf(_forest.Trees + _forest.Nodes[System.Math.Max(a->Node, b->Node)].Tree);
         bundle->ArmB[0] = _rows[active].ArmX;
         bundle->ArmB[Y] = _rows[active].ArmY;
         bundle->Given[0] = 0;
