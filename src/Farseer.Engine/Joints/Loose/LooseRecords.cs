@@ -61,8 +61,6 @@ internal unsafe struct LooseBundle
     public fixed double Target[4];
     public fixed double Lower[4];
     public fixed double Upper[4];
-
-    public fixed double Axis[8];
     public fixed double Ratio[4];
     public fixed double GroundA[8];
     public fixed double GroundB[8];

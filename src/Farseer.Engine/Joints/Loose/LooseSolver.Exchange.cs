@@ -75,8 +75,6 @@ internal sealed unsafe partial class LooseSolver
         bundle->Target[0] = settings.Target;
         bundle->Lower[0] = settings.Lower;
         bundle->Upper[0] = settings.Upper;
-        bundle->Axis[0] = settings.AxisX;
-        bundle->Axis[Y] = settings.AxisY;
         bundle->Ratio[0] = settings.Ratio;
         bundle->GroundA[0] = settings.GroundAX;
         bundle->GroundA[Y] = settings.GroundAY;
