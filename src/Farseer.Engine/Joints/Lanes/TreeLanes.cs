@@ -289,7 +289,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         LaneBundle bundle = BundleOf(trees);
         NoteGiven(trees);
         Place(trees);
-        LaneGoals.FindWorst(bundle, trees);
+        LaneGoals.FindWorst(bundle, _step.Substep, trees);
         if (trees->HasRows)
         {
             LaneGoals.Foresee(bundle, WalksOrNone(trees), _step.Substep);
@@ -318,7 +318,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         LaneBundle bundle = BundleOf(trees);
         LanePoses.MoveOn(bundle.Nodes, bundle.Count, _step.Substep, trees);
         Place(trees);
-        LaneGoals.FindWorst(bundle, trees);
+        LaneGoals.FindWorst(bundle, _step.Substep, trees);
         FindAstray(trees, round == JointSolver.Corrections - 1);
     }
 
