@@ -66,7 +66,7 @@ internal static class Drives
 
             Rope(run, run.Dice.Scale(0.1, 10), run.Dice.Scale(0.1, 10), run.Dice.Between(1, 5));
             SwingingPulley(run, run.Dice.Scale(0.5, 2), run.Dice.Scale(0.5, 2), run.Dice.Between(0.2, 0.8), run.Dice.Between(0.2, 0.8));
-            MotorOnPendulum(run, run.Dice.Between(0.1, 0.9), run.Dice.Between(0, 1));
+            MotorOnPendulum(run, run.Dice.Between(0.1, 0.9), run.Dice.Between(-1, 0));
             SwingingRope(run, run.Dice.Between(0.5, 1.4));
         }
     }
@@ -179,32 +179,23 @@ internal static class Drives
     /// <summary>Both weights of an Atwood machine swing.</summary>
     private static void SwingingPulley(GeneralRun run, double first, double second, double swing1, double swing2)
     {
-        const double Side = 2;
+        const double Side = 5;
         double m1 = (float)first;
         double m2 = (float)second;
         double v1 = (float)swing1;
         double v2 = (float)swing2;
         string parameters = FormattableString.Invariant($"swinging, {first:G4} kg at {swing1:G4} m/s, {second:G4} kg at {swing2:G4} m/s");
-        run.Sample(parameters, () =>
+        NoteFactor(run, "pulley_factor_per_doubling", parameters, rig =>
         {
-            Vec end = default;
-            NoteFactor(run, "pulley_factor_per_doubling", parameters, rig =>
-            {
-                Actor a = rig.AddLoose(new Vec(0, -Side), m1, 1);
-                Actor b = rig.AddLoose(new Vec(4, -Side), m2, 1);
-                a.Velocity = new Vec(v1, 0);
-                b.Velocity = new Vec(v2, 0);
-                rig.Simulator.Add(new PulleyJoint(a.Body, Vector2.Zero, Vector2.Zero, b.Body, new Vector2(4, 0), Vector2.Zero));
-                rig.Run(1);
-                if (end == default)
-                {
-                    // About their wheels: x1, y1, x2, y2 and the speeds of these.
-                    double[] state = Motion.Solve([0, -Side, 0, -Side, v1, 0, v2, 0], rig.Time, (s, rates) => RatesOfPulley(s, rates, m1, m2));
-                    end = new Vec(state[0], state[1]);
-                }
+            Actor a = rig.AddLoose(new Vec(0, -Side), m1, 1);
+            Actor b = rig.AddLoose(new Vec(4, -Side), m2, 1);
+            a.Velocity = new Vec(v1, 0);
+            b.Velocity = new Vec(v2, 0);
+            rig.Simulator.Add(new PulleyJoint(a.Body, Vector2.Zero, Vector2.Zero, b.Body, new Vector2(4, 0), Vector2.Zero));
 
-                return (a.Position - end).Length;
-            });
+            // About their wheels: x1, y1, x2, y2 and the speeds of these.
+            var motion = new Motion([0, -Side, 0, -Side, v1, 0, v2, 0], (s, rates) => RatesOfPulley(s, rates, m1, m2));
+            return new Swing(motion, s => (a.Position - new Vec(s[0], s[1])).Length);
         });
     }
 
@@ -241,29 +232,20 @@ internal static class Drives
         double torque = (float)(share * 0.5 * Gravity * Length);
         double start = (float)angle;
         string parameters = FormattableString.Invariant($"motor of {torque:G4} N m on a rod at {angle:G4} rad");
-        run.Sample(parameters, () =>
+        NoteFactor(run, "motor_factor_per_doubling", parameters, rig =>
         {
-            double end = double.NaN;
-            NoteFactor(run, "motor_factor_per_doubling", parameters, rig =>
+            Actor anchor = rig.AddAnchor(0, 0);
+            Actor rod = rig.AddLooseBox(new Vec(0, -0.5 * Length).Turned(start), 0, Length, start, 1);
+            RevoluteJoint hinge = rig.AddHinge(anchor, rod, new Vec(0, 0));
+            hinge.IsMotorEnabled = true;
+            hinge.MotorSpeed = 1000;
+            hinge.MaxMotorTorque = (float)torque;
+            var motion = new Motion([start, 0], (s, rates) =>
             {
-                Actor anchor = rig.AddAnchor(0, 0);
-                Actor rod = rig.AddLooseBox(new Vec(0, -0.5 * Length).Turned(start), 0, Length, start, 1);
-                RevoluteJoint hinge = rig.AddHinge(anchor, rod, new Vec(0, 0));
-                hinge.IsMotorEnabled = true;
-                hinge.MotorSpeed = 1000;
-                hinge.MaxMotorTorque = (float)torque;
-                rig.Run(1);
-                if (double.IsNaN(end))
-                {
-                    end = Motion.Solve([start, 0], rig.Time, (s, rates) =>
-                    {
-                        rates[0] = s[1];
-                        rates[1] = 3 * (torque - (0.5 * Gravity * Length * Math.Sin(s[0]))) / (Length * Length);
-                    })[0];
-                }
-
-                return Math.Abs(rod.Angle - end);
+                rates[0] = s[1];
+                rates[1] = 3 * (torque - (0.5 * Gravity * Length * Math.Sin(s[0]))) / (Length * Length);
             });
+            return new Swing(motion, s => Math.Abs(rod.Angle - s[0]));
         });
     }
 
@@ -271,40 +253,41 @@ internal static class Drives
     {
         const double Length = 1;
         string parameters = FormattableString.Invariant($"rope pendulum from {angle:G4} rad");
-        run.Sample(parameters, () =>
+        NoteFactor(run, "rope_factor_per_doubling", parameters, rig =>
         {
-            double end = double.NaN;
-            NoteFactor(run, "rope_factor_per_doubling", parameters, rig =>
+            Actor anchor = rig.AddAnchor(0, 0);
+            Actor bob = rig.AddLoose(new Vec(0, -Length).Turned(angle), 1, 0.1);
+            rig.Simulator.Add(new RopeJoint(anchor.Body, Vector2.Zero, bob.Body, Vector2.Zero, (float)Length));
+            var motion = new Motion([angle, 0], (s, rates) =>
             {
-                Actor anchor = rig.AddAnchor(0, 0);
-                Actor bob = rig.AddLoose(new Vec(0, -Length).Turned(angle), 1, 0.1);
-                rig.Simulator.Add(new RopeJoint(anchor.Body, Vector2.Zero, bob.Body, Vector2.Zero, (float)Length));
-                rig.Run(1);
-                if (double.IsNaN(end))
-                {
-                    end = Motion.Solve([angle, 0], rig.Time, (s, rates) =>
-                    {
-                        rates[0] = s[1];
-                        rates[1] = -Gravity / Length * Math.Sin(s[0]);
-                    })[0];
-                }
-
-                return Math.Abs(Math.Atan2(bob.Position.X, -bob.Position.Y) - end);
+                rates[0] = s[1];
+                rates[1] = -Gravity / Length * Math.Sin(s[0]);
             });
+            return new Swing(motion, s => Math.Abs(Math.Atan2(bob.Position.X, -bob.Position.Y) - s[0]));
         });
     }
 
-    /// <summary>By how much a doubling of the iterations divides the error.</summary>
-    private static void NoteFactor(GeneralRun run, string figure, string parameters, Func<Rig, double> error)
+    /// <summary>By how much a doubling of the iterations divides the largest error within a second: at one moment it may be 0 by chance.</summary>
+    private static void NoteFactor(GeneralRun run, string figure, string parameters, Func<Rig, Swing> build)
     {
-        double before = At(SwingIterations);
-        double after = At(2 * SwingIterations);
-        run.Note(figure, before / after, parameters);
+        run.Sample(parameters, () => run.Note(figure, At(SwingIterations) / At(2 * SwingIterations), parameters));
 
         double At(int iterations)
         {
             using Rig rig = run.World(Gravity, run.Dial with { Iterations = iterations, Dt = SwingDt });
-            return error(rig);
+            Swing swing = build(rig);
+            double worst = 0;
+            rig.Run(1, () =>
+            {
+                swing.Motion.Go(rig.Dt);
+                worst = Math.Max(worst, swing.Error(swing.Motion.State));
+            });
+            return worst;
         }
     }
+
+    /// <summary>A world whose motion is known.</summary>
+    /// <param name="Motion">How it moves.</param>
+    /// <param name="Error">How far the world is from a state of that.</param>
+    private sealed record Swing(Motion Motion, Func<double[], double> Error);
 }

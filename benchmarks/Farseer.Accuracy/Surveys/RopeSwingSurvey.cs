@@ -7,7 +7,8 @@ using FarseerGames.FarseerPhysics.Dynamics.Joints;
 namespace Farseer.Accuracy.Surveys;
 
 /// <summary>
-/// What swings or whirls on a rope keeps its energy while the rope is taut; where it goes slack and snaps, it can only lose.
+/// What swings or whirls on a rope keeps its energy while the rope is taut; where it goes slack and snaps, it can only lose. So does what swings
+/// at the end of a slider.
 /// </summary>
 internal sealed class RopeSwingSurvey : Survey
 {
@@ -22,7 +23,7 @@ internal sealed class RopeSwingSurvey : Survey
     public override string Name => "K12";
 
     public override string What =>
-        "swings on a rope: energy gained in 30 s, or lost where it stays taut, of the energy at the lowest place; at most 1e-3";
+        "swings on a rope or at the end of a slider: energy gained in 30 s, or lost where it stays taut, of the energy at the lowest place; at most 1e-3";
 
     public override int Draws => 200;
 
@@ -33,6 +34,7 @@ internal sealed class RopeSwingSurvey : Survey
             foreach (float angle in (float[])[0.3f, 1, 1.4f, MathF.PI / 2, 1.8f, 2.5f])
             {
                 yield return Swing(new Setup("pendulum", length, angle, 1, 1, 0, 5, Yard.UsualDt));
+                yield return Swing(new Setup("slider", length, angle, 1, 1, 0, 5, Yard.UsualDt));
             }
         }
 
@@ -44,12 +46,14 @@ internal sealed class RopeSwingSurvey : Survey
     }
 
     public override Variation Draw(Dice dice) => Swing(new Setup(
-        dice.Of("pendulum", "pendulum", "whirl"), dice.Wide(0.3, 10), dice.Between(0.1, 3), dice.Wide(0.1, 10), dice.Wide(0.1, 10),
+        dice.Of("pendulum", "slider", "whirl"), dice.Wide(0.3, 10), dice.Between(0.1, 3), dice.Wide(0.1, 10), dice.Wide(0.1, 10),
         dice.Of(0, 0, dice.Between(0, 0.3)), dice.Whole(2, 20), dice.Of(Yard.UsualDt, Yard.UsualDt, 1 / 30f, 1 / 120f)));
 
     private static Variation Swing(Setup s) => new(
         FormattableString.Invariant($"{s.What} of {s.Mass} kg on {s.Length} m, ")
-            + (s.What == "whirl" ? FormattableString.Invariant($"about {s.Other} kg at {s.Angle} of the root of g·length, ") : FormattableString.Invariant($"from {s.Angle}, "))
+            + (s.What == "whirl"
+                ? FormattableString.Invariant($"about {s.Other} kg at {s.Angle} of the root of g·length, ")
+                : FormattableString.Invariant($"from {s.Angle}, "))
             + FormattableString.Invariant($"held {s.Offset} of the length off its centre, iterations {s.Iterations}, 1/{1 / s.Dt:F0} s"),
         Limit,
         () => s.What == "whirl" ? Whirl(s) : Pendulum(s));
@@ -61,7 +65,9 @@ internal sealed class RopeSwingSurvey : Survey
         float arm = s.Offset * s.Length;
         var down = new Vector2(MathF.Sin(s.Angle), -MathF.Cos(s.Angle));
         Body bob = yard.Loose((s.Length + arm) * down, s.Mass, s.Mass * 0.1f * s.Length * s.Length);
-        yard.Simulator.Add(new RopeJoint(post, Vector2.Zero, bob, -arm * down, s.Length));
+        yard.Simulator.Add(s.What == "slider"
+            ? new SliderJoint(post, Vector2.Zero, bob, -arm * down, 0, s.Length) { Slop = 0 }
+            : new RopeJoint(post, Vector2.Zero, bob, -arm * down, s.Length));
         double start = bob.PositionY;
         double scale = s.Mass * Gravity * (s.Length + arm + start);
         return Play(yard, s, () => Yard.Energy(bob) + (s.Mass * Gravity * (bob.PositionY - start)), scale, s.Angle < Taut && s.Offset == 0);
