@@ -24,8 +24,9 @@ internal static class Drives
     [
         new(
             "G22",
-            "way after 1 s: Atwood on a pulley, motors of joints, rope that snaps taut; error by each doubling of Iterations",
+            "way after 1 s: Atwood on a pulley, motors of joints, rope that snaps taut, falls on slack joints; error by each doubling of Iterations",
             [
+                new("slack_way_rel_error", 1e-5),
                 new("pulley_way_rel_error", 1e-5), new("motor_way_rel_error", 1e-5), new("rope_way_rel_error", 1e-5),
                 new("pulley_factor_per_doubling", Quartered, AtLeast: true), new("motor_factor_per_doubling", Quartered, AtLeast: true),
                 new("rope_factor_per_doubling", Quartered, AtLeast: true),
@@ -39,6 +40,14 @@ internal static class Drives
         Slide,
         Wheel,
         Offset,
+        Angle,
+    }
+
+    private enum Slack
+    {
+        Pulley,
+        Rope,
+        Slider,
         Angle,
     }
 
@@ -62,6 +71,11 @@ internal static class Drives
             foreach (Drive drive in Enum.GetValues<Drive>())
             {
                 Motor(run, drive, run.Dice.Scale(0.1, 10), run.Dice.Scale(0.1, 10));
+            }
+
+            foreach (Slack slack in Enum.GetValues<Slack>())
+            {
+                Fall(run, slack, run.Dice.Scale(0.1, 10), run.Dice.Scale(0.1, 10));
             }
 
             Rope(run, run.Dice.Scale(0.1, 10), run.Dice.Scale(0.1, 10), run.Dice.Between(1, 5));
@@ -153,6 +167,28 @@ internal static class Drives
                 rig.Simulator.Add(new MotorJoint(anchor.Body, driven.Body) { MaxTorque = push, TargetAngle = Far });
                 break;
         }
+    }
+
+    /// <summary>Two bodies fall side by side, and the joint between them has nothing to do.</summary>
+    private static void Fall(GeneralRun run, Slack slack, double first, double second)
+    {
+        string parameters = FormattableString.Invariant($"slack {slack} between {first:G4} and {second:G4} kg");
+        run.Sample(parameters, () =>
+        {
+            using Rig rig = run.World(Gravity);
+            Actor a = rig.AddLoose(new Vec(-2, 0), first, 1);
+            Actor b = rig.AddLoose(new Vec(2, 0), second, 1);
+            rig.Simulator.Add(slack switch
+            {
+                Slack.Pulley => new PulleyJoint(a.Body, new Vector2(-2, 5), Vector2.Zero, b.Body, new Vector2(2, 5), Vector2.Zero) { TotalLength = 100 },
+                Slack.Rope => new RopeJoint(a.Body, Vector2.Zero, b.Body, Vector2.Zero, 5),
+                Slack.Slider => new SliderJoint(a.Body, Vector2.Zero, b.Body, Vector2.Zero, 3, 5),
+                _ => (Joint)new AngleLimitJoint(a.Body, b.Body, -1, 1),
+            });
+            rig.Run(1);
+            double exact = 0.5 * Gravity * rig.Time * rig.Time;
+            run.Note("slack_way_rel_error", Math.Abs((-a.Displacement.Y / exact) - 1), parameters);
+        });
     }
 
     /// <summary>A body flies off and takes another with it, without bouncing back, once the rope between them is taut.</summary>

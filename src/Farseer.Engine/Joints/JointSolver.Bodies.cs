@@ -162,7 +162,8 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>
-    /// Trees whose bodies nothing else moves. A guest is one as long as it presses on a tree: then the two must move by the same law,
+    /// Trees whose bodies nothing else moves, and those that have had half of their forces: the law for steady acceleration would take a quarter of them
+    /// for what is too much. A guest is one as long as it presses on a tree: then the two must move by the same law,
     /// or their surfaces part by half of g·h² in each substep. If deep overlaps are pushed apart, guests move with them.
     /// </summary>
     private void MarkExact()
@@ -170,7 +171,7 @@ internal sealed unsafe partial class JointSolver
         for (int at = 0; at < _treeCount; at++)
         {
             int i = _trees[at];
-            _forest.Trees[i].Exact = _forest.Trees[i].Eliminates;
+            _forest.Trees[i].Exact = _forest.Trees[i].Eliminates || _forest.Trees[i].Free;
         }
 
         // Iterated joints tie their bodies as well: moved by laws that differ by g·h² they would be pulled askew. And a force that

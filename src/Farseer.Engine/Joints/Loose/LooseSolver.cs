@@ -118,12 +118,12 @@ internal sealed unsafe partial class LooseSolver
     private double StartSpeed(LooseBody* body, double* j) =>
         HeldVelocity.StartSpeed(_step.Bodies, body->Body, body->Node >= 0, body->Velocity, 1, j, Y);
 
-    /// <summary>Bodies that something other than limits holds, or a limit that pushes.</summary>
+    /// <summary>Bodies that have half of their forces before they move, that something other than limits holds, or a limit that pushes.</summary>
     private void MarkExact()
     {
         for (int i = Nobody + 1; i < _bodyCount; i++)
         {
-            _bodies[i].Exact = _bodies[i].Held && _bodies[i].Node >= 0;
+            _bodies[i].Exact = (_bodies[i].Held || _bodies[i].Free) && _bodies[i].Node >= 0;
         }
 
         for (int i = 0; i < _bundleCount; i++)
