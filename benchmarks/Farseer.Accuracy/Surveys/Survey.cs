@@ -48,6 +48,7 @@ internal abstract class Survey
     public static IReadOnlyList<Survey> All { get; } =
     [
         new DragSurvey(), new FlashDragSurvey(), new PileSurvey(), new LandingSurvey(), new ImpactSurvey(), new EnergySurvey(),
+        new FixedSlideSurvey(), new MotorMomentumSurvey(), new WheelSurvey(), new RopeSwingSurvey(),
         new TileLandingSurvey(), new PressedWalkSurvey(), new BendSurvey(), new CornerSurvey(),
         new ThinWallSurvey(), new HoleSurvey(), new SupportSurvey(), new FloatSurvey(),
         new ColumnSurvey(), new GrowingBounceSurvey(), new ChainBodySurvey(),

@@ -89,6 +89,13 @@ internal sealed class Yard : IDisposable
         return body;
     }
 
+    /// <summary>A body that meets nothing.</summary>
+    public Body Loose(Vector2 place, float mass, float inertia) =>
+        Placed(BodyFactory.Instance.CreateBody(Simulator, mass, inertia), place.X, place.Y);
+
+    /// <summary>A point of the world for joints.</summary>
+    public Body Post(Vector2 place) => Anchor(place);
+
     /// <summary>A regular polygon whose lowest edge is level.</summary>
     public Body Regular(float x, float y, int corners, float radius, float friction = 0.5f, float bounce = 0)
     {

@@ -46,6 +46,9 @@ internal sealed unsafe class RestJudge : IStageWork
     private const float LongShares = 64f;
     private const float LargestLongShare = 1f / 256;
 
+    /// <summary>Share of the room that is rounding: a thousand million times the time to sleep would be needed to leave it.</summary>
+    private const float RoundingShare = 1f / (1 << 30);
+
     /// <summary>Bodies that are worth another worker's while, some 1 µs.</summary>
     private const int LeastBodies = 128;
 
@@ -236,14 +239,14 @@ internal sealed unsafe class RestJudge : IStageWork
 
     /// <summary>
     /// A body that nothing touches and nothing pulls goes on for ever, be it ever so slowly: it rests if it stands still, or if drag
-    /// stops it before it has gone anywhere.
+    /// stops it before it has gone anywhere. What a joint has stopped may be left with the rounding of the speed that it had.
     /// </summary>
     private static bool WillStop(BodyStore bodies, int body, float reach, float room, float time)
     {
         ref BodyState state = ref bodies.State[body];
         double speed = Math.Abs((double)state.LinearVelocity.X) + Math.Abs((double)state.LinearVelocity.Y);
         double spin = Math.Abs((double)state.AngularVelocity) * reach;
-        if (speed == 0 && spin == 0)
+        if (Math.Max(speed, spin) * time <= RoundingShare * room)
         {
             return true;
         }

@@ -72,6 +72,9 @@ internal unsafe struct ActiveJoint
     public fixed double Block[9];
     public fixed double Lambda[JointRows.Most];
 
+    /// <summary>What an iterated motor or limit started the substep from; a free tree starts the other half of its forces from it again.</summary>
+    public fixed double Start[JointRows.Most];
+
     /// <summary>Impulse on body B in the step: linear and about its centre.</summary>
     public fixed double Given[3];
 

@@ -10,7 +10,7 @@ namespace Farseer.Engine.Joints;
 internal sealed unsafe partial class JointPass
 {
     /// <returns>False if the rows are to be solved in turn.</returns>
-    private bool SolvePoint(ActiveJoint* joint, JointRows* r)
+    private bool SolvePoint(ActiveJoint* joint, JointRows* r, double share)
     {
         double old0 = joint->Lambda[0];
         double old1 = joint->Lambda[1];
@@ -23,7 +23,7 @@ internal sealed unsafe partial class JointPass
 
         double now0 = old0 + change0;
         double now1 = old1 + change1;
-        if (!(now0 >= r->Low[0] && now0 <= r->High[0] && now1 >= r->Low[1] && now1 <= r->High[1]))
+        if (!(now0 >= share * r->Low[0] && now0 <= share * r->High[0] && now1 >= share * r->Low[1] && now1 <= share * r->High[1]))
         {
             return false;
         }

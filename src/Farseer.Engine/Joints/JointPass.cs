@@ -81,6 +81,7 @@ internal sealed unsafe partial class JointPass
         }
 
         bool displaced = IsDisplaced(joint->Ends.NodeA) || IsDisplaced(joint->Ends.NodeB);
+        double early = Early(joint);
         for (int k = joint->Role == JointRole.Iterated ? 0 : r->Hard; k < r->Count; k++)
         {
             if (joint->BlockLimits && r->Type[k] == (byte)RowType.Limit)
@@ -91,9 +92,12 @@ internal sealed unsafe partial class JointPass
             if (r->Type[k] >= (byte)RowType.Spring || displaced)
             {
                 joint->Lambda[k] = 0;
+                joint->Start[k] = 0;
                 continue;
             }
 
+            joint->Lambda[k] *= k < r->Hard ? 1 : early;
+            joint->Start[k] = joint->Lambda[k];
             Give(joint, r, k, joint->Lambda[k]);
             Scale(r->A + (k * 3), joint->Lambda[k], a);
             Scale(r->B + (k * 3), joint->Lambda[k], b);
@@ -101,14 +105,53 @@ internal sealed unsafe partial class JointPass
         }
     }
 
+    /// <summary>
+    /// Motors and limits of free trees, which have moved, start their other half as they did the first. So a motor of the torque M turns a wheel
+    /// of the inertia I by h·(ω₀ + ½h·M/I) and not by h·(ω₀ + h·M/I), and holds half of a weight with half of its force twice; a rope of
+    /// the pull T moves its bodies by ½h²·T/m and not by h²·T/m.
+    /// </summary>
+    public void Resume(ActiveJoint* joint, JointRows* r)
+    {
+        if (Early(joint) == 1 || IsDisplaced(joint->Ends.NodeA) || IsDisplaced(joint->Ends.NodeB))
+        {
+            return;
+        }
+
+        double* a = stackalloc double[3];
+        double* b = stackalloc double[3];
+        for (int k = r->Hard; k < r->Count; k++)
+        {
+            if (joint->BlockLimits && r->Type[k] == (byte)RowType.Limit)
+            {
+                continue;
+            }
+
+            joint->Lambda[k] += joint->Start[k];
+            Give(joint, r, k, joint->Start[k]);
+            Scale(r->A + (k * 3), joint->Start[k], a);
+            Scale(r->B + (k * 3), joint->Start[k], b);
+            RowEnds.Push(_view.Nodes, &joint->Ends, a, b);
+        }
+    }
+
+    /// <summary>Share of the impulse of a motor or limit in a substep that comes before the move.</summary>
+    private double Early(ActiveJoint* joint)
+    {
+        int node = joint->Ends.NodeA >= 0 ? joint->Ends.NodeA : joint->Ends.NodeB;
+        return EarlyOf(_view.Trees + _view.Nodes[node].Tree);
+    }
+
+    public static double EarlyOf(JointTree* tree) => tree->Free ? 0.5 : 1;
+
     public void Solve(ActiveJoint* joint, JointRows* r, in JointStep step, bool biased)
     {
         RowEnds.Visit(_view, &joint->Ends);
-        for (int k = r->SoftPoint && SolvePoint(joint, r) ? JointRows.OfPoint : r->Hard; k < r->Count; k++)
+        double share = biased ? Early(joint) : 1;
+        for (int k = r->SoftPoint && SolvePoint(joint, r, share) ? JointRows.OfPoint : r->Hard; k < r->Count; k++)
         {
             if (!(joint->BlockLimits && r->Type[k] == (byte)RowType.Limit))
             {
-                SolveRow(joint, r, k, step.Substep, biased);
+                SolveRow(joint, r, k, step.Substep, biased, share);
             }
         }
 
@@ -190,12 +233,18 @@ internal sealed unsafe partial class JointPass
         joint->Given[2] += r->B[(k * 3) + 2] * impulse;
     }
 
-    private void SolveRow(ActiveJoint* joint, JointRows* r, int k, double h, bool biased)
+    /// <param name="joint">The joint.</param>
+    /// <param name="r">Its rows.</param>
+    /// <param name="k">Which of them.</param>
+    /// <param name="h">The substep.</param>
+    /// <param name="biased">The biased pass.</param>
+    /// <param name="share">What a motor may have given by now of its bounds in a substep.</param>
+    private void SolveRow(ActiveJoint* joint, JointRows* r, int k, double h, bool biased, double share)
     {
         double response = joint->Response[k];
         if (!(response > 0))
         {
-            Press(joint, r, k);
+            Press(joint, r, k, share);
             return;
         }
 
@@ -206,7 +255,7 @@ internal sealed unsafe partial class JointPass
         {
             case RowType.Motor:
                 now = old - (r->Share[k] * (v - r->Speed[k] + (r->Damping[k] * old)) / (response + r->Damping[k]));
-                now = Math.Max(r->Low[k], Math.Min(r->High[k], now));
+                now = Math.Max(share * r->Low[k], Math.Min(share * r->High[k], now));
                 break;
             case RowType.Limit:
                 // What is only just reached in this substep holds in the next one: a tie is no impact yet.
@@ -282,7 +331,7 @@ internal sealed unsafe partial class JointPass
     /// A stalled motor pushes with what it has, or with what would set its bodies alone going. The tree takes that up; the limit that it
     /// pushes away from is let go when the trees are next solved. Nothing gathers: what it pushed before does not count.
     /// </summary>
-    private void Press(ActiveJoint* joint, JointRows* r, int k)
+    private void Press(ActiveJoint* joint, JointRows* r, int k, double share)
     {
         if (!IsRigidMotor(r, k))
         {
@@ -294,7 +343,7 @@ internal sealed unsafe partial class JointPass
         {
             double old = joint->Lambda[k];
             double wanted = (r->Speed[k] - RowSpeed(joint, r, k)) / own;
-            joint->Lambda[k] = Math.Max(r->Low[k], Math.Min(r->High[k], wanted));
+            joint->Lambda[k] = Math.Max(share * r->Low[k], Math.Min(share * r->High[k], wanted));
             Apply(joint, r, k, joint->Lambda[k] - old);
         }
     }

@@ -41,15 +41,25 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>
-    /// Trees that touch nothing and that no spring pulls at are free; the bodies of nets are for <see cref="NetBodies"/> to see to.
+    /// Trees that touch nothing and that nothing springy pulls at are free, if that holds for all to which rows tie them: a rope or a motor
+    /// gives both of its bodies one impulse, so both are to have had the same share of their forces. The bodies of nets are for
+    /// <see cref="NetBodies"/> to see to.
     /// </summary>
     private void MarkFree()
     {
         _nets.Release();
         for (int at = 0; at < _treeCount; at++)
         {
-            int i = _trees[at];
-            _forest.Trees[i].Free = !_forest.Trees[i].Pulled;
+            _forest.Trees[_trees[at]].Free = true;
+        }
+
+        for (int at = 0; at < _treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            if (tree->Pulled || tree->Strung)
+            {
+                Bind(tree->First);
+            }
         }
 
         for (int at = 0; at < _nodeCount; at++)
@@ -65,13 +75,23 @@ internal sealed unsafe partial class JointSolver
         for (int at = 0; at < _jointCount; at++)
         {
             int i = _joints[at];
-            if (Acts(_active.Pointer + i, _rows.Pointer + i))
+            if (GivesWay(_active.Pointer + i, _rows.Pointer + i))
             {
                 Bind(_active[i].Ends.NodeA);
                 Bind(_active[i].Ends.NodeB);
+            }
+
+            if (Acts(_active.Pointer + i, _rows.Pointer + i))
+            {
                 _nets.Bind(_active[i].Ends.BodyA);
                 _nets.Bind(_active[i].Ends.BodyB);
             }
+        }
+
+        for (int at = 0; at < _treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            tree->Free = GroupOf(tree)->Free;
         }
     }
 
@@ -79,11 +99,31 @@ internal sealed unsafe partial class JointSolver
     {
         if (node >= 0)
         {
-            _forest.Trees[_forest.Nodes[node].Tree].Free = false;
+            GroupOf(_forest.Trees + _forest.Nodes[node].Tree)->Free = false;
         }
     }
 
-    /// <summary>A motor, a spring or a limit that holds gives its whole impulse before the move: half a weight would be overcome.</summary>
+    /// <summary>
+    /// A spring, or a motor or limit that yields to its impulse, gives all of it before the move: how far it yields goes by the impulse of the
+    /// whole substep.
+    /// </summary>
+    private static bool GivesWay(ActiveJoint* joint, JointRows* rows)
+    {
+        bool gives = false;
+        for (int k = rows->Hard; k < rows->Count; k++)
+        {
+            gives |= (RowType)rows->Type[k] switch
+            {
+                RowType.Motor => rows->Damping[k] > 0 || rows->Share[k] < 1,
+                RowType.Limit => rows->Damping[k] > 0 && joint->Lambda[k] > 0,
+                _ => true,
+            };
+        }
+
+        return gives;
+    }
+
+    /// <summary>It has a motor or a spring, or a limit that holds.</summary>
     private static bool Acts(ActiveJoint* joint, JointRows* rows)
     {
         for (int k = rows->Hard; k < rows->Count; k++)
@@ -98,8 +138,9 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>
-    /// A free tree takes half of its gravity and forces before it moves and half after, which is exact to the second order: the
-    /// solver has given all of it before. With contacts that would load them with half the weight in turn.
+    /// A free tree takes half of its gravity and forces before it moves and half after, which is exact to the second order, and under a constant
+    /// force altogether: x₁ = x₀ + h·(v₀ + ½h·a). The solver has given all of it before. With contacts that would load them with half the
+    /// weight in turn. Its motors and limits do the same, see <see cref="JointPass.Resume"/>.
     /// </summary>
     private void Kick(float share)
     {
@@ -121,7 +162,8 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>
-    /// Trees whose bodies nothing else moves. A guest is one as long as it presses on a tree: then the two must move by the same law,
+    /// Trees whose bodies nothing else moves, and those that have had half of their forces: the law for steady acceleration would take a quarter of them
+    /// for what is too much. A guest is one as long as it presses on a tree: then the two must move by the same law,
     /// or their surfaces part by half of g·h² in each substep. If deep overlaps are pushed apart, guests move with them.
     /// </summary>
     private void MarkExact()
@@ -129,7 +171,7 @@ internal sealed unsafe partial class JointSolver
         for (int at = 0; at < _treeCount; at++)
         {
             int i = _trees[at];
-            _forest.Trees[i].Exact = _forest.Trees[i].Eliminates;
+            _forest.Trees[i].Exact = _forest.Trees[i].Eliminates || _forest.Trees[i].Free;
         }
 
         // Iterated joints tie their bodies as well: moved by laws that differ by g·h² they would be pulled askew. And a force that
@@ -423,10 +465,15 @@ internal sealed unsafe partial class JointSolver
         for (int at = 0; at < _nodeCount; at++)
         {
             TreeNode* node = nodes + list[at];
-            BodyState* state = states + node->Body;
-            state->LinearVelocity.X = (float)node->Velocity[0];
-            state->LinearVelocity.Y = (float)node->Velocity[1];
-            state->AngularVelocity = (float)node->Velocity[2];
+            StoreVelocity(node->Velocity, states + node->Body);
         }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void StoreVelocity(double* velocity, BodyState* state)
+    {
+        state->LinearVelocity.X = (float)velocity[0];
+        state->LinearVelocity.Y = (float)velocity[1];
+        state->AngularVelocity = (float)velocity[2];
     }
 }

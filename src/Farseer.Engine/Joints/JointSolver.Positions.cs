@@ -93,7 +93,30 @@ internal sealed unsafe partial class JointSolver
         }
 
         Kick(0.5f);
+        Resume();
         _nets.Moved();
+    }
+
+    /// <summary>Motors and limits of free trees go on.</summary>
+    private void Resume()
+    {
+        for (int i = 0; i < _agendaCount; i++)
+        {
+            int item = _agenda[i];
+            if (item >= 0)
+            {
+                _pass.Resume(_active.Pointer + item, _rows.Pointer + item);
+            }
+        }
+
+        for (int at = 0; at < _nodeCount && _agendaCount > 0; at++)
+        {
+            TreeNode* node = _forest.Nodes + _nodes[at];
+            if (_forest.Trees[node->Tree].Free)
+            {
+                StoreVelocity(node->Velocity, _step.Bodies.State.Pointer + node->Body);
+            }
+        }
     }
 
     private static void NotePlain(TreeNode* node)

@@ -284,8 +284,9 @@ internal sealed unsafe partial class JointSolver
     {
         if (r >= rows->Hard)
         {
+            // A limit that holds leaves its place by the bend of its bodies' ways, as a hard row does.
             double way = LimitTarget(joint, rows, r, kind);
-            if (tree->LimitEdges && !tree->Disturbed && IsDisplacement(kind))
+            if (!tree->Disturbed && IsDisplacement(kind))
             {
                 double span = rows->SizeOf(r);
                 tree->Worst = Math.Max(tree->Worst, span > 0 ? Math.Abs(way) * _step.Substep / span : 0);

@@ -109,10 +109,7 @@ internal static unsafe class LaneFactor
         WideDoubleMask isRegular = (k00 * k11) - (k01 * k10) > WideDouble.Splat(TreeFactor.Singular) * (own0 * own1);
         k00 = WideDouble.Select(isRegular, k00, k00 + (regular * own0));
         k11 = WideDouble.Select(isRegular, k11, k11 + (regular * own1));
-        WideDouble f = LaneMatrix.Inverse((k00 * k11) - (k01 * k10));
-        WideDouble h00 = f * k11;
-        WideDouble h01 = WideDouble.Negate(f) * k01;
-        WideDouble h11 = f * k00;
+        LaneMatrix.InvertTwo(k00, k01, k10, k11, out WideDouble h00, out WideDouble h01, out WideDouble h11);
         double* h = anchor->Joint.E;
         h00.Store(h);
         h01.Store(h + 4);
@@ -155,10 +152,7 @@ internal static unsafe class LaneFactor
         k00 = WideDouble.Select(isRegular, k00, k00 + (regular * own0));
         k11 = WideDouble.Select(isRegular, k11, k11 + (regular * own1));
 
-        WideDouble f = LaneMatrix.Inverse((k00 * k11) - (k01 * k10));
-        WideDouble e00 = f * k11;
-        WideDouble e01 = WideDouble.Negate(f) * k01;
-        WideDouble e11 = f * k00;
+        LaneMatrix.InvertTwo(k00, k01, k10, k11, out WideDouble e00, out WideDouble e01, out WideDouble e11);
         double* e = node->Joint.E;
         e00.Store(e);
         e01.Store(e + 4);
@@ -171,8 +165,8 @@ internal static unsafe class LaneFactor
         Combine(e01, e11, a00, a10).Store(g + 12);
         Combine(e01, e11, a01, a11).Store(g + 16);
         Combine(e01, e11, a02, a12).Store(g + 20);
-        f = LaneMatrix.Inverse((h00 * h11) - (h01 * h10));
-        TakeOut(z, f * h11, WideDouble.Negate(f) * h01, f * h00, b00, b01, b02, b10, b11, b12, node->W);
+        LaneMatrix.InvertTwo(h00, h01, h10, h11, out WideDouble i00, out WideDouble i01, out WideDouble i11);
+        TakeOut(z, i00, i01, i11, b00, b01, b02, b10, b11, b12, node->W);
     }
 
     /// <summary>Zero first, as a sum starts: of a product that is -0 it makes 0.</summary>

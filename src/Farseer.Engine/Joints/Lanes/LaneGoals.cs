@@ -60,19 +60,19 @@ internal static unsafe class LaneGoals
 
     /// <summary>The errors, in terms of the joints' sizes; and in the lanes that take part what takes them away.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void FindWorst(in LaneBundle bundle, LaneTrees* trees)
+    public static void FindWorst(in LaneBundle bundle, double h, LaneTrees* trees)
     {
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             WideDouble worst = WideDouble.Zero;
             for (int i = 1; i < bundle.Count; i++)
             {
-                worst = Worse(worst, &DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i);
+                worst = Worse(worst, &DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i, h);
             }
 
             for (int i = 0; i < bundle.AnchorCount; i++)
             {
-                worst = Worse(worst, &DoubleLanes.Shift(bundle.Anchors + i, lane)->Joint, bundle.AnchorPlaces + i);
+                worst = Worse(worst, &DoubleLanes.Shift(bundle.Anchors + i, lane)->Joint, bundle.AnchorPlaces + i, h);
             }
 
             worst.Store(trees->Worst + lane);
@@ -232,10 +232,15 @@ internal static unsafe class LaneGoals
         }
     }
 
-    /// <summary>The larger one, of the tree's and those of a joint's rows. A servo has no error.</summary>
+    /// <summary>The larger one, of the tree's and those of a joint's rows and of the limit that holds. A servo has no error.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDouble Worse(WideDouble worst, LaneJoint* joint, LanePlace* place)
+    private static WideDouble Worse(WideDouble worst, LaneJoint* joint, LanePlace* place, double h)
     {
+        if (place->Held != 0)
+        {
+            worst = Larger(worst, LaneLimits.Off(joint, place, WideDouble.Splat(h)));
+        }
+
         worst = place->Rows > 0 ? WorseRow(worst, joint, place, 0) : worst;
         if (place->Rows > 1)
         {

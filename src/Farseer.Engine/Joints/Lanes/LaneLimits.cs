@@ -39,6 +39,14 @@ internal static unsafe class LaneLimits
         WideDouble.Select(takes & WideDouble.LoadMask(joint->Held), way, WideDouble.Zero).Store(joint->Goal + (place->HardRows * Y));
     }
 
+    /// <summary>How far a limit that holds is from there, in terms of the joint's size.</summary>
+    public static WideDouble Off(LaneJoint* joint, LanePlace* place, WideDouble h)
+    {
+        WideDouble way = WideDouble.Abs((WideDouble.Load(joint->Stop) - HeldGap(joint)) / h) * h;
+        WideDouble size = place->LimitTurns ? WideDouble.Splat(1) : WideDouble.Load(joint->Size);
+        return WideDouble.Select(WideDouble.LoadMask(joint->Held) & (size > WideDouble.Zero), way / size, WideDouble.Zero);
+    }
+
     /// <summary>The lanes in which a limit that does not hold is passed at the present velocities, or what one that holds gave in all was a pull.</summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static int Turned(in LaneBundle bundle, double h, bool relaxed)

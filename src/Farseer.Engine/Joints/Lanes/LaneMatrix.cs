@@ -122,12 +122,11 @@ internal static unsafe class LaneMatrix
 
         if (n == 2)
         {
-            WideDouble g = Inverse(Determinant(m, 2));
-            WideDouble off = WideDouble.Negate(g) * At(m, 1);
-            (g * At(m, 3)).Store(r);
-            off.Store(r + 4);
-            off.Store(r + 8);
-            (g * At(m, 0)).Store(r + 12);
+            InvertTwo(At(m, 0), At(m, 1), At(m, 2), At(m, 3), out WideDouble r00, out WideDouble r01, out WideDouble r11);
+            r00.Store(r);
+            r01.Store(r + 4);
+            r01.Store(r + 8);
+            r11.Store(r + 12);
             return;
         }
 
@@ -152,6 +151,28 @@ internal static unsafe class LaneMatrix
         if (DoubleLanes.Bits(lost) != 0)
         {
             InvertByPivots(m, r, lost);
+        }
+    }
+
+    /// <summary>See <see cref="SmallMatrix.InvertTwo"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void InvertTwo(
+        WideDouble m00, WideDouble m01, WideDouble m10, WideDouble m11, out WideDouble r00, out WideDouble r01, out WideDouble r11)
+    {
+        WideDouble det = (m00 * m11) - (m01 * m10);
+        WideDouble f = Inverse(det);
+        r00 = f * m11;
+        r01 = WideDouble.Negate(f) * m01;
+        r11 = f * m00;
+        WideDoubleMask dead = ~(det > WideDouble.Zero);
+        if (DoubleLanes.Bits(dead) != 0)
+        {
+            WideDouble i0 = Inverse(m00);
+            WideDouble l = m01 * i0;
+            WideDouble i1 = Inverse(m11 - (l * m01));
+            r00 = WideDouble.Select(dead, i0 + (l * l * i1), r00);
+            r01 = WideDouble.Select(dead, WideDouble.Negate(l * i1), r01);
+            r11 = WideDouble.Select(dead, i1, r11);
         }
     }
 

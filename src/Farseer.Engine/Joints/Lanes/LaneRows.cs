@@ -233,6 +233,7 @@ internal static unsafe class LaneRows
                 break;
             case LaneForm.Span:
                 WriteDirection(joint->LineA, joint->LineB, x, y, WideDouble.Load(joint->ArmA), WideDouble.Load(joint->ArmA + 4), joint->ArmB);
+                (WideDouble.Load(joint->Size) + WideDouble.Load(joint->Upper)).Store(joint->Size);
                 break;
             case LaneForm.Range:
                 break;

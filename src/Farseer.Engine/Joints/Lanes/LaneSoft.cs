@@ -35,8 +35,9 @@ internal unsafe struct LaneSoftRow
     public fixed double Response[4];
     public fixed double Lambda[4];
 
-    /// <summary>The impulse before the pass.</summary>
+    /// <summary>The impulse before the pass; and that from which the substep started.</summary>
     public fixed double Before[4];
+    public fixed double Start[4];
     public fixed double Speed[4];
     public fixed double Low[4];
     public fixed double High[4];
@@ -66,8 +67,9 @@ internal unsafe struct LaneSoft
     /// <summary>The mass that springs go by; 0: the one that they feel.</summary>
     public fixed double SpringMass[4];
 
-    /// <summary>See <see cref="JointPass.HoldOf"/>.</summary>
+    /// <summary>See <see cref="JointPass.HoldOf"/> and <see cref="JointPass.EarlyOf"/>.</summary>
     public fixed double Hold[4];
+    public fixed double Early[4];
 }
 
 /// <summary>What a row is, the same for all four.</summary>

@@ -38,10 +38,24 @@ internal static unsafe class LaneSweep
         for (int i = 0; i < count; i++)
         {
             LaneSoft* soft = DoubleLanes.Shift(softs + i, lane);
-            WarmStart(walks, &soft->Row0, places + i, places[i].Kind0);
+            WarmStart(walks, soft, &soft->Row0, places + i, places[i].Kind0);
             if (places[i].Rows > 1)
             {
-                WarmStart(walks, &soft->Row1, places + i, places[i].Kind1);
+                WarmStart(walks, soft, &soft->Row1, places + i, places[i].Kind1);
+            }
+        }
+    }
+
+    /// <summary>See <see cref="JointPass.Resume"/>.</summary>
+    public static void Resume(in LaneWalks walks, LaneSoft* softs, LaneSoftPlace* places, int count, int lane)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            LaneSoft* soft = DoubleLanes.Shift(softs + i, lane);
+            Resume(walks, soft, &soft->Row0, places + i, places[i].Kind0);
+            if (places[i].Rows > 1)
+            {
+                Resume(walks, soft, &soft->Row1, places + i, places[i].Kind1);
             }
         }
     }
@@ -78,10 +92,11 @@ internal static unsafe class LaneSweep
                 walks.Visit(place->NodeB, all);
             }
 
-            carries |= Solve(ref walks, &soft->Row0, place, place->Kind0, biased, all);
+            WideDouble share = biased ? WideDouble.Load(soft->Early) : WideDouble.Splat(1);
+            carries |= Solve(ref walks, &soft->Row0, place, place->Kind0, biased, share, all);
             if (place->Rows > 1)
             {
-                carries |= Solve(ref walks, &soft->Row1, place, place->Kind1, biased, all);
+                carries |= Solve(ref walks, &soft->Row1, place, place->Kind1, biased, share, all);
             }
         }
 
@@ -125,10 +140,10 @@ internal static unsafe class LaneSweep
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WideDouble Bounded(LaneSoftRow* row, WideDouble impulse)
+    public static WideDouble Bounded(LaneSoftRow* row, WideDouble impulse, WideDouble share)
     {
-        WideDouble low = WideDouble.Load(row->Low);
-        WideDouble high = WideDouble.Load(row->High);
+        WideDouble low = share * WideDouble.Load(row->Low);
+        WideDouble high = share * WideDouble.Load(row->High);
         impulse = WideDouble.Select(impulse > high, high, impulse);
         return WideDouble.Select(impulse < low, low, impulse);
     }
@@ -225,7 +240,7 @@ internal static unsafe class LaneSweep
         : (walks.Nodes[node].InverseMass[lane] * ((j[lane] * j[lane]) + (j[4 + lane] * j[4 + lane])))
             + (walks.Nodes[node].InverseInertia[lane] * j[8 + lane] * j[8 + lane]);
 
-    private static void WarmStart(in LaneWalks walks, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind)
+    private static void WarmStart(in LaneWalks walks, LaneSoft* soft, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind)
     {
         if (kind.IsSpring)
         {
@@ -233,10 +248,29 @@ internal static unsafe class LaneSweep
             return;
         }
 
+        WideDouble lambda = WideDouble.Load(row->Lambda) * WideDouble.Load(soft->Early);
+        lambda.Store(row->Lambda);
+        lambda.Store(row->Start);
+        WideDoubleMask all = WideDouble.Zero <= WideDouble.Zero;
+        Give(JointOf(walks, place)->Given, row->B, lambda, all);
+        PushOwn(walks, place->NodeA, row->A, lambda, all);
+        PushOwn(walks, place->NodeB, row->B, lambda, all);
+    }
+
+    private static void Resume(in LaneWalks walks, LaneSoft* soft, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind)
+    {
+        WideDoubleMask free = WideDouble.Splat(1) > WideDouble.Load(soft->Early);
+        if (kind.IsSpring || DoubleLanes.Bits(free) == 0)
+        {
+            return;
+        }
+
+        WideDouble start = WideDouble.Load(row->Start);
         WideDouble lambda = WideDouble.Load(row->Lambda);
-        Give(JointOf(walks, place)->Given, row->B, lambda);
-        PushOwn(walks, place->NodeA, row->A, lambda);
-        PushOwn(walks, place->NodeB, row->B, lambda);
+        WideDouble.Select(free, lambda + start, lambda).Store(row->Lambda);
+        Give(JointOf(walks, place)->Given, row->B, start, free);
+        PushOwn(walks, place->NodeA, row->A, start, free);
+        PushOwn(walks, place->NodeB, row->B, start, free);
     }
 
     /// <summary>Adds what an impulse along a row gives to body B.</summary>
@@ -249,7 +283,18 @@ internal static unsafe class LaneSweep
         }
     }
 
-    private static void PushOwn(in LaneWalks walks, int index, double* j, WideDouble impulse)
+    /// <summary>The same in some lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Give(double* given, double* row, WideDouble impulse, WideDoubleMask where)
+    {
+        for (int at = 0; at < LaneMatrix.Row; at += LaneMatrix.Step)
+        {
+            WideDouble before = WideDouble.Load(given + at);
+            WideDouble.Select(where, before + (WideDouble.Load(row + at) * impulse), before).Store(given + at);
+        }
+    }
+
+    private static void PushOwn(in LaneWalks walks, int index, double* j, WideDouble impulse, WideDoubleMask where)
     {
         if (index >= 0)
         {
@@ -257,13 +302,15 @@ internal static unsafe class LaneSweep
             for (int at = 0; at < LaneMatrix.Row; at += LaneMatrix.Step)
             {
                 WideDouble mass = WideDouble.Load(at < 2 * LaneMatrix.Step ? node->InverseMass : node->InverseInertia);
-                (WideDouble.Load(node->Velocity + at) + (mass * (WideDouble.Load(j + at) * impulse))).Store(node->Velocity + at);
+                WideDouble before = WideDouble.Load(node->Velocity + at);
+                WideDouble.Select(where, before + (mass * (WideDouble.Load(j + at) * impulse)), before).Store(node->Velocity + at);
             }
         }
     }
 
     /// <returns>The lanes in which it gave an impulse.</returns>
-    private static WideDoubleMask Solve(ref LaneWalks walks, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind, bool biased, WideDoubleMask all)
+    private static WideDoubleMask Solve(
+        ref LaneWalks walks, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind, bool biased, WideDouble share, WideDoubleMask all)
     {
         WideDoubleMask none = ~(WideDouble.Zero <= WideDouble.Zero);
         if (kind.IsSpring && !biased)
@@ -292,7 +339,7 @@ internal static unsafe class LaneSweep
             now = WideDouble.Select(WideDouble.LoadMask(row->Stalled), pressed, now);
         }
 
-        now = WideDouble.Select(all, Bounded(row, now), old);
+        now = WideDouble.Select(all, Bounded(row, now, share), old);
         now.Store(row->Lambda);
         WideDouble impulse = now - old;
         WideDoubleMask acts = all & ~((impulse >= WideDouble.Zero) & (impulse <= WideDouble.Zero));

@@ -254,6 +254,7 @@ internal sealed unsafe partial class TreeLanes
                 int active = ActiveOf(trees, _softPlaces.Pointer + i, lane < trees->Count ? lane : 0);
                 soft->SpringMass[0] = _rows[active].SpringMass;
                 soft->Hold[0] = JointPass.HoldOf(_forest.Trees, _forest.Nodes, _active + active);
+                soft->Early[0] = JointPass.EarlyOf(_forest.Trees + trees->Tree[lane < trees->Count ? lane : 0]);
                 LoadRow(&soft->Row0, _active + active, _rows + active, _softPlaces[i].Kind0.Index);
                 LoadRow(&soft->Row1, _active + active, _rows + active, _softPlaces[i].Kind1.Index);
             }
@@ -271,6 +272,7 @@ internal sealed unsafe partial class TreeLanes
         row->Stiffness[0] = rows->Stiffness[k];
         row->Damping[0] = rows->Damping[k];
         row->Ahead[0] = 0;
+        row->Start[0] = 0;
     }
 
     /// <summary>See <see cref="JointPass.Foresee"/>. Of a tree with contacts the joints themselves are told: they are swept there.</summary>
@@ -344,6 +346,7 @@ internal sealed unsafe partial class TreeLanes
         double lambda = before ? row->Before[0] : row->Lambda[0];
         joint->Lambda[index] = lambda;
         joint->PlainLambda[index] = lambda;
+        joint->Start[index] = row->Start[0];
         joint->SpringAhead[index] = row->Ahead[0];
     }
 

@@ -278,6 +278,10 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         LeaveAstray(trees);
         Factor(trees, false);
         EndSubstep(trees);
+        if (trees->SweepsSofts)
+        {
+            Resume(trees);
+        }
     }
 
     private void FindErrors(LaneTrees* trees)
@@ -285,7 +289,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         LaneBundle bundle = BundleOf(trees);
         NoteGiven(trees);
         Place(trees);
-        LaneGoals.FindWorst(bundle, trees);
+        LaneGoals.FindWorst(bundle, _step.Substep, trees);
         if (trees->HasRows)
         {
             LaneGoals.Foresee(bundle, WalksOrNone(trees), _step.Substep);
@@ -314,7 +318,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         LaneBundle bundle = BundleOf(trees);
         LanePoses.MoveOn(bundle.Nodes, bundle.Count, _step.Substep, trees);
         Place(trees);
-        LaneGoals.FindWorst(bundle, trees);
+        LaneGoals.FindWorst(bundle, _step.Substep, trees);
         FindAstray(trees, round == JointSolver.Corrections - 1);
     }
 
@@ -386,6 +390,17 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         {
             LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
             LaneSweep.WarmStart(WalksOf(trees, lane), _softs.Pointer + trees->SoftFirst, places, trees->Softs, lane);
+        }
+
+        StoreVelocities(trees);
+    }
+
+    private void Resume(LaneTrees* trees)
+    {
+        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
+        {
+            LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
+            LaneSweep.Resume(WalksOf(trees, lane), _softs.Pointer + trees->SoftFirst, places, trees->Softs, lane);
         }
 
         StoreVelocities(trees);

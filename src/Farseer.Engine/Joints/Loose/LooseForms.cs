@@ -45,7 +45,7 @@ internal static unsafe class LooseForms
                 WriteLimits(bundle, rows, f.BAngle - f.AAngle);
                 break;
             case JointKind.Motor:
-                WriteOffset(f, bundle, rows);
+                WriteOffset(f, rows);
                 break;
             case JointKind.Pulley:
                 WritePulley(f, bundle, rows, place->Rows);
@@ -71,12 +71,11 @@ internal static unsafe class LooseForms
         f.RBX.Store(rows[1].Soft.B + 8);
     }
 
-    private static void WriteOffset(in LooseFrame f, LooseBundle* bundle, LooseRow* rows)
+    /// <summary>The arm of A reaches to B.</summary>
+    private static void WriteOffset(in LooseFrame f, LooseRow* rows)
     {
-        WideDouble x = WideDouble.Load(bundle->Axis);
-        WideDouble y = WideDouble.Load(bundle->Axis + 4);
-        ((f.ASin * x) + (f.ACos * y)).Store(rows[0].Soft.A + 8);
-        WideDouble.Negate((f.ACos * x) - (f.ASin * y)).Store(rows[1].Soft.A + 8);
+        f.DY.Store(rows[0].Soft.A + 8);
+        WideDouble.Negate(f.DX).Store(rows[1].Soft.A + 8);
     }
 
     private static void WriteLimits(LooseBundle* bundle, LooseRow* rows, WideDouble way)

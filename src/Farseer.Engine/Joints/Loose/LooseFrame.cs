@@ -9,8 +9,6 @@ internal unsafe struct LooseFrame
     public WideDouble AX;
     public WideDouble AY;
     public WideDouble AAngle;
-    public WideDouble ACos;
-    public WideDouble ASin;
     public WideDouble BX;
     public WideDouble BY;
     public WideDouble BAngle;
@@ -28,14 +26,14 @@ internal unsafe struct LooseFrame
         AX = LooseKernel.Gather(bodies, LooseBody.PoseAt, a);
         AY = LooseKernel.Gather(bodies, LooseBody.PoseAt + 1, a);
         AAngle = LooseKernel.Gather(bodies, LooseBody.PoseAt + 2, a);
-        ACos = LooseKernel.Gather(bodies, LooseBody.PoseAt + 3, a);
-        ASin = LooseKernel.Gather(bodies, LooseBody.PoseAt + 4, a);
         BX = LooseKernel.Gather(bodies, LooseBody.PoseAt, b);
         BY = LooseKernel.Gather(bodies, LooseBody.PoseAt + 1, b);
         BAngle = LooseKernel.Gather(bodies, LooseBody.PoseAt + 2, b);
-        WideDouble cos = LooseKernel.Gather(bodies, LooseBody.PoseAt + 3, b);
-        WideDouble sin = LooseKernel.Gather(bodies, LooseBody.PoseAt + 4, b);
-        Turn(bundle->AnchorA, ACos, ASin, out RAX, out RAY);
+        WideDouble cos = LooseKernel.Gather(bodies, LooseBody.PoseAt + 3, a);
+        WideDouble sin = LooseKernel.Gather(bodies, LooseBody.PoseAt + 4, a);
+        Turn(bundle->AnchorA, cos, sin, out RAX, out RAY);
+        cos = LooseKernel.Gather(bodies, LooseBody.PoseAt + 3, b);
+        sin = LooseKernel.Gather(bodies, LooseBody.PoseAt + 4, b);
         Turn(bundle->AnchorB, cos, sin, out RBX, out RBY);
         DX = (BX - AX) + (RBX - RAX);
         DY = (BY - AY) + (RBY - RAY);

@@ -95,7 +95,9 @@ internal static unsafe class LooseKernel
                     continue;
                 }
 
-                WideDouble lambda = WideDouble.Load(row->Lambda);
+                WideDouble lambda = WideDouble.Load(row->Lambda) * WideDouble.Load(bundle->Early);
+                lambda.Store(row->Lambda);
+                lambda.Store(row->Start);
                 LaneSweep.Give(bundle->Given, row->B, lambda);
                 PushOwn(ref a, row->A, lambda, WideDouble.Load(bundle->MassA), WideDouble.Load(bundle->InertiaA));
                 PushOwn(ref b, row->B, lambda, WideDouble.Load(bundle->MassB), WideDouble.Load(bundle->InertiaB));
@@ -104,6 +106,48 @@ internal static unsafe class LooseKernel
             Scatter(bodies, place->IntoA + lane, a);
             Scatter(bodies, place->IntoB + lane, b);
         }
+    }
+
+    /// <summary>See <see cref="JointPass.Resume"/>.</summary>
+    [MethodImpl(KernelMethod.Optimized)]
+    public static void Resume(LooseBundle* bundles, LooseRow* rows, LoosePlace* place, LooseBody* bodies)
+    {
+        for (int lane = 0; lane < LanesOf; lane += WideDouble.Count)
+        {
+            LooseBundle* bundle = DoubleLanes.Shift(bundles, lane);
+            WideDoubleMask free = WideDouble.Splat(1) > WideDouble.Load(bundle->Early);
+            if (DoubleLanes.Bits(free) == 0)
+            {
+                continue;
+            }
+
+            Gather(bodies, place->BodyA + lane, out Velocity a);
+            Gather(bodies, place->BodyB + lane, out Velocity b);
+            Velocity oldA = a;
+            Velocity oldB = b;
+            for (int k = 0; k < place->Rows; k++)
+            {
+                LaneSoftRow* row = &DoubleLanes.Shift(rows + k, lane)->Soft;
+                WideDouble start = WideDouble.Load(row->Start);
+                WideDouble lambda = WideDouble.Load(row->Lambda);
+                WideDouble.Select(free, lambda + start, lambda).Store(row->Lambda);
+                LaneSweep.Give(bundle->Given, row->B, start, free);
+                PushOwn(ref a, row->A, start, WideDouble.Load(bundle->MassA), WideDouble.Load(bundle->InertiaA));
+                PushOwn(ref b, row->B, start, WideDouble.Load(bundle->MassB), WideDouble.Load(bundle->InertiaB));
+            }
+
+            Scatter(bodies, place->IntoA + lane, Choose(free, a, oldA));
+            Scatter(bodies, place->IntoB + lane, Choose(free, b, oldB));
+        }
+    }
+
+    private static Velocity Choose(WideDoubleMask where, in Velocity one, in Velocity other)
+    {
+        Velocity chosen;
+        chosen.X = WideDouble.Select(where, one.X, other.X);
+        chosen.Y = WideDouble.Select(where, one.Y, other.Y);
+        chosen.W = WideDouble.Select(where, one.W, other.W);
+        return chosen;
     }
 
     /// <summary>A sweep over the rows.</summary>
@@ -120,9 +164,10 @@ internal static unsafe class LooseKernel
             pair.InertiaA = WideDouble.Load(bundle->InertiaA);
             pair.MassB = WideDouble.Load(bundle->MassB);
             pair.InertiaB = WideDouble.Load(bundle->InertiaB);
+            WideDouble share = biased ? WideDouble.Load(bundle->Early) : WideDouble.Splat(1);
             if (place->SoftPoint)
             {
-                SolvePoint(bundle, DoubleLanes.Shift(rows, lane), DoubleLanes.Shift(rows + 1, lane), ref pair);
+                SolvePoint(bundle, DoubleLanes.Shift(rows, lane), DoubleLanes.Shift(rows + 1, lane), ref pair, share);
             }
 
             for (int k = place->SoftPoint ? JointRows.OfPoint : 0; k < place->Rows; k++)
@@ -135,7 +180,7 @@ internal static unsafe class LooseKernel
                 switch ((RowType)place->Type[k])
                 {
                     case RowType.Motor:
-                        now = LaneSweep.Bounded(&row->Soft, LaneSweep.MotorTo(&row->Soft, v, old));
+                        now = LaneSweep.Bounded(&row->Soft, LaneSweep.MotorTo(&row->Soft, v, old), share);
                         break;
                     case RowType.Limit:
                         now = LimitTo(row, v, old, h, biased);
@@ -153,7 +198,7 @@ internal static unsafe class LooseKernel
                             continue;
                         }
 
-                        now = LaneSweep.Bounded(&row->Soft, now);
+                        now = LaneSweep.Bounded(&row->Soft, now, share);
                         break;
                 }
 
@@ -166,7 +211,7 @@ internal static unsafe class LooseKernel
     }
 
     /// <summary>Both rows of a soft point at once; in turn where that asks for more than their bounds.</summary>
-    private static void SolvePoint(LooseBundle* bundle, LooseRow* first, LooseRow* second, ref Pair pair)
+    private static void SolvePoint(LooseBundle* bundle, LooseRow* first, LooseRow* second, ref Pair pair, WideDouble share)
     {
         LaneSoftRow* p = &first->Soft;
         LaneSoftRow* q = &second->Soft;
@@ -188,12 +233,12 @@ internal static unsafe class LooseKernel
         WideDoubleMask answers0 = response0 > WideDouble.Zero;
         WideDoubleMask answers1 = response1 > WideDouble.Zero;
         WideDoubleMask both = answers0 & answers1 & (determinant > WideDouble.Splat(SmallMatrix.Lost) * (k0 * k1))
-            & (now0 >= WideDouble.Load(p->Low)) & (now0 <= WideDouble.Load(p->High))
-            & (now1 >= WideDouble.Load(q->Low)) & (now1 <= WideDouble.Load(q->High));
-        WideDouble alone0 = WideDouble.Select(answers0, LaneSweep.Bounded(p, LaneSweep.MotorTo(p, v0, old0)), old0);
+            & (now0 >= share * WideDouble.Load(p->Low)) & (now0 <= share * WideDouble.Load(p->High))
+            & (now1 >= share * WideDouble.Load(q->Low)) & (now1 <= share * WideDouble.Load(q->High));
+        WideDouble alone0 = WideDouble.Select(answers0, LaneSweep.Bounded(p, LaneSweep.MotorTo(p, v0, old0), share), old0);
         Give(bundle, first, ref pair, WideDouble.Select(both, now0, alone0));
         WideDouble v1 = Dot(q->A, pair.A) + Dot(q->B, pair.B);
-        WideDouble alone1 = WideDouble.Select(answers1, LaneSweep.Bounded(q, LaneSweep.MotorTo(q, v1, old1)), old1);
+        WideDouble alone1 = WideDouble.Select(answers1, LaneSweep.Bounded(q, LaneSweep.MotorTo(q, v1, old1), share), old1);
         Give(bundle, second, ref pair, WideDouble.Select(both, now1, alone1));
     }
 

@@ -61,8 +61,6 @@ internal unsafe struct LooseBundle
     public fixed double Target[4];
     public fixed double Lower[4];
     public fixed double Upper[4];
-
-    public fixed double Axis[8];
     public fixed double Ratio[4];
     public fixed double GroundA[8];
     public fixed double GroundB[8];
@@ -72,8 +70,9 @@ internal unsafe struct LooseBundle
     public fixed double InertiaB[4];
     public fixed double SpringMass[4];
 
-    /// <summary>See <see cref="JointPass.HoldOf"/>.</summary>
+    /// <summary>See <see cref="JointPass.HoldOf"/> and <see cref="JointPass.EarlyOf"/>.</summary>
     public fixed double Hold[4];
+    public fixed double Early[4];
 
     /// <summary>Of soft points: what one of the two rows answers to the other.</summary>
     public fixed double PointCoupling[4];

@@ -75,8 +75,6 @@ internal sealed unsafe partial class LooseSolver
         bundle->Target[0] = settings.Target;
         bundle->Lower[0] = settings.Lower;
         bundle->Upper[0] = settings.Upper;
-        bundle->Axis[0] = settings.AxisX;
-        bundle->Axis[Y] = settings.AxisY;
         bundle->Ratio[0] = settings.Ratio;
         bundle->GroundA[0] = settings.GroundAX;
         bundle->GroundA[Y] = settings.GroundAY;
@@ -88,6 +86,7 @@ internal sealed unsafe partial class LooseSolver
         bundle->InertiaB[0] = b->InverseInertia;
         bundle->SpringMass[0] = _rows[active].SpringMass;
         bundle->Hold[0] = JointPass.HoldOf(_forest.Trees, _forest.Nodes, _active + active);
+        bundle->Early[0] = JointPass.EarlyOf(_forest.Trees + _forest.Nodes[System.Math.Max(a->Node, b->Node)].Tree);
         bundle->ArmB[0] = _rows[active].ArmX;
         bundle->ArmB[Y] = _rows[active].ArmY;
         bundle->Given[0] = 0;

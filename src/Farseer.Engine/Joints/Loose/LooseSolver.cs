@@ -118,12 +118,12 @@ internal sealed unsafe partial class LooseSolver
     private double StartSpeed(LooseBody* body, double* j) =>
         HeldVelocity.StartSpeed(_step.Bodies, body->Body, body->Node >= 0, body->Velocity, 1, j, Y);
 
-    /// <summary>Bodies that something other than limits holds, or a limit that pushes.</summary>
+    /// <summary>Bodies that have half of their forces before they move, that something other than limits holds, or a limit that pushes.</summary>
     private void MarkExact()
     {
         for (int i = Nobody + 1; i < _bodyCount; i++)
         {
-            _bodies[i].Exact = _bodies[i].Held && _bodies[i].Node >= 0;
+            _bodies[i].Exact = (_bodies[i].Held || _bodies[i].Free) && _bodies[i].Node >= 0;
         }
 
         for (int i = 0; i < _bundleCount; i++)
@@ -262,6 +262,14 @@ internal sealed unsafe partial class LooseSolver
             LooseBody* body = _bodies.Pointer + i;
             Kick(body, _step.Bodies.State.Pointer + body->Body, 0.5f);
         }
+
+        for (int i = 0; i < _bundleCount; i++)
+        {
+            LoosePlace* place = _places.Pointer + i;
+            LooseKernel.Resume(_bundles.Pointer + i, _looseRows.Pointer + place->FirstRow, place, _bodies.Pointer);
+        }
+
+        StoreVelocities(freeOnly: true);
     }
 
     private void Prepare(int bundle)
@@ -290,18 +298,14 @@ internal sealed unsafe partial class LooseSolver
         }
     }
 
-    private void StoreVelocities()
+    private void StoreVelocities(bool freeOnly = false)
     {
-        BodyState* states = _step.Bodies.State.Pointer;
         for (int i = Nobody + 1; i < _bodyCount; i++)
         {
             LooseBody* body = _bodies.Pointer + i;
-            if (body->Node >= 0)
+            if (body->Node >= 0 && (body->Free || !freeOnly))
             {
-                BodyState* state = states + body->Body;
-                state->LinearVelocity.X = (float)body->Velocity[0];
-                state->LinearVelocity.Y = (float)body->Velocity[1];
-                state->AngularVelocity = (float)body->Velocity[2];
+                JointSolver.StoreVelocity(body->Velocity, _step.Bodies.State.Pointer + body->Body);
             }
         }
     }

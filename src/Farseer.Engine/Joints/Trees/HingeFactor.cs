@@ -51,18 +51,13 @@ internal static unsafe class HingeFactor
             k11 += TreeFactor.Regular * own1;
         }
 
-        double determinant = (k00 * k11) - (k01 * k10);
-        double f = determinant > 0 ? 1 / determinant : 0;
         double* e = node->E;
-        e[0] = f * k11;
-        e[1] = -f * k01;
-        e[2] = e[1];
-        e[3] = f * k00;
-        determinant = (h00 * h11) - (h01 * h10);
-        f = determinant > 0 ? 1 / determinant : 0;
-        double i00 = f * h11;
-        double i01 = -f * h01;
-        double i11 = f * h00;
+        SmallMatrix.InvertTwo(k00, k01, k10, k11, e);
+        double* inverse = stackalloc double[4];
+        SmallMatrix.InvertTwo(h00, h01, h10, h11, inverse);
+        double i00 = inverse[0];
+        double i01 = inverse[1];
+        double i11 = inverse[3];
         double* g = node->G;
         double* w = node->W;
         g[0] = 0d + (e[0] * a00) + (e[1] * a10);

@@ -57,7 +57,10 @@ internal struct JointTree
     /// <summary>Contacts are solved against it.</summary>
     public bool Pressed;
 
-    /// <summary>Nothing touches it and no row pushes at it.</summary>
+    /// <summary>
+    /// Nothing touches it and nothing springy pulls at it, nor at any tree that rows tie to it: it takes half of all forces before it moves and
+    /// half after.
+    /// </summary>
     public bool Free;
 
     /// <summary>A single body, in a group of such, that nothing but joints without hard rows has rows at.</summary>

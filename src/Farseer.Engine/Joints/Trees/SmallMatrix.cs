@@ -115,12 +115,7 @@ internal static unsafe class SmallMatrix
         }
         else if (n == 2)
         {
-            double det = (m[0] * m[3]) - (m[1] * m[2]);
-            double f = det > 0 ? 1 / det : 0;
-            r[0] = f * m[3];
-            r[1] = -f * m[1];
-            r[2] = r[1];
-            r[3] = f * m[0];
+            InvertTwo(m[0], m[1], m[2], m[3], r);
         }
         else
         {
@@ -145,6 +140,35 @@ internal static unsafe class SmallMatrix
             r[7] = r[5];
             r[8] = f * ((m[0] * m[4]) - (m[1] * m[3]));
         }
+    }
+
+    /// <summary>
+    /// The inverse of a symmetric positive matrix of 2×2. Where a row has no response at all, as of an angle between two bodies that cannot turn, it gets
+    /// no impulse, and the other row keeps what it answers alone.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void InvertTwo(double m00, double m01, double m10, double m11, double* r)
+    {
+        double det = (m00 * m11) - (m01 * m10);
+        if (det > 0)
+        {
+            double f = 1 / det;
+            r[0] = f * m11;
+            r[1] = -f * m01;
+            r[3] = f * m00;
+        }
+        else
+        {
+            double i0 = m00 > 0 ? 1 / m00 : 0;
+            double l = m01 * i0;
+            double d1 = m11 - (l * m01);
+            double i1 = d1 > 0 ? 1 / d1 : 0;
+            r[0] = i0 + (l * l * i1);
+            r[1] = -(l * i1);
+            r[3] = i1;
+        }
+
+        r[2] = r[1];
     }
 
     /// <summary>

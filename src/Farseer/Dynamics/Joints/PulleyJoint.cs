@@ -81,5 +81,10 @@ public class PulleyJoint : AnchoredJoint
         settings.GroundBY = _ground2.Y;
         settings.Ratio = _ratio;
         settings.Target = _length;
+
+        // While one side is drawn up to its point its direction says nothing. The other side alone is no longer than the rope, and has one.
+        settings.Upper = _length;
+        settings.Lower = _length / (double)_ratio;
+        flags |= JointFlags.Limit;
     }
 }
