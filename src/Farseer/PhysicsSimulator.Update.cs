@@ -84,6 +84,11 @@ public partial class PhysicsSimulator
                     _arbiters.IsStale = true;
                 }
 
+                if (InactivityController.Enabled && !InactivityController.IsDisposed)
+                {
+                    InactivityController.WakeAhead(step);
+                }
+
                 StepCount++;
                 StepWorld(step);
                 if (World.QuarantinedCount > 0)

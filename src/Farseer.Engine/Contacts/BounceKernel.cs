@@ -191,8 +191,9 @@ internal static unsafe class BounceKernel
             met1 = met1 & ((time1 >= (time - same)) | (((time1 - time) * w1) <= level));
             WideLanes.Replace(met, time, bounce->Time + lane);
             Wide restitution = Wide.Load(row->Restitution + lane);
-            Begin(&bounce->Point0, lane, met, met0, restitution, w0, v0, slow, c);
-            Begin(&bounce->Point1, lane, met, met1, restitution, w1, v1, slow, c);
+            Wide most = Wide.Load(bounce->Most + lane);
+            Begin(&bounce->Point0, lane, met, met0, restitution, w0, v0, slow, most);
+            Begin(&bounce->Point1, lane, met, met1, restitution, w1, v1, slow, most);
             hits |= WideLanes.Bits(met) << lane;
         }
 
@@ -407,10 +408,10 @@ internal static unsafe class BounceKernel
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Begin(
-        BouncePointLanes* point, int lane, WideMask met, WideMask struck, Wide restitution, Wide velocity, Wide end, Wide slow, in ContactCoefficients c)
+        BouncePointLanes* point, int lane, WideMask met, WideMask struck, Wide restitution, Wide velocity, Wide end, Wide slow, Wide most)
     {
         Wide speed = Wide.Max(Wide.Zero - velocity, Wide.Zero);
-        Wide back = Wide.Min(restitution * speed, Wide.Max(speed, Wide.Splat(c.MostDriven)));
+        Wide back = Wide.Min(restitution * speed, Wide.Max(speed, most));
         Wide target = Wide.Max(Wide.Keep(speed > slow, back), velocity - end);
         WideLanes.Replace(met, Wide.Select(struck, target, Wide.Splat(-1f)), point->Target + lane);
         WideLanes.Replace(met, Wide.Zero, point->Push + lane);

@@ -32,6 +32,9 @@ internal unsafe struct BounceLanes
 
     public fixed float Slow[Lanes];
 
+    /// <summary>Speed up to which a restitution above 1 makes a rebound faster than its approach.</summary>
+    public fixed float Most[Lanes];
+
     /// <summary>How long ago the surfaces met, seconds before the end of the substep.</summary>
     public fixed float Time[Lanes];
 

@@ -71,7 +71,7 @@ internal readonly struct ContactCoefficients
     /// the rest is less, so that the sag only grows with their length.
     /// </param>
     /// <param name="recovery">The substep at whose rate depths go, if it is longer than h.</param>
-    /// <param name="mostDriven">See <see cref="MostDriven"/>.</param>
+    /// <param name="driven">How far restitutions above 1 drive.</param>
     public ContactCoefficients(
         float substep,
         float gravity,
@@ -79,9 +79,9 @@ internal readonly struct ContactCoefficients
         float bounceThreshold,
         float coarseness = 1f,
         float recovery = 0f,
-        float mostDriven = float.PositiveInfinity)
+        DrivenBound driven = default)
     {
-        MostDriven = mostDriven;
+        Driven = driven;
         // Without gravity nothing sinks; a finite number keeps lanes without a piece, of size 0, at 0.
         SettleShare = System.Math.Min(UsualSettleShare / coarseness, MostSettleShare);
         float usual = substep / coarseness;
@@ -123,8 +123,8 @@ internal readonly struct ContactCoefficients
     /// <summary>Approach slower than this does not bounce.</summary>
     public float BounceThreshold { get; }
 
-    /// <summary>Speed up to which a restitution above 1 makes a rebound faster than its approach.</summary>
-    public float MostDriven { get; }
+    /// <summary>Up to which speed a restitution above 1 makes a rebound faster than its approach.</summary>
+    public DrivenBound Driven { get; }
 
     /// <summary>Share of a rise of its impulse that a contact starts a substep with.</summary>
     public float RiseTaken { get; }

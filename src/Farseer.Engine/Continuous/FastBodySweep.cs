@@ -137,7 +137,7 @@ internal sealed partial class FastBodySweep
         obstacle.VelocityY = state.LinearVelocity.Y;
         obstacle.Spin = state.AngularVelocity;
         obstacle.Restitution = ContactUpdate.MixRestitution(input.Shapes, input.Settings.RestitutionMix, record);
-        obstacle.MostDriven = input.Settings.MostDrivenSpeed;
+        obstacle.MostDriven = input.Driven.SpeedOf(input.Bodies, record.BodyA, record.BodyB);
         obstacle.Friction = input.Settings.FreezePairFriction
             ? input.Contacts.FirstFriction[contact]
             : ContactUpdate.MixFriction(input.Shapes, input.Settings.FrictionMix, record);

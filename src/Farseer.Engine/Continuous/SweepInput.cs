@@ -35,6 +35,7 @@ internal ref struct SweepInput
     public JointStore Joints;
     public WorldSettings Settings;
     public IImpactListener Listener;
+    public DrivenBound Driven;
     public float Dt;
     public float Substep;
 }

@@ -102,7 +102,13 @@ internal sealed unsafe partial class TreeContactPass
 
         double speed = Math.Sqrt(Math.Max(0, (v * v) - (2 * contact->Acceleration * beyond)));
         double time = Math.Min(-2 * beyond / (speed - v), 1 / _c.InverseSubstep);
-        p->Bounce = Math.Max(0, (speed > contact->Slow ? contact->Restitution * speed : 0) + (contact->Acceleration * time));
+        double back = speed > contact->Slow ? contact->Restitution * speed : 0;
+        if (contact->Restitution > 1)
+        {
+            back = Math.Min(back, Math.Max(speed, _c.Driven.SpeedOf(_bodies, contact->Ends.BodyA, contact->Ends.BodyB)));
+        }
+
+        p->Bounce = Math.Max(0, back + (contact->Acceleration * time));
         contact->Since = Math.Max(contact->Since, time);
     }
 

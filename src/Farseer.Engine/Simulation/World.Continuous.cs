@@ -188,6 +188,7 @@ internal sealed partial class World : IImpactListener
     private SweepInput SweepOf(float dt, float substep)
     {
         SweepInput input;
+        input.Driven = DrivenBoundOf(dt);
         input.Bodies = Bodies;
         input.Shapes = Shapes;
         input.Contacts = _contacts;

@@ -97,7 +97,7 @@ internal sealed partial class World
 
         if (_makesEnergy)
         {
-            _bounceBound.End(Bodies, _lists.Moves, Settings, dt);
+            _bounceBound.End(Bodies, _lists.Moves, Settings.Gravity, dt, DrivenBoundOf(dt));
         }
 
         Profile.End(StepStage.Continuous);
@@ -151,9 +151,11 @@ internal sealed partial class World
         float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
         float coarseness = WorldSettings.DefaultSubsteps / (float)_substeps;
         input.Coefficients = new ContactCoefficients(
-            substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold, coarseness, _recovery, Settings.MostDrivenSpeed);
+            substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold, coarseness, _recovery, DrivenBoundOf(dt));
         return input;
     }
+
+    private DrivenBound DrivenBoundOf(float dt) => new DrivenBound(dt, _substeps, Settings.MostDrivenSpeed, Settings.MostDrivenSpin);
 
     /// <summary>
     /// The longest substep of late, at whose rate depths go: held for as long as the sag that came of it takes to go, then down at its pace.
@@ -333,7 +335,7 @@ internal sealed partial class World
             input.Substep = substep;
             ref readonly ContactCoefficients c = ref input.Coefficients;
             input.Coefficients = new ContactCoefficients(
-                substep, c.Gravity, c.Rest, c.BounceThreshold, 1f, _recovery / fineness, c.MostDriven);
+                substep, c.Gravity, c.Rest, c.BounceThreshold, 1f, _recovery / fineness, c.Driven);
             input.Springs = null;
             _classes.Ease(index, _sagForecast, _islands, input.Coefficients);
             joints?.Select(index, substep, fineness);

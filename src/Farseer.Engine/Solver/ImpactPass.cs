@@ -129,8 +129,9 @@ internal sealed unsafe partial class ImpactPass
     /// <param name="bodies">The store.</param>
     /// <param name="bounce">Some of them bounce.</param>
     /// <param name="free">Contacts that nothing presses yet; null: there are none.</param>
+    /// <param name="driven">How far restitutions above 1 drive.</param>
     /// <returns>True if there are some.</returns>
-    public bool Begin(ReadOnlySpan<GraphColor> colors, BodyStore bodies, bool bounce, FreeImpacts? free)
+    public bool Begin(ReadOnlySpan<GraphColor> colors, BodyStore bodies, bool bounce, FreeImpacts? free, in DrivenBound driven)
     {
         _count = 0;
         _rows = 0;
@@ -154,6 +155,11 @@ internal sealed unsafe partial class ImpactPass
                 ContactBundle* row = free.BundleAt(i, out int place);
                 List(row, place, 0, free);
             }
+        }
+
+        for (int i = 0; bounce && i < _count; i++)
+        {
+            NoteMost(_bounces.Pointer + i, bodies, driven);
         }
 
         if (_count > 0)
@@ -183,6 +189,22 @@ internal sealed unsafe partial class ImpactPass
         bounce->Can = can;
         bounce->Free = alone;
         bounce->Direct = _small != null ? DirectLanes(row, can) : 0;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            bounce->Most[lane] = float.PositiveInfinity;
+        }
+    }
+
+    private static void NoteMost(BounceLanes* bounce, BodyStore bodies, in DrivenBound driven)
+    {
+        ContactBundle* row = bounce->Row;
+        for (int lane = 0; bounce->Can >> lane != 0; lane++)
+        {
+            if (((bounce->Can >> lane) & 1) != 0 && row->Restitution[lane] > 1)
+            {
+                bounce->Most[lane] = (float)driven.SpeedOf(bodies, row->BodyA[lane], row->BodyB[lane]);
+            }
+        }
     }
 
     /// <summary>Before the velocities of a substep are integrated.</summary>

@@ -271,7 +271,7 @@ internal sealed unsafe class SubstepSolver
             _free.Find(input.Colors, input.Degrees, input.Joints, input.Springs, input.Islands);
         }
 
-        bool any = _impacts.Begin(input.Colors, input.Bodies, input.AnyBounce, free ? _free : null);
+        bool any = _impacts.Begin(input.Colors, input.Bodies, input.AnyBounce, free ? _free : null, input.Coefficients.Driven);
         if (any)
         {
             _passes.ReserveChosen(input.Bodies.Ids.End);

@@ -6,9 +6,10 @@ using FarseerGames.FarseerPhysics.Dynamics;
 namespace FarseerGames.FarseerPhysics.Controllers;
 
 /// <summary>
-/// Disables bodies that have been slow for a while, and enables them again when one comes near that is fast or that it may not disable. It
-/// disables only bodies whose <see cref="Body.IsAutoIdle"/> is true, and none that is static, and leaves those alone that something near would
-/// wake. Each simulator has one, <see cref="PhysicsSimulator.InactivityController"/>.
+/// Disables bodies that have been slow for a while, and enables them again when one comes near that is fast or that it may not disable, or when
+/// anything is about to meet them. It disables only bodies whose <see cref="Body.IsAutoIdle"/> is true, and none that is static, and leaves those alone that
+/// something near would wake, or that touch, or hang by a joint or spring at, one that stays enabled. Each simulator has one,
+/// <see cref="PhysicsSimulator.InactivityController"/>.
 /// </summary>
 public class InactivityController : Controller
 {
@@ -17,6 +18,8 @@ public class InactivityController : Controller
     // Those that wake others, and those whose time is over, of one update.
     private readonly List<Body> _wakers = new List<Body>();
     private readonly List<Body> _idle = new List<Body>();
+    private readonly IdleNeighbors _neighbors = new IdleNeighbors();
+    private bool _anyDisabled;
     private float _activationDistance = 100;
     private float _maxIdleTime = 1000;
 
@@ -73,7 +76,7 @@ public class InactivityController : Controller
     {
         Require.NotNegative(dt, nameof(dt));
         float milliseconds = dt * 1000;
-        bool anyDisabled = false;
+        bool mayWake = false;
         BodiesEnabled = 0;
         BodyList bodies = _simulator.BodyList;
         for (int i = 0; i < bodies.Count; i++)
@@ -86,7 +89,7 @@ public class InactivityController : Controller
 
             if (!body.Enabled)
             {
-                anyDisabled |= body.IsAutoIdle;
+                mayWake |= body.IsAutoIdle;
                 continue;
             }
 
@@ -105,12 +108,70 @@ public class InactivityController : Controller
             }
         }
 
-        if (anyDisabled && _wakers.Count > 0)
+        if (mayWake && _wakers.Count > 0)
         {
             Wake(bodies);
         }
 
-        // One that would be woken at once is not disabled first: contacts would be lost.
+        if (_idle.Count > 0)
+        {
+            DisableIdle(bodies, dt);
+        }
+
+        _wakers.Clear();
+        _idle.Clear();
+    }
+
+    /// <summary>Before a step looks for contacts: enables what anything enabled is about to meet, touches or holds.</summary>
+    internal void WakeAhead(float dt)
+    {
+        if (!_anyDisabled)
+        {
+            return;
+        }
+
+        _anyDisabled = false;
+        BodyList bodies = _simulator.BodyList;
+        for (int i = 0; i < bodies.Count; i++)
+        {
+            Body body = bodies[i];
+            if (body.IsStatic || body.IsDisposed)
+            {
+                continue;
+            }
+
+            if (body.Enabled)
+            {
+                _neighbors.AddAwake(body, _simulator.Gravity, dt);
+            }
+            else if ((body.Idle & IdleState.Disabled) != 0)
+            {
+                _anyDisabled = true;
+                _neighbors.AddResting(body);
+            }
+        }
+
+        if (_anyDisabled)
+        {
+            _neighbors.Spread(_simulator.JointList, _simulator.SpringList);
+            foreach (Body body in _neighbors.Reached)
+            {
+                Enable(body);
+            }
+        }
+
+        _neighbors.Clear();
+    }
+
+    private static void Enable(Body body)
+    {
+        body.Enabled = true;
+        body.IdleTime = 0;
+    }
+
+    /// <summary>Disables those whose time is over, but not what would be woken at once: contacts and joints would be lost.</summary>
+    private void DisableIdle(BodyList bodies, float dt)
+    {
         foreach (Body body in _idle)
         {
             if (IsNearAWaker(body))
@@ -119,12 +180,31 @@ public class InactivityController : Controller
             }
             else
             {
-                body.Enabled = false;
+                _neighbors.AddResting(body);
             }
         }
 
-        _wakers.Clear();
-        _idle.Clear();
+        for (int i = 0; i < bodies.Count; i++)
+        {
+            Body body = bodies[i];
+            if (body.Enabled && !body.IsStatic && !body.IsDisposed && (body.Idle & IdleState.Resting) == 0)
+            {
+                _neighbors.AddAwake(body, _simulator.Gravity, dt);
+            }
+        }
+
+        _neighbors.Spread(_simulator.JointList, _simulator.SpringList);
+        foreach (Body body in _idle)
+        {
+            if ((body.Idle & IdleState.Resting) != 0)
+            {
+                body.Enabled = false;
+                body.Idle |= IdleState.Disabled;
+                _anyDisabled = true;
+            }
+        }
+
+        _neighbors.Clear();
     }
 
     private void Wake(BodyList bodies)
@@ -134,8 +214,7 @@ public class InactivityController : Controller
             Body body = bodies[i];
             if (!body.Enabled && body.IsAutoIdle && !body.IsDisposed && IsNearAWaker(body))
             {
-                body.Enabled = true;
-                body.IdleTime = 0;
+                Enable(body);
             }
         }
     }

@@ -123,6 +123,7 @@ public partial class Body : IDisposable
         {
             SetFlag(BodyFlags.Enabled, value);
             IsQuarantined = false;
+            Idle &= ~IdleState.Disabled;
         }
     }
 
@@ -306,6 +307,9 @@ public partial class Body : IDisposable
 
     /// <summary>True if the speed of the body is at least <see cref="MinimumVelocity"/>.</summary>
     public bool Moves => LinearVelocity.LengthSquared() >= MinimumVelocity * MinimumVelocity;
+
+    /// <summary>What an inactivity controller knows of the body.</summary>
+    internal IdleState Idle { get; set; }
 
     /// <summary>Made static by a sensor quirk, which in the original left the inverse mass as it was.</summary>
     internal bool IsStaticBySensor { get; set; }

@@ -110,6 +110,10 @@ public class AngleSpring : Spring
         set => _torqueMultiplier = Require.NotNegative(value, nameof(TorqueMultiplier));
     }
 
+    internal override Body? FirstBody => _body1;
+
+    internal override Body? SecondBody => _body2;
+
     /// <inheritdoc />
     public override void Validate()
     {

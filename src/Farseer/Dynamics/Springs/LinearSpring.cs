@@ -113,6 +113,10 @@ public class LinearSpring : Spring
         set => _restLength = Require.NotNegative(value, nameof(RestLength));
     }
 
+    internal override Body? FirstBody => _body1;
+
+    internal override Body? SecondBody => _body2;
+
     /// <inheritdoc />
     public override void Validate()
     {

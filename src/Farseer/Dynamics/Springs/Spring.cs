@@ -95,6 +95,11 @@ public abstract class Spring : IDisposable, IItem
 
     internal PhysicsSimulator? Simulator { get; private set; }
 
+    /// <summary>The bodies that the spring holds together; null: none.</summary>
+    internal virtual Body? FirstBody => null;
+
+    internal virtual Body? SecondBody => null;
+
     internal SpringMemory Memory { get; } = new SpringMemory();
 
     /// <summary>
