@@ -17,18 +17,22 @@ internal sealed class Bench : IDisposable
     /// <summary>What they end with when they do not know a command.</summary>
     private const int Misused = 2;
 
+    private const int MostRounds = 3;
+
     private readonly Build _before;
     private readonly Build _after;
     private readonly int _turns;
+    private readonly double _limit;
     private readonly TextWriter _progress;
     private readonly string _folder = Directory.CreateTempSubdirectory("farseer-beside").FullName;
     private int _files;
 
-    public Bench(Build before, Build after, int turns, TextWriter progress)
+    public Bench(Build before, Build after, Options options, TextWriter progress)
     {
         _before = before;
         _after = after;
-        _turns = turns;
+        _turns = options.Turns;
+        _limit = options.Limit;
         _progress = TextWriter.Synchronized(progress);
     }
 
@@ -44,24 +48,44 @@ internal sealed class Bench : IDisposable
         return Result.Of(part, before.GetAwaiter().GetResult(), after.GetAwaiter().GetResult());
     }
 
-    /// <summary>One process at a time: before, after, after, before, and so on.</summary>
+    /// <summary>
+    /// Where the mean exceeds the limit all turns are taken again, for other work on the machine makes times longer and never shorter:
+    /// the least of more turns is nearer to the truth, and a build that is slower stays so.
+    /// </summary>
     private Result Time(Part part)
     {
         var before = new Reading<Timing>([], string.Empty);
         Reading<Timing> after = before;
-        foreach (IReadOnlyList<string> batch in part.Batches)
+        Result result;
+        int round = 0;
+        do
         {
-            for (int turn = 0; turn < 2 * _turns && before.Fault.Length + after.Fault.Length == 0; turn++)
+            foreach (IReadOnlyList<string> batch in part.Batches)
             {
-                // 0 and 3 of each four.
-                bool isBefore = ((turn + 1) & 2) == 0;
-                Reading<Timing> told = AskAsync(isBefore ? _before : _after, part, batch, Timing.Read).GetAwaiter().GetResult();
-                before = isBefore ? new([.. before.Items, .. told.Items], told.Fault) : before;
-                after = isBefore ? after : new([.. after.Items, .. told.Items], told.Fault);
+                (before, after) = TakeTurns(part, batch, before, after);
             }
+
+            result = Result.Of(part, before, after);
+            round++;
+        }
+        while (round < MostRounds && result.Times?.GeometricMean > _limit);
+        return result;
+    }
+
+    /// <summary>One process at a time: before, after, after, before, and so on.</summary>
+    private (Reading<Timing> Before, Reading<Timing> After) TakeTurns(
+        Part part, IReadOnlyList<string> batch, Reading<Timing> before, Reading<Timing> after)
+    {
+        for (int turn = 0; turn < 2 * _turns && before.Fault.Length + after.Fault.Length == 0; turn++)
+        {
+            // 0 and 3 of each four.
+            bool isBefore = ((turn + 1) & 2) == 0;
+            Reading<Timing> told = AskAsync(isBefore ? _before : _after, part, batch, Timing.Read).GetAwaiter().GetResult();
+            before = isBefore ? new([.. before.Items, .. told.Items], told.Fault) : before;
+            after = isBefore ? after : new([.. after.Items, .. told.Items], told.Fault);
         }
 
-        return Result.Of(part, before, after);
+        return (before, after);
     }
 
     private async Task<Reading<T>> AskAsync<T>(Build build, Part part, IReadOnlyList<string> batch, Func<string, List<T>> read)

@@ -19,7 +19,8 @@ internal static class Cli
           BEFORE, AFTER         a checkout, whose programs are built first, or a folder with built programs
           --only PART[,PART..]  {Parts.AccuracyGroup} ({string.Join(' ', Parts.Names(_parts, areTimed: false))}),
                                 {Parts.SpeedGroup} ({string.Join(' ', Parts.Names(_parts, areTimed: true))}), or some of these; default: all
-          --turns N             how often each build is timed, by turns; the least time counts (default {Options.DefaultTurns})
+          --turns N             how often each build is timed, by turns; the least time counts (default {Options.DefaultTurns});
+                                where a mean exceeds the limit, up to three times as often
           --runs N              timed runs of a scene in a turn, after one that warms up (default {Options.DefaultRuns})
           --scene NAME[=SIZE]   a timing scene in place of all ten; may be repeated
           --limit X             largest geometric mean of the times after / before, of each part (default {Options.DefaultLimit})
@@ -43,7 +44,7 @@ internal static class Cli
             using StreamWriter? file = Open(options.OutPath);
             Build before = Build.Open(options.Before, options.Chosen, errors);
             Build after = Build.Open(options.After, options.Chosen, errors);
-            using var bench = new Bench(before, after, options.Turns, errors);
+            using var bench = new Bench(before, after, options, errors);
             var results = new List<Result>();
             foreach (Part part in options.Chosen)
             {

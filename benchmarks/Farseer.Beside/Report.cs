@@ -177,13 +177,14 @@ internal sealed class Report
             }
 
             output.WriteLine();
-            output.WriteLine($"| {result.Name}, ms a step | before | after | after / before | spread of turns | bits |");
+            output.WriteLine($"| {result.Name}, ms a step | before | after | after / before | again | bits |");
             output.WriteLine("|---|---|---|---|---|---|");
             foreach (TimePair pair in times.Pairs)
             {
                 string bits = pair.IsSame ? "same" : "other";
+                string again = double.IsFinite(pair.Again) ? Text($"{pair.Again:F3}") : "–";
                 output.Write(Text($"| {pair.Scene} | {pair.Before:G4} | {pair.After:G4} | "));
-                output.WriteLine(Text($"{pair.Ratio:F3} | {pair.Spread:F3} | {bits} |"));
+                output.WriteLine(Text($"{pair.Ratio:F3} | {again} | {bits} |"));
             }
 
             output.WriteLine(Text($"| **geometric mean** | | | **{times.GeometricMean:F3}** | | |"));

@@ -39,9 +39,12 @@ internal sealed record Timing(string Scene, double Least, double? Quiet, string 
 /// <param name="Scene">Its name and size.</param>
 /// <param name="Before">The least of all turns, ms a step.</param>
 /// <param name="After">The same of the later build.</param>
-/// <param name="Spread">The slowest turn of a build, of its fastest: what the measurement is worth; the larger of the two builds.</param>
+/// <param name="Again">
+/// The second fastest turn of a build, of its fastest: how well the least came again, the worse of the two builds; infinite after one
+/// turn.
+/// </param>
 /// <param name="IsSame">Both end in the same state, to the last bit.</param>
-internal sealed record TimePair(string Scene, double Before, double After, double Spread, bool IsSame)
+internal sealed record TimePair(string Scene, double Before, double After, double Again, bool IsSame)
 {
     public double Ratio => After / Before;
 }
@@ -57,10 +60,10 @@ internal sealed class TimeComparison
             if (others.TryGetValue(scene, out List<Timing>? later))
             {
                 bool areQuiet = earlier.TrueForAll(turn => turn.Quiet is not null) && later.TrueForAll(turn => turn.Quiet is not null);
-                (double leastBefore, double mostBefore) = Range(earlier, areQuiet);
-                (double leastAfter, double mostAfter) = Range(later, areQuiet);
-                double spread = Math.Max(mostBefore / leastBefore, mostAfter / leastAfter);
-                Pairs.Add(new TimePair(scene, leastBefore, leastAfter, spread, earlier[0].Hash == later[0].Hash));
+                (double leastBefore, double nextBefore) = Fastest(earlier, areQuiet);
+                (double leastAfter, double nextAfter) = Fastest(later, areQuiet);
+                double again = Math.Max(nextBefore / leastBefore, nextAfter / leastAfter);
+                Pairs.Add(new TimePair(scene, leastBefore, leastAfter, again, earlier[0].Hash == later[0].Hash));
             }
         }
     }
@@ -98,17 +101,10 @@ internal sealed class TimeComparison
         return scenes;
     }
 
-    private static (double Least, double Most) Range(List<Timing> turns, bool areQuiet)
+    private static (double Least, double Next) Fastest(List<Timing> turns, bool areQuiet)
     {
-        double least = double.PositiveInfinity;
-        double most = 0;
-        foreach (Timing turn in turns)
-        {
-            double time = areQuiet ? turn.Quiet!.Value : turn.Least;
-            least = Math.Min(least, time);
-            most = Math.Max(most, time);
-        }
-
-        return (least, most);
+        List<double> times = turns.ConvertAll(turn => areQuiet ? turn.Quiet!.Value : turn.Least);
+        times.Sort();
+        return (times[0], times.Count > 1 ? times[1] : double.PositiveInfinity);
     }
 }
