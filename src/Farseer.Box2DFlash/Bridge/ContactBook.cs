@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Box2D.Collision.Shapes;
 using Box2D.Dynamics.Contacts;
@@ -7,6 +8,9 @@ namespace Box2D.Bridge;
 /// <summary>All contacts, newest first, and where to find that of two colliders.</summary>
 internal sealed class ContactBook
 {
+    /// <summary>Contacts to begin with.</summary>
+    private const int LeastSpares = 16;
+
     private readonly Dictionary<ulong, b2Contact> _byPair = new Dictionary<ulong, b2Contact>();
 
     /// <summary>Ended contacts, accepted and refused ones, for those to come: steps are not to allocate.</summary>
@@ -28,17 +32,17 @@ internal sealed class ContactBook
     {
         (b2Shape first, b2Shape second) = IsSwapped(shapeA, shapeB) ? (shapeB, shapeA) : (shapeA, shapeB);
         Stack<b2Contact> spare = accepted ? _spare : _spareRefused;
-        b2Contact contact;
-        if (spare.Count > 0)
+        if (spare.Count == 0)
         {
-            contact = spare.Pop();
-            contact.Begin(first, second);
-        }
-        else
-        {
-            contact = accepted ? new b2Contact(first, second) : new b2NullContact(first, second);
+            // As many again as there are: one by one, bodies that bounce about would allocate whenever more of them are near each other than ever before.
+            for (int more = Math.Max(LeastSpares, Count); more > 0; more--)
+            {
+                spare.Push(accepted ? new b2Contact(first, second) : new b2NullContact(first, second));
+            }
         }
 
+        b2Contact contact = spare.Pop();
+        contact.Begin(first, second);
         contact.Key = Key(shapeA.Link.Collider.Index, shapeB.Link.Collider.Index);
         contact.Next = First;
         if (First is not null)
