@@ -36,6 +36,27 @@ internal sealed class BodyLink
 
     public bool IsAttached { get; private set; }
 
+    /// <summary>Rates by which speed and spin die away, 1/s.</summary>
+    public float LinearDamping
+    {
+        get => _linearDamping;
+        set
+        {
+            _linearDamping = value;
+            PushDamping();
+        }
+    }
+
+    public float AngularDamping
+    {
+        get => _angularDamping;
+        set
+        {
+            _angularDamping = value;
+            PushDamping();
+        }
+    }
+
     /// <summary>Centre of mass in the body.</summary>
     public double CenterX { get; private set; }
 
@@ -194,11 +215,7 @@ internal sealed class BodyLink
         float engineMass = mass > 0 ? mass : float.PositiveInfinity;
         float engineInertia = inertia > 0 ? inertia : float.PositiveInfinity;
         _engine.SetMass(_handle, engineMass, engineInertia);
-        _engine.Bodies.Drag[_handle.Index] = new BodyDrag
-        {
-            Linear = mass > 0 ? _linearDamping * mass : 0,
-            Angular = inertia > 0 ? _angularDamping * inertia : 0,
-        };
+        PushDamping();
         if (wasStatic)
         {
             _engine.SetFlags(_handle, BodyFlags.None, BodyFlags.Static);
@@ -214,6 +231,18 @@ internal sealed class BodyLink
                 _sleepsAtFirst = false;
                 PutToSleep();
             }
+        }
+    }
+
+    private void PushDamping()
+    {
+        if (IsAttached && !IsStatic)
+        {
+            _engine.Bodies.Drag[_handle.Index] = new BodyDrag
+            {
+                Linear = Mass > 0 ? _linearDamping * Mass : 0,
+                Angular = Inertia > 0 ? _angularDamping * Inertia : 0,
+            };
         }
     }
 
@@ -245,6 +274,8 @@ internal sealed class BodyLink
 
     public void AllowSleep(bool allow) =>
         _engine.SetFlags(Handle, allow ? BodyFlags.None : BodyFlags.NeverSleeps, allow ? BodyFlags.NeverSleeps : BodyFlags.None);
+
+    public bool MaySleep => !IsAttached || (_engine.Bodies.Flags[_handle.Index] & BodyFlags.NeverSleeps) == 0;
 
     /// <summary>Whether the body is kept from passing through moving bodies too.</summary>
     public bool IsBullet

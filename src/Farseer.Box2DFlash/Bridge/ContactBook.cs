@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Box2D.Collision.Shapes;
 using Box2D.Dynamics.Contacts;
@@ -7,8 +8,8 @@ namespace Box2D.Bridge;
 /// <summary>All contacts, newest first, and where to find that of two colliders.</summary>
 internal sealed class ContactBook
 {
-    /// <summary>There are so many contacts for each that is made for later, when one is missing.</summary>
-    private const int GrowthShare = 4;
+    /// <summary>Contacts to begin with.</summary>
+    private const int LeastSpares = 16;
 
     private readonly Dictionary<ulong, b2Contact> _byPair = new Dictionary<ulong, b2Contact>();
 
@@ -31,12 +32,13 @@ internal sealed class ContactBook
     {
         (b2Shape first, b2Shape second) = IsSwapped(shapeA, shapeB) ? (shapeB, shapeA) : (shapeA, shapeB);
         Stack<b2Contact> spare = accepted ? _spare : _spareRefused;
-        int missing = spare.Count == 0 ? 1 + (Count / GrowthShare) : 0;
-
-        // By a share of what there is: few steps allocate until there are as many as ever are wanted at once.
-        for (int i = 0; i < missing; i++)
+        if (spare.Count == 0)
         {
-            spare.Push(accepted ? new b2Contact(first, second) : new b2NullContact(first, second));
+            // As many again as there are: one by one, bodies that bounce about would allocate whenever more of them are near each other than ever before.
+            for (int more = Math.Max(LeastSpares, Count); more > 0; more--)
+            {
+                spare.Push(accepted ? new b2Contact(first, second) : new b2NullContact(first, second));
+            }
         }
 
         b2Contact contact = spare.Pop();

@@ -13,6 +13,9 @@ internal sealed class ContactPoints
 
     public int BeforeCount { get; private set; }
 
+    /// <summary>There are points, of this step or of the last one.</summary>
+    public bool Any => Count > 0 || BeforeCount > 0;
+
     /// <summary>The step in which points last came.</summary>
     public long Step { get; private set; } = -1;
 

@@ -192,17 +192,29 @@ internal sealed class EngineWorld : IStepHooks
         }
     }
 
-    /// <summary>After a teleport: contacts whose shapes are no longer near end at once, as in the original.</summary>
+    /// <summary>Before a teleport: notes which contacts of the body are there in the sense of the original, whose boxes overlap.</summary>
+    public void Moving(b2Body body)
+    {
+        for (b2Contact? contact = Contacts.First; contact is not null; contact = contact.Next)
+        {
+            contact.WasNear = contact.Concerns(body) && BoxesMeet(contact.Shape1, contact.Shape2);
+        }
+    }
+
+    /// <summary>
+    /// After a teleport: contacts whose boxes have parted by it end at once, here and in the engine, and are judged anew where they meet again.
+    /// What the engine only foresees goes on: a pose that is set to what it is ends nothing.
+    /// </summary>
     public void Moved(b2Body body)
     {
         b2Contact? contact = Contacts.First;
         while (contact is not null)
         {
             b2Contact? next = contact.Next;
-            if ((ReferenceEquals(contact.Shape1.Body, body) || ReferenceEquals(contact.Shape2.Body, body))
-                && !BoxesOverlap(contact.Shape1, contact.Shape2))
+            if (contact.WasNear && !BoxesMeet(contact.Shape1, contact.Shape2))
             {
                 End(contact);
+                World.EndPair(contact.Shape1.Link.Collider, contact.Shape2.Link.Collider);
             }
 
             contact = next;
@@ -271,11 +283,26 @@ internal sealed class EngineWorld : IStepHooks
 
     public void BoxOf(b2Shape shape, out Vector2 min, out Vector2 max) => World.GetColliderBox(shape.Link.Collider, out min, out max);
 
-    public bool BoxesOverlap(b2Shape a, b2Shape b)
+    /// <summary>Whether the boxes of two shapes overlap, to within a slop: what a listener has heard touch may be a little apart.</summary>
+    private bool BoxesMeet(b2Shape a, b2Shape b)
     {
+        const float Near = Box2D.Common.b2Settings.b2_linearSlop;
         World.GetColliderBox(a.Link.Collider, out Vector2 minA, out Vector2 maxA);
         World.GetColliderBox(b.Link.Collider, out Vector2 minB, out Vector2 maxB);
-        return minA.X <= maxB.X && minB.X <= maxA.X && minA.Y <= maxB.Y && minB.Y <= maxA.Y;
+        return minA.X - maxB.X <= Near && minB.X - maxA.X <= Near && minA.Y - maxB.Y <= Near && minB.Y - maxA.Y <= Near;
+    }
+
+    /// <summary>Friction, restitution or what it does to others changed.</summary>
+    public void MaterialChanged(b2Shape shape)
+    {
+        if (shape.Link.IsAttached)
+        {
+            ref ColliderInfo info = ref World.Collider(shape.Link.Collider);
+            info.Friction = shape.GetFriction();
+            info.Restitution = shape.GetRestitution();
+            info.Flags = Flags(shape);
+            World.NoteChanged(shape.Link.Collider);
+        }
     }
 
     /// <summary>Tells the engine whether somebody listens: pairs that nobody hears of cost nothing.</summary>

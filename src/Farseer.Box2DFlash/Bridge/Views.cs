@@ -26,6 +26,28 @@ internal sealed class VelocityView : b2Vec2
     public override void Set(float x_ = 0, float y_ = 0) => _body.SetLinearVelocity(new b2Vec2(x_, y_));
 }
 
+/// <summary>The gravity of a world itself: what is written to it is the world's.</summary>
+internal sealed class GravityView : b2Vec2
+{
+    private readonly b2World _world;
+
+    public GravityView(b2World world) => _world = world;
+
+    public override float x
+    {
+        get => _world.Engine.Gravity.X;
+        set => Set(value, y);
+    }
+
+    public override float y
+    {
+        get => _world.Engine.Gravity.Y;
+        set => Set(x, value);
+    }
+
+    public override void Set(float x_ = 0, float y_ = 0) => _world.SetGravity(new b2Vec2(x_, y_));
+}
+
 /// <summary>What a vector shows of a body.</summary>
 internal enum Shown
 {

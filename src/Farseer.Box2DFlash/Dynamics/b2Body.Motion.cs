@@ -36,6 +36,24 @@ public partial class b2Body
     /// <returns>Positive counter-clockwise.</returns>
     public float GetAngularVelocity() => Link.Spin;
 
+    /// <summary>The rate by which the velocity dies away, 1/s. (An addition to the original.)</summary>
+    /// <returns>0 or more.</returns>
+    public float GetLinearDamping() => Link.LinearDamping;
+
+    /// <summary>Sets the rate by which the velocity dies away. (An addition to the original, whose field was written to.)</summary>
+    /// <param name="damping">1/s; finite and 0 or more, usually 0 to 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="damping"/> is negative or not finite.</exception>
+    public void SetLinearDamping(float damping) => Link.LinearDamping = Require.NotNegative(damping, nameof(damping));
+
+    /// <summary>The rate by which the angular velocity dies away, 1/s. (An addition to the original.)</summary>
+    /// <returns>0 or more.</returns>
+    public float GetAngularDamping() => Link.AngularDamping;
+
+    /// <summary>Sets the rate by which the angular velocity dies away. (An addition to the original, whose field was written to.)</summary>
+    /// <param name="damping">1/s; finite and 0 or more.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="damping"/> is negative or not finite.</exception>
+    public void SetAngularDamping(float damping) => Link.AngularDamping = Require.NotNegative(damping, nameof(damping));
+
     /// <summary>Lets a force act in the next step. Off the centre of mass it turns the body too. It wakes the body.</summary>
     /// <param name="force">The force, newtons, in the world.</param>
     /// <param name="point">Where it acts, in the world.</param>

@@ -235,6 +235,7 @@ public partial class b2Body
             return false;
         }
 
+        World.Engine.Moving(this);
         Link.SetTransform(position.x, position.y, angle);
         World.Lock();
         try

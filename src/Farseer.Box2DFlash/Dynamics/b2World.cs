@@ -16,6 +16,7 @@ public partial class b2World
     private readonly Vector2 _lower;
     private readonly Vector2 _upper;
     private readonly b2Body _ground;
+    private readonly GravityView _gravity;
     private b2Body? _bodies;
     private b2Joint? _joints;
     private int _bodyCount;
@@ -48,6 +49,7 @@ public partial class b2World
         DoSleep = doSleep;
         Engine = new EngineWorld(this);
         Engine.SetGravity(gravity.x, gravity.y);
+        _gravity = new GravityView(this);
         _ground = new b2Body(this, new b2BodyDef());
         _bodies = _ground;
         _bodyCount = 1;
@@ -297,6 +299,19 @@ public partial class b2World
             }
         }
     }
+
+    /// <summary>
+    /// Whether a step is under way, or something is being destroyed or moved: nothing may be made or destroyed then. (An addition to the
+    /// original, whose field <c>m_lock</c> was read.)
+    /// </summary>
+    /// <returns>True while listeners are told.</returns>
+    public bool IsLocked() => _locked;
+
+    /// <summary>
+    /// Gravity, m/s²: the vector itself, so that setting a component of it sets that of the world. (An addition to the original.)
+    /// </summary>
+    /// <returns>The vector, which follows the world.</returns>
+    public b2Vec2 GetGravity() => _gravity;
 
     /// <summary>Changes gravity.</summary>
     /// <param name="gravity">m/s², finite; it is copied.</param>

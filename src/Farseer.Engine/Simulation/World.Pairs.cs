@@ -69,6 +69,26 @@ internal sealed partial class World
         Bodies.Flags[body] |= BodyFlags.Moved;
     }
 
+    /// <summary>
+    /// Ends the pair of two colliders of one piece each, as if their boxes had parted: if they still meet in the next step, that is a new pair.
+    /// Not within a step.
+    /// </summary>
+    public void EndPair(Handle colliderA, Handle colliderB)
+    {
+        ulong key = PairBuffer.Pack(Collider(colliderA).FirstPiece, Collider(colliderB).FirstPiece);
+        if (!_contacts.Map.TryGet(key, out int index))
+        {
+            return;
+        }
+
+        if (_contacts.Records[index].IsDormant)
+        {
+            WakeBodiesOf(_contacts.Records[index]);
+        }
+
+        ContactStage.Drop(_contacts, _graph, index);
+    }
+
     private void RemoveProxy(int piece)
     {
         ref ProxyInfo info = ref Proxies.Info[piece];

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Box2D.Collision.Shapes;
 using Box2D.Common.Math;
 using Box2D.Dynamics;
 using Box2D.Dynamics.Joints;
@@ -10,7 +11,38 @@ namespace Farseer.Box2DFlash.Tests.Api;
 public sealed class DrawTests
 {
     [Fact]
-    [ManualRow("B327-B341")]
+    [ManualRow("B337")]
+    public void TurnedBoxes_AreDrawnRoundPolygonsAlone_CornerByCorner()
+    {
+        for (int i = 0; i < 8; i++)
+        {
+            b2World world = Bench.World(0, 100);
+            Bench.Ball(world, 20, 0);
+
+            // A triangle of 4 by 2 whose longest side its smallest turned box lies on, on a body that is turned as well.
+            b2PolygonDef def = new() { density = 1, vertexCount = 3 };
+            def.vertices[0].Set(-2, 0);
+            def.vertices[1].Set(2, 0);
+            def.vertices[2].Set(1, 2);
+            b2Body body = Bench.Body(world, 3, 4, def);
+            body.SetXForm(new b2Vec2(3, 4), 0.7f * i);
+            Graphics graphics = new();
+            b2DebugDraw draw = new() { m_sprite = graphics, m_drawScale = 1, m_drawFlags = b2DebugDraw.e_obbBit };
+            world.SetDebugDraw(draw);
+            world.DrawDebugData();
+
+            Assert.Empty(graphics.Circles);
+            b2Vec2[] corners = [.. new[] { (-2f, 0f), (2, 0), (2, 2), (-2, 2) }.Select(c => body.GetWorldPoint(new b2Vec2(c.Item1, c.Item2)))];
+            Assert.NotEmpty(graphics.Points);
+            Assert.All(corners, corner => Assert.Contains(graphics.Points, p => Near(p, corner)));
+            Assert.All(graphics.Points, p => Assert.Contains(corners, corner => Near(p, corner)));
+        }
+
+        static bool Near((float X, float Y) p, b2Vec2 corner) => System.Math.Abs(p.X - corner.x) + System.Math.Abs(p.Y - corner.y) < 1e-4f;
+    }
+
+    [Fact]
+    [ManualRow("B327-B336", "B338-B341")]
     public void DebugDraw_DrawsWhatTheFlagsSay_AtEachStep()
     {
         b2World world = Bench.World(0, 10);
@@ -30,7 +62,7 @@ public sealed class DrawTests
         })
         {
             draw.m_drawFlags = flag;
-            world.Step(0, 1);
+            world.Step(0f, 1);
             lines[flag] = graphics.Calls.Count;
         }
 
@@ -55,17 +87,33 @@ public sealed class DrawTests
     {
         public List<string> Calls { get; } = [];
 
+        public List<(float X, float Y)> Points { get; } = [];
+
+        public List<(float X, float Y)> Circles { get; } = [];
+
         public void lineStyle(float thickness, uint color, float alpha) => Calls.Add($"lineStyle {color:x6}");
 
-        public void moveTo(float x, float y) => Calls.Add("moveTo");
+        public void moveTo(float x, float y)
+        {
+            Calls.Add("moveTo");
+            Points.Add((x, y));
+        }
 
-        public void lineTo(float x, float y) => Calls.Add("lineTo");
+        public void lineTo(float x, float y)
+        {
+            Calls.Add("lineTo");
+            Points.Add((x, y));
+        }
 
         public void beginFill(uint color, float alpha) => Calls.Add($"beginFill {color:x6} {alpha:0.#}");
 
         public void endFill() => Calls.Add("endFill");
 
-        public void drawCircle(float x, float y, float radius) => Calls.Add($"drawCircle {x:0.##} {y:0.##} {radius:0.##}");
+        public void drawCircle(float x, float y, float radius)
+        {
+            Calls.Add($"drawCircle {x:0.##} {y:0.##} {radius:0.##}");
+            Circles.Add((x, y));
+        }
 
         public void clear() => Calls.Clear();
     }

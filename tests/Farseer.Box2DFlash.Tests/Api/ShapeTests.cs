@@ -48,7 +48,25 @@ public sealed class ShapeTests
     }
 
     [Fact]
-    [ManualRow("B135-B139")]
+    [ManualRow("B135")]
+    public void Restitution_FromNoneToAll_GivesBackThatShare()
+    {
+        for (int i = 0; i <= 20; i++)
+        {
+            float restitution = i / 20f;
+            b2World world = Bench.World(0);
+            Bench.Static(world, 5, 0, 0.5f, 20);
+            b2Body ball = Bench.Ball(world, 0, 0, 0.5f, restitution);
+            ball.SetLinearVelocity(new b2Vec2(8, 3));
+            Bench.Step(world, 60);
+
+            Assert.Equal(restitution, ball.GetShapeList()!.GetRestitution());
+            Assert.Equal(-8 * restitution, ball.GetLinearVelocity().x, 1e-3);
+        }
+    }
+
+    [Fact]
+    [ManualRow("B136-B139")]
     public void Restitution_IsTheGreater_AndSlowImpactsDoNotBounce()
     {
         b2World world = Bench.World(0);

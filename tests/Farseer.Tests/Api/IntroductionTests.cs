@@ -5,6 +5,8 @@ using System.Reflection;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Joints;
+using FarseerGames.FarseerPhysics.Dynamics.Springs;
 using FarseerGames.FarseerPhysics.Factories;
 using Xunit;
 
@@ -30,7 +32,6 @@ public class IntroductionTests
     [Fact]
     [ManualRow("F002")]
     [ManualRow("F007")]
-    [ManualRow("F008")]
     public void MainLoop_ForceAndTorqueEachFrame_DriveAnEntityAlongTheClosedForm()
     {
         var simulator = new PhysicsSimulator();
@@ -53,6 +54,38 @@ public class IntroductionTests
         Assert.Equal(1, entityRotation, 1e-4f);
         Assert.Equal(30, body.LinearVelocity.X, 1e-3f);
         Assert.Equal(2, body.AngularVelocity, 1e-4f);
+    }
+
+    [Fact]
+    [ManualRow("F008")]
+    public void Simulator_IsGivenBodiesGeomsJointsAndSprings_AndUpdatesAllOfThem()
+    {
+        var simulator = new PhysicsSimulator(new Vector2(0, 100));
+        var floor = new Body { IsStatic = true, Position = new Vector2(0, 110) };
+        var faller = new Body { LinearDragCoefficient = 0 };
+        var hung = new Body { Position = new Vector2(200, 0) };
+        var pulled = new Body { Position = new Vector2(400, 0), IgnoreGravity = true, LinearDragCoefficient = 0 };
+        simulator.Add(floor);
+        simulator.Add(faller);
+        simulator.Add(hung);
+        simulator.Add(pulled);
+        simulator.Add(new Geom(floor, Vertices.CreateRectangle(100, 20), 0));
+        simulator.Add(new Geom(faller, Vertices.CreateRectangle(10, 10), 0));
+        simulator.Add(new FixedRevoluteJoint(hung, new Vector2(200, 0)));
+        simulator.Add(new FixedLinearSpring(pulled, Vector2.Zero, new Vector2(430, 0), 4, 0) { RestLength = 0 });
+        Assert.Equal((0, 0, 0, 0), (simulator.BodyList.Count, simulator.GeomList.Count, simulator.JointList.Count, simulator.SpringList.Count));
+        simulator.Update(0.01f);
+        Assert.Equal((4, 2, 1, 1), (simulator.BodyList.Count, simulator.GeomList.Count, simulator.JointList.Count, simulator.SpringList.Count));
+
+        // ½·g·t² after half a second; then it lies on the floor, whose surface is at 100.
+        Sandbox.Run(simulator, 49);
+        Assert.Equal(12.5f, faller.Position.Y, 1e-3f);
+        Sandbox.Run(simulator, 450);
+        Assert.Equal(95, faller.Position.Y, 0.1f);
+
+        // The joint holds its body, the spring swings its own with ω² = k/m = 4 from 30 away: cos(10) after 5 s.
+        Assert.Equal(0, hung.Position.Y, 1e-3f);
+        Assert.Equal(430 - (30 * Math.Cos(10)), pulled.Position.X, 0.05);
     }
 
     [Fact]

@@ -304,7 +304,6 @@ public class SpringTests
     }
 
     [Fact]
-    [ManualRow("F194")]
     [ManualRow("F195")]
     [ManualRow("F196")]
     public void RestLength_FromAFactory_IsTheDistanceOfTheAnchors()
@@ -316,6 +315,96 @@ public class SpringTests
         Assert.Equal(13, spring.RestLength, 4);
         spring.RestLength = 7;
         Assert.Equal(7, spring.RestLength);
+    }
+
+    [Fact]
+    [ManualRow("F194")]
+    public void RestLength_IsTheLengthAtWhichTheSpringRests()
+    {
+        for (int i = 1; i <= 20; i++)
+        {
+            float rest = 7f * i;
+            foreach (float stretched in new[] { -3f, 0, 3 })
+            {
+                var simulator = new PhysicsSimulator();
+                Body a = Free(simulator, 0, 0);
+                Body b = Free(simulator, rest + stretched, 0);
+                LinearSpring spring = Factory.CreateLinearSpring(simulator, a, Vector2.Zero, b, Vector2.Zero, 5, 0);
+                spring.RestLength = rest;
+                Assert.Equal(rest, spring.RestLength);
+                simulator.Update(0.001f);
+
+                // F = −k·x at both ends, on masses of 1, for a millisecond; none at the length of rest.
+                Assert.Equal(-5 * stretched * 0.001f, b.LinearVelocity.X, 1e-5f);
+                Assert.Equal(5 * stretched * 0.001f, a.LinearVelocity.X, 1e-5f);
+                Assert.Equal(stretched, spring.SpringError, 1e-3f);
+            }
+        }
+    }
+
+    [Fact]
+    [ManualRow("F215")]
+    public void CreateLinearSpring_WithoutASimulator_TakesEachArgument()
+    {
+        var a = new Body { Position = new Vector2(10, 20) };
+        var b = new Body { Position = new Vector2(50, 20) };
+        LinearSpring spring = Factory.CreateLinearSpring(a, new Vector2(1, 2), b, new Vector2(3, 5), 6, 7);
+        var simulator = new PhysicsSimulator();
+        simulator.Add(a);
+        simulator.Add(b);
+        Run(simulator, 1);
+
+        Assert.Same(a, spring.Body1);
+        Assert.Same(b, spring.Body2);
+        Assert.Equal((new Vector2(1, 2), new Vector2(3, 5), 6f, 7f), (spring.Anchor1, spring.Anchor2, spring.SpringConstant, spring.DampingConstant));
+
+        // From (11, 22) to (53, 25).
+        Assert.Equal(Math.Sqrt((42 * 42) + (3 * 3)), spring.RestLength, 1e-4);
+        Assert.Empty(simulator.SpringList);
+    }
+
+    [Fact]
+    [ManualRow("F216")]
+    public void CreateFixedLinearSpring_WithASimulator_TakesEachArgument_AndAddsIt()
+    {
+        var simulator = new PhysicsSimulator();
+        Body body = Free(simulator, 10, 20);
+        FixedLinearSpring spring = Factory.CreateFixedLinearSpring(simulator, body, new Vector2(1, 2), new Vector2(41, 62), 6, 7);
+        Run(simulator, 1);
+
+        Assert.Same(body, spring.Body);
+        Assert.Equal((new Vector2(1, 2), new Vector2(41, 62), 6f, 7f), (spring.BodyAttachPoint, spring.WorldAttachPoint, spring.SpringConstant, spring.DampingConstant));
+
+        // From (11, 22) to (41, 62).
+        Assert.Equal(50, spring.RestLength, 1e-4);
+        Assert.Same(spring, Assert.Single(simulator.SpringList));
+        spring.RestLength = 0;
+        Run(simulator, 1);
+        Assert.True(body.LinearVelocity.X > 0 && body.LinearVelocity.Y > 0);
+    }
+
+    [Fact]
+    [ManualRow("F218")]
+    public void CreateAngleSpring_WithASimulator_TakesEachArgument_AndAddsIt()
+    {
+        var simulator = new PhysicsSimulator();
+        Body a = Free(simulator, 0, 0);
+        Body b = Free(simulator, 50, 0);
+        a.Rotation = 0.5f;
+        b.Rotation = 2;
+        AngleSpring spring = Factory.CreateAngleSpring(simulator, a, b, 6, 7);
+        Run(simulator, 1);
+
+        Assert.Same(a, spring.Body1);
+        Assert.Same(b, spring.Body2);
+        Assert.Equal((6f, 7f), (spring.SpringConstant, spring.DampingConstant));
+        Assert.Equal(1.5f, spring.TargetAngle, 1e-5f);
+        Assert.Same(spring, Assert.Single(simulator.SpringList));
+        Assert.Equal(0, b.AngularVelocity, 1e-4f);
+        b.Rotation = 3;
+        Run(simulator, 1);
+        Assert.True(b.AngularVelocity < 0);
+        Assert.Equal(-b.AngularVelocity, a.AngularVelocity, 1e-6f);
     }
 
     [Fact]
@@ -427,10 +516,7 @@ public class SpringTests
 
     [Fact]
     [ManualRow("F214")]
-    [ManualRow("F215")]
-    [ManualRow("F216")]
     [ManualRow("F217")]
-    [ManualRow("F218")]
     [ManualRow("F219")]
     [ManualRow("F220")]
     [ManualRow("F221")]

@@ -1,8 +1,10 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Porting;
 using Xunit;
 
@@ -26,6 +28,40 @@ public class ValueTypeTests
 
     [Fact]
     [ManualRow("F236")]
+    public void Contact_OfTheNarrowPhase_SaysWhereWhichWayAndHowDeep()
+    {
+        for (int i = 0; i < 12; i++)
+        {
+            // Two corners of a box of 20 by 10 are 0.02·i deep in a floor whose surface is at y = 0, or a ball's lowest point is.
+            PhysicsSimulator simulator = new PhysicsSimulator();
+            Geom floor = Sandbox.Floor(simulator);
+            float depth = 0.02f * i;
+            Geom geom = i % 2 == 0
+                ? Sandbox.Box(simulator, new Vector2(3 * i, -5 + depth), 20, 10)
+                : Sandbox.Ball(simulator, new Vector2(3 * i, -5 + depth), 5);
+            ContactList? told = null;
+            geom.OnCollision += (_, other, contacts) =>
+            {
+                Assert.Same(floor, other);
+                told ??= new ContactList(contacts);
+                return true;
+            };
+            simulator.Update(Sandbox.Step);
+
+            Assert.NotNull(told);
+            Assert.Equal(i % 2 == 0 ? 2 : 1, told.Count);
+            foreach (Contact contact in told)
+            {
+                // From the geom made first, the floor, to the other, up; midway between the surfaces.
+                Assert.Equal(new Vector2(0, -1), contact.Normal, (a, b) => Vector2.Distance(a, b) < 1e-5f);
+                Assert.Equal(-depth, contact.Separation, 1e-4f);
+                Assert.Equal(depth / 2, contact.Position.Y, 1e-3f);
+                Assert.Equal(i % 2 == 0 ? 10 : 0, Math.Abs(contact.Position.X - (3 * i)), 1e-3f);
+            }
+        }
+    }
+
+    [Fact]
     public void Contact_OfValues_HoldsThemAndEqualsByName()
     {
         var contact = new Contact(new Vector2(1, 2), new Vector2(0, -1), -0.5f, new ContactId(1, 2, 3));
@@ -119,6 +155,44 @@ public class ValueTypeTests
 
     [Fact]
     [ManualRow("F286")]
+    public void Pool_OfArbiters_GivesThoseBackThatALetGo()
+    {
+        // The simulator's own: the pairs of an update are the objects of the one before.
+        PhysicsSimulator simulator = Sandbox.WithFloor(out _);
+        for (int i = 0; i < 5; i++)
+        {
+            Sandbox.Box(simulator, new Vector2(30 * i, -9.9f));
+        }
+
+        Sandbox.Run(simulator, 5);
+        Arbiter[] first = simulator.ArbiterList.ToArray();
+        Assert.Equal(5, first.Length);
+        simulator.Update(Sandbox.Step);
+        Arbiter[] next = simulator.ArbiterList.ToArray();
+        Assert.Equal(5, next.Length);
+        Assert.All(next, arbiter => Assert.Contains(arbiter, first, ReferenceEqualityComparer.Instance));
+
+        // One of the user's own: what a list drops is there to be fetched.
+        var pool = new Pool<Arbiter>();
+        var list = new ArbiterList();
+        for (int i = 0; i < 4; i++)
+        {
+            list.Add(pool.Fetch());
+        }
+
+        Arbiter[] made = list.ToArray();
+        made[1].ContactList.Add(Contact(1));
+        list.RemoveContactCountEqualsZero(pool);
+        Assert.Equal(3, pool.Count);
+        Assert.Same(made[1], Assert.Single(list));
+        Arbiter[] again = [pool.Fetch(), pool.Fetch(), pool.Fetch()];
+        Assert.Equal(3, again.Distinct(ReferenceEqualityComparer.Instance).Count());
+        Assert.All(again, arbiter => Assert.Contains(arbiter, made, ReferenceEqualityComparer.Instance));
+        Assert.DoesNotContain(made[1], again, ReferenceEqualityComparer.Instance);
+        Assert.Equal(0, pool.Count);
+    }
+
+    [Fact]
     [ManualRow("F287")]
     [ManualRow("F288")]
     [ManualRow("F289")]

@@ -1,4 +1,5 @@
 using System;
+using System.ComponentModel;
 using System.Numerics;
 using Box2D.Bridge;
 using Box2D.Common;
@@ -99,4 +100,14 @@ public class b2CircleShape : b2Shape
         double y = (double)_center.Y - center.y;
         return Math.Sqrt((x * x) + (y * y)) + _radius - b2Settings.b2_toiSlop;
     }
+
+    /// <summary>A field of the original: <see cref="GetRadius"/>.</summary>
+    [Obsolete("Use GetRadius().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_radius => GetRadius();
+
+    /// <summary>A field of the original: <see cref="GetLocalPosition"/>.</summary>
+    [Obsolete("Use GetLocalPosition().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Vec2 m_localPosition => GetLocalPosition();
 }

@@ -1,4 +1,5 @@
 using System;
+using System.ComponentModel;
 using System.Numerics;
 using Box2D.Bridge;
 using Box2D.Common;
@@ -306,4 +307,34 @@ public class b2PolygonShape : b2Shape
 
     private double Height(int edge, Vector2 p) =>
         (_normals[edge].X * ((double)p.X - _corners[edge].X)) + (_normals[edge].Y * ((double)p.Y - _corners[edge].Y));
+
+    /// <summary>A field of the original: <see cref="GetVertices"/>.</summary>
+    [Obsolete("Use GetVertices().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Vec2[] m_vertices => GetVertices();
+
+    /// <summary>A field of the original: <see cref="GetVertexCount"/>.</summary>
+    [Obsolete("Use GetVertexCount().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public int m_vertexCount => GetVertexCount();
+
+    /// <summary>A field of the original: <see cref="GetNormals"/>.</summary>
+    [Obsolete("Use GetNormals().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Vec2[] m_normals => GetNormals();
+
+    /// <summary>A field of the original: <see cref="GetCoreVertices"/>.</summary>
+    [Obsolete("Use GetCoreVertices().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Vec2[] m_coreVertices => GetCoreVertices();
+
+    /// <summary>A field of the original: <see cref="GetCentroid"/>.</summary>
+    [Obsolete("Use GetCentroid().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Vec2 m_centroid => GetCentroid();
+
+    /// <summary>A field of the original: <see cref="GetOBB"/>.</summary>
+    [Obsolete("Use GetOBB().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2OBB m_obb => GetOBB();
 }

@@ -10,7 +10,7 @@ namespace Box2D.Collision.Shapes;
 /// Collision geometry of a body, with friction and restitution. Shapes are made by <see cref="b2Body.CreateShape"/> and go with
 /// their body or by <see cref="b2Body.DestroyShape"/>.
 /// </summary>
-public abstract class b2Shape
+public abstract partial class b2Shape
 {
     /// <summary>No kind of shape.</summary>
     public const int e_unknownShape = -1;
@@ -25,9 +25,9 @@ public abstract class b2Shape
     public const int e_shapeTypeCount = 2;
 
     private readonly int _type;
-    private readonly float _friction;
-    private readonly float _restitution;
-    private readonly bool _isSensor;
+    private float _friction;
+    private float _restitution;
+    private bool _isSensor;
     private b2FilterData _filter;
     private object? _userData;
 
@@ -48,7 +48,7 @@ public abstract class b2Shape
 
     internal b2Shape? Next { get; set; }
 
-    internal float Density { get; }
+    internal float Density { get; private set; }
 
     /// <summary>The kind of shape: <see cref="e_circleShape"/> or <see cref="e_polygonShape"/>. It hides the type of the object, as the name is that of the original.</summary>
     /// <returns>The kind.</returns>
@@ -57,6 +57,14 @@ public abstract class b2Shape
     /// <summary>Whether the shape only notices overlaps.</summary>
     /// <returns>True for a sensor.</returns>
     public bool IsSensor() => _isSensor;
+
+    /// <summary>Makes the shape a sensor, or solid. (An addition to the original, whose field was written to.)</summary>
+    /// <param name="flag">True lets it only notice overlaps.</param>
+    public void SetSensor(bool flag)
+    {
+        _isSensor = flag;
+        Body?.World.Engine.MaterialChanged(this);
+    }
 
     /// <summary>Changes which shapes it collides with. Pairs that exist are judged anew only by <see cref="b2World.Refilter"/>.</summary>
     /// <param name="filter">The filter; it is copied.</param>
@@ -141,9 +149,36 @@ public abstract class b2Shape
     /// <returns>0 or more.</returns>
     public float GetFriction() => _friction;
 
+    /// <summary>Sets the coefficient of friction, also of contacts that there are. (An addition to the original, whose field was written to.)</summary>
+    /// <param name="friction">Finite and 0 or more.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="friction"/> is negative or not finite.</exception>
+    public void SetFriction(float friction)
+    {
+        _friction = Require.NotNegative(friction, nameof(friction));
+        Body?.World.Engine.MaterialChanged(this);
+    }
+
     /// <summary>Restitution.</summary>
     /// <returns>0 or more.</returns>
     public float GetRestitution() => _restitution;
+
+    /// <summary>Sets the restitution, also of contacts that there are. (An addition to the original, whose field was written to.)</summary>
+    /// <param name="restitution">0 no bounce, 1 perfectly elastic; finite and 0 or more.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="restitution"/> is negative or not finite.</exception>
+    public void SetRestitution(float restitution)
+    {
+        _restitution = Require.NotNegative(restitution, nameof(restitution));
+        Body?.World.Engine.MaterialChanged(this);
+    }
+
+    /// <summary>Density, kg/m². (An addition to the original.)</summary>
+    /// <returns>0 or more.</returns>
+    public float GetDensity() => Density;
+
+    /// <summary>Sets the density; the body's mass follows at <see cref="b2Body.SetMassFromShapes"/>. (An addition to the original, whose field was written to.)</summary>
+    /// <param name="density">kg/m²; finite and 0 or more.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="density"/> is negative or not finite.</exception>
+    public void SetDensity(float density) => Density = Require.NotNegative(density, nameof(density));
 
     internal abstract Farseer.Engine.Shapes.ShapeGeometry Geometry();
 

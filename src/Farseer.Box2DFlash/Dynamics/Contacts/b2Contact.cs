@@ -1,3 +1,5 @@
+using System;
+using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Collision.Shapes;
 
@@ -28,7 +30,12 @@ public class b2Contact
 
     internal ContactPoints Points { get; }
 
+    /// <summary>The boxes met before the body was put elsewhere.</summary>
+    internal bool WasNear { get; set; }
+
     internal virtual bool IsAccepted => true;
+
+    internal bool Concerns(b2Body body) => ReferenceEquals(Shape1.Body, body) || ReferenceEquals(Shape2.Body, body);
 
     /// <summary>Makes an ended contact one of two other shapes, as if it were new.</summary>
     internal void Begin(b2Shape shape1, b2Shape shape2)
@@ -57,5 +64,40 @@ public class b2Contact
 
     /// <summary>1 if the shapes touched in the last step and a contact listener is registered, otherwise 0.</summary>
     /// <returns>0 or 1.</returns>
-    public int GetManifoldCount() => Points.Count > 0 ? 1 : 0;
+    public int GetManifoldCount() => Points.Any ? 1 : 0;
+
+    /// <summary>A field of the original: <see cref="GetNext"/>.</summary>
+    [Obsolete("Use GetNext().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Contact? m_next => GetNext();
+
+    /// <summary>A field of the original: <see cref="GetShape1"/>.</summary>
+    [Obsolete("Use GetShape1().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Shape m_shape1 => GetShape1();
+
+    /// <summary>A field of the original: <see cref="GetShape2"/>.</summary>
+    [Obsolete("Use GetShape2().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Shape m_shape2 => GetShape2();
+
+    /// <summary>A field of the original: <see cref="GetManifoldCount"/>.</summary>
+    [Obsolete("Use GetManifoldCount().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public int m_manifoldCount => GetManifoldCount();
+
+    /// <summary>Whether there is a contact: ActionScript's <c>if (contact)</c>, and <c>for (…; contact; …)</c>.</summary>
+    /// <param name="contact">The contact, or null.</param>
+    /// <returns>True if it is not null.</returns>
+    public static bool operator true(b2Contact? contact) => contact is not null;
+
+    /// <summary>Whether there is no contact.</summary>
+    /// <param name="contact">The contact, or null.</param>
+    /// <returns>True if it is null.</returns>
+    public static bool operator false(b2Contact? contact) => contact is null;
+
+    /// <summary>Whether there is no contact.</summary>
+    /// <param name="contact">The contact, or null.</param>
+    /// <returns>True if it is null.</returns>
+    public static bool operator !(b2Contact? contact) => contact is null;
 }

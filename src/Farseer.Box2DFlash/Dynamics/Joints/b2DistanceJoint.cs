@@ -1,3 +1,6 @@
+using System;
+using System.ComponentModel;
+using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
 
@@ -30,4 +33,84 @@ public class b2DistanceJoint : b2Joint
     /// <summary>Always 0: a rod transmits no torque.</summary>
     /// <returns>0.</returns>
     public override float GetReactionTorque() => 0;
+
+    /// <summary>The wanted distance of the anchors, metres. (An addition to the original.)</summary>
+    /// <returns>0 or more.</returns>
+    public float GetLength() => (float)Link.Settings.Target;
+
+    /// <summary>Sets the wanted distance of the anchors. (An addition to the original, whose field was written to.)</summary>
+    /// <param name="length">Metres; finite and 0 or more.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="length"/> is negative or not finite.</exception>
+    public void SetLength(float length)
+    {
+        Link.Settings.Target = Require.NotNegative(length, nameof(length));
+        Changed();
+    }
+
+    /// <summary>The frequency of the spring, Hz; 0 for a rod. (An addition to the original.)</summary>
+    /// <returns>0 or more.</returns>
+    public float GetFrequency() => (float)Link.Settings.Frequency;
+
+    /// <summary>Sets the frequency of the spring. (An addition to the original, whose field was written to.)</summary>
+    /// <param name="hz">Hz; finite and 0 or more. 0 makes a rigid rod.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="hz"/> is negative or not finite.</exception>
+    public void SetFrequency(float hz)
+    {
+        Link.Settings.Frequency = Require.NotNegative(hz, nameof(hz));
+        Link.Spring = hz > 0;
+        WakeBySetter();
+    }
+
+    /// <summary>The damping of the spring: 0 none, 1 critical. (An addition to the original.)</summary>
+    /// <returns>0 or more.</returns>
+    public float GetDampingRatio() => (float)Link.Settings.DampingRatio;
+
+    /// <summary>Sets the damping of the spring. (An addition to the original, whose field was written to.)</summary>
+    /// <param name="ratio">0 none, 1 critical; finite and 0 or more.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="ratio"/> is negative or not finite.</exception>
+    public void SetDampingRatio(float ratio)
+    {
+        Link.Settings.DampingRatio = Require.NotNegative(ratio, nameof(ratio));
+        Changed();
+    }
+
+    /// <summary>A field of the original: the anchor in the first body. What it returns is a copy.</summary>
+    [Obsolete("Use GetAnchor1() and GetLocalPoint of the body.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Vec2 m_localAnchor1 => _local1.Copy();
+
+    /// <summary>A field of the original: the anchor in the second body. What it returns is a copy.</summary>
+    [Obsolete("Use GetAnchor2() and GetLocalPoint of the body.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Vec2 m_localAnchor2 => _local2.Copy();
+
+    /// <summary>A field of the original: <see cref="GetLength"/> and <see cref="SetLength"/>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    [Obsolete("Use GetLength() and SetLength.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_length
+    {
+        get => GetLength();
+        set => SetLength(value);
+    }
+
+    /// <summary>A field of the original: <see cref="GetFrequency"/> and <see cref="SetFrequency"/>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    [Obsolete("Use GetFrequency() and SetFrequency.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_frequencyHz
+    {
+        get => GetFrequency();
+        set => SetFrequency(value);
+    }
+
+    /// <summary>A field of the original: <see cref="GetDampingRatio"/> and <see cref="SetDampingRatio"/>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    [Obsolete("Use GetDampingRatio() and SetDampingRatio.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_dampingRatio
+    {
+        get => GetDampingRatio();
+        set => SetDampingRatio(value);
+    }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
@@ -109,4 +110,43 @@ public abstract class b2DrivenJoint : b2Joint
         Link.Settings.MotorLimit = limit;
         Changed();
     }
+
+    /// <summary>A field of the original: <see cref="IsLimitEnabled"/> and <see cref="EnableLimit"/>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The limits are not in order.</exception>
+    [Obsolete("Use IsLimitEnabled() and EnableLimit.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public bool m_enableLimit
+    {
+        get => IsLimitEnabled();
+        set => EnableLimit(value);
+    }
+
+    /// <summary>A field of the original: <see cref="IsMotorEnabled"/> and <see cref="EnableMotor"/>.</summary>
+    [Obsolete("Use IsMotorEnabled() and EnableMotor.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public bool m_enableMotor
+    {
+        get => IsMotorEnabled();
+        set => EnableMotor(value);
+    }
+
+    /// <summary>A field of the original: <see cref="GetMotorSpeed"/> and <see cref="SetMotorSpeed"/>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
+    [Obsolete("Use GetMotorSpeed() and SetMotorSpeed.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_motorSpeed
+    {
+        get => GetMotorSpeed();
+        set => SetMotorSpeed(value);
+    }
+
+    /// <summary>A field of the original: the anchor in the first body. What it returns is a copy.</summary>
+    [Obsolete("Use GetAnchor1() and GetLocalPoint of the body.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Vec2 m_localAnchor1 => Local1.Copy();
+
+    /// <summary>A field of the original: the anchor in the second body. What it returns is a copy.</summary>
+    [Obsolete("Use GetAnchor2() and GetLocalPoint of the body.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Vec2 m_localAnchor2 => Local2.Copy();
 }

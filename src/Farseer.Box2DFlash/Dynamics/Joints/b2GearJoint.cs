@@ -1,3 +1,5 @@
+using System;
+using System.ComponentModel;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
 
@@ -60,4 +62,9 @@ public class b2GearJoint : b2Joint
             coordinate = joint.GetBody2().Link.Angle;
         }
     }
+
+    /// <summary>A field of the original: <see cref="GetRatio"/>.</summary>
+    [Obsolete("Use GetRatio().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_ratio => GetRatio();
 }

@@ -5,7 +5,7 @@ using Farseer.Engine.Joints;
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>Holds two bodies together. Joints are made by <see cref="b2World.CreateJoint"/> and go with their bodies.</summary>
-public abstract class b2Joint
+public abstract partial class b2Joint
 {
     /// <summary>No kind of joint.</summary>
     public const int e_unknownJoint = 0;

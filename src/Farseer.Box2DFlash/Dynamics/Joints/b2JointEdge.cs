@@ -20,4 +20,19 @@ public class b2JointEdge
 
     /// <summary>The next edge, of a joint made before; or null.</summary>
     public b2JointEdge? next { get; internal set; }
+
+    /// <summary>Whether there is a edge: ActionScript's <c>if (edge)</c>, and <c>for (…; edge; …)</c>.</summary>
+    /// <param name="edge">The edge, or null.</param>
+    /// <returns>True if it is not null.</returns>
+    public static bool operator true(b2JointEdge? edge) => edge is not null;
+
+    /// <summary>Whether there is no edge.</summary>
+    /// <param name="edge">The edge, or null.</param>
+    /// <returns>True if it is null.</returns>
+    public static bool operator false(b2JointEdge? edge) => edge is null;
+
+    /// <summary>Whether there is no edge.</summary>
+    /// <param name="edge">The edge, or null.</param>
+    /// <returns>True if it is null.</returns>
+    public static bool operator !(b2JointEdge? edge) => edge is null;
 }

@@ -1,3 +1,5 @@
+using System;
+using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
@@ -51,4 +53,14 @@ public class b2MouseJoint : b2Joint
     }
 
     internal override void Attach() => Link.Attach(null, GetBody2().Link);
+
+    /// <summary>A field of the original: <see cref="GetAnchor1"/> and <see cref="SetTarget"/>. What it returns is a copy.</summary>
+    /// <exception cref="ArgumentException">The value is null or not finite.</exception>
+    [Obsolete("Use GetAnchor1() and SetTarget.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Vec2 m_target
+    {
+        get => _target.Copy();
+        set => SetTarget(value);
+    }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
@@ -96,5 +97,35 @@ public class b2PrismaticJoint : b2DrivenJoint
         GetBody2().Link.ToWorld(Local2.x, Local2.y, out double x2, out double y2);
         dx = x2 - x1;
         dy = y2 - y1;
+    }
+
+    /// <summary>A field of the original: <see cref="b2DrivenJoint.GetLowerLimit"/> and <see cref="b2DrivenJoint.SetLimits"/>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite, or the limits are not in order.</exception>
+    [Obsolete("Use GetLowerLimit() and SetLimits.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_lowerTranslation
+    {
+        get => GetLowerLimit();
+        set => SetLimits(value, GetUpperLimit());
+    }
+
+    /// <summary>A field of the original: <see cref="b2DrivenJoint.GetUpperLimit"/> and <see cref="b2DrivenJoint.SetLimits"/>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite, or the limits are not in order.</exception>
+    [Obsolete("Use GetUpperLimit() and SetLimits.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_upperTranslation
+    {
+        get => GetUpperLimit();
+        set => SetLimits(GetLowerLimit(), value);
+    }
+
+    /// <summary>A field of the original: the greatest force, and <see cref="SetMaxMotorForce"/>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    [Obsolete("Use SetMaxMotorForce.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_maxMotorForce
+    {
+        get => (float)Link.Settings.MotorLimit;
+        set => SetMaxMotorForce(value);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.ComponentModel;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
 
@@ -81,4 +82,9 @@ public class b2PulleyJoint : b2Joint
     /// <summary>How the sides share the rope.</summary>
     /// <returns>Above 0.</returns>
     public float GetRatio() => (float)Link.Settings.Ratio;
+
+    /// <summary>A field of the original: <see cref="GetRatio"/>.</summary>
+    [Obsolete("Use GetRatio().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_ratio => GetRatio();
 }

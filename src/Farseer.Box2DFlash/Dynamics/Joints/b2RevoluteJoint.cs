@@ -1,3 +1,5 @@
+using System;
+using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
@@ -52,4 +54,39 @@ public class b2RevoluteJoint : b2DrivenJoint
     /// <summary>The torque that the motor gave in the last substep, N·m.</summary>
     /// <returns>0 if it does not drive.</returns>
     public float GetMotorTorque() => (float)Link.MotorForce;
+
+    /// <summary>A field of the original: <see cref="b2DrivenJoint.GetLowerLimit"/> and <see cref="b2DrivenJoint.SetLimits"/>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite, or the limits are not in order.</exception>
+    [Obsolete("Use GetLowerLimit() and SetLimits.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_lowerAngle
+    {
+        get => GetLowerLimit();
+        set => SetLimits(value, GetUpperLimit());
+    }
+
+    /// <summary>A field of the original: <see cref="b2DrivenJoint.GetUpperLimit"/> and <see cref="b2DrivenJoint.SetLimits"/>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite, or the limits are not in order.</exception>
+    [Obsolete("Use GetUpperLimit() and SetLimits.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_upperAngle
+    {
+        get => GetUpperLimit();
+        set => SetLimits(GetLowerLimit(), value);
+    }
+
+    /// <summary>A field of the original: the greatest torque, and <see cref="SetMaxMotorTorque"/>.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    [Obsolete("Use SetMaxMotorTorque.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_maxMotorTorque
+    {
+        get => (float)Link.Settings.MotorLimit;
+        set => SetMaxMotorTorque(value);
+    }
+
+    /// <summary>A field of the original: what <see cref="GetJointAngle"/> counts from.</summary>
+    [Obsolete("Use GetJointAngle().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public float m_referenceAngle => (float)_reference;
 }
