@@ -131,8 +131,9 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
         for (int i = 0; i < _count; i++)
         {
             int body = _list[i];
-            if (!Moves(body))
+            if (!Moves(body) || !StateRange.Holds(_bodies.State[body]))
             {
+                // A body that is about to be taken out: what was done to it is nobody's work.
                 continue;
             }
 
@@ -301,7 +302,7 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
     public bool Moves(int body)
     {
         const BodyFlags Here = BodyFlags.Alive | BodyFlags.Enabled;
-        return (_bodies.Flags[body] & Here) == Here && _bodies.Mass[body].InverseMass > 0;
+        return (_bodies.Flags[body] & (Here | BodyFlags.Quarantined)) == Here && _bodies.Mass[body].InverseMass > 0;
     }
 
     private bool IsDragged(int body)

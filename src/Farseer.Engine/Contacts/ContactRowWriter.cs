@@ -251,8 +251,12 @@ internal static unsafe class ContactRowWriter
         Wide atB0 = Wide.Load(row->Point0.TangentArmB + lane);
         Wide atA1 = Wide.Load(row->Point1.TangentArmA + lane);
         Wide atB1 = Wide.Load(row->Point1.TangentArmB + lane);
-        Wide k11 = Wide.Select(one, m + (iA * atA0 * atA0) + (iB * atB0 * atB0), Wide.One);
-        Wide k22 = Wide.Select(two, m + (iA * atA1 * atA1) + (iB * atB1 * atB1), k11);
+        Wide k11 = m + (iA * atA0 * atA0) + (iB * atB0 * atB0);
+        Wide k22 = m + (iA * atA1 * atA1) + (iB * atB1 * atB1);
+
+        // Of two bodies that a callback has just taken out of motion neither answers: as in an empty lane nothing is to divide by that.
+        k11 = Wide.Select(one & (k11 > Wide.Zero), k11, Wide.One);
+        k22 = Wide.Select(two & (k22 > Wide.Zero), k22, k11);
         Wide k12 = Wide.Keep(two, m + (iA * atA0 * atA1) + (iB * atB0 * atB1));
         Wide determinant = (k11 * k22) - (k12 * k12);
         WideMask block = two & (determinant > Wide.Max(Wide.Splat(DeterminantShare) * k11 * k22, Wide.Splat(LeastDeterminant)));

@@ -41,15 +41,19 @@ internal unsafe ref struct ImpactArms
         v1 = un + ((b.W * _armB1) - (a.W * _armA1));
     }
 
-    /// <summary>The impulses x ≥ 0 with which the points that are struck part as they should, K(x - y) + r ≥ 0; the others get none.</summary>
+    /// <summary>The impulses x ≥ 0 with which the points that are struck part as they should, K(x - y) + r ≥ 0; the others, and those that do not answer, get none.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Solve(WideMask struck0, WideMask struck1, Wide y0, Wide y1, Wide r0, Wide r1, out Wide x0, out Wide x1)
     {
         Wide iA = Wide.Load(_row->InertiaA + _lane);
         Wide iB = Wide.Load(_row->InertiaB + _lane);
         Wide m = Wide.Load(_row->MassA + _lane) + Wide.Load(_row->MassB + _lane);
-        Wide k11 = Wide.Select(struck0, m + (iA * _armA0 * _armA0) + (iB * _armB0 * _armB0), Wide.One);
-        Wide k22 = Wide.Select(struck1, m + (iA * _armA1 * _armA1) + (iB * _armB1 * _armB1), Wide.One);
+        Wide k11 = m + (iA * _armA0 * _armA0) + (iB * _armB0 * _armB0);
+        Wide k22 = m + (iA * _armA1 * _armA1) + (iB * _armB1 * _armB1);
+        struck0 = struck0 & (k11 > Wide.Zero);
+        struck1 = struck1 & (k22 > Wide.Zero);
+        k11 = Wide.Select(struck0, k11, Wide.One);
+        k22 = Wide.Select(struck1, k22, Wide.One);
         Wide k12 = Wide.Keep(struck0 & struck1, m + (iA * _armA0 * _armA1) + (iB * _armB0 * _armB1));
         WideMask block = ((k11 * k22) - (k12 * k12)) > (Wide.Splat(DeterminantShare) * k11 * k22);
         r0 = Wide.Select(struck0, r0, Wide.One);

@@ -68,7 +68,7 @@ internal static class Impact
         double x1 = 0;
         if (manifold.Count < 2)
         {
-            x0 = Math.Max(0, -b0 / first.K);
+            x0 = Stop(first.K, b0);
         }
         else
         {
@@ -135,16 +135,19 @@ internal static class Impact
             }
         }
 
-        x0 = Math.Max(0, -b0 / k11);
+        x0 = Stop(k11, b0);
         x1 = 0;
         if (b1 + (k12 * x0) >= 0)
         {
             return;
         }
 
-        x1 = Math.Max(0, -b1 / k22);
+        x1 = Stop(k22, b1);
         x0 = 0;
     }
+
+    /// <summary>The impulse x ≥ 0 with K·x + b ≥ 0. What a handler has taken out of motion on the way does not answer, and gets none.</summary>
+    internal static double Stop(double k, double b) => k > 0 ? Math.Max(0, -b / k) : 0;
 
     internal static void Rub(ref Mover mover, ref Obstacle other, Vector2 arm, Vector2 normal, double push)
     {
@@ -156,7 +159,7 @@ internal static class Impact
         double k = mover.InverseMass + (mover.InverseInertia * turn * turn)
             + (other.InverseMass + (other.InverseInertia * otherTurn * otherTurn));
         double bound = other.Friction * push;
-        double impulse = Math.Max(-bound, Math.Min(bound, -slide / k));
+        double impulse = k > 0 ? Math.Max(-bound, Math.Min(bound, -slide / k)) : 0;
         mover.VelocityX += mover.InverseMass * impulse * normal.Y;
         mover.VelocityY -= mover.InverseMass * impulse * normal.X;
         mover.Spin += mover.InverseInertia * impulse * turn;
@@ -235,7 +238,7 @@ internal struct ImpactInTurns
         Impact.Row second = default;
         if (_own.Count < 2)
         {
-            _x0 = Math.Max(0, -b0 / first.K);
+            _x0 = Impact.Stop(first.K, b0);
         }
         else
         {

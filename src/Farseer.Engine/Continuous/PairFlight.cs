@@ -297,6 +297,11 @@ internal sealed class PairFlight
         /// <summary>Adds what B was given.</summary>
         private static void Note(in Mover before, in Mover after, in Manifold manifold, ref PairImpulse given)
         {
+            if (!(after.InverseMass > 0))
+            {
+                return;
+            }
+
             double x = (after.VelocityX - before.VelocityX) / after.InverseMass;
             double y = (after.VelocityY - before.VelocityY) / after.InverseMass;
             given.Normal += (x * manifold.Normal.X) + (y * manifold.Normal.Y);

@@ -49,6 +49,21 @@ internal sealed unsafe partial class JointSolver
         FindWheels();
     }
 
+    /// <summary>After somebody was told of joints that broke: other bodies may move now than when the trees were built.</summary>
+    /// <returns>True if joints act.</returns>
+    public bool Renew()
+    {
+        if (_store.Changed || BodiesChanged())
+        {
+            _forest.ClearGuests();
+            Look();
+            FindOverruns();
+            FindWheels();
+        }
+
+        return Any;
+    }
+
     private bool Look()
     {
         if (_store.Changed || BodiesChanged())

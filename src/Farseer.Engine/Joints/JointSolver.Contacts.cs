@@ -217,8 +217,10 @@ internal sealed unsafe partial class JointSolver
     private void Collate()
     {
         _forest.ReserveGuests(_contactCount * 2, _step.Bodies.Ids.End);
-        _trees.EnsureCapacity(_treeCount + (_contactCount * 2));
-        _nodes.EnsureCapacity(_nodeCount + (_contactCount * 2));
+
+        // Quiet chains, which are in no list, may come back to them later in the step.
+        _trees.EnsureCapacity(_forest.TreeCount + (_contactCount * 2));
+        _nodes.EnsureCapacity(_forest.Count + (_contactCount * 2));
         for (int i = 0; i < _contactCount; i++)
         {
             ref RowEnds ends = ref _contacts[i].Ends;
@@ -341,7 +343,7 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
-    /// <summary>The first tree of a tree's group; ways to it become shorter.</summary>
+    /// <summary>The first tree of a tree's group; ways to it become shorter, and lead to lower numbers only.</summary>
     private int GroupOf(int tree)
     {
         JointTree* trees = _forest.Trees;

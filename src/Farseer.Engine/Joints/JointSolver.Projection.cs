@@ -104,6 +104,7 @@ internal sealed unsafe partial class JointSolver
     /// </summary>
     private void Undo()
     {
+        // Each round but the last takes back one tree more.
         for (bool more = true; more;)
         {
             more = false;

@@ -1,11 +1,15 @@
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Joints;
 
 /// <content>What motors and springs did in a substep, for those who keep accounts.</content>
 internal sealed unsafe partial class JointSolver
 {
-    /// <summary>Work of the motors and springs of the joints in the substep that has just ended: impulse times mean speed of each row.</summary>
+    /// <summary>
+    /// Work of the motors and springs of the joints in the substep that has just ended: impulse times mean speed of each row. What is no number was done to
+    /// a body that is about to be taken out.
+    /// </summary>
     /// <param name="before">Velocities at the substep's start, three numbers a body of the solver.</param>
     public double MotorWork(double* before)
     {
@@ -23,7 +27,8 @@ internal sealed unsafe partial class JointSolver
                 {
                     double a = MeanSpeed(link.BodyA, rows->A + (k * 3), before);
                     double b = MeanSpeed(link.BodyB, rows->B + (k * 3), before);
-                    work += joint->Lambda[k] * (a + b);
+                    double done = joint->Lambda[k] * (a + b);
+                    work += FloatBits.IsFinite(done) ? done : 0;
                 }
             }
         }

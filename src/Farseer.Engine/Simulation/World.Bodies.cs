@@ -278,11 +278,15 @@ internal sealed partial class World
         }
 
         int at = _firstCollider[body];
-        while (_nextCollider[at] != collider)
+        while (at >= 0 && _nextCollider[at] != collider)
         {
             at = _nextCollider[at];
         }
 
-        _nextCollider[at] = _nextCollider[collider];
+        System.Diagnostics.Debug.Assert(at >= 0, "a collider is in the list of its body");
+        if (at >= 0)
+        {
+            _nextCollider[at] = _nextCollider[collider];
+        }
     }
 }

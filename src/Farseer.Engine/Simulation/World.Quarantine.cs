@@ -1,5 +1,7 @@
 using System.Numerics;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Solver;
 
 namespace Farseer.Engine.Simulation;
@@ -81,6 +83,23 @@ internal sealed partial class World
             {
                 MarkStale(body);
             }
+
+            ForgetJoints(body);
+        }
+    }
+
+    /// <summary>What the joints of a body gave in this step was no number, or was given to a body that is out: they tell of no forces, and start anew.</summary>
+    private void ForgetJoints(int body)
+    {
+        for (int entry = Joints.First(body); entry >= 0; entry = Joints.Next(entry))
+        {
+            int joint = entry >> 1;
+            ref JointState state = ref Joints.States[joint];
+            double error = state.Error;
+            state = default;
+            state.Error = FloatBits.IsFinite(error) ? error : 0;
+            Joints.Ranges[joint] = default;
+            _jointSolver.Nets.Edited(joint, afresh: true);
         }
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
@@ -33,6 +34,8 @@ internal sealed partial class World
         BeginAccuracy();
         WakeWhatChanged(dt);
         CollectBodies();
+        _bodiesSwitched = false;
+        _switchedWithin = false;
         WakeByDriven();
         _lists.Foresee(_runner, Bodies, dt);
         Profile.End(StepStage.DeferredChanges);
@@ -52,14 +55,11 @@ internal sealed partial class World
         MakeRoomAhead();
         Profile.End(StepStage.NarrowPhase);
 
-        bool anyDeep = UpdateIslands(dt, contacts.Coefficients);
+        bool anyDeep = UpdateIslands(dt, contacts.Coefficients, SortSwitched(dt));
         Profile.End(StepStage.GraphAndIslands);
 
         ApplyForces(dt);
-        if (_graph.Changed)
-        {
-            anyDeep = UpdateIslands(dt, contacts.Coefficients);
-        }
+        anyDeep = UpdateAfterCallbacks(dt, contacts.Coefficients, anyDeep);
 
         if (_contactStage.AnyHeard)
         {
@@ -102,6 +102,7 @@ internal sealed partial class World
 
         Profile.End(StepStage.Continuous);
 
+        StopSwitched();
         EndAccuracy(dt);
         Profile.End(StepStage.Finish);
 
@@ -112,19 +113,50 @@ internal sealed partial class World
 
     private void ApplyForces(float dt)
     {
-        _bodiesSwitched = false;
         _springs.Clear();
         Hooks?.ApplyForces(dt);
-        if (_bodiesSwitched)
+    }
+
+    /// <summary>A body that was enabled, disabled or made static by a callback moves, or stays, from this step on.</summary>
+    /// <returns>True if there was one.</returns>
+    private bool SortSwitched(float dt)
+    {
+        if (!_bodiesSwitched)
         {
-            // A body that was enabled, disabled or made static by a hook moves, or stays, from this step on.
-            int before = _lists.OutcastCount;
-            _lists.CollectAgain(_runner, Bodies, dt);
-            if (_lists.OutcastCount > before)
+            return false;
+        }
+
+        _bodiesSwitched = false;
+        _switchedWithin = true;
+        int before = _lists.OutcastCount;
+        _lists.CollectAgain(_runner, Bodies, dt);
+        if (_lists.OutcastCount > before)
+        {
+            Isolate();
+        }
+
+        return true;
+    }
+
+    /// <summary>A body that was made static when the step was solved already has got its velocity back from there.</summary>
+    private unsafe void StopSwitched()
+    {
+        for (int i = 0; _bodiesSwitched && i < _lists.ActiveCount; i++)
+        {
+            int body = _lists.Active[i];
+            if ((Bodies.Flags[body] & BodyFlags.Static) != 0)
             {
-                Isolate();
+                Bodies.State[body].LinearVelocity = Vector2.Zero;
+                Bodies.State[body].AngularVelocity = 0;
             }
         }
+    }
+
+    /// <summary>Callbacks may have woken bodies, whose rows are back then, or changed which bodies move.</summary>
+    private bool UpdateAfterCallbacks(float dt, in ContactCoefficients coefficients, bool anyDeep)
+    {
+        bool switched = SortSwitched(dt);
+        return switched || _graph.Changed ? UpdateIslands(dt, coefficients, switched) : anyDeep;
     }
 
     private unsafe ContactUpdateInput ContactInput(float dt, float substep)
@@ -181,7 +213,10 @@ internal sealed partial class World
         RowOrder.Sort(_runner, _graph, _contacts.Records, Bodies.Ids.End, _lists.Moves, Scratch);
     }
 
-    private unsafe bool UpdateIslands(float dt, in ContactCoefficients coefficients)
+    /// <param name="dt">The step.</param>
+    /// <param name="coefficients">Of its contacts.</param>
+    /// <param name="switched">Other bodies move than when the islands were last brought up to date.</param>
+    private unsafe bool UpdateIslands(float dt, in ContactCoefficients coefficients, bool switched)
     {
         bool rebuilt = false;
         if (_graph.RowCount == 0)
@@ -189,9 +224,9 @@ internal sealed partial class World
             return false;
         }
 
-        if (_graph.Changed)
+        if (_graph.Changed || switched)
         {
-            if (!_islands.Keep(_graph, _contacts.Records, _lists.Moves))
+            if (switched || !_islands.Keep(_graph, _contacts.Records, _lists.Moves))
             {
                 _islands.Build(_runner, _graph, Bodies.Ids.End, _lists.Moves, Scratch);
                 rebuilt = true;
@@ -223,6 +258,12 @@ internal sealed partial class World
         float substep = coefficients.Substep;
         Audit?.BeginMotion(Settings.Gravity);
         bool anyJoints = BeginJoints(dt, substep);
+        if (_jointSolver.BrokenCount > 0)
+        {
+            anyDeep = UpdateAfterCallbacks(dt, coefficients, anyDeep);
+            anyJoints = anyJoints && _jointSolver.Renew();
+        }
+
         bool anyUserJoints = UserJoints != null && UserJoints.Any;
         _springs.Prepare(Bodies, _lists.Moves, _graph.Degrees, anyJoints ? _jointSolver : null, anyUserJoints, substep);
         _contactStage.Lone.SetAside(this, _contacts, _graph, _lists.Moves);
@@ -299,7 +340,7 @@ internal sealed partial class World
     /// </summary>
     private bool ByUnits(in SolverInput input) =>
         input.Joints == null && input.UserJoints == null && !input.AnyBounce && input.Audit == null
-        && _springs.Count == 0 && !_bodiesSwitched;
+        && _springs.Count == 0 && !_switchedWithin;
 
     private unsafe bool FindClasses(JointSolver? joints, in ContactCoefficients c)
     {

@@ -229,7 +229,9 @@ internal sealed partial class World
     /// </summary>
     private void WakeBesideAwake()
     {
-        do
+        // Each round but the last wakes one that sleeps.
+        bool more = true;
+        for (int rounds = AsleepCount; more && rounds >= 0; rounds--)
         {
             _layDown.Clear();
             FindJointedToAwake();
@@ -238,8 +240,9 @@ internal sealed partial class World
             {
                 Wake(_layDown[i]);
             }
+
+            more = _layDown.Count > 0;
         }
-        while (_layDown.Count > 0);
     }
 
     private void FindJointedToAwake()

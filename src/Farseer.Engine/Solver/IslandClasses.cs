@@ -88,7 +88,7 @@ internal sealed unsafe partial class IslandClasses
         }
 
         _adapts = adapts;
-        _anyChosen = IsAnyChosen(bodies, list, count);
+        _anyChosen = IsAnyChosen(joints, bodies, list, count);
         bool any = _anyChosen;
         any |= adapts && graph.RowCount > 0 && forecast.Find(islands, feedForward, graph, bodies, list, count, c, scratch);
         if (joints != null)
@@ -140,10 +140,11 @@ internal sealed unsafe partial class IslandClasses
             _listed[i] = 0;
         }
 
+        // A body that cannot move, a kinematic one, is of no island: it stays of class 0, so that a row is of the class of those of its bodies that move.
         for (int i = 0; i < count && joints != null; i++)
         {
             int root = Root(list[i]);
-            _class[root] = (byte)Math.Max(_class[root], joints.DoublingsOf(list[i]));
+            _class[root] = moves[list[i]] != 0 ? (byte)Math.Max(_class[root], joints.DoublingsOf(list[i])) : (byte)0;
         }
 
         MarkJointed(joints);
@@ -152,7 +153,7 @@ internal sealed unsafe partial class IslandClasses
         for (int i = 0; _adapts && i < count; i++)
         {
             int root = Root(list[i]);
-            if ((_listed[root] & Jointed) == 0 && graph.Degree(list[i]) > 0)
+            if ((_listed[root] & Jointed) == 0 && moves[list[i]] != 0 && graph.Degree(list[i]) > 0)
             {
                 _class[root] = (byte)Math.Max(_class[root], forecast.DoublingsOf(islands.Of(list[i])));
             }
@@ -160,7 +161,7 @@ internal sealed unsafe partial class IslandClasses
 
         if (_anyChosen)
         {
-            Choose(bodies, list, count);
+            Choose(joints, graph, bodies, moves, list, count);
         }
 
         // Springs are fixed for the step's own substep: what they pull at keeps to it, and so do nets.
@@ -181,7 +182,11 @@ internal sealed unsafe partial class IslandClasses
         for (int i = 0; i < count; i++)
         {
             int index = moves[list[i]] != 0 ? _class[Root(list[i])] : 0;
-            joints?.SetClass(list[i], index);
+            if (moves[list[i]] != 0)
+            {
+                joints?.SetClass(list[i], index);
+            }
+
             Enlist(list[i], index);
         }
 
@@ -303,40 +308,6 @@ internal sealed unsafe partial class IslandClasses
         bundle->FeedRate[lane] = jointed ? bundle->FeedRate[lane] * share : Math.Min(bundle->FeedRate[lane], fastest);
     }
 
-    private static bool IsAnyChosen(BodyStore bodies, int* list, int count)
-    {
-        BodyFlags* flags = bodies.Flags.Pointer;
-        BodyFlags all = BodyFlags.None;
-        for (int i = 0; i < count; i++)
-        {
-            all |= flags[list[i]];
-        }
-
-        return (all & BodyFlags.Substeps) != 0;
-    }
-
-    /// <summary>Where the user chose, the islands' own needs do not count; of several choices the finest does.</summary>
-    private void Choose(BodyStore bodies, int* list, int count)
-    {
-        _chosen.EnsureCapacity(bodies.Ids.End);
-        for (int i = 0; i < count; i++)
-        {
-            _chosen[Root(list[i])] = 0;
-        }
-
-        for (int i = 0; i < count; i++)
-        {
-            int root = Root(list[i]);
-            _chosen[root] = (byte)Math.Max(_chosen[root], ChosenSubsteps.Bits(bodies.Flags[list[i]]));
-        }
-
-        for (int i = 0; i < count; i++)
-        {
-            int root = Root(list[i]);
-            _class[root] = _chosen[root] > 0 ? (byte)(_chosen[root] - 1) : _class[root];
-        }
-    }
-
     private void MarkJointed(JointSolver? joints)
     {
         for (int i = 0; joints != null && i < joints.Count; i++)
@@ -383,6 +354,7 @@ internal sealed unsafe partial class IslandClasses
         }
     }
 
+    // Parents have lower numbers.
     private int Root(int body)
     {
         int* parent = _parent.Pointer;

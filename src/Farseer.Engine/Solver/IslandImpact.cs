@@ -66,6 +66,11 @@ internal sealed unsafe class IslandImpact
             ref SmallIslandRow entry = ref islands[k];
             BounceLanes* bounce = entry.Bounce < 0 ? null : bounces + entry.Bounce;
             int lane = entry.Lane;
+            if (!Answers(entry.Row, lane))
+            {
+                continue;
+            }
+
             bool hits = bounce != null && ((bounce->Hits >> lane) & 1) != 0;
             Enlist(entry.Row, lane);
             if (hits && !stop)
@@ -183,6 +188,11 @@ internal sealed unsafe class IslandImpact
             ref SmallIslandRow entry = ref islands[k];
             ContactBundle* row = entry.Row;
             int lane = entry.Lane;
+            if (!Answers(row, lane))
+            {
+                continue;
+            }
+
             FindGaps(row, lane, bodies, c, out double gap0, out double gap1);
             BounceLanes* bounce = entry.Bounce < 0 ? null : bounces + entry.Bounce;
             bool struck = bounce != null && ((bounce->Struck >> lane) & 1) != 0;
@@ -232,6 +242,9 @@ internal sealed unsafe class IslandImpact
     }
 
     private static BodyDrive DriveOf(BodyStore bodies, int body, float answer) => answer > 0 ? bodies.Drive[body] : default;
+
+    /// <summary>One of the bodies can move.</summary>
+    private static bool Answers(ContactBundle* row, int lane) => row->MassA[lane] + row->InertiaA[lane] + row->MassB[lane] + row->InertiaB[lane] > 0;
 
     private void Enlist(ContactBundle* row, int lane)
     {

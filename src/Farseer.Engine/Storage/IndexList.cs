@@ -13,7 +13,15 @@ internal sealed unsafe class IndexList
 
     public int Capacity => _items.Capacity;
 
-    public int this[int position] => _items[position];
+    public int this[int position]
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get
+        {
+            MemoryGuard.CheckIndex(position, Count, typeof(IndexList));
+            return _items[position];
+        }
+    }
 
     public void Clear() => Count = 0;
 

@@ -22,7 +22,15 @@ internal unsafe struct ScratchList<T>
 
     public int Count { get; private set; }
 
-    public readonly ref T this[int position] => ref Pointer[position];
+    public readonly ref T this[int position]
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get
+        {
+            MemoryGuard.CheckIndex(position, Count, typeof(T));
+            return ref Pointer[position];
+        }
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(in T item)

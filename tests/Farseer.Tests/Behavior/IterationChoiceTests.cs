@@ -95,6 +95,60 @@ public sealed class IterationChoiceTests : IDisposable
         Assert.Equal(_simulator.Iterations, Run());
     }
 
+    /// <summary>A kinematic body is of no island, yet in the list of those that are solved: with a factor on board nothing may be asked of its island.</summary>
+    [Theory]
+    [InlineData(1, false)]
+    [InlineData(4, false)]
+    [InlineData(16, false)]
+    [InlineData(1, true)]
+    [InlineData(4, true)]
+    [InlineData(16, true)]
+    public void IterationFactor_OnAKinematicLift_IsThatOfItsLoad(int factor, bool ofLift)
+    {
+        for (int count = 1; count < 10; count++)
+        {
+            using var test = new IterationChoiceTests();
+            Body lift = test.Lift(count);
+            Body[] load = test.Stack(200, count, 4.5f);
+            (ofLift ? lift : load[count / 2]).IterationFactor = factor;
+
+            Assert.Equal(factor * test._simulator.Iterations, test.Run());
+            for (int i = 0; i < count; i++)
+            {
+                // At rest on it, which has gone up by 1 m/s for half a second.
+                Assert.Equal(5 + i, load[i].Position.Y, 0.05f);
+                Assert.Equal(1, load[i].LinearVelocity.Y, 0.1f);
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData(2, false)]
+    [InlineData(8, false)]
+    [InlineData(2, true)]
+    [InlineData(8, true)]
+    public void IterationFactor_OfWhatHangsOnAKinematicBody_IsThatOfTheRope(int factor, bool ofHook)
+    {
+        Body hook = BodyFactory.Instance.CreateRectangleBody(_simulator, 1, 1, 1);
+        hook.Position = new Vector2(50, 40);
+        hook.IsKinematic = true;
+        hook.LinearVelocity = new Vector2(0, 0.5f);
+        Body[] rope = Hang(new Vector2(50, 40), hook);
+        (ofHook ? hook : rope[2]).IterationFactor = factor;
+
+        Assert.Equal(factor * _simulator.Iterations, Run());
+        Assert.Equal(hook.Position.Y - 5.5f, rope[5].Position.Y, 0.05f);
+    }
+
+    [Fact]
+    public void IterationFactor_OfAKinematicBodyAlone_ConcernsNobody()
+    {
+        Lift(3).IterationFactor = 16;
+        Stack(0, 3);
+
+        Assert.Equal(_simulator.Iterations, Run());
+    }
+
     [Fact]
     public void IterationFactor_WithoutAdapting_StillCounts()
     {
@@ -164,20 +218,31 @@ public sealed class IterationChoiceTests : IDisposable
         return _simulator.Report.MostIterations;
     }
 
-    private Body[] Stack(float x, int count)
+    /// <summary>A platform at (200, 3.5), which goes up by 1 m/s.</summary>
+    private Body Lift(int width)
+    {
+        Body lift = BodyFactory.Instance.CreateRectangleBody(_simulator, 2 + width, 1, 1);
+        lift.Position = new Vector2(200, 3.5f);
+        lift.IsKinematic = true;
+        lift.LinearVelocity = new Vector2(0, 1);
+        GeomFactory.Instance.CreateRectangleGeom(_simulator, lift, 2 + width, 1);
+        return lift;
+    }
+
+    private Body[] Stack(float x, int count, float bottom = 0.5f)
     {
         var boxes = new Body[count];
         for (int i = 0; i < count; i++)
         {
             boxes[i] = BodyFactory.Instance.CreateRectangleBody(_simulator, 1, 1, 1);
-            boxes[i].Position = new Vector2(x, i + 0.5f);
+            boxes[i].Position = new Vector2(x, i + bottom);
             GeomFactory.Instance.CreateRectangleGeom(_simulator, boxes[i], 1, 1);
         }
 
         return boxes;
     }
 
-    private Body[] Hang(Vector2 from)
+    private Body[] Hang(Vector2 from, Body? hook = null)
     {
         var links = new Body[6];
         for (int i = 0; i < links.Length; i++)
@@ -185,7 +250,11 @@ public sealed class IterationChoiceTests : IDisposable
             links[i] = BodyFactory.Instance.CreateRectangleBody(_simulator, 0.2f, 1, 1);
             links[i].Position = from - new Vector2(0, i + 0.5f);
             Vector2 top = from - new Vector2(0, i);
-            if (i == 0)
+            if (i == 0 && hook is not null)
+            {
+                JointFactory.Instance.CreateRevoluteJoint(_simulator, hook, links[i], top);
+            }
+            else if (i == 0)
             {
                 JointFactory.Instance.CreateFixedRevoluteJoint(_simulator, links[i], top);
             }

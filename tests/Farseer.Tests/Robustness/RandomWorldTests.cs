@@ -31,18 +31,12 @@ public class RandomWorldTests
     [Fact]
     public void RandomWorlds_Run_KeepWithinTheirEnergyAndAboveTheFloor()
     {
-        var worlds = new RandomWorld[Seeds];
-        for (int seed = 0; seed < Seeds; seed++)
-        {
-            worlds[seed] = new RandomWorld(seed);
-            worlds[seed].Run();
-        }
-
         var over = new List<string>();
         float fastest = 0;
         for (int seed = 0; seed < Seeds; seed++)
         {
-            RandomWorld world = worlds[seed];
+            var world = new RandomWorld(seed);
+            world.Run();
             Assert.True(world.Quarantined == 0, $"{seed}: {world.Quarantined} bodies were quarantined");
             Assert.True(world.BelowFloor == 0, $"{seed}: {world.BelowFloor} bodies are below the floor");
             if (world.WorstShare > MostShare)

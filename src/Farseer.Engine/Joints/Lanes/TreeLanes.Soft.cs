@@ -166,7 +166,7 @@ internal sealed unsafe partial class TreeLanes
     {
         LaneTrees* trees = _bundles.Pointer + _givenFrom[tree];
         int lane = 0;
-        while (trees->Tree[lane] != _given[tree])
+        while (lane < trees->Count - 1 && trees->Tree[lane] != _given[tree])
         {
             lane++;
         }

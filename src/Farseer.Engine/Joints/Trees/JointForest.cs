@@ -271,6 +271,7 @@ internal sealed unsafe partial class JointForest
         JointTree* tree = Trees + TreeCount;
         *tree = default;
         tree->First = Count;
+        tree->Current = Count;
         tree->AnchorFirst = AnchorCount;
     }
 

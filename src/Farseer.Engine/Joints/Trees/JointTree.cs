@@ -123,7 +123,7 @@ internal struct JointTree
     /// <summary>A walk brought an impulse.</summary>
     public bool Carries;
 
-    /// <summary>The node at which the lazy walk stands.</summary>
+    /// <summary>The node at which the lazy walk stands, one of the tree at any time.</summary>
     public int Current;
 
     /// <summary>Substeps are counted by class: a tree takes part in the passes of its class only.</summary>

@@ -51,7 +51,7 @@ internal static unsafe class TreeWalk
         }
     }
 
-    /// <summary>Makes a body current.</summary>
+    /// <summary>Makes a body current. The current one is of the same tree, so that both ways end where they meet, at the root at the latest.</summary>
     public static void Visit(in JointForestView view, int target)
     {
         TreeNode* nodes = view.Nodes;
@@ -62,6 +62,7 @@ internal static unsafe class TreeWalk
             return;
         }
 
+        System.Diagnostics.Debug.Assert(nodes[at].Tree == nodes[target].Tree, "a walk stays in its tree");
         tree->Current = target;
         int meet = target;
         int up = at;
