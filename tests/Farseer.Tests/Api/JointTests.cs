@@ -516,6 +516,7 @@ public class JointTests
         AngleLimitJoint limit = _joints.CreateAngleLimitJoint(simulator, bodies[3], bodies[1], -0.2f, 0.3f);
         simulator.Update(Sandbox.Step);
         limit.Body1 = bodies[4];
+        simulator.Update(Sandbox.Step);
         limit.Body2 = bodies[5];
         Assert.Same(bodies[4], limit.Body1);
         Assert.Same(bodies[5], limit.Body2);
@@ -540,8 +541,9 @@ public class JointTests
             PhysicsSimulator simulator = new PhysicsSimulator();
             Body body = Bar(simulator, 0);
             FixedAngleLimitJoint joint = _joints.CreateFixedAngleLimitJoint(simulator, body, -3, 3);
-            joint.LowerLimit = -0.1f - (0.2f * i);
             joint.Slop = 0.002f;
+            simulator.Update(Sandbox.Step);
+            joint.LowerLimit = -0.1f - (0.2f * i);
             Assert.Equal(-0.1f - (0.2f * i), joint.LowerLimit);
             body.AngularVelocity = -5;
             Sandbox.Run(simulator, 100);
@@ -563,9 +565,22 @@ public class JointTests
             b.LinearDragCoefficient = 4;
             SliderJoint joint = _joints.CreateSliderJoint(simulator, a, Vector2.Zero, b, Vector2.Zero, 0, 200);
             simulator.Update(Sandbox.Step);
-            joint.Anchor1 = new Vector2(3 * i, -2 * i);
-            joint.Max = 20 + (5 * i);
             joint.Slop = 0.01f;
+
+            // Each of the two in an update of its own: what is set last is not carried by the other.
+            if (i % 2 == 0)
+            {
+                joint.Anchor1 = new Vector2(3 * i, -2 * i);
+                simulator.Update(Sandbox.Step);
+                joint.Max = 20 + (5 * i);
+            }
+            else
+            {
+                joint.Max = 20 + (5 * i);
+                simulator.Update(Sandbox.Step);
+                joint.Anchor1 = new Vector2(3 * i, -2 * i);
+            }
+
             Assert.Equal((new Vector2(3 * i, -2 * i), 20 + (5 * i)), (joint.Anchor1, joint.Max));
             Sandbox.Run(simulator, 1500);
 
