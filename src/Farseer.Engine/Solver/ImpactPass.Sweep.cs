@@ -44,6 +44,32 @@ internal sealed unsafe partial class ImpactPass
         }
     }
 
+    /// <summary>The lanes of these impacts in which one of two bodies that move takes no noticeable part.</summary>
+    private static int HeavyLanes(ContactBundle* row, int hits)
+    {
+        int heavy = 0;
+        for (int lane = 0; hits >> lane != 0; lane++)
+        {
+            bool moveBoth = row->MassA[lane] + row->InertiaA[lane] > 0 && row->MassB[lane] + row->InertiaB[lane] > 0;
+            heavy |= moveBoth && !(YieldsA(row, lane) && YieldsB(row, lane)) ? 1 << lane : 0;
+        }
+
+        return heavy & hits;
+    }
+
+    /// <summary>Body A takes a noticeable part in the response of an impact.</summary>
+    private static bool YieldsA(ContactBundle* row, int lane)
+    {
+        float arm = row->Point0.TangentArmA[lane];
+        return row->MassA[lane] + (row->InertiaA[lane] * arm * arm) > Heavy * row->K11[lane];
+    }
+
+    private static bool YieldsB(ContactBundle* row, int lane)
+    {
+        float arm = row->Point0.TangentArmB[lane];
+        return row->MassB[lane] + (row->InertiaB[lane] * arm * arm) > Heavy * row->K11[lane];
+    }
+
     /// <summary>What shares no body with another impact has been solved by the first sweep, whatever happens elsewhere meanwhile.</summary>
     private void KeepShared()
     {
