@@ -82,10 +82,7 @@ internal readonly struct ContactCoefficients
         DrivenBound driven = default)
     {
         Driven = driven;
-        // Without gravity nothing sinks; a finite number keeps lanes without a piece, of size 0, at 0.
         SettleShare = System.Math.Min(UsualSettleShare / coarseness, MostSettleShare);
-        float usual = substep / coarseness;
-        Smallness = System.Math.Min(1f / (LargeSize * gravity * usual * System.Math.Max(usual, substep)), float.MaxValue);
         Gravity = gravity;
         RiseTaken = gravity > 0 ? Extrapolation : WeightlessRise;
         FallTaken = gravity > 0 ? Extrapolation : WeightlessFall;
@@ -97,6 +94,10 @@ internal readonly struct ContactCoefficients
 
         // A contact is as stiff as in the longest substep of late, and in a shorter one moves less: it rests at the same depth in each.
         float longest = System.Math.Max(substep, recovery);
+
+        // Without gravity nothing sinks; a finite number keeps lanes without a piece, of size 0, at 0.
+        float usual = longest / coarseness;
+        Smallness = System.Math.Min(1f / (LargeSize * gravity * usual * System.Math.Max(usual, longest)), float.MaxValue);
         float angular = AngularStep * (substep / longest);
         float denominator = (2f * DampingRatio) + angular;
         float product = angular * denominator;

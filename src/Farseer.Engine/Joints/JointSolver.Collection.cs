@@ -49,11 +49,14 @@ internal sealed unsafe partial class JointSolver
         FindWheels();
     }
 
-    /// <summary>After somebody was told of joints that broke: other bodies may move now than when the trees were built.</summary>
+    /// <summary>
+    /// After somebody was told of joints that broke: other bodies may move now than when the trees were built. Joints that break late act
+    /// until the step ends.
+    /// </summary>
     /// <returns>True if joints act.</returns>
     public bool Renew()
     {
-        if (_store.Changed || BodiesChanged())
+        if ((_store.Changed && !_step.BreaksLate) || BodiesChanged())
         {
             _forest.ClearGuests();
             Look();

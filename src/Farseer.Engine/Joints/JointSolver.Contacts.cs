@@ -252,7 +252,7 @@ internal sealed unsafe partial class JointSolver
             if (Iterates(_active.Pointer + i, _rows.Pointer + i))
             {
                 Enlist(_active[i].Ends, i, (uint)i);
-                Join(_active.Pointer + i);
+                Join(i);
             }
         }
 

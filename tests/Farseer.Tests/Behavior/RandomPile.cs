@@ -51,7 +51,10 @@ internal sealed class RandomPile
 
     public IReadOnlyList<Body> Bodies => _bodies;
 
-    /// <summary>All places, turned back to the size of scale 1, which is exact, and all angles and velocities.</summary>
+    /// <summary>
+    /// All places, turned back to the size of scale 1, which is exact, and all angles and velocities. Velocities that die away end below the
+    /// smallest normal number, 1.2e-38, where bits are lost and how many depends on the scale: up to 2^30 times that they are 0.
+    /// </summary>
     public double[] State()
     {
         var state = new List<double>();
@@ -60,13 +63,15 @@ internal sealed class RandomPile
             state.Add(body.PositionX / _scale);
             state.Add(body.PositionY / _scale);
             state.Add(body.TotalRotation);
-            state.Add(body.LinearVelocity.X / _scale);
-            state.Add(body.LinearVelocity.Y / _scale);
-            state.Add(body.AngularVelocity);
+            state.Add(Speed(body.LinearVelocity.X / _scale));
+            state.Add(Speed(body.LinearVelocity.Y / _scale));
+            state.Add(Speed(body.AngularVelocity));
         }
 
         return state.ToArray();
     }
+
+    private static double Speed(float value) => Math.Abs(value) < 1e-29f ? 0 : value;
 
     private Geom Shape(int kind, float size)
     {

@@ -15,13 +15,13 @@ public class RandomWorldTests
     private const double MostShare = 1.5;
 
     /// <summary>
-    /// Of the 300 these exceed it (16 before soft pivots were solved as one; 12 while small worlds drew their colours as large ones do: 31, 38, 159 and 188
-    /// are new, 2 and 153 were over it then). 74: a soft pivot with its anchor five sizes off its body, among limits. 25: a soft slider that was overrun goes
-    /// back with a speed. 100: joints that contradict each other, as in 30 before. The others, of up to forty bodies with as many joints, were not reduced to a cause.
+    /// So many of the 300 may exceed it; 5 do (16 before soft pivots were solved as one, 14 before those at their own stops were asked again without them). 25: a soft slider
+    /// that was overrun goes back with a speed. The others, of up to forty bodies with as many joints that contradict each other, were not reduced to a cause; which of them
+    /// it are goes by chance, 2 in 100 of all seeds.
     /// </summary>
-    private const int MostOver = 14;
+    private const int MostOver = 10;
 
-    /// <summary>429 a second now, 683 in seed 30 before; a soft pivot swung up to 11,300 in seed 79 before that. (In a world within its energy a motor may drive a body faster.)</summary>
+    /// <summary>60 a second now, 683 in seed 30 before; a soft pivot swung up to 11,300 in seed 79 before that. (In a world within its energy a motor may drive a body faster.)</summary>
     private const float Fastest = 700;
 
     private readonly ITestOutputHelper _output;
@@ -80,5 +80,22 @@ public class RandomWorldTests
         Assert.Equal(0, world.Quarantined);
         Assert.InRange(world.WorstShare, 0, 1);
         Assert.InRange(world.Fastest, 0, 10);
+    }
+
+    /// <summary>
+    /// What was left of seed 692: a body of 0.3 kg at its stop, 4 m off its soft pivot, which pulled with the mass of the whole body. The stop let go of it: it was off at a kilometre
+    /// a second, with seven times what had been given to all.
+    /// </summary>
+    [Fact]
+    public void SoftPivot_ThatOpensItsOwnStop_KeepsWithinItsEnergy()
+    {
+        int[] parts = { 6, 9, 31, 32, 33, 34, 67, 89, 90 };
+        var world = new RandomWorld(692, part => Array.IndexOf(parts, part) >= 0);
+
+        world.Run();
+
+        Assert.Equal(0, world.Quarantined);
+        Assert.InRange(world.WorstShare, 0, 1);
+        Assert.InRange(world.Fastest, 0, 200);
     }
 }
