@@ -106,7 +106,7 @@ internal sealed class Report
         }
     }
 
-    private static string Told(string fault) => fault.Length > 0 ? fault : "there";
+    private static string Told(string fault) => fault.Length > 0 ? fault : "–";
 
     private void WriteFigures(TextWriter output, Change change, int most)
     {
