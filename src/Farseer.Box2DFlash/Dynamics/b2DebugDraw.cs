@@ -6,7 +6,7 @@ using Box2D.Common.Math;
 namespace Box2D.Dynamics;
 
 /// <summary>
-/// Draws a world at the end of each <see cref="b2World.Step"/>: set <see cref="m_drawFlags"/>, and <see cref="m_sprite"/> or override
+/// Draws a world at the end of each <see cref="b2World.Step(float, int)"/>: set <see cref="m_drawFlags"/>, and <see cref="m_sprite"/> or override
 /// the drawing methods. Nothing is drawn without flags.
 /// </summary>
 public class b2DebugDraw

@@ -8,7 +8,7 @@ namespace Farseer.Engine.Contacts;
 /// step than its impacts can be followed, and leaves its room. So a rebound is faster than its approach only up to a speed; beyond it
 /// nothing is lost and nothing gained.
 /// </summary>
-internal readonly struct DrivenBound
+internal readonly unsafe struct DrivenBound
 {
     /// <summary>
     /// Way in a step, and in a substep, in extents of the body, each half of its shorter side. Rooms of up to twelve bodies with thin walls
@@ -47,4 +47,15 @@ internal readonly struct DrivenBound
         Math.Min(
             bodies.Mass[bodyA].InverseMass > 0 ? SpeedOf(bodies, bodyA) : _most,
             bodies.Mass[bodyB].InverseMass > 0 ? SpeedOf(bodies, bodyB) : _most);
+
+    /// <summary>Notes how far the contacts of a bundle drive.</summary>
+    public void Note(BounceLanes* bounce, BodyStore bodies)
+    {
+        ContactBundle* row = bounce->Row;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            bool drives = ((bounce->Can >> lane) & 1) != 0 && row->Restitution[lane] > 1;
+            bounce->Most[lane] = drives ? (float)SpeedOf(bodies, row->BodyA[lane], row->BodyB[lane]) : float.PositiveInfinity;
+        }
+    }
 }
