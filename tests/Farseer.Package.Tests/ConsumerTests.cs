@@ -51,4 +51,13 @@ public sealed class ConsumerTests(PackedLibrary library)
         // Free flight is exact: y = 100 · 1² / 2.
         Assert.Contains("50.00\n", output);
     }
+
+    [Fact]
+    public void PortedSource_BesideAFrameworkWithTheSameNames_Compiles()
+    {
+        string output = library.RunConsumer("Beside", "App");
+
+        // A quarter of a turn takes the x axis to (0, 1).
+        Assert.Contains("faller 50.00 1.00 7 3 OfTheFramework\n", output);
+    }
 }

@@ -103,8 +103,8 @@ namespace Farseer.Porting.Tests
             Vector2.TransformNormal(ref _a, ref both, out c);
             Assert.Equal(-4, c.X, 5);
             Assert.Equal(turn.M12, both.Right.Y);
-            both.Up = new Vector3(5, 6, 7);
-            Assert.Equal(6, both.M22);
+            Assert.Equal(both.M21, Matrix.Multiply(turn, move).Up.X);
+            Assert.Equal(new Vector3(0, -1, 0), Matrix.Identity.Down);
             Assert.Equal(new Vector3(0, 1, 0), Vector3.Up);
         }
 

@@ -113,20 +113,17 @@ namespace Farseer.Porting.Tests
         /// <summary>Lines with an error.</summary>
         public static HashSet<int> Broken(string body)
         {
-            const string Usings = @"global using Vector2 = System.Numerics.Vector2; global using Vector3 = System.Numerics.Vector3;
-global using Vector4 = System.Numerics.Vector4;
-global using Matrix = System.Numerics.Matrix4x4; global using System;
+            string usings = BuildProperty.GlobalUsings + @"global using System;
 global using FarseerGames.FarseerPhysics; global using FarseerGames.FarseerPhysics.Collisions;
 global using FarseerGames.FarseerPhysics.Controllers; global using FarseerGames.FarseerPhysics.Dynamics;
 global using FarseerGames.FarseerPhysics.Dynamics.Joints; global using FarseerGames.FarseerPhysics.Dynamics.Springs;
-global using FarseerGames.FarseerPhysics.Factories; global using FarseerGames.FarseerPhysics.Interfaces;
-global using FarseerGames.FarseerPhysics.Mathematics; global using FarseerGames.FarseerPhysics.Porting;";
+global using FarseerGames.FarseerPhysics.Factories; global using FarseerGames.FarseerPhysics.Interfaces;";
             var options = new CSharpParseOptions(LanguageVersion.Latest);
             SyntaxTree tree = CSharpSyntaxTree.ParseText(body, options);
             string[] assemblies = ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")).Split(System.IO.Path.PathSeparator);
             var compilation = CSharpCompilation.Create(
                 "Uses",
-                new[] { tree, CSharpSyntaxTree.ParseText(Usings, options) },
+                new[] { tree, CSharpSyntaxTree.ParseText(usings, options) },
                 assemblies.Append(typeof(PhysicsSimulator).Assembly.Location).Distinct().Select(a => MetadataReference.CreateFromFile(a)),
                 new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
             return compilation.GetDiagnostics()

@@ -34,7 +34,8 @@ internal sealed class ContactBook
         Stack<b2Contact> spare = accepted ? _spare : _spareRefused;
         if (spare.Count == 0)
         {
-            // As many again as there are: one by one, bodies that bounce about would allocate whenever more of them are near each other than ever before.
+            // As many again as there are: one by one, bodies that bounce about would allocate whenever more of them are near each other
+            // than ever before.
             for (int more = Math.Max(LeastSpares, Count); more > 0; more--)
             {
                 spare.Push(accepted ? new b2Contact(first, second) : new b2NullContact(first, second));

@@ -202,8 +202,8 @@ internal sealed class EngineWorld : IStepHooks
     }
 
     /// <summary>
-    /// After a teleport: contacts whose boxes have parted by it end at once, here and in the engine, and are judged anew where they meet again.
-    /// What the engine only foresees goes on: a pose that is set to what it is ends nothing.
+    /// After a teleport: contacts whose boxes have parted by it end at once, here and in the engine, and are judged anew where they meet
+    /// again. What the engine only foresees goes on: a pose that is set to what it is ends nothing.
     /// </summary>
     public void Moved(b2Body body)
     {

@@ -109,7 +109,9 @@ public partial class b2World
         set => SetDebugDraw(value);
     }
 
-    /// <summary>Whole seconds. It is here for the compiler to warn: in C# <c>1 / 30</c> is the whole number 0, and a step of 0 does nothing.</summary>
+    /// <summary>
+    /// Whole seconds. It is here for the compiler to warn: in C# <c>1 / 30</c> is the whole number 0, and a step of 0 does nothing.
+    /// </summary>
     /// <param name="dt">Time, seconds; 0 or more.</param>
     /// <param name="iterations">Accuracy, above 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>

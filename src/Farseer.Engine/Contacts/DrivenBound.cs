@@ -4,14 +4,15 @@ using Farseer.Engine.Bodies;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// How far restitutions above 1 drive bodies on. They make energy at each bounce, without end: sooner or later a body gets further in a step than
-/// its impacts can be followed, and leaves its room. So a rebound is faster than its approach only up to a speed; beyond it nothing is lost and nothing gained.
+/// How far restitutions above 1 drive bodies on. They make energy at each bounce, without end: sooner or later a body gets further in a
+/// step than its impacts can be followed, and leaves its room. So a rebound is faster than its approach only up to a speed; beyond it
+/// nothing is lost and nothing gained.
 /// </summary>
-internal readonly struct DrivenBound
+internal readonly unsafe struct DrivenBound
 {
     /// <summary>
-    /// Way in a step, and in a substep, in extents of the body, each half of its shorter side. Rooms of up to twelve bodies with thin walls lose no more at this
-    /// than with a restitution of 1; with twice as much in a substep, and one substep, one of fifty loses some.
+    /// Way in a step, and in a substep, in extents of the body, each half of its shorter side. Rooms of up to twelve bodies with thin walls
+    /// lose no more at this than with a restitution of 1; with twice as much in a substep, and one substep, one of fifty loses some.
     /// </summary>
     private const double MostExtents = 4;
     private const double MostOfSubstep = 0.5;
@@ -46,4 +47,15 @@ internal readonly struct DrivenBound
         Math.Min(
             bodies.Mass[bodyA].InverseMass > 0 ? SpeedOf(bodies, bodyA) : _most,
             bodies.Mass[bodyB].InverseMass > 0 ? SpeedOf(bodies, bodyB) : _most);
+
+    /// <summary>Notes how far the contacts of a bundle drive.</summary>
+    public void Note(BounceLanes* bounce, BodyStore bodies)
+    {
+        ContactBundle* row = bounce->Row;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            bool drives = ((bounce->Can >> lane) & 1) != 0 && row->Restitution[lane] > 1;
+            bounce->Most[lane] = drives ? (float)SpeedOf(bodies, row->BodyA[lane], row->BodyB[lane]) : float.PositiveInfinity;
+        }
+    }
 }

@@ -28,6 +28,14 @@ internal sealed class Decomposition
         return work.Merge();
     }
 
+    /// <summary>Triangles as indices in positive order, three each; <paramref name="outline"/> is tidy and positive.</summary>
+    public static List<int[]> Triangles(Vector2[] outline)
+    {
+        var work = new Decomposition(outline);
+        work.CutEars();
+        return work._triangles;
+    }
+
     private void CutEars()
     {
         int count = _outline.Length;

@@ -7,8 +7,8 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Simulation;
 
 /// <summary>
-/// What a step may have made of a body where restitutions above 1 make energy: see <see cref="DrivenBound"/>. What is faster by itself, or by what
-/// gravity and forces do on its way, stays so, but a step adds nothing.
+/// What a step may have made of a body where restitutions above 1 make energy: see <see cref="DrivenBound"/>. What is faster by itself, or
+/// by what gravity and forces do on its way, stays so, but a step adds nothing.
 /// </summary>
 internal sealed unsafe class BounceBound
 {

@@ -70,8 +70,8 @@ internal sealed partial class World
     }
 
     /// <summary>
-    /// Ends the pair of two colliders of one piece each, as if their boxes had parted: if they still meet in the next step, that is a new pair.
-    /// Not within a step.
+    /// Ends the pair of two colliders of one piece each, as if their boxes had parted: if they still meet in the next step, that is a new
+    /// pair. Not within a step.
     /// </summary>
     public void EndPair(Handle colliderA, Handle colliderB)
     {

@@ -157,9 +157,9 @@ internal sealed unsafe partial class ImpactPass
             }
         }
 
-        for (int i = 0; bounce && i < _count; i++)
+        for (int i = 0; i < _count; i++)
         {
-            NoteMost(_bounces.Pointer + i, bodies, driven);
+            driven.Note(_bounces.Pointer + i, bodies);
         }
 
         if (_count > 0)
@@ -189,22 +189,6 @@ internal sealed unsafe partial class ImpactPass
         bounce->Can = can;
         bounce->Free = alone;
         bounce->Direct = _small != null ? DirectLanes(row, can) : 0;
-        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
-        {
-            bounce->Most[lane] = float.PositiveInfinity;
-        }
-    }
-
-    private static void NoteMost(BounceLanes* bounce, BodyStore bodies, in DrivenBound driven)
-    {
-        ContactBundle* row = bounce->Row;
-        for (int lane = 0; bounce->Can >> lane != 0; lane++)
-        {
-            if (((bounce->Can >> lane) & 1) != 0 && row->Restitution[lane] > 1)
-            {
-                bounce->Most[lane] = (float)driven.SpeedOf(bodies, row->BodyA[lane], row->BodyB[lane]);
-            }
-        }
     }
 
     /// <summary>Before the velocities of a substep are integrated.</summary>

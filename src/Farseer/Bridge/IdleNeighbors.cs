@@ -9,8 +9,8 @@ using FarseerGames.FarseerPhysics.Dynamics.Springs;
 namespace FarseerGames.FarseerPhysics.Bridge;
 
 /// <summary>
-/// Which resting bodies others are about to meet, touch, or hold by a joint or spring, and which hang together with those again. What is disabled
-/// has no contacts and no joints, so a body that rests on it or hangs at it would fall.
+/// Which resting bodies others are about to meet, touch, or hold by a joint or spring, and which hang together with those again. What is
+/// disabled has no contacts and no joints, so a body that rests on it or hangs at it would fall.
 /// </summary>
 internal sealed class IdleNeighbors
 {

@@ -238,6 +238,7 @@ public partial class Geom
         public CollisionEventHandler? OnCollision;
         public SeparationEventHandler? OnSeparation;
         public object? Tag;
+        public string? Name;
         public Grid? Grid;
         public Frame? Frame;
     }

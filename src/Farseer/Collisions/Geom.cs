@@ -141,6 +141,21 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     }
 
     /// <summary>
+    /// A name for the user, who may find it helpful when looking for faults. Default null. (Of neighbouring versions of the original.)
+    /// </summary>
+    public string? Name
+    {
+        get => _extras?.Name;
+        set
+        {
+            if (ExtrasFor(value) is { } extras)
+            {
+                extras.Name = value;
+            }
+        }
+    }
+
+    /// <summary>
     /// The outline in geom coordinates, in the documented order. A circle has the number of edges it was made with, although it
     /// collides as a true circle; a rectangle has 16. Do not change the list: use <see cref="SetVertices"/>.
     /// </summary>

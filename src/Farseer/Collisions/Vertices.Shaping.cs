@@ -7,6 +7,16 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// <content>Simpler outlines from given ones.</content>
 public partial class Vertices
 {
+    /// <summary>An order of vertices, as seen with y pointing down. (Of neighbouring versions of the original.)</summary>
+    public enum WindingOrder
+    {
+        /// <summary>From the x axis towards the y axis: a positive signed area.</summary>
+        Clockwise,
+
+        /// <summary>The other way, which geoms use: see <see cref="IsCounterClockWise"/>.</summary>
+        CounterClockwise,
+    }
+
     /// <summary>
     /// The smallest convex outline around the vertices: the shape of a rubber band. Vertices on its edges are left out.
     /// (An addition to the original.)

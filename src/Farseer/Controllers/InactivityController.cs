@@ -6,9 +6,10 @@ using FarseerGames.FarseerPhysics.Dynamics;
 namespace FarseerGames.FarseerPhysics.Controllers;
 
 /// <summary>
-/// Disables bodies that have been slow for a while, and enables them again when one comes near that is fast or that it may not disable, or when
-/// anything is about to meet them. It disables only bodies whose <see cref="Body.IsAutoIdle"/> is true, and none that is static, and leaves those alone that
-/// something near would wake, or that touch, or hang by a joint or spring at, one that stays enabled. Each simulator has one,
+/// Disables bodies that have been slow for a while, and enables them again when one comes near that is fast or that it may not disable, or
+/// when anything is about to meet them. It disables only bodies whose <see cref="Body.IsAutoIdle"/> is true, and none that is static, and
+/// leaves those alone that something near would wake, or that touch, or hang by a joint or spring at, one that stays enabled. Each
+/// simulator has one,
 /// <see cref="PhysicsSimulator.InactivityController"/>.
 /// </summary>
 public class InactivityController : Controller

@@ -90,6 +90,21 @@ public partial class Body : IDisposable
         }
     }
 
+    /// <summary>
+    /// A name for the user, who may find it helpful when looking for faults. Default null. (Of neighbouring versions of the original.)
+    /// </summary>
+    public string? Name
+    {
+        get => _extras?.Name;
+        set
+        {
+            if (value is not null || _extras is not null)
+            {
+                Extras.Name = value;
+            }
+        }
+    }
+
     /// <summary>True once <see cref="Dispose()"/> was called.</summary>
     public bool IsDisposed { get; private set; }
 
@@ -464,6 +479,7 @@ public partial class Body : IDisposable
         public EventHandler<EventArgs>? Disposed;
         public UpdatedEventHandler? Updated;
         public object? Tag;
+        public string? Name;
         public float IdleTime;
         public float MinimumVelocity = UsualMinimumVelocity;
 

@@ -9,56 +9,20 @@ namespace FarseerGames.FarseerPhysics.Porting;
 /// </summary>
 public static class MatrixPorting
 {
-    /// <param name="matrix">The matrix that is read or changed.</param>
-    extension(ref Matrix4x4 matrix)
+    /// <param name="matrix">The matrix that is read; also one that a method returned.</param>
+    extension(Matrix4x4 matrix)
     {
         /// <summary>Where the x axis goes: the first row.</summary>
-        public Vector3 Right
-        {
-            get => new(matrix.M11, matrix.M12, matrix.M13);
-            set
-            {
-                matrix.M11 = value.X;
-                matrix.M12 = value.Y;
-                matrix.M13 = value.Z;
-            }
-        }
+        public Vector3 Right => new(matrix.M11, matrix.M12, matrix.M13);
 
         /// <summary>Where the y axis goes: the second row.</summary>
-        public Vector3 Up
-        {
-            get => new(matrix.M21, matrix.M22, matrix.M23);
-            set
-            {
-                matrix.M21 = value.X;
-                matrix.M22 = value.Y;
-                matrix.M23 = value.Z;
-            }
-        }
+        public Vector3 Up => new(matrix.M21, matrix.M22, matrix.M23);
 
         /// <summary>Where the negative x axis goes: the first row, negated.</summary>
-        public Vector3 Left
-        {
-            get => new(-matrix.M11, -matrix.M12, -matrix.M13);
-            set
-            {
-                matrix.M11 = -value.X;
-                matrix.M12 = -value.Y;
-                matrix.M13 = -value.Z;
-            }
-        }
+        public Vector3 Left => new(-matrix.M11, -matrix.M12, -matrix.M13);
 
         /// <summary>Where the negative y axis goes: the second row, negated.</summary>
-        public Vector3 Down
-        {
-            get => new(-matrix.M21, -matrix.M22, -matrix.M23);
-            set
-            {
-                matrix.M21 = -value.X;
-                matrix.M22 = -value.Y;
-                matrix.M23 = -value.Z;
-            }
-        }
+        public Vector3 Down => new(-matrix.M21, -matrix.M22, -matrix.M23);
     }
 
     extension(Matrix4x4)

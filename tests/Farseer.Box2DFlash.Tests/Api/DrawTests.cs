@@ -19,7 +19,8 @@ public sealed class DrawTests
             b2World world = Bench.World(0, 100);
             Bench.Ball(world, 20, 0);
 
-            // A triangle of 5 by 2, turned in its body by the angle of 3, 4 and 5: its smallest turned box lies on the longest side. The body is turned as well.
+            // A triangle of 5 by 2, turned in its body by the angle of 3, 4 and 5: its smallest turned box lies on the longest side. The
+            // body is turned as well.
             b2PolygonDef def = new() { density = 1, vertexCount = 3 };
             def.vertices[0].Set(0, 0);
             def.vertices[1].Set(4, 3);
@@ -32,7 +33,8 @@ public sealed class DrawTests
             world.DrawDebugData();
 
             Assert.Empty(graphics.Circles);
-            b2Vec2[] corners = [.. new[] { (0f, 0f), (4, 3), (2.8f, 4.6f), (-1.2f, 1.6f) }.Select(c => body.GetWorldPoint(new b2Vec2(c.Item1, c.Item2)))];
+            b2Vec2[] corners = [new(0, 0), new(4, 3), new(2.8f, 4.6f), new(-1.2f, 1.6f)];
+            corners = [.. corners.Select(body.GetWorldPoint)];
             Assert.NotEmpty(graphics.Points);
             Assert.All(corners, corner => Assert.Contains(graphics.Points, p => Near(p, corner)));
             Assert.All(graphics.Points, p => Assert.Contains(corners, corner => Near(p, corner)));

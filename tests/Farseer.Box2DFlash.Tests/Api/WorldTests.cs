@@ -374,7 +374,8 @@ public sealed class WorldTests
             b2Body box = Bench.Dynamic(world, 0, half, half, half);
             Bench.Step(world, 60);
 
-            // Half a slop of 5 mm deep, whatever the size from 0.64 m on, of which that is 1/256; a tenth of a millimetre is what it gives with its weight.
+            // Half a slop of 5 mm deep, whatever the size from 0.64 m on, of which that is 1/256; a tenth of a millimetre is what it gives
+            // with its weight.
             Assert.Equal(half - 0.0025, box.GetPosition().y, 1e-4);
         }
 

@@ -110,6 +110,57 @@ public class PoseSetEachStepTests
         }
     }
 
+    [Fact]
+    public void Points_OfBodiesPutHereAndThere_BeginGoOnAndEndInOrder()
+    {
+        for (int seed = 0; seed < 200; seed++)
+        {
+            var random = new Random(seed);
+            b2World world = Bench.World(doSleep: false);
+            Log log = new();
+            world.SetContactListener(log);
+            b2Body ground = Bench.Static(world, 0, -10, 50, 10);
+            List<b2Body> bodies = Dropped(world, random, restitution: 0.5f * random.Next(2));
+            for (int step = 0; step < 400; step++)
+            {
+                for (int i = 0; step == 120 && i < bodies.Count; i++)
+                {
+                    bodies[i].SetXForm(new b2Vec2((3 * i) - 4, 2), 0);
+                    bodies[i].SetLinearVelocity(new b2Vec2(0, 0));
+                }
+
+                foreach (b2Body body in bodies)
+                {
+                    // By nothing, by a hair, by less than its boxes reach, by more, or far away and back.
+                    float way = random.Next(6) switch { 0 => 0, 1 => 1e-5f, 2 => 0.02f, 3 => 0.5f, 4 => 2, _ => -1 };
+                    if (way >= 0 && step < 120)
+                    {
+                        b2Vec2 place = body.GetPosition().Copy();
+                        place.y += way * (float)random.NextDouble();
+                        body.SetXForm(place, body.GetAngle());
+                        if (random.Next(4) == 0)
+                        {
+                            place.y = 0.5f + (float)random.NextDouble();
+                            body.SetXForm(place, body.GetAngle());
+                        }
+                    }
+                }
+
+                if (random.Next(20) == 0)
+                {
+                    ground.SetXForm(ground.GetPosition(), 0);
+                }
+
+                log.BeginStep();
+                world.Step(Bench.Dt, 10);
+                log.EndStep(seed, step);
+            }
+
+            // At last all lie on the ground.
+            Assert.True(log.Added - log.Removed >= bodies.Count, $"seed {seed}: {log.Added} came, {log.Removed} went");
+        }
+    }
+
     /// <summary>One to four bodies of all kinds side by side above the floor.</summary>
     private static List<b2Body> Dropped(b2World world, Random random, float restitution)
     {

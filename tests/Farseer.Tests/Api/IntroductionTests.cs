@@ -73,9 +73,9 @@ public class IntroductionTests
         simulator.Add(new Geom(faller, Vertices.CreateRectangle(10, 10), 0));
         simulator.Add(new FixedRevoluteJoint(hung, new Vector2(200, 0)));
         simulator.Add(new FixedLinearSpring(pulled, Vector2.Zero, new Vector2(430, 0), 4, 0) { RestLength = 0 });
-        Assert.Equal((0, 0, 0, 0), (simulator.BodyList.Count, simulator.GeomList.Count, simulator.JointList.Count, simulator.SpringList.Count));
+        Assert.Equal((0, 0, 0, 0), Counts(simulator));
         simulator.Update(0.01f);
-        Assert.Equal((4, 2, 1, 1), (simulator.BodyList.Count, simulator.GeomList.Count, simulator.JointList.Count, simulator.SpringList.Count));
+        Assert.Equal((4, 2, 1, 1), Counts(simulator));
 
         // ½·g·t² after half a second; then it lies on the floor, whose surface is at 100.
         Sandbox.Run(simulator, 49);
@@ -87,6 +87,9 @@ public class IntroductionTests
         Assert.Equal(0, hung.Position.Y, 1e-3f);
         Assert.Equal(430 - (30 * Math.Cos(10)), pulled.Position.X, 0.05);
     }
+
+    private static (int Bodies, int Geoms, int Joints, int Springs) Counts(PhysicsSimulator simulator) =>
+        (simulator.BodyList.Count, simulator.GeomList.Count, simulator.JointList.Count, simulator.SpringList.Count);
 
     [Fact]
     [ManualRow("F003")]

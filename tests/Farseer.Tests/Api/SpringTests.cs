@@ -356,7 +356,8 @@ public class SpringTests
 
         Assert.Same(a, spring.Body1);
         Assert.Same(b, spring.Body2);
-        Assert.Equal((new Vector2(1, 2), new Vector2(3, 5), 6f, 7f), (spring.Anchor1, spring.Anchor2, spring.SpringConstant, spring.DampingConstant));
+        Assert.Equal((new Vector2(1, 2), new Vector2(3, 5)), (spring.Anchor1, spring.Anchor2));
+        Assert.Equal((6f, 7f), (spring.SpringConstant, spring.DampingConstant));
 
         // From (11, 22) to (53, 25).
         Assert.Equal(Math.Sqrt((42 * 42) + (3 * 3)), spring.RestLength, 1e-4);
@@ -373,7 +374,8 @@ public class SpringTests
         Run(simulator, 1);
 
         Assert.Same(body, spring.Body);
-        Assert.Equal((new Vector2(1, 2), new Vector2(41, 62), 6f, 7f), (spring.BodyAttachPoint, spring.WorldAttachPoint, spring.SpringConstant, spring.DampingConstant));
+        Assert.Equal((new Vector2(1, 2), new Vector2(41, 62)), (spring.BodyAttachPoint, spring.WorldAttachPoint));
+        Assert.Equal((6f, 7f), (spring.SpringConstant, spring.DampingConstant));
 
         // From (11, 22) to (41, 62).
         Assert.Equal(50, spring.RestLength, 1e-4);

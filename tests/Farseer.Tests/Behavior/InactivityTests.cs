@@ -100,7 +100,8 @@ public class InactivityTests
             Assert.False(box.Enabled);
 
             // From beside its middle to near its ends; dropped, thrown, pushed or struck, and idle or not.
-            Body body = Box(simulator, size, size, (width - size) * (0.8f * ((float)random.NextDouble() - 0.5f)), -height - size - 20 - (300 * (float)random.NextDouble()));
+            float aside = (width - size) * 0.8f * ((float)random.NextDouble() - 0.5f);
+            Body body = Box(simulator, size, size, aside, -height - size - 20 - (300 * (float)random.NextDouble()));
             body.IsAutoIdle = random.Next(2) == 0;
             int way = random.Next(4);
 
@@ -120,7 +121,8 @@ public class InactivityTests
                 }
 
                 simulator.Update(1 / 60f);
-                Assert.True(body.Position.Y < -height + (0.1f * size), $"seed {seed}, way {way}, step {step}: at {body.Position} in a box of {width} by {height}");
+                string what = $"seed {seed}, way {way}, step {step}: at {body.Position} in {width} by {height}";
+                Assert.True(body.Position.Y < -height + (0.1f * size), what);
             }
         }
     }
@@ -167,8 +169,8 @@ public class InactivityTests
             for (int step = 0; step < 200; step++)
             {
                 simulator.Update(1 / 60f);
-                Assert.True(
-                    boxes[count - 1].Position.Y < -size * (count - 0.5f) + 1, $"seed {seed}, step {step}: the top is at {boxes[count - 1].Position}");
+                float top = boxes[count - 1].Position.Y;
+                Assert.True(top < (-size * (count - 0.5f)) + 1, $"seed {seed}, step {step}: the top is at {top}");
             }
         }
     }

@@ -36,7 +36,8 @@ public class PoseSetEachStepTests
             int count = random.Next(1, 5);
             for (int i = 0; i < count; i++)
             {
-                Geom geom = Dropped(simulator, random, unit, new Vector2(3 * i * unit, -(near ? 0 : 3 * (float)random.NextDouble()) * unit));
+                float height = near ? 0 : 3 * unit * (float)random.NextDouble();
+                Geom geom = Dropped(simulator, random, unit, new Vector2(3 * i * unit, -height));
                 touches[geom] = 0;
                 geom.OnCollision += (one, _, contacts) =>
                 {

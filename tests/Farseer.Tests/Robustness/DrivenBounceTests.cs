@@ -103,9 +103,10 @@ public class DrivenBounceTests
                 simulator.Update(dt);
                 foreach (Body body in bodies)
                 {
-                    Assert.True(
-                        Math.Abs(body.Position.X) < within && Math.Abs(body.Position.Y) < within && float.IsFinite(body.LinearVelocity.Length() + body.AngularVelocity),
-                        $"seed {seed}, step {step}: at {body.Position} of {within}, {body.LinearVelocity.Length()} units/s, {body.AngularVelocity} rad/s");
+                    float speed = body.LinearVelocity.Length();
+                    string what = $"seed {seed}, step {step}: at {body.Position} of {within}, {speed} units/s, {body.AngularVelocity}";
+                    Assert.True(Math.Abs(body.Position.X) < within && Math.Abs(body.Position.Y) < within, what);
+                    Assert.True(float.IsFinite(speed + body.AngularVelocity), what);
                 }
             }
 
@@ -166,12 +167,14 @@ public class DrivenBounceTests
         int kind = random.Next(4);
         if (kind == 0)
         {
-            return GeomFactory.Instance.CreateCircleGeom(simulator, BodyFactory.Instance.CreateCircleBody(simulator, width / 2, 1), width / 2, 16);
+            Body ball = BodyFactory.Instance.CreateCircleBody(simulator, width / 2, 1);
+            return GeomFactory.Instance.CreateCircleGeom(simulator, ball, width / 2, 16);
         }
 
         if (kind == 1)
         {
-            return GeomFactory.Instance.CreateRectangleGeom(simulator, BodyFactory.Instance.CreateRectangleBody(simulator, width, height, 1), width, height);
+            Body box = BodyFactory.Instance.CreateRectangleBody(simulator, width, height, 1);
+            return GeomFactory.Instance.CreateRectangleGeom(simulator, box, width, height);
         }
 
         var outline = new Vertices();

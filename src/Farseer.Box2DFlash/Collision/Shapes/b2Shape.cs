@@ -149,7 +149,9 @@ public abstract partial class b2Shape
     /// <returns>0 or more.</returns>
     public float GetFriction() => _friction;
 
-    /// <summary>Sets the coefficient of friction, also of contacts that there are. (An addition to the original, whose field was written to.)</summary>
+    /// <summary>
+    /// Sets the coefficient of friction, also of contacts that there are. (An addition to the original, whose field was written to.)
+    /// </summary>
     /// <param name="friction">Finite and 0 or more.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="friction"/> is negative or not finite.</exception>
     public void SetFriction(float friction)
@@ -175,7 +177,10 @@ public abstract partial class b2Shape
     /// <returns>0 or more.</returns>
     public float GetDensity() => Density;
 
-    /// <summary>Sets the density; the body's mass follows at <see cref="b2Body.SetMassFromShapes"/>. (An addition to the original, whose field was written to.)</summary>
+    /// <summary>
+    /// Sets the density; the body's mass follows at <see cref="b2Body.SetMassFromShapes"/>. (An addition to the original, whose field was
+    /// written to.)
+    /// </summary>
     /// <param name="density">kg/m²; finite and 0 or more.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="density"/> is negative or not finite.</exception>
     public void SetDensity(float density) => Density = Require.NotNegative(density, nameof(density));

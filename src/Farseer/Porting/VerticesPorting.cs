@@ -1,0 +1,34 @@
+using System;
+using System.Numerics;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Collisions;
+
+namespace FarseerGames.FarseerPhysics.Porting;
+
+/// <summary>
+/// Members of <see cref="Vertices"/> that neighbouring versions of the original have. In reach after
+/// <c>using FarseerGames.FarseerPhysics.Porting;</c>, which the build property <c>FarseerPortingAliases</c> adds (see docs/Porting.md).
+/// They call for C# 14.
+/// </summary>
+public static class VerticesPorting
+{
+    extension(Vertices)
+    {
+        /// <summary>Cuts an outline into triangles, to be drawn as a list of these.</summary>
+        /// <param name="inputVertices">A simple outline, in either order. Repeated and collinear vertices are left out.</param>
+        /// <param name="desiredWindingOrder">The order of the results.</param>
+        /// <param name="outputVertices">The corners of the outline in that order.</param>
+        /// <param name="indices">Three corners for each triangle, in that order.</param>
+        /// <exception cref="ArgumentNullException"><paramref name="inputVertices"/> is null.</exception>
+        /// <exception cref="ArgumentException">The outline is not simple, has no area, or more than 32,767 corners.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">A coordinate is not finite or beyond 9.2·10¹⁸.</exception>
+        public static void Triangulate(
+            Vector2[] inputVertices, Vertices.WindingOrder desiredWindingOrder, out Vector2[] outputVertices, out short[] indices) =>
+            OutlineTriangles.Cut(
+                inputVertices,
+                desiredWindingOrder == Vertices.WindingOrder.Clockwise,
+                nameof(inputVertices),
+                out outputVertices,
+                out indices);
+    }
+}
