@@ -90,6 +90,39 @@ internal static unsafe class ContactRowWriter
         }
     }
 
+    /// <summary>
+    /// Takes the masses of bodies that no longer move out of the rows. (One that moves from now on has to wait for the next update of its rows: it may be in
+    /// several lanes of a bundle.)
+    /// </summary>
+    /// <param name="row">The bundle.</param>
+    /// <param name="moves">1 for a body that can move.</param>
+    public static void HoldStill(ContactBundle* row, byte* moves)
+    {
+        bool any = false;
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            any |= HoldStill(moves[row->BodyA[lane]], ref row->MassA[lane], ref row->InertiaA[lane])
+                | HoldStill(moves[row->BodyB[lane]], ref row->MassB[lane], ref row->InertiaB[lane]);
+        }
+
+        if (any)
+        {
+            WriteResponses(row);
+        }
+    }
+
+    private static bool HoldStill(byte moves, ref float mass, ref float inertia)
+    {
+        if (moves != 0 || (mass == 0 && inertia == 0))
+        {
+            return false;
+        }
+
+        mass = 0;
+        inertia = 0;
+        return true;
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void WritePoints(in ContactUpdateInput input, ContactBundle* row, int lane, WideMask one, WideMask two)
     {

@@ -119,7 +119,7 @@ internal sealed partial class World
 
     /// <summary>A body that was enabled, disabled or made static by a callback moves, or stays, from this step on.</summary>
     /// <returns>True if there was one.</returns>
-    private bool SortSwitched(float dt)
+    private unsafe bool SortSwitched(float dt)
     {
         if (!_bodiesSwitched)
         {
@@ -133,6 +133,14 @@ internal sealed partial class World
         if (_lists.OutcastCount > before)
         {
             Isolate();
+        }
+
+        foreach (GraphColor color in _graph.Used)
+        {
+            foreach (ContactBundle* row in color.Bundles)
+            {
+                ContactRowWriter.HoldStill(row, _lists.Moves);
+            }
         }
 
         return true;
