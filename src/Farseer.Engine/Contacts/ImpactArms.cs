@@ -41,7 +41,10 @@ internal unsafe ref struct ImpactArms
         v1 = un + ((b.W * _armB1) - (a.W * _armA1));
     }
 
-    /// <summary>The impulses x ≥ 0 with which the points that are struck part as they should, K(x - y) + r ≥ 0; the others, and those that do not answer, get none.</summary>
+    /// <summary>
+    /// The impulses x ≥ 0 with which the points that are struck part as they should, K(x - y) + r ≥ 0; the others, and those that do not
+    /// answer, get none.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Solve(WideMask struck0, WideMask struck1, Wide y0, Wide y1, Wide r0, Wide r1, out Wide x0, out Wide x1)
     {

@@ -146,7 +146,9 @@ internal static class Impact
         x0 = 0;
     }
 
-    /// <summary>The impulse x ≥ 0 with K·x + b ≥ 0. What a handler has taken out of motion on the way does not answer, and gets none.</summary>
+    /// <summary>
+    /// The impulse x ≥ 0 with K·x + b ≥ 0. What a handler has taken out of motion on the way does not answer, and gets none.
+    /// </summary>
     internal static double Stop(double k, double b) => k > 0 ? Math.Max(0, -b / k) : 0;
 
     internal static void Rub(ref Mover mover, ref Obstacle other, Vector2 arm, Vector2 normal, double push)

@@ -7,8 +7,8 @@ namespace Farseer.Engine.Joints;
 internal sealed unsafe partial class JointSolver
 {
     /// <summary>
-    /// Work of the motors and springs of the joints in the substep that has just ended: impulse times mean speed of each row. What is no number was done to
-    /// a body that is about to be taken out.
+    /// Work of the motors and springs of the joints in the substep that has just ended: impulse times mean speed of each row. What is no
+    /// number was done to a body that is about to be taken out.
     /// </summary>
     /// <param name="before">Velocities at the substep's start, three numbers a body of the solver.</param>
     public double MotorWork(double* before)

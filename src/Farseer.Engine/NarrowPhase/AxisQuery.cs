@@ -129,8 +129,8 @@ internal unsafe struct AxisQuery
     /// <summary>
     /// Edge normals turn one way round, and so do the vertices that lie farthest against them: walking on from the last one,
     /// all edges together cost n + m, not n·m. Where the normals turn by a right angle or more the walk could stop at once on
-    /// a vertex that is farthest the other way; then the caller starts afresh. Each step goes lower, so that none comes by a vertex twice; a height that is no
-    /// number ends the walk.
+    /// a vertex that is farthest the other way; then the caller starts afresh. Each step goes lower, so that none comes by a vertex twice;
+    /// a height that is no number ends the walk.
     /// </summary>
     private static float Walk(Vector2* vertices, int count, Vector2 d, ref int support)
     {

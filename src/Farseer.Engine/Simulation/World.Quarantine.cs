@@ -88,7 +88,10 @@ internal sealed partial class World
         }
     }
 
-    /// <summary>What the joints of a body gave in this step was no number, or was given to a body that is out: they tell of no forces, and start anew.</summary>
+    /// <summary>
+    /// What the joints of a body gave in this step was no number, or was given to a body that is out: they tell of no forces, and start
+    /// anew.
+    /// </summary>
     private void ForgetJoints(int body)
     {
         for (int entry = Joints.First(body); entry >= 0; entry = Joints.Next(entry))

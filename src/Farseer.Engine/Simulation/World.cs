@@ -35,7 +35,10 @@ internal sealed partial class World
     private readonly BodyLists _lists = new BodyLists();
     private readonly SpringStore _springs = new SpringStore();
 
-    /// <summary>Bodies were enabled, disabled, made static or kinematic, or no longer so, since the bodies were sorted; and such a thing happened within the step.</summary>
+    /// <summary>
+    /// Bodies were enabled, disabled, made static or kinematic, or no longer so, since the bodies were sorted; and such a thing happened
+    /// within the step.
+    /// </summary>
     private bool _bodiesSwitched;
     private bool _switchedWithin;
     private float _lastSubstep;

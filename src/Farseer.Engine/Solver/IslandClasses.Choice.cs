@@ -31,8 +31,8 @@ internal sealed unsafe partial class IslandClasses
     private static int ChosenForKinematic(BodyFlags flags) => (flags & BodyFlags.Kinematic) != 0 ? ChosenSubsteps.Bits(flags) : 0;
 
     /// <summary>
-    /// Where the user chose, the islands' own needs do not count; of several choices the finest does. What was chosen for a kinematic body counts for all that it
-    /// touches or holds.
+    /// Where the user chose, the islands' own needs do not count; of several choices the finest does. What was chosen for a kinematic body
+    /// counts for all that it touches or holds.
     /// </summary>
     private void Choose(JointSolver? joints, ConstraintGraph graph, BodyStore bodies, byte* moves, int* list, int count)
     {
@@ -89,7 +89,9 @@ internal sealed unsafe partial class IslandClasses
         _chosen[root] = (byte)Math.Max(_chosen[root], ChosenForKinematic(bodies.Flags[still]));
     }
 
-    /// <summary>The one class that has bodies, if all rows of the graph are of it as well and lie as its own copies would; else 0.</summary>
+    /// <summary>
+    /// The one class that has bodies, if all rows of the graph are of it as well and lie as its own copies would; else 0.
+    /// </summary>
     private int FindOnly()
     {
         int only = 0;

@@ -140,7 +140,8 @@ internal sealed unsafe partial class IslandClasses
             _listed[i] = 0;
         }
 
-        // A body that cannot move, a kinematic one, is of no island: it stays of class 0, so that a row is of the class of those of its bodies that move.
+        // A body that cannot move, a kinematic one, is of no island: it stays of class 0, so that a row is of the class of those of its
+        // bodies that move.
         for (int i = 0; i < count && joints != null; i++)
         {
             int root = Root(list[i]);

@@ -139,7 +139,8 @@ internal sealed unsafe partial class SpringMesh
             row.Saturated = 0;
         }
 
-        // A torque limit that is reached turns a spring into a given torque; the others are then solved again beside it. Each round but the last has one such more.
+        // A torque limit that is reached turns a spring into a given torque; the others are then solved again beside it. Each round but the
+        // last has one such more.
         do
         {
             Iterate(mesh, rows, bodies, h);

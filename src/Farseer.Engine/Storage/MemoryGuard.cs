@@ -4,8 +4,9 @@ using System.Diagnostics;
 namespace Farseer.Engine.Storage;
 
 /// <summary>
-/// Checks that only the guarded build has (and the debug build, as far as indices are concerned): property <c>Guarded=true</c>, which defines GUARDED and takes
-/// the files of <c>Storage/Guarded</c> in place of those of the same name. In the ordinary build the calls are left out.
+/// Checks that only the guarded build has (and the debug build, as far as indices are concerned): property <c>Guarded=true</c>, which
+/// defines GUARDED and takes the files of <c>Storage/Guarded</c> in place of those of the same name. In the ordinary build the calls are
+/// left out.
 /// </summary>
 internal static partial class MemoryGuard
 {

@@ -194,7 +194,8 @@ public partial class Body : IDisposable
 
     /// <summary>
     /// How many times <see cref="PhysicsSimulator.Iterations"/> the body takes, with all that it hangs together with by contacts or joints: 1, 2,
-    /// 4, 8 or 16; of several choices among these the largest counts, that of a kinematic body for all that touches it or hangs on it. 0 leaves it to the simulator: see
+    /// 4, 8 or 16; of several choices among these the largest counts, that of a kinematic body for all that touches it or hangs on it. 0
+    /// leaves it to the simulator: see
     /// <see cref="PhysicsSimulator.AdaptIterations"/>. It has no effect on what is exact anyway, a body without contacts and joints, nor on
     /// what a spring pulls at or closed loops of joints hold, which keep to the simulator's iterations. Default 0. (An addition to the
     /// original.)

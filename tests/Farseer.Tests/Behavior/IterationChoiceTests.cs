@@ -95,7 +95,10 @@ public sealed class IterationChoiceTests : IDisposable
         Assert.Equal(_simulator.Iterations, Run());
     }
 
-    /// <summary>A kinematic body is of no island, yet in the list of those that are solved: with a factor on board nothing may be asked of its island.</summary>
+    /// <summary>
+    /// A kinematic body is of no island, yet in the list of those that are solved: with a factor on board nothing may be asked of its
+    /// island.
+    /// </summary>
     [Theory]
     [InlineData(1, false)]
     [InlineData(4, false)]

@@ -13,8 +13,8 @@ using Xunit;
 namespace Farseer.Tests.Robustness;
 
 /// <summary>
-/// One body of a group that joints, springs and contacts hold together is made infinite. It is taken out and reported; the others go on, and everything that
-/// they report of themselves is a number.
+/// One body of a group that joints, springs and contacts hold together is made infinite. It is taken out and reported; the others go on,
+/// and everything that they report of themselves is a number.
 /// </summary>
 public class QuarantinedNeighbourTests
 {
@@ -62,7 +62,9 @@ public class QuarantinedNeighbourTests
 
     private static void Run(PhysicsSimulator simulator, int steps) => Sandbox.Run(simulator, steps, Dt);
 
-    /// <summary>A chain, tree or net of bodies with joints of any kind, which may lie on a floor, and a body that has nothing to do with them.</summary>
+    /// <summary>
+    /// A chain, tree or net of bodies with joints of any kind, which may lie on a floor, and a body that has nothing to do with them.
+    /// </summary>
     private sealed class Group
     {
         private readonly Random _random;
@@ -156,7 +158,8 @@ public class QuarantinedNeighbourTests
                 foreach (Joint joint in _simulator.JointList)
                 {
                     Vector2 force = joint.ReactionForce;
-                    Check(float.IsFinite(force.X + force.Y + joint.ReactionTorque + joint.JointError), i, $"{joint} answers with {force}, {joint.ReactionTorque}, {joint.JointError}");
+                    float sum = force.X + force.Y + joint.ReactionTorque + joint.JointError;
+                    Check(float.IsFinite(sum), i, $"{joint} answers with {force}, {joint.ReactionTorque}, {joint.JointError}");
                 }
 
                 foreach (Spring spring in _simulator.SpringList)
@@ -166,7 +169,8 @@ public class QuarantinedNeighbourTests
 
                 foreach (Body body in _simulator.BodyList)
                 {
-                    Check(float.IsFinite(body.Position.X + body.Position.Y + body.LinearVelocity.X + body.LinearVelocity.Y + body.AngularVelocity), i, "a body has no numbers");
+                    float sum = body.Position.X + body.Position.Y + body.LinearVelocity.X + body.LinearVelocity.Y + body.AngularVelocity;
+                    Check(float.IsFinite(sum), i, "a body has no numbers");
                 }
 
                 Check(_simulator.Report);
@@ -178,9 +182,10 @@ public class QuarantinedNeighbourTests
         {
             double[] numbers =
             {
-                report.KineticEnergy, report.KineticEnergyChange, report.GravityWork, report.ForceWork, report.ImpulseWork, report.DragWork, report.SpringWork,
-                report.MotorWork, report.JointWork, report.ContactWork, report.BounceWork, report.EnergyError, report.MomentumX, report.MomentumY,
-                report.SupportImpulseX, report.SupportImpulseY, report.MomentumError, report.LargestSeparation, report.RmsSeparation, report.LargestTurn,
+                report.KineticEnergy, report.KineticEnergyChange, report.GravityWork, report.ForceWork, report.ImpulseWork,
+                report.DragWork, report.SpringWork, report.MotorWork, report.JointWork, report.ContactWork, report.BounceWork,
+                report.EnergyError, report.MomentumX, report.MomentumY, report.SupportImpulseX, report.SupportImpulseY,
+                report.MomentumError, report.LargestSeparation, report.RmsSeparation, report.LargestTurn,
                 report.LargestPenetration, report.RmsPenetration, report.ResidualJointSpeed, report.ResidualContactSpeed,
             };
             for (int i = 0; i < numbers.Length; i++)

@@ -128,7 +128,11 @@ internal sealed partial class RestlessWorld
         float angle = other.TotalRotation - one.TotalRotation;
         if (_random.Next(60) == 0)
         {
-            return new Kinds.OwnJoint(one, other) { InPreStep = () => Act("Joint.PreStep", one, null), InUpdate = () => Act("Joint.Update", one, null) };
+            return new Kinds.OwnJoint(one, other)
+            {
+                InPreStep = () => Act("Joint.PreStep", one, null),
+                InUpdate = () => Act("Joint.Update", one, null),
+            };
         }
 
         return _random.Next(18) switch

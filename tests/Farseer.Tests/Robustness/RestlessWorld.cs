@@ -14,8 +14,9 @@ using FarseerGames.FarseerPhysics.Factories;
 namespace Farseer.Tests.Robustness;
 
 /// <summary>
-/// A world that follows from a seed: bodies of all shapes close together, static and kinematic ones among them, joints and springs of all kinds between any two,
-/// controllers, steps of all lengths. Every handler that an update calls adds, removes, disposes, moves, disables, reshapes and ties at random, and sometimes throws.
+/// A world that follows from a seed: bodies of all shapes close together, static and kinematic ones among them, joints and springs of all
+/// kinds between any two, controllers, steps of all lengths. Every handler that an update calls adds, removes, disposes, moves, disables,
+/// reshapes and ties at random, and sometimes throws.
 /// </summary>
 internal sealed partial class RestlessWorld
 {
@@ -134,7 +135,8 @@ internal sealed partial class RestlessWorld
             Require(geom.Body is { IsDisposed: false }, "a geom has no body");
         }
 
-        Require(!late.IsQuarantined && late.LinearVelocity.Y < -0.25f && late.LinearVelocity.Y > -0.45f, $"a new body falls with {late.LinearVelocity}");
+        bool falls = !late.IsQuarantined && late.LinearVelocity.Y < -0.25f && late.LinearVelocity.Y > -0.45f;
+        Require(falls, $"a new body falls with {late.LinearVelocity}");
     }
 
     private void Update(float dt) => Guard(() => _simulator.Update(dt));
@@ -192,7 +194,8 @@ internal sealed partial class RestlessWorld
         _depth++;
         try
         {
-            Change(Usable(body) ?? Pick(_bodies, b => b.IsDisposed), geom is { IsDisposed: false } ? geom : Pick(_geoms, g => g.IsDisposed));
+            Body? meant = body is { IsDisposed: false } ? body : Pick(_bodies, b => b.IsDisposed);
+            Change(meant, geom is { IsDisposed: false } ? geom : Pick(_geoms, g => g.IsDisposed));
         }
         catch (ArgumentException)
         {
@@ -207,15 +210,15 @@ internal sealed partial class RestlessWorld
         }
     }
 
-    private static Body? Usable(Body? body) => body is { IsDisposed: false } ? body : null;
-
     private void AssertSound()
     {
         foreach (Body body in _simulator.BodyList)
         {
             float place = body.Position.X + body.Position.Y + body.Rotation + body.TotalRotation;
             float speed = body.Enabled ? body.LinearVelocity.X + body.LinearVelocity.Y + body.AngularVelocity : 0;
-            Require(float.IsFinite(place) && float.IsFinite(speed), $"a body is at {body.Position}, {body.TotalRotation} with {body.LinearVelocity}, {body.AngularVelocity}; static {body.IsStatic}, kinematic {body.IsKinematic}, enabled {body.Enabled}");
+            Require(
+                float.IsFinite(place) && float.IsFinite(speed),
+                $"a body is at {body.Position}, {body.TotalRotation} with {body.LinearVelocity}, {body.AngularVelocity}");
         }
 
         foreach (Joint joint in _simulator.JointList)
@@ -227,14 +230,20 @@ internal sealed partial class RestlessWorld
             }
 
             Vector2 force = joint.ReactionForce;
-            Require(float.IsFinite(joint.JointError) && float.IsFinite(force.X + force.Y + joint.ReactionTorque), $"{joint} answers with {force}, {joint.ReactionTorque}, error {joint.JointError}");
+            Require(
+                float.IsFinite(joint.JointError) && float.IsFinite(force.X + force.Y + joint.ReactionTorque),
+                $"{joint} answers with {force}, {joint.ReactionTorque}, error {joint.JointError}");
         }
 
         if (_simulator.EnableReport)
         {
             StepReport report = _simulator.Report;
-            Require(double.IsFinite(report.KineticEnergy) && double.IsFinite(report.EnergyError), $"energy {report.KineticEnergy}, error {report.EnergyError}");
-            Require(double.IsFinite(report.JointWork) && double.IsFinite(report.LargestSeparation), $"work of joints {report.JointWork}, opened by {report.LargestSeparation}");
+            Require(
+                double.IsFinite(report.KineticEnergy) && double.IsFinite(report.EnergyError),
+                $"energy {report.KineticEnergy}, error {report.EnergyError}");
+            Require(
+                double.IsFinite(report.JointWork) && double.IsFinite(report.LargestSeparation),
+                $"work of joints {report.JointWork}, opened by {report.LargestSeparation}");
         }
 
         Require(!float.IsNaN(_simulator.LargestPenetration), "the largest penetration is no number");

@@ -7,8 +7,8 @@ using Xunit;
 namespace Farseer.Tests.Robustness;
 
 /// <summary>
-/// Worlds whose handlers change everything that an update works on: it ends, in bounded time, and leaves a world of numbers. In the guarded build the same
-/// tests find what is written past its end or read after it moved.
+/// Worlds whose handlers change everything that an update works on: it ends, in bounded time, and leaves a world of numbers. In the guarded
+/// build the same tests find what is written past its end or read after it moved.
 /// </summary>
 public class RestlessWorldTests
 {
@@ -32,8 +32,8 @@ public class RestlessWorldTests
     }
 
     /// <summary>
-    /// Bodies of ordinary sizes and speeds, which handlers make static, kinematic and movable again, put into each other and reshape, in steps of 10⁻⁵ to 0.4 s: contacts drive
-    /// none of them out of range.
+    /// Bodies of ordinary sizes and speeds, which handlers make static, kinematic and movable again, put into each other and reshape, in
+    /// steps of 10⁻⁵ to 0.4 s: contacts drive none of them out of range.
     /// </summary>
     [Theory]
     [MemberData(nameof(Parts))]
@@ -66,7 +66,10 @@ public class RestlessWorldTests
     [Fact]
     public void EveryHandler_ChangesSomething()
     {
-        string[] handlers = { "Body.Updated", "BodyList.Added", "Geom.OnCollision", "Geom.OnSeparation", "GeomList.Added", "Joint.Broke", "OnBroadPhaseCollision" };
+        string[] handlers =
+        {
+            "Body.Updated", "BodyList.Added", "Geom.OnCollision", "Geom.OnSeparation", "GeomList.Added", "Joint.Broke", "OnBroadPhaseCollision",
+        };
         var worlds = new RestlessWorld[Part];
         for (int seed = 0; seed < Part; seed++)
         {
@@ -74,7 +77,7 @@ public class RestlessWorldTests
             Run(worlds[seed]);
         }
 
-        Assert.All(handlers, handler => Assert.InRange(worlds.Sum(w => w.Changes.TryGetValue(handler, out int count) ? count : 0), 1, int.MaxValue));
+        Assert.All(handlers, handler => Assert.Contains(worlds, world => world.Changes.ContainsKey(handler)));
     }
 
     /// <summary>By a thread of its own, so that an update without end is seen as such.</summary>
@@ -96,7 +99,8 @@ public class RestlessWorldTests
             IsBackground = true,
         };
         thread.Start();
-        Assert.True(thread.Join(_patience), string.Create(CultureInfo.InvariantCulture, $"{world.Where} has not ended after {_patience.TotalSeconds} s"));
+        bool ended = thread.Join(_patience);
+        Assert.True(ended, string.Create(CultureInfo.InvariantCulture, $"{world.Where} has not ended after {_patience.TotalSeconds} s"));
         if (thrown is not null)
         {
             Assert.Fail(world.Where + ": " + thrown);

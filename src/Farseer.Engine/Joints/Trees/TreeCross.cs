@@ -1,8 +1,8 @@
 namespace Farseer.Engine.Joints.Trees;
 
 /// <summary>
-/// The inverse mass between two bodies of one tree: A_ab = P A Qᵀ with A of the node where the ways meet, at the root at the latest, P and Q the products of T
-/// down to a and b.
+/// The inverse mass between two bodies of one tree: A_ab = P A Qᵀ with A of the node where the ways meet, at the root at the latest, P and
+/// Q the products of T down to a and b.
 /// </summary>
 internal static unsafe class TreeCross
 {

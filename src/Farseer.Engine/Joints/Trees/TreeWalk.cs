@@ -51,7 +51,9 @@ internal static unsafe class TreeWalk
         }
     }
 
-    /// <summary>Makes a body current. The current one is of the same tree, so that both ways end where they meet, at the root at the latest.</summary>
+    /// <summary>
+    /// Makes a body current. The current one is of the same tree, so that both ways end where they meet, at the root at the latest.
+    /// </summary>
     public static void Visit(in JointForestView view, int target)
     {
         TreeNode* nodes = view.Nodes;

@@ -13,7 +13,9 @@ internal interface IColumn
     int ElementSize { get; }
 }
 
-/// <summary>A column in guarded memory: see <see cref="MemoryGuard"/>. Its old place cannot be touched any more when it has grown.</summary>
+/// <summary>
+/// A column in guarded memory: see <see cref="MemoryGuard"/>. Its old place cannot be touched any more when it has grown.
+/// </summary>
 internal sealed unsafe class Column<T> : IColumn
     where T : unmanaged
 {

@@ -2,7 +2,9 @@ using System;
 
 namespace Farseer.Engine.Storage;
 
-/// <summary>A guarded column has room for what was asked for and for no more, so that it moves often and ends where what is used ends.</summary>
+/// <summary>
+/// A guarded column has room for what was asked for and for no more, so that it moves often and ends where what is used ends.
+/// </summary>
 internal static class ColumnGrowth
 {
     /// <summary>From so many records on there is a part to spare: growing one by one takes the square of the time.</summary>

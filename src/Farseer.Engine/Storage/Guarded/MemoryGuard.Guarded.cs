@@ -5,9 +5,9 @@ using System.Runtime.CompilerServices;
 namespace Farseer.Engine.Storage;
 
 /// <content>
-/// Blocks of memory between pages that nobody may touch. A block ends where such a page begins, up to the alignment of columns: what goes past its end stops there,
-/// with the stack that did it. What fits into the rest, and what lies before the block, is a red zone, which is looked at when the block is given back and at
-/// the end of each step. A block that was given back becomes pages that nobody may touch.
+/// Blocks of memory between pages that nobody may touch. A block ends where such a page begins, up to the alignment of columns: what goes
+/// past its end stops there, with the stack that did it. What fits into the rest, and what lies before the block, is a red zone, which is
+/// looked at when the block is given back and at the end of each step. A block that was given back becomes pages that nobody may touch.
 /// </content>
 internal static unsafe partial class MemoryGuard
 {

@@ -3,7 +3,10 @@ using System.Collections.Generic;
 
 namespace Farseer.Engine.Storage;
 
-/// <summary>Memory of the phases of a step, of which each piece is a guarded block of its own. What is taken is spoilt before, and again when it is released.</summary>
+/// <summary>
+/// Memory of the phases of a step, of which each piece is a guarded block of its own. What is taken is spoilt before, and again when it is
+/// released.
+/// </summary>
 internal sealed unsafe class Scratch
 {
     /// <summary>Bytes of the smallest blocks, as a power of two.</summary>
