@@ -21,14 +21,23 @@ public static class VerticesPorting
         /// <param name="indices">Three corners for each triangle, in that order.</param>
         /// <exception cref="ArgumentNullException"><paramref name="inputVertices"/> is null.</exception>
         /// <exception cref="ArgumentException">The outline is not simple, has no area, or more than 32,767 corners.</exception>
-        /// <exception cref="ArgumentOutOfRangeException">A coordinate is not finite or beyond 9.2·10¹⁸.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">
+        /// A coordinate is not finite or beyond 9.2·10¹⁸; <paramref name="desiredWindingOrder"/> is neither order.
+        /// </exception>
         public static void Triangulate(
-            Vector2[] inputVertices, Vertices.WindingOrder desiredWindingOrder, out Vector2[] outputVertices, out short[] indices) =>
+            Vector2[] inputVertices, Vertices.WindingOrder desiredWindingOrder, out Vector2[] outputVertices, out short[] indices)
+        {
+            if (desiredWindingOrder is not (Vertices.WindingOrder.Clockwise or Vertices.WindingOrder.CounterClockwise))
+            {
+                throw Require.Range(nameof(desiredWindingOrder), desiredWindingOrder, "must be Clockwise or CounterClockwise");
+            }
+
             OutlineTriangles.Cut(
                 inputVertices,
                 desiredWindingOrder == Vertices.WindingOrder.Clockwise,
                 nameof(inputVertices),
                 out outputVertices,
                 out indices);
+        }
     }
 }

@@ -39,6 +39,8 @@ internal static class OpenDoors
         ["Body.GetLocalPosition*"] = Arithmetic,
         ["Body.GetVelocity*"] = Arithmetic,
         ["Body.Tag"] = "the user's own",
+        ["Body.Name"] = "the user's own",
+        ["Geom.Name"] = "the user's own",
         ["Body.Updated"] = NoHandler,
         ["BodyList.Added"] = NoHandler,
         ["JointList.Added"] = NoHandler,
