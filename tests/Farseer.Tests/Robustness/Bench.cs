@@ -180,7 +180,7 @@ internal sealed class Bench
             nameof(DrivenPairJoint) => new RevoluteJoint(new Body(), new Body(), Vector2.Zero),
             nameof(DrivenWorldJoint) => new FixedRevoluteJoint(new Body(), Vector2.Zero),
             nameof(WorldJoint) => new FixedAngleJoint(new Body()),
-            nameof(Object) => "something",
+            nameof(Object) or nameof(String) => "something",
             nameof(IFluidContainer) => new AABBFluidContainer(new AABB(Vector2.Zero, Vector2.One)),
             nameof(Spring) => new FixedLinearSpring(),
             nameof(Path) => Chain(),
