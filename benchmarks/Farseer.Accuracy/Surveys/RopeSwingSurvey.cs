@@ -61,7 +61,7 @@ internal sealed class RopeSwingSurvey : Survey
     private static double Pendulum(Setup s)
     {
         using var yard = new Yard(Yard.UsualDepth, iterations: s.Iterations, dt: s.Dt);
-        Body post = yard.Post(Vector2.Zero);
+        Body post = yard.Anchor(Vector2.Zero);
         float arm = s.Offset * s.Length;
         var down = new Vector2(MathF.Sin(s.Angle), -MathF.Cos(s.Angle));
         Body bob = yard.Loose((s.Length + arm) * down, s.Mass, s.Mass * 0.1f * s.Length * s.Length);

@@ -94,7 +94,7 @@ internal sealed class Yard : IDisposable
         Placed(BodyFactory.Instance.CreateBody(Simulator, mass, inertia), place.X, place.Y);
 
     /// <summary>A point of the world for joints.</summary>
-    public Body Post(Vector2 place) => Anchor(place);
+    public Body Anchor(Vector2 place) => Fixed(Placed(BodyFactory.Instance.CreateBody(Simulator, 1, 1), place.X, place.Y));
 
     /// <summary>A regular polygon whose lowest edge is level.</summary>
     public Body Regular(float x, float y, int corners, float radius, float friction = 0.5f, float bounce = 0)
@@ -183,8 +183,6 @@ internal sealed class Yard : IDisposable
             + (body.MomentOfInertia * (double)body.AngularVelocity * body.AngularVelocity));
 
     public void Dispose() => Simulator.Dispose();
-
-    private Body Anchor(Vector2 place) => Fixed(Placed(BodyFactory.Instance.CreateBody(Simulator, 1, 1), place.X, place.Y));
 
     private static Body Placed(Body body, float x, float y)
     {

@@ -73,8 +73,6 @@ internal sealed unsafe partial class JointPass
     /// </summary>
     public void WarmStart(ActiveJoint* joint, JointRows* r)
     {
-        double* a = stackalloc double[3];
-        double* b = stackalloc double[3];
         if (joint->Role == JointRole.Iterated && r->Hard > 0 && joint->Ends.Coupled)
         {
             ForgetDead(joint, r);
@@ -84,7 +82,7 @@ internal sealed unsafe partial class JointPass
         double early = Early(joint);
         for (int k = joint->Role == JointRole.Iterated ? 0 : r->Hard; k < r->Count; k++)
         {
-            if (joint->BlockLimits && r->Type[k] == (byte)RowType.Limit)
+            if (IsInBlock(joint, r, k))
             {
                 continue;
             }
@@ -98,10 +96,7 @@ internal sealed unsafe partial class JointPass
 
             joint->Lambda[k] *= k < r->Hard ? 1 : early;
             joint->Start[k] = joint->Lambda[k];
-            Give(joint, r, k, joint->Lambda[k]);
-            Scale(r->A + (k * 3), joint->Lambda[k], a);
-            Scale(r->B + (k * 3), joint->Lambda[k], b);
-            RowEnds.Push(_view.Nodes, &joint->Ends, a, b);
+            Push(joint, r, k, joint->Lambda[k]);
         }
     }
 
@@ -117,22 +112,18 @@ internal sealed unsafe partial class JointPass
             return;
         }
 
-        double* a = stackalloc double[3];
-        double* b = stackalloc double[3];
         for (int k = r->Hard; k < r->Count; k++)
         {
-            if (joint->BlockLimits && r->Type[k] == (byte)RowType.Limit)
+            if (!IsInBlock(joint, r, k))
             {
-                continue;
+                joint->Lambda[k] += joint->Start[k];
+                Push(joint, r, k, joint->Start[k]);
             }
-
-            joint->Lambda[k] += joint->Start[k];
-            Give(joint, r, k, joint->Start[k]);
-            Scale(r->A + (k * 3), joint->Start[k], a);
-            Scale(r->B + (k * 3), joint->Start[k], b);
-            RowEnds.Push(_view.Nodes, &joint->Ends, a, b);
         }
     }
+
+    /// <summary>The row is a limit that is solved with the hard rows.</summary>
+    public static bool IsInBlock(ActiveJoint* joint, JointRows* r, int k) => joint->BlockLimits && r->Type[k] == (byte)RowType.Limit;
 
     /// <summary>Share of the impulse of a motor or limit in a substep that comes before the move.</summary>
     private double Early(ActiveJoint* joint)
@@ -149,7 +140,7 @@ internal sealed unsafe partial class JointPass
         double share = biased ? Early(joint) : 1;
         for (int k = r->SoftPoint && SolvePoint(joint, r, share) ? JointRows.OfPoint : r->Hard; k < r->Count; k++)
         {
-            if (!(joint->BlockLimits && r->Type[k] == (byte)RowType.Limit))
+            if (!IsInBlock(joint, r, k))
             {
                 SolveRow(joint, r, k, step.Substep, biased, share);
             }
@@ -224,6 +215,17 @@ internal sealed unsafe partial class JointPass
         Scale(r->A + (k * 3), impulse, a);
         Scale(r->B + (k * 3), impulse, b);
         RowEnds.Apply(_view, &joint->Ends, a, b);
+    }
+
+    /// <summary>Applies an impulse along a row to the bodies' own masses, before the trees are solved.</summary>
+    private void Push(ActiveJoint* joint, JointRows* r, int k, double impulse)
+    {
+        Give(joint, r, k, impulse);
+        double* a = stackalloc double[3];
+        double* b = stackalloc double[3];
+        Scale(r->A + (k * 3), impulse, a);
+        Scale(r->B + (k * 3), impulse, b);
+        RowEnds.Push(_view.Nodes, &joint->Ends, a, b);
     }
 
     private static void Give(ActiveJoint* joint, JointRows* r, int k, double impulse)

@@ -299,7 +299,7 @@ internal sealed unsafe partial class JointSolver
 
         for (int k = rows->Hard; k < rows->Count; k++)
         {
-            if (!(joint->BlockLimits && rows->Type[k] == (byte)RowType.Limit))
+            if (!JointPass.IsInBlock(joint, rows, k))
             {
                 return true;
             }

@@ -48,7 +48,7 @@ internal sealed unsafe partial class IslandClasses
             _chosen[root] = moves[list[i]] != 0 ? (byte)Math.Max(_chosen[root], ChosenSubsteps.Bits(bodies.Flags[list[i]])) : (byte)0;
         }
 
-        HandOn(joints, graph, bodies, moves);
+        ForEachTie(_handOn, joints, graph, bodies, moves);
         for (int i = 0; i < count; i++)
         {
             int root = Root(list[i]);
@@ -56,27 +56,7 @@ internal sealed unsafe partial class IslandClasses
         }
     }
 
-    /// <summary>Hands the choices of kinematic bodies on to the islands at which they have joints or contacts.</summary>
-    private void HandOn(JointSolver? joints, ConstraintGraph graph, BodyStore bodies, byte* moves)
-    {
-        for (int i = 0; joints != null && i < joints.Count; i++)
-        {
-            joints.GetBodies(i, out int a, out int b);
-            HandOn(a, b, bodies, moves);
-        }
-
-        foreach (GraphColor color in graph.Solved)
-        {
-            foreach (ContactBundle* bundle in color.Bundles)
-            {
-                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
-                {
-                    HandOn(bundle->BodyA[lane], bundle->BodyB[lane], bodies, moves);
-                }
-            }
-        }
-    }
-
+    /// <summary>Hands the choice of a kinematic body on to the island at which it has a joint or contact.</summary>
     private void HandOn(int a, int b, BodyStore bodies, byte* moves)
     {
         if (moves[a] == moves[b])

@@ -35,6 +35,9 @@ internal sealed unsafe partial class IslandClasses
     private readonly GraphColor?[][] _pool = new GraphColor?[Count][];
     private readonly int[] _used = new int[Count];
     private readonly int[] _rowCounts = new int[Count];
+    private readonly TieAction _unite;
+    private readonly TieAction _handOn;
+    private readonly TieAction _addKinematic;
     private ConstraintGraph _graph = null!;
     private int _loanCount;
     private float _substep;
@@ -44,8 +47,13 @@ internal sealed unsafe partial class IslandClasses
     /// <summary>The class of all rows, which then are not borrowed; 0: there are several.</summary>
     private int _only;
 
+    private delegate void TieAction(int a, int b, BodyStore bodies, byte* moves);
+
     public IslandClasses()
     {
+        _unite = Unite;
+        _handOn = HandOn;
+        _addKinematic = AddKinematic;
         for (int i = 0; i < Count; i++)
         {
             _lists[i] = new Column<int>();
@@ -115,7 +123,7 @@ internal sealed unsafe partial class IslandClasses
         }
 
         _graph = graph;
-        FindIslands(joints, graph, moves, bodies.Ids.End);
+        FindIslands(joints, graph, bodies, moves);
         return true;
     }
 
@@ -191,7 +199,7 @@ internal sealed unsafe partial class IslandClasses
             Enlist(list[i], index);
         }
 
-        AddKinematic(joints, graph, bodies, moves);
+        ForEachTie(_addKinematic, joints, graph, bodies, moves);
         for (int i = 0; i < Count; i++)
         {
             _padded[i] = _counts[i];
@@ -319,18 +327,25 @@ internal sealed unsafe partial class IslandClasses
         }
     }
 
-    private void FindIslands(JointSolver? joints, ConstraintGraph graph, byte* moves, int bodyEnd)
+    private void FindIslands(JointSolver? joints, ConstraintGraph graph, BodyStore bodies, byte* moves)
     {
+        int bodyEnd = bodies.Ids.End;
         _parent.EnsureCapacity(bodyEnd);
         for (int i = 0; i < bodyEnd; i++)
         {
             _parent[i] = i;
         }
 
+        ForEachTie(_unite, joints, graph, bodies, moves);
+    }
+
+    /// <summary>Calls it with the two bodies of each joint and of each row.</summary>
+    private static void ForEachTie(TieAction act, JointSolver? joints, ConstraintGraph graph, BodyStore bodies, byte* moves)
+    {
         for (int i = 0; joints != null && i < joints.Count; i++)
         {
             joints.GetBodies(i, out int a, out int b);
-            Unite(a, b, moves);
+            act(a, b, bodies, moves);
         }
 
         foreach (GraphColor color in graph.Solved)
@@ -339,13 +354,13 @@ internal sealed unsafe partial class IslandClasses
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    Unite(bundle->BodyA[lane], bundle->BodyB[lane], moves);
+                    act(bundle->BodyA[lane], bundle->BodyB[lane], bodies, moves);
                 }
             }
         }
     }
 
-    private void Unite(int a, int b, byte* moves)
+    private void Unite(int a, int b, BodyStore bodies, byte* moves)
     {
         if (moves[a] != 0 && moves[b] != 0)
         {
@@ -370,26 +385,6 @@ internal sealed unsafe partial class IslandClasses
 
     // A body that cannot move is its own island of class 0.
     private int ClassOf(int a, int b) => Math.Max(_class[Root(a)], _class[Root(b)]);
-
-    private void AddKinematic(JointSolver? joints, ConstraintGraph graph, BodyStore bodies, byte* moves)
-    {
-        for (int i = 0; joints != null && i < joints.Count; i++)
-        {
-            joints.GetBodies(i, out int a, out int b);
-            AddKinematic(a, b, bodies, moves);
-        }
-
-        foreach (GraphColor color in graph.Solved)
-        {
-            foreach (ContactBundle* bundle in color.Bundles)
-            {
-                for (int lane = 0; lane < ContactBundle.Lanes; lane++)
-                {
-                    AddKinematic(bundle->BodyA[lane], bundle->BodyB[lane], bodies, moves);
-                }
-            }
-        }
-    }
 
     private void AddKinematic(int a, int b, BodyStore bodies, byte* moves)
     {

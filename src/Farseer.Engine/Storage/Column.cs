@@ -4,16 +4,6 @@ using System.Runtime.InteropServices;
 
 namespace Farseer.Engine.Storage;
 
-/// <summary>What a <see cref="ColumnSet"/> needs to know of a column: growth, and its bytes for hash and snapshot.</summary>
-internal interface IColumn
-{
-    void EnsureCapacity(int capacity);
-
-    unsafe byte* Bytes { get; }
-
-    int ElementSize { get; }
-}
-
 /// <summary>
 /// A growable array of small unmanaged records in pinned, 64-byte-aligned memory that the garbage collector owns. Kernels take
 /// <see cref="Pointer"/>; it stays valid until the column grows, which happens only between phases. New records are zero.

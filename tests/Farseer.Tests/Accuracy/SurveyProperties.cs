@@ -25,10 +25,7 @@ public class SurveyProperties
         GeneralScene scene = GeneralCatalogue.Find(id)!;
         for (uint seed = 11; seed <= 12; seed++)
         {
-            foreach (Outcome outcome in GeneralRun.Of(scene, GeneralSettings.Default with { Seed = seed }))
-            {
-                Assert.True(outcome.IsMet, $"{outcome.Figure.Name}: {outcome.Value:G4}, limit {outcome.Figure.Limit:G4}, {outcome.Parameters}, seed {seed}");
-            }
+            AssertNone(Misses.Of(scene, seed));
         }
     }
 
@@ -45,8 +42,7 @@ public class SurveyProperties
     [InlineData("F20")]
     public void Survey_EveryVariation_Holds(string name)
     {
-        List<string> failures = FailuresOf(name, out _);
-        Assert.True(failures.Count == 0, string.Join("\n", failures));
+        AssertNone(Misses.Of(Variations(name)));
     }
 
     // Shares that `-- surveys` finds, and half as much again: heavy on light at 1:1000 and more, and what is pressed where surfaces bend.
@@ -60,24 +56,12 @@ public class SurveyProperties
     [InlineData("F07", 0.18)]
     public void Survey_AllButAKnownShareOfItsVariations_Hold(string name, double share)
     {
-        List<string> failures = FailuresOf(name, out int count);
-        Assert.True(failures.Count <= share * count, $"{failures.Count} of {count}\n" + string.Join("\n", failures));
+        Variation[] variations = Variations(name);
+        List<string> misses = Misses.Of(variations);
+        Assert.True(misses.Count <= share * variations.Length, $"{misses.Count} of {variations.Length}\n" + string.Join("\n", misses));
     }
 
-    private static List<string> FailuresOf(string name, out int count)
-    {
-        Variation[] variations = [.. Survey.All.First(survey => survey.Name == name).Variations(11, 100)];
-        count = variations.Length;
-        var failures = new List<string>();
-        foreach (Variation variation in variations)
-        {
-            double figure = variation.Measure();
-            if (!(figure <= variation.Limit))
-            {
-                failures.Add($"{variation.What}: {figure:G4}, limit {variation.Limit:G4}");
-            }
-        }
+    private static Variation[] Variations(string name) => [.. Survey.All.First(survey => survey.Name == name).Variations(11, 100)];
 
-        return failures;
-    }
+    private static void AssertNone(List<string> misses) => Assert.True(misses.Count == 0, string.Join("\n", misses));
 }

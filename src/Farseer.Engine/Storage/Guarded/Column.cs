@@ -3,16 +3,6 @@ using System.Runtime.CompilerServices;
 
 namespace Farseer.Engine.Storage;
 
-/// <summary>What a <see cref="ColumnSet"/> needs to know of a column: growth, and its bytes for hash and snapshot.</summary>
-internal interface IColumn
-{
-    void EnsureCapacity(int capacity);
-
-    unsafe byte* Bytes { get; }
-
-    int ElementSize { get; }
-}
-
 /// <summary>
 /// A column in guarded memory: see <see cref="MemoryGuard"/>. Its old place cannot be touched any more when it has grown.
 /// </summary>

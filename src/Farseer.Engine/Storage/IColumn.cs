@@ -1,0 +1,11 @@
+namespace Farseer.Engine.Storage;
+
+/// <summary>What a <see cref="ColumnSet"/> needs to know of a column: growth, and its bytes for hash and snapshot.</summary>
+internal interface IColumn
+{
+    void EnsureCapacity(int capacity);
+
+    unsafe byte* Bytes { get; }
+
+    int ElementSize { get; }
+}
