@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Trees;
 
 namespace Farseer.Engine.Joints;
@@ -6,7 +7,16 @@ namespace Farseer.Engine.Joints;
 /// <content>Trees whose correction went astray: taken back, and projected onto their joints.</content>
 internal sealed unsafe partial class JointSolver
 {
-    private const int Projections = 12;
+    /// <summary>
+    /// Rounds of a projection: first with the bodies' own masses, then with equal ones. A light chain that a heavy load has run beyond its length bends to and fro about its straight pose by its
+    /// own masses, until its bends are less than √(m/M), since all others are easier than to move the load; by equal ones the load comes back at once, by the little that it ran too far.
+    /// Chains of 2 to 100 links at 1:10⁴ are whole after 60.
+    /// </summary>
+    private const int Projections = 80;
+    private const int TrueProjections = 12;
+
+    /// <summary>The widest turn of a body in a round, rad.</summary>
+    private const double WidestTurn = 1;
 
     /// <summary>Takes the trees that went astray back to where h·v took them, and projects them onto their joints.</summary>
     /// <returns>True if there were any.</returns>
@@ -17,7 +27,6 @@ internal sealed unsafe partial class JointSolver
         {
             JointTree* tree = _forest.Trees + _trees[at];
             tree->Undone = tree->Astray;
-            tree->Strayed = tree->Astray;
             any |= tree->Astray;
         }
 
@@ -27,8 +36,10 @@ internal sealed unsafe partial class JointSolver
         }
 
         Undo();
-        for (int round = 0; round < Projections && ProjectOnce(); round++)
+        bool open = true;
+        for (int round = 0; round < Projections && open; round++)
         {
+            open = ProjectOnce(round >= TrueProjections);
         }
 
         for (int at = 0; at < _treeCount; at++)
@@ -39,8 +50,9 @@ internal sealed unsafe partial class JointSolver
                 continue;
             }
 
-            tree->Gains = GainsByProjection(tree);
-            for (int i = tree->First; i < tree->End && !(tree->Gains && tree->Strayed); i++)
+            tree->Gains = tree->Levelled || GainsByProjection(tree);
+            tree->Levelled = false;
+            for (int i = tree->First; i < tree->End; i++)
             {
                 TreeNode* node = _forest.Nodes + i;
                 for (int k = 0; k < 3; k++)
@@ -76,9 +88,8 @@ internal sealed unsafe partial class JointSolver
 
     /// <summary>
     /// The way to the projected place, taken as a speed, has more energy than the body had. A chain that is as long as its gap can close an
-    /// error along itself only by a far larger bend: as a speed that bend would throw off what lies on it. Such a tree is left with the speeds of
-    /// its last correction, which are small; those that only touch it keep the speeds that they had, or a car that drives onto a taut bridge would
-    /// stand at once. The relax pass brings both into line with the joints.
+    /// error along itself only by a far larger bend: as a speed that bend would throw off what lies on it. Such a tree keeps the speeds that it had, and the relax
+    /// pass brings them into line with the joints where they are now: a chain that snaps taut is struck by impulses along itself, which come in pairs.
     /// </summary>
     private bool GainsByProjection(JointTree* tree)
     {
@@ -168,8 +179,74 @@ internal sealed unsafe partial class JointSolver
 
     private bool IsUndone(int node) => node >= 0 && _forest.Trees[_forest.Nodes[node].Tree].Undone;
 
+    /// <summary>
+    /// Displaces a tree by its present velocities, and by a share of them if they would turn a body further than the joints' directions are good for: all of it by the same share, so that
+    /// its centre of mass stays.
+    /// </summary>
+    private void MoveOn(JointTree* tree)
+    {
+        double h = _step.Substep;
+        double turn = 0;
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            turn = Math.Max(turn, Math.Abs(h * _forest.Nodes[i].Velocity[2]));
+        }
+
+        double share = h * (turn > WidestTurn ? WidestTurn / turn : 1);
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            double* v = node->Velocity;
+            SetMove(node, node->Move[0] + (share * v[0]), node->Move[1] + (share * v[1]), node->Move[2] + (share * v[2]));
+        }
+    }
+
+    /// <summary>Gives all bodies of a tree the mass of its lightest one; radii of gyration stay.</summary>
+    private void Level(JointTree* tree)
+    {
+        double lightest = 0;
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            lightest = Math.Max(lightest, _forest.Nodes[i].InverseMass);
+        }
+
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            if (node->InverseMass > 0)
+            {
+                node->InverseInertia *= lightest / node->InverseMass;
+                node->InverseMass = lightest;
+            }
+        }
+    }
+
+    /// <summary>Gives the bodies of a tree their own masses again. Where nothing holds it, equal masses have kept another centre than its own.</summary>
+    private void Unlevel(JointTree* tree)
+    {
+        double mass = 0;
+        double x = 0;
+        double y = 0;
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            LoadMass(node);
+            double own = node->InverseMass > 0 ? 1 / node->InverseMass : 0;
+            mass += own;
+            x += own * node->Velocity[0];
+            y += own * node->Velocity[1];
+        }
+
+        for (int i = tree->First; i < tree->End && tree->AnchorFirst == tree->AnchorEnd && mass > 0; i++)
+        {
+            _forest.Nodes[i].Velocity[0] -= x / mass;
+            _forest.Nodes[i].Velocity[1] -= y / mass;
+        }
+    }
+
+    /// <param name="levelled">As if all bodies were as heavy as the lightest.</param>
     /// <returns>True if an error was left to take out.</returns>
-    private bool ProjectOnce()
+    private bool ProjectOnce(bool levelled)
     {
         bool any = false;
         LoadPoses();
@@ -190,6 +267,12 @@ internal sealed unsafe partial class JointSolver
             }
 
             any = true;
+            if (levelled)
+            {
+                tree->Levelled = true;
+                Level(tree);
+            }
+
             for (int attempt = 0; attempt < LimitRounds; attempt++)
             {
                 TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
@@ -204,10 +287,12 @@ internal sealed unsafe partial class JointSolver
 
             TreeReactions.OfSolve(_forest, tree);
             TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
-            for (int k = tree->First; k < tree->End; k++)
+            if (levelled)
             {
-                MoveOn(_forest.Nodes + k);
+                Unlevel(tree);
             }
+
+            MoveOn(tree);
         }
 
         return any;

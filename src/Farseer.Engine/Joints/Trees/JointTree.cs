@@ -95,8 +95,8 @@ internal struct JointTree
     /// <summary>Its correction is taken back, since a tree that it touches went astray.</summary>
     public bool Undone;
 
-    /// <summary>Its own correction went astray.</summary>
-    public bool Strayed;
+    /// <summary>It was projected as if its bodies were equally heavy.</summary>
+    public bool Levelled;
 
     /// <summary>Its projection would have made energy: it moved the bodies, and their speeds stayed as they were.</summary>
     public bool Gains;
