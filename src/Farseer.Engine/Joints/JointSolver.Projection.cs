@@ -15,6 +15,8 @@ internal sealed unsafe partial class JointSolver
     private const int Projections = 80;
     private const int TrueProjections = 12;
 
+    private const double Uneven = 4;
+
     /// <summary>The widest turn of a body in a round, rad.</summary>
     private const double WidestTurn = 1;
 
@@ -50,15 +52,19 @@ internal sealed unsafe partial class JointSolver
                 continue;
             }
 
-            tree->Gains = tree->Levelled || GainsByProjection(tree);
-            tree->Levelled = false;
+            tree->Impelled = ImpelledShare(tree);
             for (int i = tree->First; i < tree->End; i++)
             {
                 TreeNode* node = _forest.Nodes + i;
                 for (int k = 0; k < 3; k++)
                 {
-                    node->Velocity[k] = tree->Gains ? node->PlainVelocity[k] : ProjectedSpeed(node, k);
+                    node->Velocity[k] = node->PlainVelocity[k] + (tree->Impelled * (ProjectedSpeed(node, k) - node->PlainVelocity[k]));
                 }
+            }
+
+            if (tree->Levelled && IsFree(tree))
+            {
+                KeepAngularMomentum(tree);
             }
         }
 
@@ -87,26 +93,28 @@ internal sealed unsafe partial class JointSolver
     private double ProjectedSpeed(TreeNode* node, int k) => (node->Move[k] - node->StartMove[k]) / _step.Substep;
 
     /// <summary>
-    /// The way to the projected place, taken as a speed, has more energy than the body had. A chain that is as long as its gap can close an
-    /// error along itself only by a far larger bend: as a speed that bend would throw off what lies on it. Such a tree keeps the speeds that it had, and the relax
-    /// pass brings them into line with the joints where they are now: a chain that snaps taut is struck by impulses along itself, which come in pairs.
+    /// Which share of the displacements' impulses acts on speeds too: all of it, if the speeds of the way to the projected place have no more energy than the body had. A chain that is as long
+    /// as its gap can close an error along itself only by a far larger bend: as a speed that bend would throw off what lies on it. Then they act as far as they take energy: it is
+    /// least at a share -v·Md/d·Md of the change d. They come in pairs, whatever the share, and the relax pass brings the rest into line with the joints.
     /// </summary>
-    private bool GainsByProjection(JointTree* tree)
+    private double ImpelledShare(JointTree* tree)
     {
-        double gain = 0;
+        double along = 0;
+        double square = 0;
         for (int i = tree->First; i < tree->End; i++)
         {
             TreeNode* node = _forest.Nodes + i;
             for (int k = 0; k < 3; k++)
             {
                 double inverse = k < 2 ? node->InverseMass : node->InverseInertia;
-                double projected = ProjectedSpeed(node, k);
                 double plain = node->PlainVelocity[k];
-                gain += inverse > 0 ? ((projected * projected) - (plain * plain)) / inverse : 0;
+                double change = ProjectedSpeed(node, k) - plain;
+                along += inverse > 0 ? plain * change / inverse : 0;
+                square += inverse > 0 ? change * change / inverse : 0;
             }
         }
 
-        return gain > 0;
+        return (2 * along) + square <= 0 ? 1 : Math.Max(0, -along / square);
     }
 
     /// <summary>
@@ -151,7 +159,7 @@ internal sealed unsafe partial class JointSolver
             if (tree->Undone)
             {
                 tree->Astray = tree->Eliminates;
-                tree->Gains = false;
+                tree->Levelled = false;
                 SetMove(node, node->PlainMove[0], node->PlainMove[1], node->PlainMove[2]);
                 node->Velocity[0] = node->PlainVelocity[0];
                 node->Velocity[1] = node->PlainVelocity[1];
@@ -160,20 +168,32 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
-    /// <summary>What a correction or a projection that is taken back gave through the joints was never given.</summary>
-    /// <param name="projected">Of projections that changed no speeds; else of corrections.</param>
+    /// <summary>What a correction that is taken back gave through the joints was never given; of a projection as much as acts on speeds.</summary>
     private void RestoreImpulses(bool projected)
     {
         for (int at = 0; at < _jointCount; at++)
         {
             ActiveJoint* joint = _active.Pointer + _joints[at];
-            int node = joint->Ends.NodeA >= 0 ? joint->Ends.NodeA : joint->Ends.NodeB;
-            JointTree* tree = _forest.Trees + _forest.Nodes[node].Tree;
-            if (projected ? tree->Astray && tree->Gains : IsUndone(joint->Ends.NodeA) || IsUndone(joint->Ends.NodeB))
+            JointTree* tree = _forest.Trees + TreeOf(joint->Ends);
+            if (projected && tree->Astray)
+            {
+                double share = tree->Levelled ? 0 : tree->Impelled;
+                Blend(joint->PlainLambda, joint->Lambda, share, JointRows.Most);
+                Blend(joint->PlainGiven, joint->Given, share, 3);
+            }
+            else if (!projected && (IsUndone(joint->Ends.NodeA) || IsUndone(joint->Ends.NodeB)))
             {
                 Copy(joint->PlainLambda, joint->Lambda, JointRows.Most);
                 Copy(joint->PlainGiven, joint->Given, 3);
             }
+        }
+    }
+
+    private static void Blend(double* plain, double* values, double share, int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            values[i] = plain[i] + (share * (values[i] - plain[i]));
         }
     }
 
@@ -199,6 +219,31 @@ internal sealed unsafe partial class JointSolver
             double* v = node->Velocity;
             SetMove(node, node->Move[0] + (share * v[0]), node->Move[1] + (share * v[1]), node->Move[2] + (share * v[2]));
         }
+    }
+
+    /// <summary>Puts a tree back to where h·v took it.</summary>
+    private void Recall(JointTree* tree)
+    {
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            SetMove(node, node->PlainMove[0], node->PlainMove[1], node->PlainMove[2]);
+        }
+    }
+
+    /// <summary>Its masses differ so much that equal ones make another problem of it.</summary>
+    private bool IsUneven(JointTree* tree)
+    {
+        double lightest = 0;
+        double heaviest = double.MaxValue;
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            double inverse = _forest.Nodes[i].InverseMass;
+            lightest = Math.Max(lightest, inverse);
+            heaviest = inverse > 0 ? Math.Min(heaviest, inverse) : heaviest;
+        }
+
+        return lightest > Uneven * heaviest;
     }
 
     /// <summary>Gives all bodies of a tree the mass of its lightest one; radii of gyration stay.</summary>
@@ -237,10 +282,65 @@ internal sealed unsafe partial class JointSolver
             y += own * node->Velocity[1];
         }
 
-        for (int i = tree->First; i < tree->End && tree->AnchorFirst == tree->AnchorEnd && mass > 0; i++)
+        for (int i = tree->First; i < tree->End && IsFree(tree); i++)
         {
             _forest.Nodes[i].Velocity[0] -= x / mass;
             _forest.Nodes[i].Velocity[1] -= y / mass;
+        }
+    }
+
+    /// <summary>Nothing holds the tree, nor one of its bodies.</summary>
+    private bool IsFree(JointTree* tree)
+    {
+        bool free = tree->AnchorFirst == tree->AnchorEnd;
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            free &= _forest.Nodes[i].InverseMass > 0 && _forest.Nodes[i].InverseInertia > 0;
+        }
+
+        return free;
+    }
+
+    /// <summary>Turns a tree that nothing holds as a whole, so that it spins about its centre as it did: displacements by other masses than its own have kept that of another body.</summary>
+    private void KeepAngularMomentum(JointTree* tree)
+    {
+        double mass = 0;
+        double x = 0;
+        double y = 0;
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            ref BodyPose pose = ref _step.Bodies.Pose[node->Body];
+            double own = 1 / node->InverseMass;
+            mass += own;
+            x += own * (pose.X + node->Move[0]);
+            y += own * (pose.Y + node->Move[1]);
+        }
+
+        double inertia = 0;
+        double missing = 0;
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            ref BodyPose pose = ref _step.Bodies.Pose[node->Body];
+            double own = 1 / node->InverseMass;
+            double spin = 1 / node->InverseInertia;
+            double rx = pose.X + node->Move[0] - (x / mass);
+            double ry = pose.Y + node->Move[1] - (y / mass);
+            double* v = node->Velocity;
+            double* plain = node->PlainVelocity;
+            inertia += spin + (own * ((rx * rx) + (ry * ry)));
+            missing += (spin * (plain[2] - v[2])) + (own * ((rx * (plain[1] - v[1])) - (ry * (plain[0] - v[0]))));
+        }
+
+        double turn = missing / inertia;
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            ref BodyPose pose = ref _step.Bodies.Pose[node->Body];
+            node->Velocity[0] -= turn * (pose.Y + node->Move[1] - (y / mass));
+            node->Velocity[1] += turn * (pose.X + node->Move[0] - (x / mass));
+            node->Velocity[2] += turn;
         }
     }
 
@@ -261,15 +361,21 @@ internal sealed unsafe partial class JointSolver
             }
 
             SetTargets(tree, TargetKind.Projection);
-            if (tree->Worst <= Tolerance)
+            if (tree->Worst <= Tolerance || (levelled && !tree->Levelled && !IsUneven(tree)))
             {
                 continue;
             }
 
             any = true;
-            if (levelled)
+            if (levelled && !tree->Levelled)
             {
                 tree->Levelled = true;
+                Recall(tree);
+                continue;
+            }
+
+            if (tree->Levelled)
+            {
                 Level(tree);
             }
 
@@ -287,7 +393,7 @@ internal sealed unsafe partial class JointSolver
 
             TreeReactions.OfSolve(_forest, tree);
             TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
-            if (levelled)
+            if (tree->Levelled)
             {
                 Unlevel(tree);
             }

@@ -98,8 +98,8 @@ internal struct JointTree
     /// <summary>It was projected as if its bodies were equally heavy.</summary>
     public bool Levelled;
 
-    /// <summary>Its projection would have made energy: it moved the bodies, and their speeds stayed as they were.</summary>
-    public bool Gains;
+    /// <summary>The share of its projection that acts on speeds.</summary>
+    public double Impelled;
 
     /// <summary>Takes part in the present round of the position correction.</summary>
     public bool Corrects;
