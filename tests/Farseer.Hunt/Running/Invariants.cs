@@ -1,0 +1,145 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using Farseer.Hunt.Calls;
+
+namespace Farseer.Hunt.Running;
+
+/// <summary>What must hold after each step, for both facades.</summary>
+internal sealed class Invariants(Profile profile, Observer observer)
+{
+    /// <summary>
+    /// Energy may rise by this share of what there was to begin with: contacts of turning corners and steps of changing length gain some in single impacts
+    /// and lose more in others.
+    /// </summary>
+    private const double EnergyShare = 0.25;
+
+    /// <summary>A height by which everything may be lifted besides: overlaps at the start, slacks of limits, margins of contacts; metres.</summary>
+    private const double Lift = 0.1;
+
+    /// <summary>Momentum is a sum of products of floats that are rounded in each substep of each contact.</summary>
+    private const double MomentumShare = 1e-3;
+
+    /// <summary>The floor's surface is at 0 and it is 2 thick: what is deeper than half of it has come through.</summary>
+    private const double Through = -1;
+
+    /// <summary>Where the floor ends.</summary>
+    private const double FloorHalf = 95;
+
+    private readonly Dictionary<object, Start> _starts = new(ReferenceEqualityComparer.Instance);
+
+    public void Before(object world)
+    {
+        if (profile < Profile.Ordinary && !_starts.ContainsKey(world))
+        {
+            List<BodyFact> bodies = Moving(world);
+            _starts.Add(world, new Start(bodies, observer.Gravity(world)));
+        }
+    }
+
+    /// <returns>What does not hold, or null.</returns>
+    public (string Kind, string Text)? After(object world, float dt, IEnumerable<object> items, bool isCalm)
+    {
+        if (observer.Problems.Count > 0)
+        {
+            return observer.Problems[0];
+        }
+
+        if (profile != Profile.Extreme && observer.Quarantined.Count > 0)
+        {
+            return ("quarantine", observer.Quarantined[0]);
+        }
+
+        foreach (object item in items.Concat(observer.MoreItems(world)))
+        {
+            if (Values.FirstUnsound(item, observer.MayBeInfinite) is { } unsound)
+            {
+                return ("not finite: " + unsound.Name, Say($"{item.GetType().Name} {unsound.Value}"));
+            }
+        }
+
+        if (isCalm && observer.Lists(world) is { } wrong)
+        {
+            return (wrong.Split(':')[0], wrong);
+        }
+
+        return profile < Profile.Ordinary ? Untouched(world, dt) : null;
+    }
+
+    private static string Say(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+
+    private List<BodyFact> Moving(object world) => observer.Bodies(world).Where(b => b.Moves).ToList();
+
+    private (string Kind, string Text)? Untouched(object world, float dt)
+    {
+        if (!_starts.TryGetValue(world, out Start? start))
+        {
+            return null;
+        }
+
+        List<BodyFact> bodies = Moving(world);
+        if (bodies.Count != start.Count)
+        {
+            return ("a body is gone", Say($"{bodies.Count} of {start.Count}"));
+        }
+
+        double energy = Start.Energy(bodies, start.Gravity);
+        if (energy > start.Most)
+        {
+            return ("energy", Say($"{energy:g5} J after {start.First:g5} J, at most {start.Most:g5} J, in a step of {dt} s"));
+        }
+
+        if (profile == Profile.Passive && bodies.Where(b => b.Y < Through && Math.Abs(b.X) < FloorHalf).Select(b => (BodyFact?)b).FirstOrDefault() is { } below)
+        {
+            return ("below the floor", Say($"{below}"));
+        }
+
+        if (profile == Profile.Free)
+        {
+            double x = bodies.Sum(b => b.Mass * b.Vx) - start.MomentumX;
+            double y = bodies.Sum(b => b.Mass * b.Vy) - start.MomentumY;
+            if (Math.Abs(x) + Math.Abs(y) > start.MostMomentumError)
+            {
+                return ("momentum", Say($"({x:g5}, {y:g5}) kg m/s came from nowhere, at most {start.MostMomentumError:g3}"));
+            }
+        }
+
+        return null;
+    }
+
+    /// <summary>What an untouched world began with.</summary>
+    private sealed class Start
+    {
+        public Start(List<BodyFact> bodies, (double X, double Y) gravity)
+        {
+            Gravity = gravity;
+            Count = bodies.Count;
+            First = Energy(bodies, gravity);
+            double weight = bodies.Sum(b => b.Mass) * Math.Sqrt((gravity.X * gravity.X) + (gravity.Y * gravity.Y));
+            double kinetic = bodies.Sum(b => b.Kinetic);
+            double falls = bodies.Sum(b => b.Mass * -gravity.Y * Math.Max(0, b.Y));
+            Most = First + (EnergyShare * (kinetic + falls)) + (Lift * weight) + 1e-6;
+            MomentumX = bodies.Sum(b => b.Mass * b.Vx);
+            MomentumY = bodies.Sum(b => b.Mass * b.Vy);
+            MostMomentumError = (MomentumShare * bodies.Sum(b => b.Mass * (Math.Abs(b.Vx) + Math.Abs(b.Vy) + Math.Sqrt(b.Kinetic / b.Mass)))) + 1e-6;
+        }
+
+        public (double X, double Y) Gravity { get; }
+
+        public int Count { get; }
+
+        public double First { get; }
+
+        public double Most { get; }
+
+        public double MomentumX { get; }
+
+        public double MomentumY { get; }
+
+        public double MostMomentumError { get; }
+
+        public static double Energy(List<BodyFact> bodies, (double X, double Y) gravity) =>
+            bodies.Sum(b => b.Kinetic - (b.Mass * ((gravity.X * b.X) + (gravity.Y * b.Y))));
+    }
+}
