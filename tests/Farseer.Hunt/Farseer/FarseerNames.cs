@@ -121,6 +121,10 @@ internal sealed class FarseerNames : Names
         (new Span(0, 0.5f, 1e-6f, 1e6f), "SliderJoint.min DistanceJoint.lowerLimit"),
         (new Span(0, 10, 1e-6f, 1e6f), "gravity waveGeneratorMax waveGeneratorMin waveGeneratorStep"),
         (new Span(-10, 10, 1e-6f, 1e6f), "PhysicsSimulator.gravity"),
+
+        // A path has a link for each width of its length: no more than some hundred.
+        (new Span(-6, 6, 1e-3f, 20), "ComplexFactory.start ComplexFactory.end Path.point"),
+        (new Span(0.5f, 1.4f, 0.2f, 1e3f), "ComplexFactory.width ComplexFactory.linkWidth Path.width"),
     });
 
     protected override IReadOnlyDictionary<string, (int Low, int High, int Least, int Most)> Integers { get; } = new Dictionary<string, (int, int, int, int)>(StringComparer.Ordinal)
@@ -143,7 +147,7 @@ internal sealed class FarseerNames : Names
 
     protected override Kind? Special(Type owner, string name, Type type) =>
         type == typeof(Vector2) ? SpanOf(owner, name) is { } span ? new PointKind(span) : null
-        : type == typeof(Vertices) ? new OutlineKind(_size, points => $"new Vertices(new Vector2[] {{ {points} }})", points => new Vertices(points))
+        : type == typeof(Vertices) ? new OutlineKind(owner == typeof(ComplexFactory) ? new Span(1, 4, 1e-3f, 20) : _size, points => $"new Vertices(new Vector2[] {{ {points} }})", points => new Vertices(points))
         : type == typeof(List<Geom>) ? new FreshKind("new List<Geom>()", () => new List<Geom>())
         : type == typeof(List<RayCastHit>) ? new FreshKind("new List<RayCastHit>()", () => new List<RayCastHit>())
         : type == typeof(Matrix4x4) ? new FreshKind("Matrix4x4.Identity", () => Matrix4x4.Identity)

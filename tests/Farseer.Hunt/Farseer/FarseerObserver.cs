@@ -19,7 +19,7 @@ internal sealed class FarseerObserver : Observer
     private readonly HashSet<(int, int)> _touching = new();
     private readonly HashSet<Geom> _gone = new(ReferenceEqualityComparer.Instance);
 
-    public override void Made(object item)
+    public override void Made(object item, object?[] arguments)
     {
         switch (item)
         {
@@ -38,6 +38,12 @@ internal sealed class FarseerObserver : Observer
                 break;
         }
     }
+
+    public override bool HasContacts(object world) => ((PhysicsSimulator)world).ArbiterList.Count > 0;
+
+    /// <summary>The error of a step that lost a body.</summary>
+    public override bool MayBeInfinite(object item, string member) =>
+        item is PhysicsSimulator { Report.Cause: ErrorCause.Lost } && (member is "StepReport.ConstraintError" or "StepReport.Error" or "StepReport.ErrorShare" or "StepReport.BudgetLoad");
 
     public override void SetWorkers(object world, int count)
     {
@@ -105,6 +111,7 @@ internal sealed class FarseerObserver : Observer
         simulator.Enabled = true;
         simulator.Scaling.Enabled = false;
         simulator.Gravity = new Vector2(0, -10);
+        simulator.Update(1e-6f);
         foreach (Controller controller in simulator.ControllerList.ToList())
         {
             simulator.Remove(controller);
@@ -118,13 +125,12 @@ internal sealed class FarseerObserver : Observer
             simulator.Update(0.01f);
         }
 
-        // 0.3 where it is taken in by a first update that does not move it yet.
         float speed = -late.LinearVelocity.Y;
         return late.IsQuarantined || !(speed > 0.29f && speed < 0.41f) ? string.Create(CultureInfo.InvariantCulture, $"its speed is {speed} after 0.04 s") : null;
     }
 
-    // A limit that is not set is infinite; an error of a user's own is its own.
-    public override bool MayBeInfinite(string member) => false;
+    /// <summary>What is written through references is looked at when a step begins; a disabled body does not take part.</summary>
+    public override bool IsStepped(object world, object item) => item is not Body body || (body.Enabled && ((PhysicsSimulator)world).BodyList.Contains(body));
 
     private static (int One, int Other) Pair(Geom a, Geom b)
     {

@@ -29,15 +29,6 @@ internal sealed class Invariants(Profile profile, Observer observer)
 
     private readonly Dictionary<object, Start> _starts = new(ReferenceEqualityComparer.Instance);
 
-    public void Before(object world)
-    {
-        if (profile < Profile.Ordinary && !_starts.ContainsKey(world))
-        {
-            List<BodyFact> bodies = Moving(world);
-            _starts.Add(world, new Start(bodies, observer.Gravity(world)));
-        }
-    }
-
     /// <returns>What does not hold, or null.</returns>
     public (string Kind, string Text)? After(object world, float dt, IEnumerable<object> items, bool isCalm)
     {
@@ -51,9 +42,9 @@ internal sealed class Invariants(Profile profile, Observer observer)
             return ("quarantine", observer.Quarantined[0]);
         }
 
-        foreach (object item in items.Concat(observer.MoreItems(world)))
+        foreach (object item in items.Where(i => observer.IsStepped(world, i)).Concat(observer.MoreItems(world)))
         {
-            if (Values.FirstUnsound(item, observer.MayBeInfinite) is { } unsound)
+            if (Values.FirstUnsound(item) is { } unsound && !observer.MayBeInfinite(item, unsound.Name))
             {
                 return ("not finite: " + unsound.Name, Say($"{item.GetType().Name} {unsound.Value}"));
             }
@@ -73,15 +64,18 @@ internal sealed class Invariants(Profile profile, Observer observer)
 
     private (string Kind, string Text)? Untouched(object world, float dt)
     {
+        List<BodyFact> bodies = Moving(world);
         if (!_starts.TryGetValue(world, out Start? start))
         {
+            // The first step takes the bodies in.
+            _starts.Add(world, new Start(observer.Bodies(world), observer.Gravity(world), observer.HasContacts(world)));
             return null;
         }
 
-        List<BodyFact> bodies = Moving(world);
-        if (bodies.Count != start.Count)
+        if (!start.IsPassive || bodies.Count != start.Count)
         {
-            return ("a body is gone", Say($"{bodies.Count} of {start.Count}"));
+            // A body that rolled off the floor has left its world.
+            return null;
         }
 
         double energy = Start.Energy(bodies, start.Gravity);
@@ -95,7 +89,7 @@ internal sealed class Invariants(Profile profile, Observer observer)
             return ("below the floor", Say($"{below}"));
         }
 
-        if (profile == Profile.Free)
+        if (profile == Profile.Free && start.IsFree)
         {
             double x = bodies.Sum(b => b.Mass * b.Vx) - start.MomentumX;
             double y = bodies.Sum(b => b.Mass * b.Vy) - start.MomentumY;
@@ -111,11 +105,16 @@ internal sealed class Invariants(Profile profile, Observer observer)
     /// <summary>What an untouched world began with.</summary>
     private sealed class Start
     {
-        public Start(List<BodyFact> bodies, (double X, double Y) gravity)
+        public Start(List<BodyFact> all, (double X, double Y) gravity, bool touches)
         {
+            List<BodyFact> bodies = all.Where(b => b.Moves).ToList();
             Gravity = gravity;
             Count = bodies.Count;
             First = Energy(bodies, gravity);
+            IsFree = bodies.Count == all.Count;
+
+            // What has a velocity and no finite mass or inertia is a drive, and what overlaps from the beginning is pushed out.
+            IsPassive = !touches && all.All(b => (b.Moves && (b.Inertia > 0 || b.Spin == 0)) || (!b.Moves && b.Kinetic == 0 && b.Vx == 0 && b.Vy == 0 && b.Spin == 0));
             double weight = bodies.Sum(b => b.Mass) * Math.Sqrt((gravity.X * gravity.X) + (gravity.Y * gravity.Y));
             double kinetic = bodies.Sum(b => b.Kinetic);
             double falls = bodies.Sum(b => b.Mass * -gravity.Y * Math.Max(0, b.Y));
@@ -124,6 +123,10 @@ internal sealed class Invariants(Profile profile, Observer observer)
             MomentumY = bodies.Sum(b => b.Mass * b.Vy);
             MostMomentumError = (MomentumShare * bodies.Sum(b => b.Mass * (Math.Abs(b.Vx) + Math.Abs(b.Vy) + Math.Sqrt(b.Kinetic / b.Mass)))) + 1e-6;
         }
+
+        public bool IsFree { get; }
+
+        public bool IsPassive { get; }
 
         public (double X, double Y) Gravity { get; }
 

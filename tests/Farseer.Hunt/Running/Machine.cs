@@ -132,7 +132,7 @@ internal sealed class Machine
                 if (call.Made is not null && made is not null)
                 {
                     _items[call.Id] = made;
-                    _observer.Made(made);
+                    _observer.Made(made, arguments);
                 }
             }
             catch (Exception exception)
@@ -170,7 +170,6 @@ internal sealed class Machine
 
             int handled = _handled;
             int thrown = _thrown.Count;
-            _invariants.Before(world);
             long start = Stopwatch.GetTimestamp();
             try
             {
@@ -184,6 +183,7 @@ internal sealed class Machine
 
             Steps++;
             Longest = Math.Max(Longest, Stopwatch.GetElapsedTime(start).TotalSeconds);
+            _observer.Stepped(world);
             Hashes.Add(_observer.Hash(world));
             if (Failure is null && _invariants.After(world, (float)arguments[1]!, _items.Values, _handled == handled && _thrown.Count == thrown) is { } wrong)
             {

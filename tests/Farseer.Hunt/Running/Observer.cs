@@ -18,7 +18,15 @@ internal abstract class Observer
     public List<string> Quarantined { get; } = new();
 
     /// <summary>An item was made: whoever wants to hear its events says so now.</summary>
-    public abstract void Made(object item);
+    public abstract void Made(object item, object?[] arguments);
+
+    /// <summary>After each step: who was taken out, where no event tells it.</summary>
+    public virtual void Stepped(object world)
+    {
+    }
+
+    /// <summary>Whether anything touches in a world.</summary>
+    public abstract bool HasContacts(object world);
 
     public abstract void SetWorkers(object world, int count);
 
@@ -41,6 +49,9 @@ internal abstract class Observer
         yield break;
     }
 
-    /// <summary>Values that may be infinite, as <c>Owner.Name</c>.</summary>
-    public virtual bool MayBeInfinite(string member) => false;
+    /// <summary>Whether an item's values have been made by a step of a world: what was only set may be what nobody refuses until then.</summary>
+    public virtual bool IsStepped(object world, object item) => true;
+
+    /// <summary>Values that are documented to be infinite now.</summary>
+    public virtual bool MayBeInfinite(object item, string member) => false;
 }

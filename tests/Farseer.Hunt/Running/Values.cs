@@ -13,7 +13,7 @@ internal static class Values
     private static readonly ConcurrentDictionary<Type, (string Name, MethodInfo Get)[]> _getters = new();
 
     /// <returns>The first value that is no finite number, or null.</returns>
-    public static (string Name, object Value)? FirstUnsound(object item, Func<string, bool> mayBeInfinite)
+    public static (string Name, object Value)? FirstUnsound(object item)
     {
         foreach ((string name, MethodInfo get) in _getters.GetOrAdd(item.GetType(), Find))
         {
@@ -28,9 +28,10 @@ internal static class Values
                 continue;
             }
 
-            if (value is not null && !IsFinite(value) && !mayBeInfinite(name))
+            if (value is not null && !IsFinite(value))
             {
-                return (name, value);
+                // Of a value that is made of values, the one that it is.
+                return value.GetType().Namespace?.StartsWith("System", StringComparison.Ordinal) == true ? (name, value) : FirstUnsound(value) ?? (name, value);
             }
         }
 
@@ -55,6 +56,6 @@ internal static class Values
         Vector2 point => float.IsFinite(point.X) && float.IsFinite(point.Y),
         float[] numbers => numbers.All(float.IsFinite),
         Matrix4x4 m => float.IsFinite(m.M11 + m.M12 + m.M21 + m.M22 + m.M41 + m.M42),
-        _ => FirstUnsound(value, _ => false) is null,
+        _ => FirstUnsound(value) is null,
     };
 }
