@@ -130,7 +130,7 @@ internal sealed class FarseerObserver : Observer
     }
 
     /// <summary>What is written through references is looked at when a step begins; a disabled body does not take part.</summary>
-    public override bool IsStepped(object world, object item) => item is not Body body || (body.Enabled && ((PhysicsSimulator)world).BodyList.Contains(body));
+    public override bool IsStepped(object world, object item) => item is not Body body || (body.Enabled && world is PhysicsSimulator { Enabled: true } simulator && simulator.BodyList.Contains(body));
 
     private static (int One, int Other) Pair(Geom a, Geom b)
     {

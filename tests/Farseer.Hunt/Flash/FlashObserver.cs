@@ -25,9 +25,8 @@ internal sealed class FlashObserver : Observer
 
     public override void Made(object item, object?[] arguments)
     {
-        if (item is b2World)
+        if (item is b2World && arguments[0] is b2AABB room)
         {
-            var room = (b2AABB)arguments[0]!;
             _rooms[item] = new b2AABB { lowerBound = room.lowerBound.Copy(), upperBound = room.upperBound.Copy() };
         }
     }
@@ -120,6 +119,14 @@ internal sealed class FlashObserver : Observer
             }
         }
 
+        // The engine knows the same shapes: a query finds each that is not frozen, and none that is gone.
+        List<b2Shape> found = new();
+        made.Query(new b2AABB { lowerBound = new b2Vec2(-1e9f, -1e9f), upperBound = new b2Vec2(1e9f, 1e9f) }, found, int.MaxValue);
+        if (found.Any(s => !shapes.Contains(s)) || shapes.Any(s => !s.GetBody()!.IsFrozen() && !found.Contains(s)) || found.Distinct().Count() != found.Count)
+        {
+            return "a query does not find the shapes that there are";
+        }
+
         return bodies.Count != made.GetBodyCount() || known.Count != bodies.Count ? "the count of bodies is not that of the list"
             : joints.Count != made.GetJointCount() ? "the count of joints is not that of the list"
             : edges != 2 * joints.Count ? "joints are not known to both bodies"
@@ -142,6 +149,10 @@ internal sealed class FlashObserver : Observer
         float speed = -late.GetLinearVelocity().y;
         return !(speed > 0.39f && speed < 0.41f) ? string.Create(CultureInfo.InvariantCulture, $"its speed is {speed} after 0.04 s") : null;
     }
+
+    /// <summary>The square of a force may be more than a float holds.</summary>
+    public override bool MayBeInfinite(object item, string member) =>
+        item is b2PrismaticJoint joint && (joint.GetBody1().GetWorld().Quirks & Box2DFlash202Quirks.PrismaticForceSquared) != 0;
 
     private static bool IsInRange(b2Body? body) => body is null || (body.GetMass() <= MostMass && body.GetInertia() <= MostMass * MostMass);
 

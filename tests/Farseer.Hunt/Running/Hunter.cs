@@ -132,6 +132,11 @@ internal sealed class Hunter(Facade facade, TextWriter output)
     {
         int count = _kinds.GetValueOrDefault(failure.Kind);
         _kinds[failure.Kind] = count + 1;
+        if (count >= 10)
+        {
+            return;
+        }
+
         output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"seed {seed} ({script.Profile}): {failure.Kind}: {failure.Text.Split('\n')[0]}"));
 
         // Three of a kind are enough to see what they have in common.
@@ -141,7 +146,7 @@ internal sealed class Hunter(Facade facade, TextWriter output)
         }
 
         bool compare = failure.Kind == "workers";
-        Script small = failure.Kind == "does not end" ? script : new Shrinker(s => Try(s, compare)?.Kind == failure.Kind, ShrinkTime).Shrink(script);
+        Script small = failure.Kind == "does not end" ? script : new Shrinker(s => failure.IsShownBy(Try(s, compare)), ShrinkTime).Shrink(script);
         Failure last = failure.Kind == "does not end" ? failure : Try(small, compare) ?? failure;
         string name = string.Concat(failure.Kind.Select(c => char.IsLetterOrDigit(c) ? c : '-'));
         string file = Path.Combine(Folder, string.Create(CultureInfo.InvariantCulture, $"{facade.Name}-{name}-{seed}.cs"));

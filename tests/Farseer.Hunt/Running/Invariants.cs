@@ -30,29 +30,29 @@ internal sealed class Invariants(Profile profile, Observer observer)
     private readonly Dictionary<object, Start> _starts = new(ReferenceEqualityComparer.Instance);
 
     /// <returns>What does not hold, or null.</returns>
-    public (string Kind, string Text)? After(object world, float dt, IEnumerable<object> items, bool isCalm)
+    public (string Kind, string Text, double Excess)? After(object world, float dt, IEnumerable<object> items, bool isCalm)
     {
         if (observer.Problems.Count > 0)
         {
-            return observer.Problems[0];
+            return (observer.Problems[0].Kind, observer.Problems[0].Text, 1);
         }
 
         if (profile != Profile.Extreme && observer.Quarantined.Count > 0)
         {
-            return ("quarantine", observer.Quarantined[0]);
+            return ("quarantine", observer.Quarantined[0], 1);
         }
 
         foreach (object item in items.Where(i => observer.IsStepped(world, i)).Concat(observer.MoreItems(world)))
         {
             if (Values.FirstUnsound(item) is { } unsound && !observer.MayBeInfinite(item, unsound.Name))
             {
-                return ("not finite: " + unsound.Name, Say($"{item.GetType().Name} {unsound.Value}"));
+                return ("not finite: " + unsound.Name, Say($"{item.GetType().Name} {unsound.Value}"), 1);
             }
         }
 
         if (isCalm && observer.Lists(world) is { } wrong)
         {
-            return (wrong.Split(':')[0], wrong);
+            return (wrong.Split(':')[0], wrong, 1);
         }
 
         return profile < Profile.Ordinary ? Untouched(world, dt) : null;
@@ -62,7 +62,7 @@ internal sealed class Invariants(Profile profile, Observer observer)
 
     private List<BodyFact> Moving(object world) => observer.Bodies(world).Where(b => b.Moves).ToList();
 
-    private (string Kind, string Text)? Untouched(object world, float dt)
+    private (string Kind, string Text, double Excess)? Untouched(object world, float dt)
     {
         List<BodyFact> bodies = Moving(world);
         if (!_starts.TryGetValue(world, out Start? start))
@@ -81,12 +81,13 @@ internal sealed class Invariants(Profile profile, Observer observer)
         double energy = Start.Energy(bodies, start.Gravity);
         if (energy > start.Most)
         {
-            return ("energy", Say($"{energy:g5} J after {start.First:g5} J, at most {start.Most:g5} J, in a step of {dt} s"));
+            return ("energy", Say($"{energy:g5} J after {start.First:g5} J, at most {start.Most:g5} J, in a step of {dt} s"), (energy - start.First) / (start.Most - start.First));
         }
 
-        if (profile == Profile.Passive && bodies.Where(b => b.Y < Through && Math.Abs(b.X) < FloorHalf).Select(b => (BodyFact?)b).FirstOrDefault() is { } below)
+        start.HasTouched |= observer.HasContacts(world);
+        if (profile == Profile.Passive && start.HasTouched && !start.IsFree && bodies.Where(b => b.Y < Through && Math.Abs(b.X) < FloorHalf).Select(b => (BodyFact?)b).FirstOrDefault() is { } below)
         {
-            return ("below the floor", Say($"{below}"));
+            return ("below the floor", Say($"{below}"), 1);
         }
 
         if (profile == Profile.Free && start.IsFree)
@@ -95,7 +96,7 @@ internal sealed class Invariants(Profile profile, Observer observer)
             double y = bodies.Sum(b => b.Mass * b.Vy) - start.MomentumY;
             if (Math.Abs(x) + Math.Abs(y) > start.MostMomentumError)
             {
-                return ("momentum", Say($"({x:g5}, {y:g5}) kg m/s came from nowhere, at most {start.MostMomentumError:g3}"));
+                return ("momentum", Say($"({x:g5}, {y:g5}) kg m/s came from nowhere, at most {start.MostMomentumError:g3}"), (Math.Abs(x) + Math.Abs(y)) / start.MostMomentumError);
             }
         }
 
@@ -117,14 +118,18 @@ internal sealed class Invariants(Profile profile, Observer observer)
             IsPassive = !touches && all.All(b => (b.Moves && (b.Inertia > 0 || b.Spin == 0)) || (!b.Moves && b.Kinetic == 0 && b.Vx == 0 && b.Vy == 0 && b.Spin == 0));
             double weight = bodies.Sum(b => b.Mass) * Math.Sqrt((gravity.X * gravity.X) + (gravity.Y * gravity.Y));
             double kinetic = bodies.Sum(b => b.Kinetic);
-            double falls = bodies.Sum(b => b.Mass * -gravity.Y * Math.Max(0, b.Y));
+            double falls = bodies.Sum(b => b.Mass * Math.Abs(gravity.Y * b.Y));
             Most = First + (EnergyShare * (kinetic + falls)) + (Lift * weight) + 1e-6;
             MomentumX = bodies.Sum(b => b.Mass * b.Vx);
             MomentumY = bodies.Sum(b => b.Mass * b.Vy);
             MostMomentumError = (MomentumShare * bodies.Sum(b => b.Mass * (Math.Abs(b.Vx) + Math.Abs(b.Vy) + Math.Sqrt(b.Kinetic / b.Mass)))) + 1e-6;
         }
 
+        /// <summary>Nobody is fixed.</summary>
         public bool IsFree { get; }
+
+        /// <summary>Something has touched: there is a floor.</summary>
+        public bool HasTouched { get; set; }
 
         public bool IsPassive { get; }
 

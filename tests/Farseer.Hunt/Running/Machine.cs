@@ -18,6 +18,9 @@ internal enum Outcome
 /// <summary>Runs a world and looks at all invariants between its steps.</summary>
 internal sealed class Machine
 {
+    /// <summary>An update of some hundred bodies takes some milliseconds, the first ones some hundred; what takes so long is no matter of a busy machine.</summary>
+    private const double MostSeconds = 20;
+
     private readonly Script _script;
     private readonly int? _workers;
     private readonly Observer _observer;
@@ -131,8 +134,13 @@ internal sealed class Machine
                 object? made = call.Member.Invoke(arguments);
                 if (call.Made is not null && made is not null)
                 {
+                    // Some members return what is known already.
+                    bool isNew = !_items.Values.Contains(made, ReferenceEqualityComparer.Instance);
                     _items[call.Id] = made;
-                    _observer.Made(made, arguments);
+                    if (isNew)
+                    {
+                        _observer.Made(made, arguments);
+                    }
                 }
             }
             catch (Exception exception)
@@ -182,12 +190,18 @@ internal sealed class Machine
             }
 
             Steps++;
-            Longest = Math.Max(Longest, Stopwatch.GetElapsedTime(start).TotalSeconds);
+            double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
+            Longest = Math.Max(Longest, seconds);
+            if (seconds > MostSeconds)
+            {
+                Fail("slow step", string.Create(CultureInfo.InvariantCulture, $"{seconds:g3} s"));
+            }
+
             _observer.Stepped(world);
             Hashes.Add(_observer.Hash(world));
             if (Failure is null && _invariants.After(world, (float)arguments[1]!, _items.Values, _handled == handled && _thrown.Count == thrown) is { } wrong)
             {
-                Fail(wrong.Kind, wrong.Text);
+                Fail(wrong.Kind, wrong.Text, wrong.Excess);
             }
         }
     }
@@ -208,7 +222,7 @@ internal sealed class Machine
         Fail($"{exception.GetType().Name} in {place}", exception.ToString());
     }
 
-    private void Fail(string kind, string text) => Failure ??= new Failure(kind, text, _call, Steps);
+    private void Fail(string kind, string text, double excess = 1) => Failure ??= new Failure(kind, text, _call, Steps, excess);
 
     private sealed class HandlerState(Machine machine, Call call)
     {
