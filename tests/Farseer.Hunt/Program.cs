@@ -50,7 +50,6 @@ public static class Program
             return failed == 0 ? 0 : 1;
         });
         root.Add(replay);
-        if (args.Length == 1 && args[0] == "unknown") { foreach (string f in new[] { "farseer", "flash" }) { var c = Facades.Find(f).Catalogue; Console.WriteLine(string.Join("\n", c.Unknown)); Console.WriteLine("UNUSED " + string.Join("\n", c.UnusedReasons)); Console.WriteLine(c.Members.Count + " members, looks " + c.Looks.Count); } return 0; }
         return root.Parse(args).Invoke();
     }
 }

@@ -30,6 +30,9 @@ internal sealed class Hunter(Facade facade, TextWriter output)
 
     public int Failures => _kinds.Values.Sum();
 
+    /// <summary>Failures of each kind.</summary>
+    public IReadOnlyDictionary<string, int> Kinds => _kinds;
+
     /// <summary>Files of failures, one of each kind.</summary>
     public List<string> Files { get; } = new();
 
@@ -70,6 +73,9 @@ internal sealed class Hunter(Facade facade, TextWriter output)
 
         output.WriteLine(Summary());
     }
+
+    /// <summary>The part of a file's name that tells the kind.</summary>
+    public static string FileNameOf(string kind) => string.Concat(kind.Select(c => char.IsLetterOrDigit(c) ? c : '-'));
 
     public string Summary() => string.Create(
         CultureInfo.InvariantCulture,
@@ -148,11 +154,10 @@ internal sealed class Hunter(Facade facade, TextWriter output)
         bool compare = failure.Kind == "workers";
         Script small = failure.Kind == "does not end" ? script : new Shrinker(s => failure.IsShownBy(Try(s, compare)), ShrinkTime).Shrink(script);
         Failure last = failure.Kind == "does not end" ? failure : Try(small, compare) ?? failure;
-        string name = string.Concat(failure.Kind.Select(c => char.IsLetterOrDigit(c) ? c : '-'));
-        string file = Path.Combine(Folder, string.Create(CultureInfo.InvariantCulture, $"{facade.Name}-{name}-{seed}.cs"));
+        string file = Path.Combine(Folder, string.Create(CultureInfo.InvariantCulture, $"{facade.Name}-{FileNameOf(failure.Kind)}-{seed}.txt"));
         File.WriteAllText(file, failure.Kind == "does not end"
             ? ProgramText.Write(small, Call.All(small.Calls).ToDictionary(c => c.Id, _ => Outcome.Done), $"seed {seed}: does not end", Array.Empty<int>())
-            : Text(small, string.Create(CultureInfo.InvariantCulture, $"seed {seed}: {Machine.Describe(last)}")));
+            : Text(small, string.Create(CultureInfo.InvariantCulture, $"seed {seed}: {Machine.Describe(last).Split('\n')[0]}")));
         Files.Add(file);
         output.WriteLine($"  {Call.All(small.Calls).Count()} calls of {Call.All(script.Calls).Count()} in {file}");
     }

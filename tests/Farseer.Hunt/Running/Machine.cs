@@ -52,6 +52,9 @@ internal sealed class Machine
     /// <summary>Of each world after each of its steps.</summary>
     public List<ulong> Hashes { get; } = new();
 
+    /// <summary>Of the worlds that are there after the last call.</summary>
+    public List<ulong> LastHashes { get; private set; } = new();
+
     public Dictionary<int, Outcome> Outcomes { get; } = new();
 
     /// <summary>Worlds, by the numbers of the calls that made them.</summary>
@@ -68,6 +71,7 @@ internal sealed class Machine
             }
         }
 
+        LastHashes = Worlds.Select(w => _observer.Hash(_items[w])).Where(h => h != 0).ToList();
         if (_script.Profile >= Profile.Ordinary)
         {
             FinishCalmly();

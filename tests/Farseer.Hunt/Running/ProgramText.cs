@@ -24,6 +24,7 @@ internal static class ProgramText
         }
 
         text.Append(CultureInfo.InvariantCulture, $"// world: {script.Facade.Name} {script.Profile}\n");
+        text.Append("#pragma warning disable\n");
         foreach (string used in script.Facade.Namespaces)
         {
             text.Append(CultureInfo.InvariantCulture, $"using {used};\n");
