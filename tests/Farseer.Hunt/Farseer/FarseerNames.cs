@@ -91,6 +91,9 @@ internal sealed class FarseerNames : Names
         ["ControllerList.new"] = "a list of nobody",
         ["WaveController.CurrentWave"] = "an array that the wave writes",
         ["WaveController.PreviousWave"] = "an array that the wave writes",
+        ["WaveController.VectorPoint"] = "a result",
+        ["WaveController.VectorNearWaveEdge"] = "a result",
+        ["WaveController.VectorFarWaveEdge"] = "a result",
         ["WaveController.XPosition"] = "an array that the wave writes",
     };
 
@@ -100,7 +103,7 @@ internal sealed class FarseerNames : Names
         (new Span(1, 8, 1e-6f, 1e6f), "maxRadius distance maximumDistance linkWidth linkHeight"),
         (_near, "offset worldVertex localVertex firstVector secondVector anchor1 anchor2 attachPoint1 attachPoint2 bodyAttachPoint localPosition localPoint localVector localAnchor1 localAnchor2"),
         (_place, "position positionX positionY x y anchor anchorPosition initialAnchorPosition worldAnchor1 worldAnchor2 groundAnchor1 groundAnchor2 target start end center point "
-            + "worldPoint worldPosition worldAttachPoint initialAnchor worldOffset vectorPoint vectorNearWaveEdge vectorFarWaveEdge min max translation vector controlPoint location "
+            + "worldPoint worldPosition worldAttachPoint initialAnchor worldOffset min max translation vector controlPoint location "
             + "worldVector fixedPoint from to intersectPoint contact epicenter"),
         (_speed, "linearVelocity velocity motorSpeed angularVelocity impulse angularImpulse axis amount normal uvector localNormal"),
         (_angle, "rotation rotationOffset angle targetAngle"),
