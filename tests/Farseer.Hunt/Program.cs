@@ -19,7 +19,8 @@ public static class Program
         var workers = new Option<int?>("--workers") { Description = "for all worlds; without, every fourth runs with 1, 2 and 4, which must end with the same bits" };
         var profile = new Option<Profile?>("--profile") { Description = "worlds of this kind alone" };
         var folder = new Option<string>("--out") { DefaultValueFactory = _ => "hunt", Description = "where files of failures go" };
-        var root = new RootCommand("Makes random worlds, calls anything, and looks at what must always hold.") { facade, seconds, seed, worlds, workers, profile, folder };
+        var root = new RootCommand("Makes random worlds, calls anything, and looks at what must always hold.") { facade, seconds, seed,
+            worlds, workers, profile, folder };
         root.SetAction(result =>
         {
             string place = result.GetValue(folder)!;
@@ -30,7 +31,8 @@ public static class Program
                 Only = result.GetValue(profile),
                 Workers = result.GetValue(workers),
             };
-            hunter.Run(result.GetValue(seed) ?? (ulong)DateTime.UtcNow.Ticks, TimeSpan.FromSeconds(result.GetValue(seconds)), result.GetValue(worlds));
+            hunter.Run(result.GetValue(seed) ?? (ulong)DateTime.UtcNow.Ticks, TimeSpan.FromSeconds(result.GetValue(seconds)),
+                result.GetValue(worlds));
             return hunter.Failures == 0 ? 0 : 1;
         });
 

@@ -25,7 +25,8 @@ public sealed class PrintedWorldTests
             string text = ProgramText.Write(script, machine.Outcomes, "", machine.Worlds);
 
             IEnumerable<string> expected = machine.LastHashes.Select(h => h.ToString(CultureInfo.InvariantCulture));
-            Assert.Equal(expected, Snippet.Run(text, $"{facade} {seed}").Split('\n', StringSplitOptions.RemoveEmptyEntries).Select(l => l.Trim()));
+            Assert.Equal(expected, Snippet.Run(text, $"{facade} {seed}").Split('\n', StringSplitOptions.RemoveEmptyEntries).Select(l
+                => l.Trim()));
         }
     }
 }

@@ -12,7 +12,8 @@ using Xunit.Abstractions;
 namespace Farseer.Shared;
 
 /// <summary>
-/// Random worlds, random calls, and what must hold whatever is done: see the folder of the hunt. FARSEER_HUNT_SECONDS sets how long new worlds are
+/// Random worlds, random calls, and what must hold whatever is done: see the folder of the hunt. FARSEER_HUNT_SECONDS sets how long
+/// new worlds are
 /// made; the seed is printed.
 /// </summary>
 public abstract class HuntedWorlds
@@ -27,7 +28,8 @@ public abstract class HuntedWorlds
 #endif
 
     /// <summary>
-    /// Of these kinds there are worlds that still fail (the files in open/): some in ten thousand. A hundredth of all worlds may, and three at least.
+    /// Of these kinds there are worlds that still fail (the files in open/): some in ten thousand. A hundredth of all worlds may, and
+    /// three at least.
     /// </summary>
     private const double OpenShare = 0.01;
 
@@ -80,7 +82,8 @@ public abstract class HuntedWorlds
             Script script = Decoder.Read(_facade, Choices.FromSeed(seed));
             var machine = new Machine(script);
             machine.Run();
-            done.UnionWith(Call.All(script.Calls).Where(c => machine.Outcomes.GetValueOrDefault(c.Id) == Outcome.Done).Select(c => c.Member.Key));
+            done.UnionWith(Call.All(script.Calls).Where(c => machine.Outcomes.GetValueOrDefault(c.Id) == Outcome.Done).Select(c
+                => c.Member.Key));
         }
 
         // Some are rare, as those of a gear of two joints; many that nothing ever calls would have arguments that they always refuse.
@@ -134,9 +137,11 @@ public abstract class HuntedWorlds
     {
         // As if the second step after any joint failed.
         static bool Fails(Script script) =>
-            script.Calls.SkipWhile(c => c.Made?.Name.EndsWith("Joint", StringComparison.Ordinal) != true).Count(c => c.Member is StepMember) > 1;
+            script.Calls.SkipWhile(c => c.Made?.Name.EndsWith("Joint", StringComparison.Ordinal) != true).Count(c
+                => c.Member is StepMember) > 1;
 
-        Script script = Enumerable.Range(0, 1000).Select(i => Decoder.Read(_facade, Choices.FromSeed((ulong)i))).First(s => s.Calls.Count > 100 && Fails(s));
+        Script script = Enumerable.Range(0, 1000).Select(i => Decoder.Read(_facade, Choices.FromSeed((ulong)i))).First(s
+            => s.Calls.Count > 100 && Fails(s));
         Script small = new Shrinker(Fails, TimeSpan.FromSeconds(20)).Shrink(script);
 
         Assert.Equal(3, small.Calls.Count);

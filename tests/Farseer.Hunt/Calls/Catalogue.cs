@@ -6,7 +6,8 @@ using System.Reflection;
 namespace Farseer.Hunt.Calls;
 
 /// <summary>
-/// All public members of some types, found by reflection. A member whose parameters have known names and types needs no entry; a name that is new needs one in
+/// All public members of some types, found by reflection. A member whose parameters have known names and types needs no entry; a name
+/// that is new needs one in
 /// <see cref="Names"/>, and what is left out needs a reason.
 /// </summary>
 internal sealed class Catalogue
@@ -15,7 +16,8 @@ internal sealed class Catalogue
 
     private static readonly string[] _looks =
     {
-        "Get", "RayCast", "Query", "ClosestPoint", "Collide", "CircleCast", "ShapeCast", "StateHash", "Test", "Compute", "Support", "Centroid", "IsConnected", "Intersect",
+        "Get", "RayCast", "Query", "ClosestPoint", "Collide", "CircleCast", "ShapeCast", "StateHash", "Test", "Compute", "Support",
+            "Centroid", "IsConnected", "Intersect",
     };
 
     private readonly Names _names;
@@ -75,7 +77,8 @@ internal sealed class Catalogue
     /// <summary>No operator, none that every object has, and none that another has by value.</summary>
     private static bool IsMeant(MethodBase method)
     {
-        bool isAccessor = method.Name.StartsWith("set_", StringComparison.Ordinal) || method.Name.StartsWith("get_", StringComparison.Ordinal);
+        bool isAccessor = method.Name.StartsWith("set_", StringComparison.Ordinal) || method.Name.StartsWith("get_",
+            StringComparison.Ordinal);
         if (!method.IsConstructor && ((method.IsSpecialName && !isAccessor) || method.Name is "Equals" or "GetHashCode" or "ToString"))
         {
             return false;
@@ -85,7 +88,8 @@ internal sealed class Catalogue
         bool isOverride = method is MethodInfo { IsVirtual: true } info && info.GetBaseDefinition().DeclaringType != info.DeclaringType;
         ParameterInfo[] parameters = method.GetParameters();
         bool isByReference = parameters.Any(p => p.ParameterType.IsByRef && !p.IsOut)
-            && method.DeclaringType!.GetMethods(Declared).Any(m => m.Name == method.Name && !m.GetParameters().Any(p => p.ParameterType.IsByRef));
+            && method.DeclaringType!.GetMethods(Declared).Any(m => m.Name == method.Name && !m.GetParameters().Any(p
+                => p.ParameterType.IsByRef));
         return !isOverride && !isByReference && !method.IsGenericMethod;
     }
 
@@ -122,7 +126,8 @@ internal sealed class Catalogue
             return;
         }
 
-        (string Code, object Instance)? singleton = _names.Singletons.TryGetValue(owner, out object? instance) ? (owner.Name + ".Instance", instance) : null;
+        (string Code, object Instance)? singleton = _names.Singletons.TryGetValue(owner, out object? instance)
+            ? (owner.Name + ".Instance", instance) : null;
         var kinds = new List<Kind?>();
         if (!method.IsStatic && !method.IsConstructor && singleton is null)
         {
@@ -150,7 +155,8 @@ internal sealed class Catalogue
 
         Type? result = method is MethodInfo info ? info.ReturnType : owner;
         bool makes = result is not null && _names.Types.Contains(result);
-        var member = new MethodMember(method, kinds!, makes ? result : null, singleton) { ResultOf = makes ? _names.ResultOf(method) : null };
+        var member = new MethodMember(method, kinds!, makes ? result : null, singleton) { ResultOf = makes ? _names.ResultOf(method)
+            : null };
         Members.Add(member);
         if (!isSetter && !makes && _looks.Any(l => name.StartsWith(l, StringComparison.Ordinal)) && name != "ComputeCollisionGrid")
         {
@@ -173,7 +179,9 @@ internal abstract class Names
     /// <summary>Members that are not called, as <c>Owner.Name</c> or <c>*.Name</c>, and why.</summary>
     public abstract IReadOnlyDictionary<string, string> LeftOut { get; }
 
-    /// <summary>Numbers by the names of parameters and properties, or by <c>Owner.name</c> where the same name means different things.</summary>
+    /// <summary>
+    /// Numbers by the names of parameters and properties, or by <c>Owner.name</c> where the same name means different things.
+    /// </summary>
     protected abstract IReadOnlyDictionary<string, Span> Spans { get; }
 
     protected abstract IReadOnlyDictionary<string, (int Low, int High, int Least, int Most)> Integers { get; }
@@ -190,7 +198,8 @@ internal abstract class Names
 
         if (type == typeof(int) || type == typeof(uint) || type == typeof(byte))
         {
-            return Integers.TryGetValue(owner.Name + "." + name, out (int Low, int High, int Least, int Most) own) || Integers.TryGetValue(name, out own)
+            return Integers.TryGetValue(owner.Name + "." + name, out (int Low, int High, int Least, int Most) own)
+                || Integers.TryGetValue(name, out own)
                 ? new IntegerKind(own.Low, own.High, own.Least, own.Most, type)
                 : null;
         }

@@ -3,7 +3,10 @@ using System.Globalization;
 
 namespace Farseer.Hunt.Calls;
 
-/// <summary>A row of bytes that decides everything about a world: from a seed, or from whoever looks for bytes that reach new code. When it is spent all is 0.</summary>
+/// <summary>
+/// A row of bytes that decides everything about a world: from a seed, or from whoever looks for bytes that reach new code. When it is
+/// spent all is 0.
+/// </summary>
 internal sealed class Choices(byte[] bytes)
 {
     private int _at;

@@ -19,7 +19,8 @@ internal sealed class Decoder
     {
         _facade = facade;
         Choices = choices;
-        Profile = profile ?? (choices.Below(16) switch { 0 or 1 => Profile.Free, 2 or 3 or 4 => Profile.Passive, < 11 => Profile.Ordinary, _ => Profile.Extreme });
+        Profile = profile ?? (choices.Below(16) switch { 0 or 1 => Profile.Free, 2 or 3 or 4 => Profile.Passive, < 11 => Profile.Ordinary,
+            _ => Profile.Extreme });
     }
 
     public Choices Choices { get; }
@@ -55,7 +56,8 @@ internal sealed class Decoder
 
     private int Emit(Member member, object?[] arguments)
     {
-        object?[] values = member.Kinds.Select((kind, i) => i < arguments.Length && arguments[i] is { } given ? given : kind.Draw(this)).ToArray();
+        object?[] values = member.Kinds.Select((kind, i) => i < arguments.Length && arguments[i] is { } given ? given
+            : kind.Draw(this)).ToArray();
         if (values.Contains(null))
         {
             return -1;
@@ -129,7 +131,8 @@ internal sealed class Decoder
         for (int i = 0; i < 8; i++)
         {
             Member member = _facade.Members[Choices.Below(_facade.Members.Count)];
-            if (!(member is HandlerMember or ThrowMember && (_isInHandler || member is ThrowMember)) && Emit(member, Array.Empty<object?>()) >= 0)
+            if (!(member is HandlerMember or ThrowMember && (_isInHandler || member is ThrowMember)) && Emit(member,
+                Array.Empty<object?>()) >= 0)
             {
                 return;
             }

@@ -41,7 +41,8 @@ internal abstract class Facade
     /// <summary>C# that prints the hash of a world.</summary>
     public virtual string HashCode(string world) => $"Try(() => Console.WriteLine({world}.StateHash()));";
 
-    public Member Find(string key) => _byKey.TryGetValue(key, out Member? found) ? found : throw new ArgumentException("There is no member " + key);
+    public Member Find(string key) => _byKey.TryGetValue(key, out Member? found) ? found
+        : throw new ArgumentException("There is no member " + key);
 
     /// <summary>What a world begins with.</summary>
     public abstract void Open(Decoder decoder);

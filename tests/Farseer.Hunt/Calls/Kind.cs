@@ -89,7 +89,8 @@ internal sealed class TimeKind : Kind
 
     public override object Read(string token) => Number(token);
 
-    public override IEnumerable<object> Simpler(object value) => (float)value == 1 / 60f ? Array.Empty<object>() : new object[] { 1 / 60f };
+    public override IEnumerable<object> Simpler(object value) => (float)value == 1 / 60f ? Array.Empty<object>()
+        : new object[] { 1 / 60f };
 }
 
 internal sealed class IntegerKind(int low, int high, int least, int most, Type? type = null) : Kind
@@ -125,15 +126,18 @@ internal sealed class FlagKind : Kind
 /// <summary>One of the values of an enumeration, or any of their unions if they are flags.</summary>
 internal sealed class ChoiceKind(Type type) : Kind
 {
-    private readonly long[] _values = Enum.GetValues(type).Cast<object>().Select(v => Convert.ToInt64(v, CultureInfo.InvariantCulture)).Distinct().ToArray();
+    private readonly long[] _values = Enum.GetValues(type).Cast<object>().Select(v => Convert.ToInt64(v,
+        CultureInfo.InvariantCulture)).Distinct().ToArray();
 
     public override object Draw(Decoder decoder)
     {
         long value = _values[decoder.Choices.Below(_values.Length)];
-        return type.IsDefined(typeof(FlagsAttribute), false) && decoder.Choices.Flag() ? value | _values[decoder.Choices.Below(_values.Length)] : value;
+        return type.IsDefined(typeof(FlagsAttribute), false) && decoder.Choices.Flag()
+            ? value | _values[decoder.Choices.Below(_values.Length)] : value;
     }
 
-    public override string Code(object value, Func<int, string> name) => $"({Member.NameOf(type)}){((long)value < 0 ? $"({value})" : value)}";
+    public override string Code(object value, Func<int, string> name)
+        => $"({Member.NameOf(type)}){((long)value < 0 ? $"({value})" : value)}";
 
     public override object Read(string token) => long.Parse(token, CultureInfo.InvariantCulture);
 
@@ -142,12 +146,15 @@ internal sealed class ChoiceKind(Type type) : Kind
     public override IEnumerable<object> Simpler(object value) => (long)value == 0 ? Array.Empty<object>() : new object[] { 0L };
 }
 
-/// <summary>A place, velocity, force or direction; <paramref name="make"/> turns it into the facade's own vector, <paramref name="type"/>.</summary>
+/// <summary>
+/// A place, velocity, force or direction; <paramref name="make"/> turns it into the facade's own vector, <paramref name="type"/>.
+/// </summary>
 internal sealed class PointKind(Span span, string type = "Vector2", Func<Vector2, object>? make = null) : Kind
 {
     public override object Draw(Decoder decoder) => new Vector2(span.Draw(decoder), span.Draw(decoder));
 
-    public override string Code(object value, Func<int, string> name) => $"new {type}({Digits(((Vector2)value).X)}, {Digits(((Vector2)value).Y)})";
+    public override string Code(object value, Func<int, string> name)
+        => $"new {type}({Digits(((Vector2)value).X)}, {Digits(((Vector2)value).Y)})";
 
     public override string Token(object value) => Token((Vector2)value);
 
@@ -158,7 +165,8 @@ internal sealed class PointKind(Span span, string type = "Vector2", Func<Vector2
     public override IEnumerable<object> Simpler(object value)
     {
         var point = (Vector2)value;
-        return Simpler(point.X).Select(x => (object)new Vector2(x, point.Y)).Concat(Simpler(point.Y).Select(y => (object)new Vector2(point.X, y)));
+        return Simpler(point.X).Select(x => (object)new Vector2(x, point.Y)).Concat(Simpler(point.Y).Select(y
+            => (object)new Vector2(point.X, y)));
     }
 }
 
@@ -194,7 +202,8 @@ internal sealed class OutlineKind(Span span, Func<string, string> write, Func<Ve
     public override IEnumerable<object> Simpler(object value)
     {
         var points = (Vector2[])value;
-        return points.Length <= 3 ? Array.Empty<object>() : Enumerable.Range(0, points.Length).Select(i => (object)points.Where((_, n) => n != i).ToArray());
+        return points.Length <= 3 ? Array.Empty<object>() : Enumerable.Range(0, points.Length).Select(i => (object)points.Where((_, n)
+            => n != i).ToArray());
     }
 }
 

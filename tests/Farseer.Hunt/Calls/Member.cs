@@ -80,18 +80,21 @@ internal sealed class MethodMember : Member
         var given = new List<string>();
         foreach (ParameterInfo parameter in parameters)
         {
-            given.Add(parameter.IsOut ? "out _" : (parameter.ParameterType.IsByRef ? "ref Ref(" : "") + arguments[next++] + (parameter.ParameterType.IsByRef ? ")" : ""));
+            given.Add(parameter.IsOut ? "out _" : (parameter.ParameterType.IsByRef ? "ref Ref("
+                : "") + arguments[next++] + (parameter.ParameterType.IsByRef ? ")" : ""));
         }
 
         string list = string.Join(", ", given);
         string target = _singleton ?? (_first == 1 ? arguments[0] : _owner);
         return _method.IsConstructor ? $"new {_owner}({list})"
-            : _method.IsSpecialName && _method.Name.StartsWith("set_", StringComparison.Ordinal) ? $"{target}.{_method.Name.Substring(4)} = {list}"
+            : _method.IsSpecialName && _method.Name.StartsWith("set_", StringComparison.Ordinal)
+                ? $"{target}.{_method.Name.Substring(4)} = {list}"
             : _method.IsSpecialName && _method.Name.StartsWith("get_", StringComparison.Ordinal) ? $"{target}.{_method.Name.Substring(4)}"
             : $"{target}.{_method.Name}({list})";
     }
 
-    private IEnumerable<string> Types() => _method.GetParameters().Select(p => p.ParameterType.Name.Replace("`1", "", StringComparison.Ordinal));
+    private IEnumerable<string> Types() => _method.GetParameters().Select(p => p.ParameterType.Name.Replace("`1", "",
+        StringComparison.Ordinal));
 }
 
 /// <summary>Writes to what a property returns by reference, as <c>body.LinearVelocity = v</c>.</summary>
@@ -104,7 +107,8 @@ internal sealed class ReferenceMember<TOwner, TValue>(string name) : Member
 
     public override string Key => $"{NameOf(typeof(TOwner))}.ref_{name}({typeof(TValue).Name})";
 
-    public static ReferenceMember<TOwner, TValue> Of(string name, Kind value) => new(name) { Kinds = new[] { new ItemKind(typeof(TOwner)), value } };
+    public static ReferenceMember<TOwner, TValue> Of(string name, Kind value) => new(name) { Kinds = new[] { new ItemKind(typeof(TOwner)),
+        value } };
 
     public override object? Invoke(object?[] arguments)
     {
@@ -148,7 +152,8 @@ internal sealed class HandlerMember : Member
         else
         {
             var property = (PropertyInfo)_member;
-            property.SetMethod!.Invoke(arguments[0], BindingFlags.DoNotWrapExceptions, null, new object?[] { Delegate.Combine((Delegate?)property.GetValue(arguments[0]), made) }, null);
+            property.SetMethod!.Invoke(arguments[0], BindingFlags.DoNotWrapExceptions, null,
+                new object?[] { Delegate.Combine((Delegate?)property.GetValue(arguments[0]), made) }, null);
         }
 
         return null;
@@ -157,7 +162,9 @@ internal sealed class HandlerMember : Member
     public override string Code(IReadOnlyList<string> arguments) => $"{arguments[0]}.{_member.Name} += delegate";
 }
 
-/// <summary>Steps of a world, one after the other: what all invariants are looked at between. Time, their number, and what else a step takes.</summary>
+/// <summary>
+/// Steps of a world, one after the other: what all invariants are looked at between. Time, their number, and what else a step takes.
+/// </summary>
 internal sealed class StepMember : Member
 {
     private readonly Action<object, float, int> _step;
@@ -179,7 +186,8 @@ internal sealed class StepMember : Member
         return null;
     }
 
-    public override string Code(IReadOnlyList<string> arguments) => _code(arguments[0], arguments[1], arguments.Count > 3 ? arguments[3] : "");
+    public override string Code(IReadOnlyList<string> arguments) => _code(arguments[0], arguments[1], arguments.Count > 3
+        ? arguments[3] : "");
 }
 
 /// <summary>What a handler throws.</summary>
@@ -187,7 +195,8 @@ internal sealed class ThrowMember : Member
 {
     private static readonly Func<Exception>[] _thrown =
     {
-        () => new FormatException("a handler's own"), () => new NotSupportedException("a handler's own"), () => new TimeoutException("a handler's own"),
+        () => new FormatException("a handler's own"), () => new NotSupportedException("a handler's own"), ()
+            => new TimeoutException("a handler's own"),
     };
 
     public ThrowMember() => Kinds = new Kind[] { new IntegerKind(0, 2, 0, 2) };

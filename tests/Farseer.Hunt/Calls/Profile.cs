@@ -6,7 +6,9 @@ internal enum Profile
     /// <summary>Bodies and hard joints in free space that nobody touches: momentum stays, energy does not rise.</summary>
     Free,
 
-    /// <summary>Bodies and hard joints over a thick floor that nobody touches: energy does not rise, nothing is under the floor.</summary>
+    /// <summary>
+    /// Bodies and hard joints over a thick floor that nobody touches: energy does not rise, nothing is under the floor.
+    /// </summary>
     Passive,
 
     /// <summary>Anything is called, also by handlers, with ordinary numbers: nobody is quarantined.</summary>

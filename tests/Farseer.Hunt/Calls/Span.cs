@@ -1,9 +1,15 @@
 namespace Farseer.Hunt.Calls;
 
-/// <summary>The numbers of a quantity: ordinary ones from <paramref name="Low"/> to <paramref name="High"/>, and the magnitudes that extremes have.</summary>
+/// <summary>
+/// The numbers of a quantity: ordinary ones from <paramref name="Low"/> to <paramref name="High"/>, and the magnitudes that extremes
+/// have.
+/// </summary>
 internal sealed record Span(float Low, float High, float Least, float Most)
 {
-    /// <summary>What is to be refused, or is at the end of what is not. Larger and smaller finite numbers than those of a quantity make forces that no float holds.</summary>
+    /// <summary>
+    /// What is to be refused, or is at the end of what is not. Larger and smaller finite numbers than those of a quantity make forces
+    /// that no float holds.
+    /// </summary>
     private static readonly float[] _wild = { 0, float.NaN, float.PositiveInfinity, float.NegativeInfinity, -1 };
 
     public float Draw(Decoder decoder)

@@ -16,7 +16,8 @@ internal sealed class FarseerFacade : Facade
     public FarseerFacade()
         : base(
             new Catalogue(new FarseerNames()),
-            new StepMember(typeof(PhysicsSimulator), (world, dt, _) => ((PhysicsSimulator)world).Update(dt), (world, dt, _) => $"{world}.Update({dt})"),
+            new StepMember(typeof(PhysicsSimulator), (world, dt, _) => ((PhysicsSimulator)world).Update(dt), (world, dt, _)
+                => $"{world}.Update({dt})"),
             new Member[]
             {
                 ReferenceMember<Body, Vector2>.Of(nameof(Body.LinearVelocity), new PointKind(new Span(-10, 10, 1e-6f, 1e6f))),
@@ -32,7 +33,8 @@ internal sealed class FarseerFacade : Facade
 
     public override IReadOnlyList<string> Namespaces { get; } = new[]
     {
-        "System", "System.Collections.Generic", "System.Numerics", "System.Threading", "FarseerGames.FarseerPhysics", "FarseerGames.FarseerPhysics.Collisions",
+        "System", "System.Collections.Generic", "System.Numerics", "System.Threading", "FarseerGames.FarseerPhysics",
+            "FarseerGames.FarseerPhysics.Collisions",
         "FarseerGames.FarseerPhysics.Controllers", "FarseerGames.FarseerPhysics.Dynamics", "FarseerGames.FarseerPhysics.Dynamics.Joints",
         "FarseerGames.FarseerPhysics.Dynamics.Springs", "FarseerGames.FarseerPhysics.Factories", "FarseerGames.FarseerPhysics.Interfaces",
     };
@@ -109,10 +111,12 @@ internal sealed class FarseerFacade : Facade
     {
         Choices choices = decoder.Choices;
         int simulator = decoder.Emit("newPhysicsSimulator(Vector2)", gravity);
-        string? collider = choices.Below(5) switch { 0 => "SweepAndPruneCollider", 1 => "BruteForceCollider", 2 => "GridCollider", 3 => "SelectiveSweepCollider", _ => null };
+        string? collider = choices.Below(5) switch { 0 => "SweepAndPruneCollider", 1 => "BruteForceCollider", 2 => "GridCollider", 3
+            => "SelectiveSweepCollider", _ => null };
         if (collider is not null)
         {
-            decoder.Emit("PhysicsSimulator.set_BroadPhaseCollider(IBroadPhaseCollider)", simulator, decoder.Emit($"new{collider}(PhysicsSimulator)", simulator));
+            decoder.Emit("PhysicsSimulator.set_BroadPhaseCollider(IBroadPhaseCollider)", simulator,
+                decoder.Emit($"new{collider}(PhysicsSimulator)", simulator));
         }
 
         decoder.Emit("PhysicsSimulator.set_AllowedPenetration(Single)", simulator, choices.Between(0.001f, 0.05f));
@@ -120,7 +124,8 @@ internal sealed class FarseerFacade : Facade
         decoder.Emit("PhysicsSimulator.set_EnableReport(Boolean)", simulator);
         if (choices.Flag())
         {
-            decoder.Emit("PhysicsSimulator.set_Iterations(Int32)", simulator, choices.OneIn(4) ? 1 + choices.Below(50) : 1 + choices.Below(10));
+            decoder.Emit("PhysicsSimulator.set_Iterations(Int32)", simulator, choices.OneIn(4) ? 1 + choices.Below(50)
+                : 1 + choices.Below(10));
         }
 
         if (choices.OneIn(4))
@@ -138,7 +143,8 @@ internal sealed class FarseerFacade : Facade
     {
         Choices choices = decoder.Choices;
         bool isUntouched = decoder.Profile < Profile.Ordinary;
-        int body = decoder.Emit("BodyFactory.CreateRectangleBody(PhysicsSimulator,Single,Single,Single)", simulator, choices.Between(0.3f, 1.4f), choices.Between(0.3f, 1.4f));
+        int body = decoder.Emit("BodyFactory.CreateRectangleBody(PhysicsSimulator,Single,Single,Single)", simulator, choices.Between(0.3f,
+            1.4f), choices.Between(0.3f, 1.4f));
         decoder.Emit("Body.set_Position(Vector2)", body, place);
         decoder.Emit("Body.set_Rotation(Single)", body);
         decoder.Emit("Body.set_LinearDragCoefficient(Single)", body, isUntouched ? 0f : null);
@@ -171,11 +177,16 @@ internal sealed class FarseerFacade : Facade
     private static int AddGeom(Decoder decoder, int simulator, int body) => decoder.Choices.Below(10) switch
     {
         0 or 1 => decoder.Emit("GeomFactory.CreateRectangleGeom(PhysicsSimulator,Body,Single,Single)", simulator, body),
-        2 => decoder.Emit("GeomFactory.CreateCircleGeom(PhysicsSimulator,Body,Single,Int32)", simulator, body, decoder.Choices.Between(0.1f, 0.7f)),
-        3 => decoder.Emit("GeomFactory.CreateCapsuleGeom(PhysicsSimulator,Body,Vector2,Vector2,Single)", simulator, body, Near(decoder), Near(decoder), 0.3f),
-        4 => decoder.Emit("GeomFactory.CreateSegmentGeom(PhysicsSimulator,Body,Vector2,Vector2)", simulator, body, Near(decoder), Near(decoder)),
-        5 => decoder.Emit("GeomFactory.CreateEllipseGeom(PhysicsSimulator,Body,Single,Single,Int32)", simulator, body, 0.5f, decoder.Choices.Between(0.1f, 0.5f)),
-        6 => decoder.Emit("GeomFactory.CreateRoundedRectangleGeom(PhysicsSimulator,Body,Single,Single,Single)", simulator, body, null, null, 0.1f),
+        2 => decoder.Emit("GeomFactory.CreateCircleGeom(PhysicsSimulator,Body,Single,Int32)", simulator, body,
+            decoder.Choices.Between(0.1f, 0.7f)),
+        3 => decoder.Emit("GeomFactory.CreateCapsuleGeom(PhysicsSimulator,Body,Vector2,Vector2,Single)", simulator, body, Near(decoder),
+            Near(decoder), 0.3f),
+        4 => decoder.Emit("GeomFactory.CreateSegmentGeom(PhysicsSimulator,Body,Vector2,Vector2)", simulator, body, Near(decoder),
+            Near(decoder)),
+        5 => decoder.Emit("GeomFactory.CreateEllipseGeom(PhysicsSimulator,Body,Single,Single,Int32)", simulator, body, 0.5f,
+            decoder.Choices.Between(0.1f, 0.5f)),
+        6 => decoder.Emit("GeomFactory.CreateRoundedRectangleGeom(PhysicsSimulator,Body,Single,Single,Single)", simulator, body, null,
+            null, 0.1f),
         7 or 8 => decoder.Emit("GeomFactory.CreateChainGeom(PhysicsSimulator,Body,Vertices,Boolean)", simulator, body),
         _ => decoder.Emit("GeomFactory.CreatePolygonGeom(PhysicsSimulator,Body,Vertices,Single)", simulator, body, null, 0f),
     };
@@ -191,7 +202,8 @@ internal sealed class FarseerFacade : Facade
             2 => decoder.Emit("newWeldJoint" + Body2Vector, one, other, middle),
             3 => decoder.Emit("newPinJoint(Body,Vector2,Body,Vector2)", one, Near(decoder), other, Near(decoder)),
             4 => decoder.Emit("newDistanceJoint(Body,Vector2,Body,Vector2)", one, Near(decoder), other, Near(decoder)),
-            5 => decoder.Emit("newRopeJoint(Body,Vector2,Body,Vector2,Single)", one, Near(decoder), other, Near(decoder), middle is null ? null : 30f),
+            5 => decoder.Emit("newRopeJoint(Body,Vector2,Body,Vector2,Single)", one, Near(decoder), other, Near(decoder),
+                middle is null ? null : 30f),
             6 => decoder.Emit("newPrismaticJoint(Body,Body,Vector2,Vector2)", one, other, middle, Vector2.UnitX),
             _ => decoder.Emit("newAngleLimitJoint(Body,Body,Single,Single)", one, other, -7f, 7f),
         };

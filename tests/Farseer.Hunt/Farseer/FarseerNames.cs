@@ -34,13 +34,17 @@ internal sealed class FarseerNames : Names
     private static readonly Span _cell = new(0.2f, 2, 1e-3f, 1e6f);
 
     public override IReadOnlyList<Type> Types { get; } = typeof(Body).Assembly.GetExportedTypes()
-        .Where(t => !t.IsNested && (typeof(Joint).IsAssignableFrom(t) || typeof(Spring).IsAssignableFrom(t) || typeof(Controller).IsAssignableFrom(t)
+        .Where(t => !t.IsNested && (typeof(Joint).IsAssignableFrom(t) || typeof(Spring).IsAssignableFrom(t)
+            || typeof(Controller).IsAssignableFrom(t)
             || typeof(LibraryCollider).IsAssignableFrom(t) || t.Name.EndsWith("List", StringComparison.Ordinal)))
         .Concat(new[]
         {
-            typeof(PhysicsSimulator), typeof(Body), typeof(Geom), typeof(BodyFactory), typeof(GeomFactory), typeof(JointFactory), typeof(SpringFactory),
-            typeof(ComplexFactory), typeof(Path), typeof(QueryFilter), typeof(AABB), typeof(AABBFluidContainer), typeof(Scaling), typeof(ErrorBudget),
-            typeof(IBroadPhaseCollider), typeof(IFluidContainer), typeof(IStepScheduler), typeof(OwnJoint), typeof(OwnSpring), typeof(OwnController), typeof(OwnScheduler),
+            typeof(PhysicsSimulator), typeof(Body), typeof(Geom), typeof(BodyFactory), typeof(GeomFactory), typeof(JointFactory),
+                typeof(SpringFactory),
+            typeof(ComplexFactory), typeof(Path), typeof(QueryFilter), typeof(AABB), typeof(AABBFluidContainer), typeof(Scaling),
+                typeof(ErrorBudget),
+            typeof(IBroadPhaseCollider), typeof(IFluidContainer), typeof(IStepScheduler), typeof(OwnJoint), typeof(OwnSpring),
+                typeof(OwnController), typeof(OwnScheduler),
         })
         .Where(t => t != typeof(ContactList)).ToList();
 
@@ -130,7 +134,8 @@ internal sealed class FarseerNames : Names
         (new Span(0.5f, 1.4f, 0.2f, 1e3f), "ComplexFactory.width ComplexFactory.linkWidth Path.width"),
     });
 
-    protected override IReadOnlyDictionary<string, (int Low, int High, int Least, int Most)> Integers { get; } = new Dictionary<string, (int, int, int, int)>(StringComparer.Ordinal)
+    protected override IReadOnlyDictionary<string, (int Low, int High, int Least, int Most)> Integers { get; } = new Dictionary<string,
+        (int, int, int, int)>(StringComparer.Ordinal)
     {
         ["iterations"] = (1, 12, -1, 50),
         ["mostIterations"] = (1, 12, -1, 50),
@@ -150,7 +155,8 @@ internal sealed class FarseerNames : Names
 
     protected override Kind? Special(Type owner, string name, Type type) =>
         type == typeof(Vector2) ? SpanOf(owner, name) is { } span ? new PointKind(span) : null
-        : type == typeof(Vertices) ? new OutlineKind(owner == typeof(ComplexFactory) ? new Span(1, 4, 1e-3f, 20) : _size, points => $"new Vertices(new Vector2[] {{ {points} }})", points => new Vertices(points))
+        : type == typeof(Vertices) ? new OutlineKind(owner == typeof(ComplexFactory) ? new Span(1, 4, 1e-3f, 20) : _size, points
+            => $"new Vertices(new Vector2[] {{ {points} }})", points => new Vertices(points))
         : type == typeof(List<Geom>) ? new FreshKind("new List<Geom>()", () => new List<Geom>())
         : type == typeof(List<RayCastHit>) ? new FreshKind("new List<RayCastHit>()", () => new List<RayCastHit>())
         : type == typeof(Matrix4x4) ? new FreshKind("Matrix4x4.Identity", () => Matrix4x4.Identity)

@@ -27,7 +27,8 @@ internal sealed class FarseerObserver : Observer
                 simulator.BodyQuarantined += (_, e) =>
                 {
                     string ties = simulator.JointList.Count + simulator.SpringList.Count > 0 ? " (A world with joints or springs.)" : "";
-                    Quarantined.Add(string.Create(CultureInfo.InvariantCulture, $"{e.Reason} Last call: {e.LastCall}, after step {e.LastCallStep} of {e.Step}.{ties}"));
+                    Quarantined.Add(string.Create(CultureInfo.InvariantCulture,
+                        $"{e.Reason} Last call: {e.LastCall}, after step {e.LastCallStep} of {e.Step}.{ties}"));
                 };
                 simulator.GeomList.Removed += geom => _gone.Add(geom);
                 simulator.GeomList.Added += geom => _gone.Remove(geom);
@@ -43,7 +44,8 @@ internal sealed class FarseerObserver : Observer
 
     /// <summary>The error of a step that lost a body.</summary>
     public override bool MayBeInfinite(object item, string member) =>
-        item is PhysicsSimulator { Report.Cause: ErrorCause.Lost } && (member is "StepReport.ConstraintError" or "StepReport.Error" or "StepReport.ErrorShare" or "StepReport.BudgetLoad");
+        item is PhysicsSimulator { Report.Cause: ErrorCause.Lost }
+            && (member is "StepReport.ConstraintError" or "StepReport.Error" or "StepReport.ErrorShare" or "StepReport.BudgetLoad");
 
     public override void SetWorkers(object world, int count)
     {
@@ -72,10 +74,12 @@ internal sealed class FarseerObserver : Observer
     {
         body.GetPosition(out double x, out double y);
         Vector2 velocity = body.LinearVelocity;
-        return new BodyFact(x, y, velocity.X, velocity.Y, body.AngularVelocity, body.Mass, body.MomentOfInertia, !body.IsStatic && !body.IsKinematic && body.Enabled);
+        return new BodyFact(x, y, velocity.X, velocity.Y, body.AngularVelocity, body.Mass, body.MomentOfInertia, !body.IsStatic
+            && !body.IsKinematic && body.Enabled);
     }).ToList();
 
-    public override (double X, double Y) Gravity(object world) => (((PhysicsSimulator)world).Gravity.X, ((PhysicsSimulator)world).Gravity.Y);
+    public override (double X, double Y) Gravity(object world) => (((PhysicsSimulator)world).Gravity.X,
+        ((PhysicsSimulator)world).Gravity.Y);
 
     public override IEnumerable<object> MoreItems(object world)
     {
@@ -100,7 +104,8 @@ internal sealed class FarseerObserver : Observer
             : simulator.JointList.Any(j => j.IsDisposed) ? "a disposed joint is in the list"
             : simulator.SpringList.Any(s => s.IsDisposed) ? "a disposed spring is in the list"
             : simulator.GeomList.Any(g => g.Body.IsDisposed) ? "a geom of a disposed body is in the list"
-            : simulator.ArbiterList.Any(a => !geoms.Contains(a.GeomA) || !geoms.Contains(a.GeomB)) ? "a contact has a geom that is not in the list"
+            : simulator.ArbiterList.Any(a => !geoms.Contains(a.GeomA) || !geoms.Contains(a.GeomB))
+                ? "a contact has a geom that is not in the list"
             : simulator.ArbiterList.Any(a => a.ContactList.Count == 0) ? "an arbiter has no contact"
             : null;
     }
@@ -126,11 +131,13 @@ internal sealed class FarseerObserver : Observer
         }
 
         float speed = -late.LinearVelocity.Y;
-        return late.IsQuarantined || !(speed > 0.29f && speed < 0.41f) ? string.Create(CultureInfo.InvariantCulture, $"its speed is {speed} after 0.04 s") : null;
+        return late.IsQuarantined || !(speed > 0.29f && speed < 0.41f) ? string.Create(CultureInfo.InvariantCulture,
+            $"its speed is {speed} after 0.04 s") : null;
     }
 
     /// <summary>What is written through references is looked at when a step begins; a disabled body does not take part.</summary>
-    public override bool IsStepped(object world, object item) => item is not Body body || (body.Enabled && world is PhysicsSimulator { Enabled: true } simulator && simulator.BodyList.Contains(body));
+    public override bool IsStepped(object world, object item) => item is not Body body || (body.Enabled
+        && world is PhysicsSimulator { Enabled: true } simulator && simulator.BodyList.Contains(body));
 
     private static (int One, int Other) Pair(Geom a, Geom b)
     {
@@ -153,7 +160,8 @@ internal sealed class FarseerObserver : Observer
 
         if (contacts.Any(c => !float.IsFinite(c.Position.X + c.Position.Y + c.Normal.X + c.Normal.Y + c.Separation)))
         {
-            Problems.Add(("OnCollision with a contact that is not finite", string.Join(' ', contacts.Select(c => c.Position + " " + c.Normal + " " + c.Separation))));
+            Problems.Add(("OnCollision with a contact that is not finite", string.Join(' ', contacts.Select(c
+                => c.Position + " " + c.Normal + " " + c.Separation))));
         }
 
         _touching.Add(Pair(a, b));

@@ -29,7 +29,8 @@ internal sealed class FlashFacade : Facade
 
     public override IReadOnlyList<string> Namespaces { get; } = new[]
     {
-        "System", "System.Collections.Generic", "Box2D.Collision", "Box2D.Collision.Shapes", "Box2D.Common.Math", "Box2D.Dynamics", "Box2D.Dynamics.Contacts",
+        "System", "System.Collections.Generic", "Box2D.Collision", "Box2D.Collision.Shapes", "Box2D.Common.Math", "Box2D.Dynamics",
+            "Box2D.Dynamics.Contacts",
         "Box2D.Dynamics.Joints",
     };
 

@@ -32,10 +32,12 @@ internal sealed class FlashNames : Names
     };
 
     public override IReadOnlyList<Type> Types { get; } = typeof(b2Body).Assembly.GetExportedTypes()
-        .Where(t => typeof(b2Joint).IsAssignableFrom(t) || typeof(b2Shape).IsAssignableFrom(t) || typeof(b2JointDef).IsAssignableFrom(t) || typeof(b2ShapeDef).IsAssignableFrom(t))
+        .Where(t => typeof(b2Joint).IsAssignableFrom(t) || typeof(b2Shape).IsAssignableFrom(t)
+            || typeof(b2JointDef).IsAssignableFrom(t) || typeof(b2ShapeDef).IsAssignableFrom(t))
         .Concat(new[]
         {
-            typeof(b2World), typeof(b2Body), typeof(b2BodyDef), typeof(b2FilterData), typeof(b2MassData), typeof(b2AABB), typeof(b2OBB), typeof(b2Segment), typeof(b2XForm),
+            typeof(b2World), typeof(b2Body), typeof(b2BodyDef), typeof(b2FilterData), typeof(b2MassData), typeof(b2AABB), typeof(b2OBB),
+                typeof(b2Segment), typeof(b2XForm),
             typeof(b2ContactListener), typeof(b2ContactFilter), typeof(b2DestructionListener), typeof(b2BoundaryListener),
             typeof(OwnContacts), typeof(OwnFilter), typeof(OwnGoodbyes), typeof(OwnBoundary),
         }).ToList();
@@ -99,7 +101,8 @@ internal sealed class FlashNames : Names
         (new Span(-2, 0, 1e-6f, 1e6f), "lower lowerAngle lowerTranslation m_lowerAngle m_lowerTranslation"),
     }.SelectMany(r => r.Names.Split(' ').Select(n => (Name: n, r.Span))).ToDictionary(r => r.Name, r => r.Span, StringComparer.Ordinal);
 
-    protected override IReadOnlyDictionary<string, (int Low, int High, int Least, int Most)> Integers { get; } = new Dictionary<string, (int, int, int, int)>(StringComparer.Ordinal)
+    protected override IReadOnlyDictionary<string, (int Low, int High, int Least, int Most)> Integers { get; } = new Dictionary<string,
+        (int, int, int, int)>(StringComparer.Ordinal)
     {
         ["count"] = (0, 4, -1, 8),
         ["maxCount"] = (0, 10, -1, 100),
@@ -110,7 +113,8 @@ internal sealed class FlashNames : Names
     };
 
     public override Func<IReadOnlyList<object>, Func<int, Type?>, Type?>? ResultOf(MethodBase method) =>
-        method.Name is "CreateShape" or "CreateJoint" ? (arguments, typeOf) => typeOf((int)arguments[1]) is { } def ? _made.GetValueOrDefault(def) : null : null;
+        method.Name is "CreateShape" or "CreateJoint" ? (arguments, typeOf) => typeOf((int)arguments[1]) is { } def
+            ? _made.GetValueOrDefault(def) : null : null;
 
     protected override bool IsOptional(Type owner, string name) => name is "listener" or "filter" && owner == typeof(b2World);
 

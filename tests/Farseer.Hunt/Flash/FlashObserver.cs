@@ -37,9 +37,11 @@ internal sealed class FlashObserver : Observer
         foreach (b2Body body in All((b2World)world).Where(b => b.IsFrozen()))
         {
             b2Vec2 place = body.GetWorldCenter();
-            if (Math.Min(place.x - room.lowerBound.x, room.upperBound.x - place.x) > Inside && Math.Min(place.y - room.lowerBound.y, room.upperBound.y - place.y) > Inside)
+            if (Math.Min(place.x - room.lowerBound.x, room.upperBound.x - place.x) > Inside && Math.Min(place.y - room.lowerBound.y,
+                room.upperBound.y - place.y) > Inside)
             {
-                Quarantined.Add(string.Create(CultureInfo.InvariantCulture, $"a body at ({place.x}, {place.y}) is frozen{(body.GetJointList() is null ? "" : " (with joints)")}"));
+                Quarantined.Add(string.Create(CultureInfo.InvariantCulture,
+                    $"a body at ({place.x}, {place.y}) is frozen{(body.GetJointList() is null ? "" : " (with joints)")}"));
             }
         }
     }
@@ -70,7 +72,8 @@ internal sealed class FlashObserver : Observer
         b2Vec2 place = body.GetWorldCenter();
         b2Vec2 velocity = body.GetLinearVelocity();
         return new BodyFact(
-            place.x, place.y, velocity.x, velocity.y, body.GetAngularVelocity(), body.GetMass(), body.GetInertia(), body.IsDynamic() && !body.IsFrozen());
+            place.x, place.y, velocity.x, velocity.y, body.GetAngularVelocity(), body.GetMass(), body.GetInertia(), body.IsDynamic()
+                && !body.IsFrozen());
     }).ToList();
 
     public override (double X, double Y) Gravity(object world) => (((b2World)world).GetGravity().x, ((b2World)world).GetGravity().y);
@@ -122,7 +125,8 @@ internal sealed class FlashObserver : Observer
         // The engine knows the same shapes: a query finds each that is not frozen, and none that is gone.
         List<b2Shape> found = new();
         made.Query(new b2AABB { lowerBound = new b2Vec2(-1e9f, -1e9f), upperBound = new b2Vec2(1e9f, 1e9f) }, found, int.MaxValue);
-        if (found.Any(s => !shapes.Contains(s)) || shapes.Any(s => !s.GetBody()!.IsFrozen() && !found.Contains(s)) || found.Distinct().Count() != found.Count)
+        if (found.Any(s => !shapes.Contains(s)) || shapes.Any(s => !s.GetBody()!.IsFrozen() && !found.Contains(s))
+            || found.Distinct().Count() != found.Count)
         {
             return "a query does not find the shapes that there are";
         }
@@ -147,14 +151,16 @@ internal sealed class FlashObserver : Observer
         }
 
         float speed = -late.GetLinearVelocity().y;
-        return !(speed > 0.39f && speed < 0.41f) ? string.Create(CultureInfo.InvariantCulture, $"its speed is {speed} after 0.04 s") : null;
+        return !(speed > 0.39f && speed < 0.41f) ? string.Create(CultureInfo.InvariantCulture, $"its speed is {speed} after 0.04 s")
+            : null;
     }
 
     /// <summary>The square of a force may be more than a float holds.</summary>
     public override bool MayBeInfinite(object item, string member) =>
         item is b2PrismaticJoint joint && (joint.GetBody1().GetWorld().Quirks & Box2DFlash202Quirks.PrismaticForceSquared) != 0;
 
-    private static bool IsInRange(b2Body? body) => body is null || (body.GetMass() <= MostMass && body.GetInertia() <= MostMass * MostMass);
+    private static bool IsInRange(b2Body? body) => body is null || (body.GetMass() <= MostMass
+        && body.GetInertia() <= MostMass * MostMass);
 
     private static List<b2Body> All(b2World world)
     {

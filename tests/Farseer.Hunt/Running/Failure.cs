@@ -8,6 +8,8 @@ namespace Farseer.Hunt.Running;
 /// <param name="Excess">How often a bound was exceeded, 1 where there is none.</param>
 internal sealed record Failure(string Kind, string Text, int Call, int Step, double Excess = 1)
 {
-    /// <summary>A smaller world must not fall just beyond a bound, by a drag or an overlap that what was left out had prevented.</summary>
+    /// <summary>
+    /// A smaller world must not fall just beyond a bound, by a drag or an overlap that what was left out had prevented.
+    /// </summary>
     public bool IsShownBy(Failure? other) => other is not null && other.Kind == Kind && other.Excess >= Excess / 2;
 }

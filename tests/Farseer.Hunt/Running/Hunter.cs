@@ -13,7 +13,8 @@ namespace Farseer.Hunt.Running;
 internal sealed class Hunter(Facade facade, TextWriter output)
 {
     /// <summary>
-    /// An update of a world of this size (some hundred bodies, 50 iterations) takes some milliseconds; a world a few seconds, the slowest that was seen eight,
+    /// An update of a world of this size (some hundred bodies, 50 iterations) takes some milliseconds; a world a few seconds, the
+    /// slowest that was seen eight,
     /// and a minute on a machine that had four times as much to do. What has not ended then does not end.
     /// </summary>
     private static readonly TimeSpan _patience = TimeSpan.FromSeconds(300);
@@ -92,7 +93,8 @@ internal sealed class Hunter(Facade facade, TextWriter output)
             int step = first.Hashes.Zip(other.Hashes).TakeWhile(h => h.First == h.Second).Count();
             if (failure is null && (step < first.Hashes.Count || first.Hashes.Count != other.Hashes.Count))
             {
-                failure = new Failure("workers", string.Create(CultureInfo.InvariantCulture, $"1 and {workers} workers differ after step {step}"), -1, step);
+                failure = new Failure("workers", string.Create(CultureInfo.InvariantCulture,
+                    $"1 and {workers} workers differ after step {step}"), -1, step);
             }
         }
 
@@ -143,7 +145,8 @@ internal sealed class Hunter(Facade facade, TextWriter output)
             return;
         }
 
-        output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"seed {seed} ({script.Profile}): {failure.Kind}: {failure.Text.Split('\n')[0]}"));
+        output.WriteLine(string.Create(CultureInfo.InvariantCulture,
+            $"seed {seed} ({script.Profile}): {failure.Kind}: {failure.Text.Split('\n')[0]}"));
 
         // Three of a kind are enough to see what they have in common.
         if (Folder is null || count >= 3)
@@ -152,11 +155,14 @@ internal sealed class Hunter(Facade facade, TextWriter output)
         }
 
         bool compare = failure.Kind == "workers";
-        Script small = failure.Kind == "does not end" ? script : new Shrinker(s => failure.IsShownBy(Try(s, compare)), ShrinkTime).Shrink(script);
+        Script small = failure.Kind == "does not end" ? script : new Shrinker(s => failure.IsShownBy(Try(s, compare)),
+            ShrinkTime).Shrink(script);
         Failure last = failure.Kind == "does not end" ? failure : Try(small, compare) ?? failure;
-        string file = Path.Combine(Folder, string.Create(CultureInfo.InvariantCulture, $"{facade.Name}-{FileNameOf(failure.Kind)}-{seed}.txt"));
+        string file = Path.Combine(Folder, string.Create(CultureInfo.InvariantCulture,
+            $"{facade.Name}-{FileNameOf(failure.Kind)}-{seed}.txt"));
         File.WriteAllText(file, failure.Kind == "does not end"
-            ? ProgramText.Write(small, Call.All(small.Calls).ToDictionary(c => c.Id, _ => Outcome.Done), $"seed {seed}: does not end", Array.Empty<int>())
+            ? ProgramText.Write(small, Call.All(small.Calls).ToDictionary(c => c.Id, _ => Outcome.Done), $"seed {seed}: does not end",
+                Array.Empty<int>())
             : Text(small, string.Create(CultureInfo.InvariantCulture, $"seed {seed}: {Machine.Describe(last).Split('\n')[0]}")));
         Files.Add(file);
         output.WriteLine($"  {Call.All(small.Calls).Count()} calls of {Call.All(script.Calls).Count()} in {file}");

@@ -10,12 +10,15 @@ namespace Farseer.Hunt.Running;
 internal sealed class Invariants(Profile profile, Observer observer)
 {
     /// <summary>
-    /// Energy may rise by this share of what there was to begin with: contacts of turning corners and steps of changing length gain some in single impacts
+    /// Energy may rise by this share of what there was to begin with: contacts of turning corners and steps of changing length gain
+    /// some in single impacts
     /// and lose more in others.
     /// </summary>
     private const double EnergyShare = 0.25;
 
-    /// <summary>A height by which everything may be lifted besides: overlaps at the start, slacks of limits, margins of contacts; metres.</summary>
+    /// <summary>
+    /// A height by which everything may be lifted besides: overlaps at the start, slacks of limits, margins of contacts; metres.
+    /// </summary>
     private const double Lift = 0.1;
 
     /// <summary>Momentum is a sum of products of floats that are rounded in each substep of each contact.</summary>
@@ -81,11 +84,13 @@ internal sealed class Invariants(Profile profile, Observer observer)
         double energy = Start.Energy(bodies, start.Gravity);
         if (energy > start.Most)
         {
-            return ("energy", Say($"{energy:g5} J after {start.First:g5} J, at most {start.Most:g5} J, in a step of {dt} s"), (energy - start.First) / (start.Most - start.First));
+            return ("energy", Say($"{energy:g5} J after {start.First:g5} J, at most {start.Most:g5} J, in a step of {dt} s"),
+                (energy - start.First) / (start.Most - start.First));
         }
 
         start.HasTouched |= observer.HasContacts(world);
-        if (profile == Profile.Passive && start.HasTouched && !start.IsFree && bodies.Where(b => b.Y < Through && Math.Abs(b.X) < FloorHalf).Select(b => (BodyFact?)b).FirstOrDefault() is { } below)
+        if (profile == Profile.Passive && start.HasTouched && !start.IsFree && bodies.Where(b => b.Y < Through
+            && Math.Abs(b.X) < FloorHalf).Select(b => (BodyFact?)b).FirstOrDefault() is { } below)
         {
             return ("below the floor", Say($"{below}"), 1);
         }
@@ -96,7 +101,8 @@ internal sealed class Invariants(Profile profile, Observer observer)
             double y = bodies.Sum(b => b.Mass * b.Vy) - start.MomentumY;
             if (Math.Abs(x) + Math.Abs(y) > start.MostMomentumError)
             {
-                return ("momentum", Say($"({x:g5}, {y:g5}) kg m/s came from nowhere, at most {start.MostMomentumError:g3}"), (Math.Abs(x) + Math.Abs(y)) / start.MostMomentumError);
+                return ("momentum", Say($"({x:g5}, {y:g5}) kg m/s came from nowhere, at most {start.MostMomentumError:g3}"),
+                    (Math.Abs(x) + Math.Abs(y)) / start.MostMomentumError);
             }
         }
 
@@ -115,14 +121,16 @@ internal sealed class Invariants(Profile profile, Observer observer)
             IsFree = bodies.Count == all.Count;
 
             // What has a velocity and no finite mass or inertia is a drive, and what overlaps from the beginning is pushed out.
-            IsPassive = !touches && all.All(b => (b.Moves && (b.Inertia > 0 || b.Spin == 0)) || (!b.Moves && b.Kinetic == 0 && b.Vx == 0 && b.Vy == 0 && b.Spin == 0));
+            IsPassive = !touches && all.All(b => (b.Moves && (b.Inertia > 0 || b.Spin == 0)) || (!b.Moves && b.Kinetic == 0
+                && b.Vx == 0 && b.Vy == 0 && b.Spin == 0));
             double weight = bodies.Sum(b => b.Mass) * Math.Sqrt((gravity.X * gravity.X) + (gravity.Y * gravity.Y));
             double kinetic = bodies.Sum(b => b.Kinetic);
             double falls = bodies.Sum(b => b.Mass * Math.Abs(gravity.Y * b.Y));
             Most = First + (EnergyShare * (kinetic + falls)) + (Lift * weight) + 1e-6;
             MomentumX = bodies.Sum(b => b.Mass * b.Vx);
             MomentumY = bodies.Sum(b => b.Mass * b.Vy);
-            MostMomentumError = (MomentumShare * bodies.Sum(b => b.Mass * (Math.Abs(b.Vx) + Math.Abs(b.Vy) + Math.Sqrt(b.Kinetic / b.Mass)))) + 1e-6;
+            MostMomentumError = (MomentumShare * bodies.Sum(b
+                => b.Mass * (Math.Abs(b.Vx) + Math.Abs(b.Vy) + Math.Sqrt(b.Kinetic / b.Mass)))) + 1e-6;
         }
 
         /// <summary>Nobody is fixed.</summary>

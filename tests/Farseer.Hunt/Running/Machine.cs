@@ -18,7 +18,10 @@ internal enum Outcome
 /// <summary>Runs a world and looks at all invariants between its steps.</summary>
 internal sealed class Machine
 {
-    /// <summary>An update of some hundred bodies takes some milliseconds, the first ones some hundred; what takes so long is no matter of a busy machine.</summary>
+    /// <summary>
+    /// An update of some hundred bodies takes some milliseconds, the first ones some hundred; what takes so long is no matter of a
+    /// busy machine.
+    /// </summary>
     private const double MostSeconds = 20;
 
     private readonly Script _script;
@@ -203,7 +206,8 @@ internal sealed class Machine
 
             _observer.Stepped(world);
             Hashes.Add(_observer.Hash(world));
-            if (Failure is null && _invariants.After(world, (float)arguments[1]!, _items.Values, _handled == handled && _thrown.Count == thrown) is { } wrong)
+            if (Failure is null && _invariants.After(world, (float)arguments[1]!, _items.Values, _handled == handled
+                && _thrown.Count == thrown) is { } wrong)
             {
                 Fail(wrong.Kind, wrong.Text, wrong.Excess);
             }
@@ -212,7 +216,9 @@ internal sealed class Machine
 
 
 
-    /// <summary>Refusals are what is documented, and what a handler throws comes out where its event was told; anything else is a failure.</summary>
+    /// <summary>
+    /// Refusals are what is documented, and what a handler throws comes out where its event was told; anything else is a failure.
+    /// </summary>
     private void Accept(Exception exception)
     {
         if (exception is ArgumentException or InvalidOperationException || _thrown.Contains(exception)
@@ -221,8 +227,10 @@ internal sealed class Machine
             return;
         }
 
-        string? place = new StackTrace(exception).GetFrames().Select(f => f.GetMethod()).Where(m => m?.DeclaringType?.Namespace?.Contains("Hunt", StringComparison.Ordinal) == false)
-            .Select(m => m!.DeclaringType!.Name + "." + m.Name).FirstOrDefault(n => !n.StartsWith("RuntimeMethod", StringComparison.Ordinal));
+        string? place = new StackTrace(exception).GetFrames().Select(f => f.GetMethod()).Where(m
+            => m?.DeclaringType?.Namespace?.Contains("Hunt", StringComparison.Ordinal) == false)
+            .Select(m => m!.DeclaringType!.Name + "." + m.Name).FirstOrDefault(n => !n.StartsWith("RuntimeMethod",
+                StringComparison.Ordinal));
         Fail($"{exception.GetType().Name} in {place}", exception.ToString());
     }
 

@@ -49,7 +49,9 @@ internal abstract class Observer
         yield break;
     }
 
-    /// <summary>Whether an item's values have been made by a step of a world: what was only set may be what nobody refuses until then.</summary>
+    /// <summary>
+    /// Whether an item's values have been made by a step of a world: what was only set may be what nobody refuses until then.
+    /// </summary>
     public virtual bool IsStepped(object world, object item) => true;
 
     /// <summary>Values that are documented to be infinite now.</summary>

@@ -8,7 +8,8 @@ using Farseer.Hunt.Calls;
 namespace Farseer.Hunt.Running;
 
 /// <summary>
-/// A world as a C# program against the public API. Each statement is followed by its call as the model reads it again, so the file is both what a
+/// A world as a C# program against the public API. Each statement is followed by its call as the model reads it again, so the file is
+/// both what a
 /// person runs and what replays; a line can be deleted by hand.
 /// </summary>
 internal static class ProgramText
@@ -67,7 +68,8 @@ internal static class ProgramText
         stack.Push(new List<Call>());
         foreach (string line in lines.Where(l => l.Contains(Mark, StringComparison.Ordinal)))
         {
-            string[] tokens = line.Substring(line.IndexOf(Mark, StringComparison.Ordinal) + Mark.Length).Split(' ', StringSplitOptions.RemoveEmptyEntries);
+            string[] tokens = line.Substring(line.IndexOf(Mark, StringComparison.Ordinal) + Mark.Length).Split(' ',
+                StringSplitOptions.RemoveEmptyEntries);
             int depth = tokens[0].Length - tokens[0].TrimStart('>').Length;
             while (stack.Count > depth + 1)
             {
@@ -96,9 +98,11 @@ internal static class ProgramText
         return string.Create(CultureInfo.InvariantCulture, $"{char.ToLowerInvariant(type[0])}{type.Substring(1)}{call.Id}");
     }
 
-    private static void Write(StringBuilder text, Call call, IReadOnlyDictionary<int, Outcome> outcomes, Dictionary<int, string> names, string indent)
+    private static void Write(StringBuilder text, Call call, IReadOnlyDictionary<int, Outcome> outcomes, Dictionary<int, string> names,
+        string indent)
     {
-        string again = Mark + new string('>', indent.Length / 4) + string.Join(' ', call.Arguments.Select((a, i) => call.Member.Kinds[i].Token(a))
+        string again = Mark + new string('>', indent.Length / 4) + string.Join(' ', call.Arguments.Select((a, i)
+            => call.Member.Kinds[i].Token(a))
             .Prepend(call.Member.Key).Prepend(call.Id.ToString(CultureInfo.InvariantCulture))) + "\n";
         Outcome outcome = outcomes.GetValueOrDefault(call.Id, Outcome.Skipped);
         if (outcome == Outcome.Skipped)
@@ -112,7 +116,8 @@ internal static class ProgramText
             return;
         }
 
-        string[] arguments = call.Arguments.Select((a, i) => call.Member.Kinds[i].Code(a, id => names.GetValueOrDefault(id, "null"))).ToArray();
+        string[] arguments = call.Arguments.Select((a, i) => call.Member.Kinds[i].Code(a, id => names.GetValueOrDefault(id,
+            "null"))).ToArray();
         string code = call.Member.Code(arguments);
         if (call.Member is HandlerMember handler)
         {
@@ -131,8 +136,10 @@ internal static class ProgramText
         code = call.Made is null ? code
             : call.Member.Result == call.Made || call.Member.Result is null ? $"{names[call.Id]} = {code}"
             : $"{names[call.Id]} = ({Member.NameOf(call.Made)}){code}";
-        code = outcome == Outcome.Refused && call.Member is not ThrowMember ? $"Try(() => {(call.Made is null ? code : "_ = (" + code + ")")});" : code + ";";
-        string repeat = call.Member is StepMember && arguments[2] != "1" && indent.Length == 0 ? $"for (int i = 0; i < {arguments[2]}; i++) " : "";
+        code = outcome == Outcome.Refused && call.Member is not ThrowMember
+            ? $"Try(() => {(call.Made is null ? code : "_ = (" + code + ")")});" : code + ";";
+        string repeat = call.Member is StepMember && arguments[2] != "1" && indent.Length == 0
+            ? $"for (int i = 0; i < {arguments[2]}; i++) " : "";
         text.Append(indent).Append(repeat).Append(code).Append(again);
     }
 }

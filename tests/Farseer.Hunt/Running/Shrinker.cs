@@ -6,8 +6,10 @@ using Farseer.Hunt.Calls;
 namespace Farseer.Hunt.Running;
 
 /// <summary>
-/// Makes a failing world small: leaves calls out, in ever smaller runs, and makes arguments simpler, as long as the same kind of failure comes. (A library that
-/// shrinks generates smaller worlds anew, or knows plain lists; calls whose numbers stay, with calls in handlers, are left out better here.)
+/// Makes a failing world small: leaves calls out, in ever smaller runs, and makes arguments simpler, as long as the same kind of
+/// failure comes. (A library that
+/// shrinks generates smaller worlds anew, or knows plain lists; calls whose numbers stay, with calls in handlers, are left out better
+/// here.)
 /// </summary>
 internal sealed class Shrinker(Func<Script, bool> fails, TimeSpan patience)
 {

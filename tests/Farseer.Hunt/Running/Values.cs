@@ -31,7 +31,8 @@ internal static class Values
             if (value is not null && !IsFinite(value))
             {
                 // Of a value that is made of values, the one that it is.
-                return value.GetType().Namespace?.StartsWith("System", StringComparison.Ordinal) == true ? (name, value) : FirstUnsound(value) ?? (name, value);
+                return value.GetType().Namespace?.StartsWith("System", StringComparison.Ordinal) == true ? (name, value)
+                    : FirstUnsound(value) ?? (name, value);
             }
         }
 
@@ -40,7 +41,8 @@ internal static class Values
 
     private static (string Name, MethodInfo Get)[] Find(Type type) => type
         .GetMethods(BindingFlags.Public | BindingFlags.Instance)
-        .Where(m => m.GetParameters().Length == 0 && !m.IsGenericMethod && (m.Name.StartsWith("get_", StringComparison.Ordinal) || m.Name.StartsWith("Get", StringComparison.Ordinal)))
+        .Where(m => m.GetParameters().Length == 0 && !m.IsGenericMethod && (m.Name.StartsWith("get_", StringComparison.Ordinal)
+            || m.Name.StartsWith("Get", StringComparison.Ordinal)))
         .Where(m => IsMadeOfNumbers(m.ReturnType.IsByRef ? m.ReturnType.GetElementType()! : m.ReturnType))
         .Select(m => (m.DeclaringType!.Name + "." + m.Name.Replace("get_", "", StringComparison.Ordinal), m))
         .ToArray();
