@@ -159,6 +159,13 @@ internal sealed class ListenerRelay
 
     private void Tell(b2Contact contact, ref ContactPoint point)
     {
+        // The one before may have taken the listener away.
+        b2ContactListener? listener = _world.ContactListener;
+        if (listener is null)
+        {
+            return;
+        }
+
         _result.shape1 = contact.Shape1;
         _result.shape2 = contact.Shape2;
         _result.position.Set((float)point.X, (float)point.Y);
@@ -170,7 +177,7 @@ internal sealed class ListenerRelay
         _result.tangentImpulse = tangent;
         try
         {
-            _world.ContactListener!.Result(_result);
+            listener.Result(_result);
         }
         catch (Exception exception)
         {

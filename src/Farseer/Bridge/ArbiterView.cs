@@ -55,7 +55,7 @@ internal sealed class ArbiterView : IContactVisitor
     {
         Geom? a = _table.Geom(colliderA);
         Geom? b = _table.Geom(colliderB);
-        if (a is null || b is null)
+        if (a is null || b is null || points.IsEmpty)
         {
             return;
         }

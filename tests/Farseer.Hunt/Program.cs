@@ -1,0 +1,57 @@
+using System;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using Farseer.Hunt.Calls;
+using Farseer.Hunt.Running;
+
+namespace Farseer.Hunt;
+
+public static class Program
+{
+    public static int Main(string[] args)
+    {
+        var facade = new Option<string>("--facade") { DefaultValueFactory = _ => "farseer", Description = "farseer or flash" };
+        facade.AcceptOnlyFromAmong("farseer", "flash");
+        var seconds = new Option<double>("--seconds") { DefaultValueFactory = _ => 60, Description = "how long worlds are made" };
+        var seed = new Option<ulong?>("--seed") { Description = "the first world; without, a new one each time" };
+        var worlds = new Option<int>("--worlds") { DefaultValueFactory = _ => int.MaxValue, Description = "how many at most" };
+        var workers = new Option<int?>("--workers") { Description = "for all worlds; without, every fourth runs with 1, 2 and 4, which must end with the same bits" };
+        var profile = new Option<Profile?>("--profile") { Description = "worlds of this kind alone" };
+        var folder = new Option<string>("--out") { DefaultValueFactory = _ => "hunt", Description = "where files of failures go" };
+        var root = new RootCommand("Makes random worlds, calls anything, and looks at what must always hold.") { facade, seconds, seed,
+            worlds, workers, profile, folder };
+        root.SetAction(result =>
+        {
+            string place = result.GetValue(folder)!;
+            Directory.CreateDirectory(place);
+            var hunter = new Hunter(Facades.Find(result.GetValue(facade)!), Console.Out)
+            {
+                Folder = place,
+                Only = result.GetValue(profile),
+                Workers = result.GetValue(workers),
+            };
+            hunter.Run(result.GetValue(seed) ?? (ulong)DateTime.UtcNow.Ticks, TimeSpan.FromSeconds(result.GetValue(seconds)),
+                result.GetValue(worlds));
+            return hunter.Failures == 0 ? 0 : 1;
+        });
+
+        var files = new Argument<string[]>("file") { Description = "files of failures" };
+        var replay = new Command("replay", "Runs worlds that are kept as files.") { files };
+        replay.SetAction(result =>
+        {
+            int failed = 0;
+            foreach (string file in result.GetValue(files)!)
+            {
+                Script script = ProgramText.Read(File.ReadAllText(file), Facades.Find);
+                Failure? failure = new Hunter(script.Facade, Console.Out).Try(script, compareWorkers: true);
+                Console.WriteLine($"{file}: {(failure is null ? "holds" : Machine.Describe(failure))}");
+                failed += failure is null ? 0 : 1;
+            }
+
+            return failed == 0 ? 0 : 1;
+        });
+        root.Add(replay);
+        return root.Parse(args).Invoke();
+    }
+}

@@ -1,0 +1,59 @@
+using System.Collections.Generic;
+
+namespace Farseer.Hunt.Running;
+
+/// <summary>A body, as invariants see it.</summary>
+internal readonly record struct BodyFact(double X, double Y, double Vx, double Vy, double Spin, double Mass, double Inertia, bool Moves)
+{
+    public double Kinetic => 0.5 * ((Mass * ((Vx * Vx) + (Vy * Vy))) + (Inertia * Spin * Spin));
+}
+
+/// <summary>What a facade shows of a running world. It changes nothing.</summary>
+internal abstract class Observer
+{
+    /// <summary>Problems of events, found while they are told: (kind, values).</summary>
+    public List<(string Kind, string Text)> Problems { get; } = new();
+
+    /// <summary>Bodies that were taken out because their state was none.</summary>
+    public List<string> Quarantined { get; } = new();
+
+    /// <summary>An item was made: whoever wants to hear its events says so now.</summary>
+    public abstract void Made(object item, object?[] arguments);
+
+    /// <summary>After each step: who was taken out, where no event tells it.</summary>
+    public virtual void Stepped(object world)
+    {
+    }
+
+    /// <summary>Whether anything touches in a world.</summary>
+    public abstract bool HasContacts(object world);
+
+    public abstract void SetWorkers(object world, int count);
+
+    public abstract ulong Hash(object world);
+
+    public abstract List<BodyFact> Bodies(object world);
+
+    public abstract (double X, double Y) Gravity(object world);
+
+    /// <summary>Lists of a world after a step without handlers: owners, members and contacts agree.</summary>
+    /// <returns>What is wrong, or null.</returns>
+    public abstract string? Lists(object world);
+
+    /// <summary>After the last call a plain body falls as it should.</summary>
+    public abstract string? FallOfANewBody(object world);
+
+    /// <summary>Looked at after every step, beside the items that calls made.</summary>
+    public virtual IEnumerable<object> MoreItems(object world)
+    {
+        yield break;
+    }
+
+    /// <summary>
+    /// Whether an item's values have been made by a step of a world: what was only set may be what nobody refuses until then.
+    /// </summary>
+    public virtual bool IsStepped(object world, object item) => true;
+
+    /// <summary>Values that are documented to be infinite now.</summary>
+    public virtual bool MayBeInfinite(object item, string member) => false;
+}
