@@ -168,7 +168,7 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
-    /// <summary>What a correction that is taken back gave through the joints was never given; of a projection as much as acts on speeds.</summary>
+    /// <summary>What a correction that is taken back gave through the joints was never given; of a projection as much as acts on speeds, and nothing of it is to start from.</summary>
     private void RestoreImpulses(bool projected)
     {
         for (int at = 0; at < _jointCount; at++)
@@ -178,22 +178,21 @@ internal sealed unsafe partial class JointSolver
             if (projected && tree->Astray)
             {
                 double share = tree->Levelled ? 0 : tree->Impelled;
-                Blend(joint->PlainLambda, joint->Lambda, share, JointRows.Most);
-                Blend(joint->PlainGiven, joint->Given, share, 3);
+                if (share < 1)
+                {
+                    Copy(joint->PlainLambda, joint->Lambda, JointRows.Most);
+                }
+
+                for (int k = 0; k < 3; k++)
+                {
+                    joint->Given[k] = joint->PlainGiven[k] + (share * (joint->Given[k] - joint->PlainGiven[k]));
+                }
             }
             else if (!projected && (IsUndone(joint->Ends.NodeA) || IsUndone(joint->Ends.NodeB)))
             {
                 Copy(joint->PlainLambda, joint->Lambda, JointRows.Most);
                 Copy(joint->PlainGiven, joint->Given, 3);
             }
-        }
-    }
-
-    private static void Blend(double* plain, double* values, double share, int count)
-    {
-        for (int i = 0; i < count; i++)
-        {
-            values[i] = plain[i] + (share * (values[i] - plain[i]));
         }
     }
 
