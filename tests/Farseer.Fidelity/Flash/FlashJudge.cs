@@ -15,11 +15,7 @@ internal static class FlashJudge
 {
     public static void Judge(SceneFile file, List<Check> checks, List<string> notes)
     {
-        Box2DFlash202Quirks quirks = FlashQuirks.For(file.Name);
-        if (quirks != Box2DFlash202Quirks.None)
-        {
-            notes.Add("with " + quirks);
-        }
+        Box2DFlash202Quirks quirks = FlashQuirks.All;
 
         if (FlashExemptions.Reason(file) is { } reason)
         {
