@@ -16,7 +16,7 @@ namespace Farseer.Fidelity.Judging;
 /// </summary>
 public static class ObservationJudge
 {
-    public static IEnumerable<Check> Judge(SceneFile file, int iterations, Recording ours)
+    public static IEnumerable<Check> Judge(SceneFile file, int iterations, Recording ours, IReadOnlyDictionary<string, Row[]>? motion = null)
     {
         foreach ((string expression, JsonElement[] expected) in file.Recordings[iterations].Observed)
         {

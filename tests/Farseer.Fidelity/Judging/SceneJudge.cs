@@ -57,34 +57,32 @@ public static class SceneJudge
     private static void JudgeFarseer(SceneFile file, List<Check> checks, List<string> notes)
     {
         object? quirks = Quirks.All;
-        ClosedForm? closedForm = ClosedForms.ByScene.GetValueOrDefault(file.Name);
+        Trajectories trajectories = new(file);
         string[] acting = Acting(file);
         if (acting.Length > 0)
         {
             notes.Add("with " + string.Join(", ", acting));
         }
 
-        if (closedForm is not null)
-        {
-            notes.Add("closed form: " + closedForm.Reason);
-        }
-
         foreach (int iterations in file.Iterations)
         {
             RunResult run = SceneRunner.Run(file, iterations, quirks);
             string prefix = file.Iterations.Length > 1 ? iterations.ToString(CultureInfo.InvariantCulture) + ": " : string.Empty;
-            checks.AddRange(JudgeRun(file, iterations, run, closedForm).Select(c => c with { What = prefix + c.What }));
+            checks.AddRange(JudgeRun(file, iterations, run, trajectories).Select(c => c with { What = prefix + c.What }));
+        }
+
+        if (trajectories.Motion is not null)
+        {
+            notes.Add("by the equations of motion");
         }
     }
 
-    private static IEnumerable<Check> JudgeRun(SceneFile file, int iterations, RunResult run, ClosedForm? closedForm)
+    private static IEnumerable<Check> JudgeRun(SceneFile file, int iterations, RunResult run, Trajectories trajectories)
     {
-        Func<string, double, Row>? row = closedForm?.Row is { } form ? (body, time) => form(file, body, time) : null;
-        Func<SceneQuery, object?>? query = closedForm?.Query is { } queryForm ? asked => queryForm(file, asked) : null;
-        return RowJudge.Judge(file, iterations, run.Recording, row)
+        return trajectories.Judge(iterations, run.Recording)
             .Concat(EventJudge.Judge(file, iterations, run.Recording))
-            .Concat(ObservationJudge.Judge(file, iterations, run.Recording))
-            .Concat(QueryJudge.Queries(file, iterations, run.Recording, query))
+            .Concat(ObservationJudge.Judge(file, iterations, run.Recording, trajectories.Motion))
+            .Concat(QueryJudge.Queries(file, iterations, run.Recording))
             .Concat(QueryJudge.MassProperties(file, run))
             .Concat(QueryJudge.Paths(file, run));
     }
