@@ -16,11 +16,7 @@ internal static class FlashJudge
     {
         Box2DFlash202Quirks quirks = FlashQuirks.All;
 
-        if (FlashExemptions.Reason(file) is { } reason)
-        {
-            notes.Add("not compared: " + reason);
-        }
-
+        notes.AddRange(new FlashExemptions(file).Reasons());
         Trajectories trajectories = new(file);
         foreach (int iterations in file.Iterations)
         {
