@@ -116,14 +116,26 @@ public static class EventJudge
 
     private static (int Shift, int Ending) Shifts(SceneFile file, int iterations, SceneEvent e)
     {
-        List<MadeObject> geoms = file.Geoms.Where(g => g.Id == e.First || g.Id == e.Second).ToList();
+        (List<MadeObject> geoms, double slack) = Slack(file, e.First, e.Second);
         double depth = SceneSizes.AllowedPenetration(file);
-        double slack = geoms.Sum(SceneSizes.Sagitta) + depth;
         double radius = geoms.Select(SceneSizes.Radius).DefaultIfEmpty(0).Max();
         double arriving = geoms.Select(g => SpeedAt(file, iterations, g.Body!, e.Runs[0].First)).DefaultIfEmpty(0).Max();
         double leaving = e.Runs.Select(r => geoms.Select(g => SpeedAt(file, iterations, g.Body!, r.Last)).DefaultIfEmpty(0).Max()).Min();
         int shift = StepShift + Updates(slack, arriving * file.Dt);
         return (shift, shift + (radius > 0 ? Updates(Math.Sqrt(2 * radius * depth), leaving * file.Dt) : 0));
+    }
+
+    /// <summary>The updates that a pair of geoms may need more or less to cross what is a matter of shape and depth, at the speed that it has then.</summary>
+    internal static int Crossing(SceneFile file, int iterations, string first, string second, int update)
+    {
+        (List<MadeObject> geoms, double slack) = Slack(file, first, second);
+        return StepShift + Updates(slack, geoms.Select(g => SpeedAt(file, iterations, g.Body!, update)).DefaultIfEmpty(0).Max() * file.Dt);
+    }
+
+    private static (List<MadeObject> Geoms, double Slack) Slack(SceneFile file, string first, string second)
+    {
+        List<MadeObject> geoms = file.Geoms.Where(g => g.Id == first || g.Id == second).ToList();
+        return (geoms, geoms.Sum(SceneSizes.Sagitta) + SceneSizes.AllowedPenetration(file));
     }
 
     private static int Updates(double way, double perUpdate)

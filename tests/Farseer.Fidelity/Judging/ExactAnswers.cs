@@ -48,48 +48,72 @@ public static class ExactAnswers
     }
 
     /// <summary>
-    /// A circle touches a point or another circle within its radius, and a box if the box's nearest point, |p| clamped to the half-widths in its own
-    /// frame, is. Two geoms without a circle are polygons in the original, too.
+    /// Two geoms touch if an edge of one crosses an edge of the other, or one holds the other: a circle with its outline of edges, as queries take
+    /// it. The original looks whether a vertex of one lies in the other, and so misses what lies between two vertices.
     /// </summary>
     private static bool? Touches(SceneFile file, SceneQuery query)
     {
-        if (query.Args is not [{ } argument] || file.Geoms.FirstOrDefault(g => g.Id == query.Target) is not { } asked)
+        if (query.Args is not [{ ValueKind: JsonValueKind.String } id]
+            || file.Geoms.FirstOrDefault(g => g.Id == query.Target) is not { } first
+            || file.Geoms.FirstOrDefault(g => g.Id == id.GetString()) is not { } second
+            || World(file, first) is not { } a || World(file, second) is not { } b)
         {
             return null;
         }
 
-        if (argument.ValueKind == JsonValueKind.Array)
-        {
-            return IsCircle(asked) ? Distance(Centre(file, asked), (argument[0].GetDouble(), argument[1].GetDouble())) <= SceneSizes.Radius(asked) : null;
-        }
-
-        MadeObject? other = argument.ValueKind == JsonValueKind.String ? file.Geoms.FirstOrDefault(g => g.Id == argument.GetString()) : null;
-        MadeObject[] circles = [.. new[] { asked, other }.Where(g => g is not null && IsCircle(g)).Select(g => g!)];
-        MadeObject? box = new[] { asked, other }.FirstOrDefault(g => g?.Factory == "CreateRectangleGeom");
-        if (circles.Length == 2)
-        {
-            return Distance(Centre(file, circles[0]), Centre(file, circles[1])) <= circles.Sum(SceneSizes.Radius);
-        }
-
-        if (circles.Length == 0 || box is null)
-        {
-            return null;
-        }
-
-        double rotation = Angle(file, box) + Json.Number(box.Args, "rotationOffset", 0);
-        (double cx, double cy) = Centre(file, circles[0]);
-        (double ox, double oy) = Centre(file, box);
-        double along = Math.Abs(((cx - ox) * Math.Cos(rotation)) + ((cy - oy) * Math.Sin(rotation)));
-        double across = Math.Abs(((cy - oy) * Math.Cos(rotation)) - ((cx - ox) * Math.Sin(rotation)));
-        double outX = Math.Max(0, along - (Json.Required(box.Args, "width").GetDouble() / 2));
-        double outY = Math.Max(0, across - (Json.Required(box.Args, "height").GetDouble() / 2));
-        return Math.Sqrt((outX * outX) + (outY * outY)) <= SceneSizes.Radius(circles[0]);
+        bool crosses = Edges(a).Any(e => Edges(b).Any(f =>
+            Side(e.From, e.To, f.From) * Side(e.From, e.To, f.To) <= 0 && Side(f.From, f.To, e.From) * Side(f.From, f.To, e.To) <= 0));
+        return crosses || Holds(a, b[0]) || Holds(b, a[0]);
     }
 
-    private static bool IsCircle(MadeObject geom) => geom.Factory == "CreateCircleGeom";
+    private static IEnumerable<((double X, double Y) From, (double X, double Y) To)> Edges((double X, double Y)[] outline)
+        => outline.Select((p, i) => (p, outline[(i + 1) % outline.Length]));
 
-    private static double Distance((double X, double Y) a, (double X, double Y) b)
-        => Math.Sqrt(((a.X - b.X) * (a.X - b.X)) + ((a.Y - b.Y) * (a.Y - b.Y)));
+    private static double Side((double X, double Y) from, (double X, double Y) to, (double X, double Y) point)
+        => ((to.X - from.X) * (point.Y - from.Y)) - ((to.Y - from.Y) * (point.X - from.X));
+
+    /// <summary>By the number of edges to the right of the point.</summary>
+    private static bool Holds((double X, double Y)[] outline, (double X, double Y) point) => Edges(outline).Count(e =>
+        (e.From.Y > point.Y) != (e.To.Y > point.Y) && (Side(e.From, e.To, point) > 0) == (e.To.Y > e.From.Y)) % 2 == 1;
+
+    /// <summary>The outline in the world, or null for a kind of geom that is not known here.</summary>
+    private static (double X, double Y)[]? World(SceneFile file, MadeObject geom)
+    {
+        (double X, double Y)[]? local = geom.Factory switch
+        {
+            "CreateCircleGeom" or "CreateEllipseGeom" => Round(geom),
+            "CreateRectangleGeom" => Box(Json.Required(geom.Args, "width").GetDouble() / 2, Json.Required(geom.Args, "height").GetDouble() / 2),
+            _ => null,
+        };
+        MadeObject body = file.Bodies.Single(b => b.Id == geom.Body);
+        JsonElement at = Value(body, "position");
+        JsonElement offset = Json.Optional(geom.Args, "offset");
+        if (local is null || at.ValueKind != JsonValueKind.Array || (Json.Number(geom.Args, "rotationOffset", 0) != 0 && offset.ValueKind == JsonValueKind.Array))
+        {
+            return null;
+        }
+
+        double angle = Value(body, "rotation") is { ValueKind: JsonValueKind.Number } turned ? turned.GetDouble() : 0;
+        (double ox, double oy) = offset.ValueKind == JsonValueKind.Array ? (offset[0].GetDouble(), offset[1].GetDouble()) : (0, 0);
+        double own = Json.Number(geom.Args, "rotationOffset", 0);
+        return [.. local.Select(p => Turn(p, own)).Select(p => Turn((p.X + ox, p.Y + oy), angle)).Select(p => (p.X + at[0].GetDouble(), p.Y + at[1].GetDouble()))];
+    }
+
+    private static (double X, double Y)[] Box(double x, double y) => [(-x, -y), (x, -y), (x, y), (-x, y)];
+
+    private static (double X, double Y)[] Round(MadeObject geom)
+    {
+        double radius = SceneSizes.Radius(geom);
+        (double x, double y) = (Json.Number(geom.Args, "xRadius", radius), Json.Number(geom.Args, "yRadius", radius));
+        int count = Json.Required(geom.Args, "numberOfEdges").GetInt32();
+        return [.. Enumerable.Range(0, count).Select(i => 2 * Math.PI * i / count).Select(t => (x * Math.Cos(t), -y * Math.Sin(t)))];
+    }
+
+    private static (double X, double Y) Turn((double X, double Y) point, double angle)
+    {
+        (double sin, double cos) = Math.SinCos(angle);
+        return ((point.X * cos) - (point.Y * sin), (point.X * sin) + (point.Y * cos));
+    }
 
     /// <summary>Whether the body of a geom is where it was made whenever it is asked.</summary>
     private static bool Stands(SceneFile file, MadeObject geom)
@@ -97,25 +121,6 @@ public static class ExactAnswers
         bool isStatic = file.Bodies.Any(b => b.Id == geom.Body && Value(b, "isStatic").ValueKind == JsonValueKind.True);
         return isStatic || file.Recordings.Values.All(r => r.Rows.TryGetValue(geom.Body!, out Row[]? rows)
             && rows.All(row => row.X == rows[0].X && row.Y == rows[0].Y && row.Rotation == rows[0].Rotation));
-    }
-
-    private static double Angle(SceneFile file, MadeObject geom)
-        => Value(file.Bodies.Single(b => b.Id == geom.Body), "rotation") is { ValueKind: JsonValueKind.Number } turned ? turned.GetDouble() : 0;
-
-    /// <summary>The centre of a circle or a box: that of its body, and its offset turned with the body.</summary>
-    private static (double X, double Y) Centre(SceneFile file, MadeObject geom)
-    {
-        JsonElement at = Value(file.Bodies.Single(b => b.Id == geom.Body), "position");
-        (double x, double y) = at.ValueKind == JsonValueKind.Array ? (at[0].GetDouble(), at[1].GetDouble()) : (0, 0);
-        JsonElement offset = Json.Optional(geom.Args, "offset");
-        if (offset.ValueKind != JsonValueKind.Array)
-        {
-            return (x, y);
-        }
-
-        (double sin, double cos) = Math.SinCos(Angle(file, geom));
-        (double ox, double oy) = (offset[0].GetDouble(), offset[1].GetDouble());
-        return (x + (ox * cos) - (oy * sin), y + (ox * sin) + (oy * cos));
     }
 
     private static JsonElement Value(MadeObject made, string name) => made.Properties.FirstOrDefault(p => p.Key == name).Value;

@@ -22,6 +22,13 @@ public sealed record FloatTolerance(double Position, double Rotation, double Lin
         double rotation = Largest(rows, r => Math.Abs(r.Rotation));
         double velocity = Largest(rows, r => Math.Max(Math.Abs(r.VelocityX), Math.Abs(r.VelocityY)));
         double angular = Largest(rows, r => Math.Abs(r.AngularVelocity));
+
+        // What pushes an overlap apart is a velocity too, though none that is recorded: all of the way may be gone in one step.
+        if (SceneSizes.MayTouch(file) && file.Format == SceneFormat.Farseer)
+        {
+            velocity = Math.Max(velocity, Steps(file, bodies).DefaultIfEmpty(0).Max());
+        }
+
         if (SceneSizes.MayTouch(file))
         {
             double halfWidth = SceneSizes.SmallestHalfWidth(file);
@@ -32,6 +39,10 @@ public sealed record FloatTolerance(double Position, double Rotation, double Lin
         double ulps = 2 + Math.Sqrt((double)file.Steps * (file.Refined?.DtDivisor ?? 1));
         return new FloatTolerance(Ulp(position) * ulps, Ulp(rotation) * ulps, Ulp(velocity) * ulps, Ulp(angular) * ulps);
     }
+
+    /// <summary>The ways between the first two samples of each body, over a step: there an overlap is pushed apart.</summary>
+    private static IEnumerable<double> Steps(SceneFile file, IEnumerable<Row[]> bodies) => bodies.Where(b => b.Length > 1)
+        .Select(b => Math.Max(Math.Abs(b[1].X - b[0].X), Math.Abs(b[1].Y - b[0].Y)) / file.Dt);
 
     /// <summary>
     /// The velocity of a body that the refined run holds still, every place and angle the same to the last bit: below half an ulp
