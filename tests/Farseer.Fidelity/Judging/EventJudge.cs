@@ -125,10 +125,11 @@ public static class EventJudge
         return (shift, shift + (radius > 0 ? Updates(Math.Sqrt(2 * radius * depth), leaving * file.Dt) : 0));
     }
 
-    /// <summary>The updates that a pair of geoms may need more or less to cross what is a matter of shape and depth, at the speed that it has then.</summary>
+    /// <summary>The updates that a pair of geoms may need more or less to cross what is a matter of shape and depth, or an edge of a circle that rolls.</summary>
     internal static int Crossing(SceneFile file, int iterations, string first, string second, int update)
     {
         (List<MadeObject> geoms, double slack) = Slack(file, first, second);
+        slack += geoms.Sum(SceneSizes.Edge);
         return StepShift + Updates(slack, geoms.Select(g => SpeedAt(file, iterations, g.Body!, update)).DefaultIfEmpty(0).Max() * file.Dt);
     }
 

@@ -9,7 +9,8 @@ namespace Farseer.Fidelity.Judging;
 /// <summary>
 /// How far two correct single-precision runs may drift apart by rounding alone. One addition rounds by
 /// at most half an ulp; N independent ones walk away by about sqrt(N) ulps, so the tolerance is
-/// (2 + sqrt(N)) ulps of the largest magnitude. A contact point's place rounds by an ulp of the
+/// (2 + sqrt(N)) ulps of the largest magnitude. Steady motion adds the same increment in each step of a recording, and half an ulp
+/// is lost to the same side each time: places and angles have 2 + N / 2 there. A contact point's place rounds by an ulp of the
 /// position, which turns a body of half-width r by ulp / r: where bodies touch, a rotation has that
 /// magnitude too, and an angular velocity that of the velocity over r.
 /// </summary>
@@ -37,7 +38,8 @@ public sealed record FloatTolerance(double Position, double Rotation, double Lin
         }
 
         double ulps = 2 + Math.Sqrt((double)file.Steps * (file.Refined?.DtDivisor ?? 1));
-        return new FloatTolerance(Ulp(position) * ulps, Ulp(rotation) * ulps, Ulp(velocity) * ulps, Ulp(angular) * ulps);
+        double places = file.Refined is null && file.Format == SceneFormat.Farseer ? 2 + (file.Steps / 2.0) : ulps;
+        return new FloatTolerance(Ulp(position) * places, Ulp(rotation) * places, Ulp(velocity) * ulps, Ulp(angular) * ulps);
     }
 
     /// <summary>The ways between the first two samples of each body, over a step: there an overlap is pushed apart.</summary>
@@ -93,6 +95,11 @@ public static class SceneSizes
             ? radius.GetDouble() * (1 - Math.Cos(Math.PI / edges.GetDouble()))
             : 0;
     }
+
+    /// <summary>How long an edge of a circle's polygon is.</summary>
+    public static double Edge(MadeObject geom) => Json.Optional(geom.Args, "numberOfEdges") is { ValueKind: JsonValueKind.Number } edges
+        ? 2 * Radius(geom) * Math.Sin(Math.PI / edges.GetDouble())
+        : 0;
 
     private static double HalfWidth(SceneFile file, MadeObject geom)
     {

@@ -23,7 +23,7 @@ public static class ObservationJudge
             JsonElement[] got = ours.Observed[expression];
             if (expression == "simulator.ContactPairs")
             {
-                yield return Touching(file, iterations, expected.Select(Pairs).ToArray(), got.Select(Pairs).ToArray());
+                yield return Touching(file, iterations, expected.Select(Pairs).ToArray(), got.Select(Pairs).ToArray(), motion is not null);
             }
             else if (expected.All(IsCount))
             {
@@ -51,14 +51,20 @@ public static class ObservationJudge
 
     /// <summary>
     /// Each pair must be had or not as in a sample near by: the next, or one within the updates in which it crosses what its circles' edges and
-    /// the depth of rest leave open. A circle that rolls leaves the floor from edge to edge in the original.
+    /// the depth of rest leave open. A circle that rolls leaves the floor from edge to edge in the original; where it moves so unlike
+    /// a circle that the equations of motion are followed, its pairs are not compared.
     /// </summary>
-    private static Check Touching(SceneFile file, int iterations, string[][] expected, string[][] got)
+    private static Check Touching(SceneFile file, int iterations, string[][] expected, string[][] got, bool byMotion)
     {
         const string Name = "simulator.ContactPairs";
         foreach (string pair in expected.Concat(got).SelectMany(p => p).Distinct())
         {
             string[] geoms = pair.Split('|');
+            if (byMotion && file.Geoms.Any(g => geoms.Contains(g.Id) && SceneSizes.Sagitta(g) > 0))
+            {
+                continue;
+            }
+
             for (int k = 0; k < got.Length; k++)
             {
                 int step = file.SampleSteps[k];
