@@ -17,8 +17,8 @@ namespace Farseer.Fidelity.Judging;
 /// share, which the next row has anyway, is then due a row earlier.
 /// </summary>
 /// <remarks>
-/// An example is `joint_break`: pulled with 900 for two updates of 0.01 s the bob is 0.27 along in the original and 0.18 in truth,
-/// so its pin of 50 is turned by 0.0018 more, and of the speed of 18 there is 0.032 more along y.
+/// An example is a bob on a pin: pulled with 900 for two updates of 0.01 s it is 0.27 along in the original and 0.18 in truth,
+/// so a pin of 50 is turned by 0.0018 more, and of the speed of 18 there is 0.032 more along y.
 /// </remarks>
 public sealed class Discretisation
 {
