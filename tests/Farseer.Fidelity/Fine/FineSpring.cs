@@ -36,7 +36,12 @@ internal sealed class FineSpring : IFinePull
         _at2 = Point(args, hasTwo ? "attachPoint2" : "bodyAttachPoint");
         _stiffness = Json.Required(args, "springConstant").GetDouble();
         _damping = Json.Required(args, "dampingConstant").GetDouble();
-        _rest = Number(spring, _turns ? "targetAngle" : "restLength", _turns ? Turn() : Line().Length);
+        double rest = Number(spring, _turns ? "targetAngle" : "restLength", _turns ? Turn() : Line().Length);
+
+        // The original's bar between two bodies takes no target beyond that.
+        const double LargestTarget = 5.5;
+        bool isSet = spring.Properties.Any(p => p.Key == "targetAngle");
+        _rest = hasTwo && isSet ? Math.Clamp(rest, -LargestTarget, LargestTarget) : rest;
         _most = Number(spring, "breakpoint", double.PositiveInfinity);
     }
 

@@ -10,7 +10,7 @@ namespace Farseer.Fidelity.Judging;
 /// How far two correct single-precision runs may drift apart by rounding alone. One addition rounds by
 /// at most half an ulp; N independent ones walk away by about sqrt(N) ulps, so the tolerance is
 /// (2 + sqrt(N)) ulps of the largest magnitude. Steady motion adds the same increment in each step of a recording, and half an ulp
-/// is lost to the same side each time: places and angles have 2 + N / 2 there. A contact point's place rounds by an ulp of the
+/// is lost to the same side each time: it has 2 + N / 2. A contact point's place rounds by an ulp of the
 /// position, which turns a body of half-width r by ulp / r: where bodies touch, a rotation has that
 /// magnitude too, and an angular velocity that of the velocity over r.
 /// </summary>
@@ -38,8 +38,8 @@ public sealed record FloatTolerance(double Position, double Rotation, double Lin
         }
 
         double ulps = 2 + Math.Sqrt((double)file.Steps * (file.Refined?.DtDivisor ?? 1));
-        double places = file.Refined is null && file.Format == SceneFormat.Farseer ? 2 + (file.Steps / 2.0) : ulps;
-        return new FloatTolerance(Ulp(position) * places, Ulp(rotation) * places, Ulp(velocity) * ulps, Ulp(angular) * ulps);
+        double steady = file.Refined is null && file.Format == SceneFormat.Farseer ? 2 + (file.Steps / 2.0) : ulps;
+        return new FloatTolerance(Ulp(position) * steady, Ulp(rotation) * steady, Ulp(velocity) * steady, Ulp(angular) * steady);
     }
 
     /// <summary>The ways between the first two samples of each body, over a step: there an overlap is pushed apart.</summary>
@@ -47,18 +47,21 @@ public sealed record FloatTolerance(double Position, double Rotation, double Lin
         .Select(b => Math.Max(Math.Abs(b[1].X - b[0].X), Math.Abs(b[1].Y - b[0].Y)) / file.Dt);
 
     /// <summary>
-    /// The velocity of a body that the refined run holds still, every place and angle the same to the last bit: below half an ulp
-    /// of them in one of its steps a velocity moves nothing, and is what its joints make of the rounding of places, for they turn
-    /// a share of it into speed in each step. A body that moves has none of this.
+    /// What joints make of the rounding of places: they turn a share of it into speed in each step, and a velocity below half an ulp of a place in
+    /// a step moves nothing. It is due to a body that the refined run holds still, every place and angle the same to the last bit, by that
+    /// run's steps; one that moves there has none of it. Where there is no refined run it is due to what is joined, by the recording's steps.
     /// </summary>
     public static Difference OfStanding(SceneFile file, Row[] rows)
     {
-        if (file.Refined is not { } refined || !rows.All(r => r.X == rows[0].X && r.Y == rows[0].Y && r.Rotation == rows[0].Rotation))
+        bool isDue = file.Refined is null
+            ? file.Format == SceneFormat.Farseer && (file.Joints.Count > 0 || Json.Items(file.Root, "paths").Any())
+            : rows.All(r => r.X == rows[0].X && r.Y == rows[0].Y && r.Rotation == rows[0].Rotation);
+        if (!isDue)
         {
             return default;
         }
 
-        double step = file.Dt / (double)refined.DtDivisor;
+        double step = file.Dt / (double)(file.Refined?.DtDivisor ?? 1);
         double place = Ulp(Math.Max(Math.Abs(rows[0].X), Math.Abs(rows[0].Y)));
         return new Difference(0, 0, place / 2 / step, Ulp(Math.Abs(rows[0].Rotation)) / 2 / step);
     }

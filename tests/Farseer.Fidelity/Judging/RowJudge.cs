@@ -17,6 +17,8 @@ public static class RowJudge
     /// <summary>The files give the original's own error with four digits: it may be half of the last one more.</summary>
     private const double WrittenDigits = 1.0005;
 
+    private const double LeastWays = 2;
+
     private static readonly string[] Names = ["position", "rotation", "linearVelocity", "angularVelocity"];
 
     public static IEnumerable<Check> Judge(SceneFile file, int iterations, Recording ours, IReadOnlyDictionary<string, Row[]>? motion = null)
@@ -104,7 +106,7 @@ public static class RowJudge
     /// <summary>
     /// The original's largest error against the equations of motion, over all bodies as where the file gives it: which of them is farthest off
     /// is chance, as two that whirl on springs show. A body that the original leads another way altogether (it passes through what it
-    /// should hit) is left out: by more than half of its way is no error of a path.
+    /// should hit) is left out: by more than half of its way, or of its turn where it stays, is no error of a path.
     /// </summary>
     public static Difference OwnError(SceneFile file, int iterations, IReadOnlyDictionary<string, Row[]> motion)
     {
@@ -117,7 +119,8 @@ public static class RowJudge
             int[] both = [.. Enumerable.Range(0, rows.Length).Where(k => !recorded[k].IsAbsent && !rows[k].IsAbsent)];
             Difference own = both.Select(k => Errors(recorded[k], rows, impacts, k)).Aggregate(default(Difference), Larger);
             double way = both.Select(k => Way(rows[both[0]], rows[k])).DefaultIfEmpty(0).Max();
-            if (own.Position > Math.Max(file.RestDepth, way / 2))
+            double turn = both.Select(k => Math.Abs(rows[k].Rotation - rows[both[0]].Rotation)).DefaultIfEmpty(0).Max();
+            if (own.Position > Math.Max(file.RestDepth, way / LeastWays) || (way == 0 && own.Rotation > turn / LeastWays))
             {
                 continue;
             }
