@@ -18,7 +18,9 @@ namespace Farseer.Fidelity.Judging;
 /// </summary>
 public static class EventJudge
 {
-    private const int StepShift = 2;
+    /// <summary>Updates by which the discretisation alone may shift a change.</summary>
+    internal const int StepShift = 2;
+
     private const int LargestCrossing = 8;
 
     public static IEnumerable<Check> Judge(SceneFile file, int iterations, Recording ours)

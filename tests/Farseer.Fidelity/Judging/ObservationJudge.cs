@@ -25,6 +25,10 @@ public static class ObservationJudge
             {
                 yield return Touching(file, iterations, expected.Select(Pairs).ToArray(), got.Select(Pairs).ToArray(), motion is not null);
             }
+            else if (expression.EndsWith("Time", StringComparison.Ordinal) && expected.All(e => e.ValueKind == JsonValueKind.Number))
+            {
+                yield return Timed(expression, expected, got, file);
+            }
             else if (expected.All(IsCount))
             {
                 yield return Counted(expression, expected.Select(e => new[] { e.ToString() }).ToArray(), got.Select(e => new[] { e.ToString() }).ToArray(), file);
@@ -79,6 +83,21 @@ public static class ObservationJudge
         }
 
         return Check.Of(Name, null);
+    }
+
+    /// <summary>Milliseconds since something: what it was may be two updates earlier or later, and the sample beside it may be nearer.</summary>
+    private static Check Timed(string what, JsonElement[] expected, JsonElement[] got, SceneFile file)
+    {
+        const double Milliseconds = 1000;
+        double limit = EventJudge.StepShift * file.Dt * Milliseconds * 1.001;
+        Worst worst = new();
+        for (int k = 0; k < got.Length; k++)
+        {
+            double error = expected[Math.Max(0, k - 1)..Math.Min(expected.Length, k + 2)].Min(e => ValueComparer.Difference(e, got[k]));
+            worst.Take(error, limit, "after " + file.SampleSteps[k].ToString(CultureInfo.InvariantCulture));
+        }
+
+        return worst.ToCheck(what);
     }
 
     private static Check Counted(string what, string[][] expected, string[][] got, SceneFile file)
