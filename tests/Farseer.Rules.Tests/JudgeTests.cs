@@ -13,11 +13,13 @@ public sealed class JudgeTests
     [Fact]
     public void Source_OfTheJudge_NamesNoRecordedScene()
     {
-        List<string> files = [.. new[] { "fidelity", "fidelity-box2d" }.SelectMany(f => Repository.Files(Path.Combine("tests", "data", f), "*.json"))];
+        string[] folders = ["fidelity", "fidelity-box2d"];
+        List<string> files = [.. folders.SelectMany(f => Repository.Files(Path.Combine("tests", "data", f), "*.json"))];
         HashSet<string> scenes = [.. files.Select(f => Path.GetFileNameWithoutExtension(f))];
 
         // A word of the format may be a scene's name too: what stands in a file elsewhere than as its name.
-        scenes.ExceptWith(files.SelectMany(f => Regex.Matches(File.ReadAllText(f), "(?<!\"name\": ?)\"(\\w+)\"").Select(m => m.Groups[1].Value)).Distinct().ToList());
+        scenes.ExceptWith(files.SelectMany(f => Regex.Matches(File.ReadAllText(f), "(?<!\"name\": ?)\"(\\w+)\"")
+            .Select(m => m.Groups[1].Value)).Distinct().ToList());
 
         IEnumerable<string> named =
             from file in Repository.Files(Path.Combine("tests", "Farseer.Fidelity"), "*.cs")

@@ -22,7 +22,10 @@ internal sealed class FarseerFineScene : FineScene
     ];
 
     private static readonly string[] _ofGeoms =
-        ["frictionCoefficient", "restitutionCoefficient", "collisionGroup", "collisionEnabled", "collisionResponseEnabled", "onCollision", "onSeparation"];
+    [
+        "frictionCoefficient", "restitutionCoefficient", "collisionGroup", "collisionEnabled", "collisionResponseEnabled", "onCollision",
+        "onSeparation",
+    ];
 
     private static readonly string[] _held = ["ApplyForce", "ApplyTorque", "ApplyForceAtLocalPoint", "ApplyForceAtWorldPoint"];
 
@@ -36,7 +39,8 @@ internal sealed class FarseerFineScene : FineScene
         _file = file;
         Refuse(file.Joints.Any(j => j.Factory != "CreateFixedRevoluteJoint" || j.Properties.Count > 0), "a joint");
         Refuse(Json.Items(file.Root, "paths").Any() || Json.Items(file.Root, "controllers").Any(), "a path or a controller");
-        Refuse(Json.Members(file.Root, "settings").Any(s => s.Name is "inactivityController" or "maxContactsToResolve" or "maxContactsToDetect"), "a setting");
+        Refuse(Json.Members(file.Root, "settings")
+            .Any(s => s.Name is "inactivityController" or "maxContactsToResolve" or "maxContactsToDetect"), "a setting");
         Refuse(file.Actions.Any(a => a.Call is null || !_held.Contains(a.Call)), "an action");
         _leastFriction = Json.OptionalText(Json.Optional(file.Root, "settings"), "frictionType") == "Minimum";
         Gravity = (file.Gravity[0].GetDouble(), file.Gravity[1].GetDouble());
@@ -119,6 +123,8 @@ internal sealed class FarseerFineScene : FineScene
 
     private static JsonElement Value(MadeObject made, string name) => made.Properties.FirstOrDefault(p => p.Key == name).Value;
 
+    private static double HalfSide(MadeObject box, string name) => Json.Required(box.Args, name).GetDouble() / 2;
+
     private static double Number(MadeObject made, string name, double other)
         => Value(made, name) is { ValueKind: JsonValueKind.Number } e ? e.GetDouble() : other;
 
@@ -135,7 +141,9 @@ internal sealed class FarseerFineScene : FineScene
             HasNoWeight = Value(made, "ignoreGravity").ValueKind == JsonValueKind.True,
             Drag = isStatic ? default : (
                 Number(made, "linearDragCoefficient", DefaultDrag),
-                Value(made, "isQuadraticDragEnabled").ValueKind == JsonValueKind.True ? Number(made, "quadraticDragCoefficient", DefaultDrag) : 0,
+                Value(made, "isQuadraticDragEnabled").ValueKind == JsonValueKind.True
+                    ? Number(made, "quadraticDragCoefficient", DefaultDrag)
+                    : 0,
                 Number(made, "rotationalDragCoefficient", DefaultDrag),
                 0,
                 0),
@@ -169,8 +177,7 @@ internal sealed class FarseerFineScene : FineScene
         FineShape shape = geom.Factory switch
         {
             "CreateCircleGeom" => FineShape.Circle(body, offset, SceneSizes.Radius(geom), of),
-            "CreateRectangleGeom" => FineShape.Polygon(
-                body, FineShape.Box(Json.Required(geom.Args, "width").GetDouble() / 2, Json.Required(geom.Args, "height").GetDouble() / 2, offset, turned), of),
+            "CreateRectangleGeom" => FineShape.Polygon(body, FineShape.Box(HalfSide(geom, "width"), HalfSide(geom, "height"), offset, turned), of),
             "CreatePolygonGeom" when turned == 0 => FineShape.Polygon(body, Centred(geom, offset), of),
             _ => throw new NotExpressedException(geom.Factory),
         };
@@ -182,7 +189,9 @@ internal sealed class FarseerFineScene : FineScene
     private (double X, double Y)[] Centred(MadeObject geom, (double X, double Y) offset)
     {
         JsonElement points = Json.Required(geom.Args, "vertices");
-        points = points.ValueKind == JsonValueKind.String ? Json.Required(Json.Required(_file.Root, "vertices"), points.GetString()!) : points;
+        points = points.ValueKind == JsonValueKind.String
+            ? Json.Required(Json.Required(_file.Root, "vertices"), points.GetString()!)
+            : points;
         FineShape outline = FineShape.Polygon(new FineBody(string.Empty), [.. points.EnumerateArray().Select(Point)], default);
         (_, double x, double y, _) = outline.Integrals();
         return [.. outline.Corners.Select(c => (c.X - x + offset.X, c.Y - y + offset.Y))];

@@ -15,7 +15,9 @@ internal sealed class FineHinge
         (_x, _y) = (x, y);
     }
 
-    /// <summary>Brings the point to where it belongs by the end of the small step: K has rows (m + i ry², -i rx ry), (-i rx ry, m + i rx²).</summary>
+    /// <summary>
+    /// Brings the point to where it belongs by the end of the small step: K has rows (m + i ry², -i rx ry), (-i rx ry, m + i rx²).
+    /// </summary>
     public void Solve(double step)
     {
         (double px, double py) = _body.ToWorld(_local);

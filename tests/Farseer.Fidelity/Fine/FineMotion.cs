@@ -7,7 +7,8 @@ namespace Farseer.Fidelity.Fine;
 
 /// <summary>
 /// Newton's and Euler's equations of rigid bodies with Coulomb's friction and impacts, in steps a thousand times smaller than those of
-/// the scene. It shares no line with the library and has none of its tolerances: circles are round, surfaces rest at gap 0 (or as deep as they
+/// the scene. It shares no line with the library and has none of its tolerances: circles are round, surfaces rest at gap 0 (or as deep
+/// as they
 /// started), hinges are iterated to rest, flight is exact. What it leaves is the error of its step, first order in 1/60000 s.
 /// </summary>
 internal sealed class FineMotion
@@ -38,7 +39,9 @@ internal sealed class FineMotion
         FindPairs();
     }
 
-    /// <summary>The rows of all bodies, one for each sample; a body that is not there has an absent one. Null: the scene cannot be expressed.</summary>
+    /// <summary>
+    /// The rows of all bodies, one for each sample; a body that is not there has an absent one. Null: the scene cannot be expressed.
+    /// </summary>
     public static IReadOnlyDictionary<string, Row[]>? Run(SceneFile file, int division = Division)
     {
         try

@@ -19,7 +19,8 @@ internal abstract class FineScene
 
     /// <summary>The scene as it starts.</summary>
     /// <exception cref="NotExpressedException">The scene has something that these equations do not know.</exception>
-    public static FineScene Of(SceneFile file) => file.Format == SceneFormat.Box2DFlash ? new FlashFineScene(file) : new FarseerFineScene(file);
+    public static FineScene Of(SceneFile file)
+        => file.Format == SceneFormat.Box2DFlash ? new FlashFineScene(file) : new FarseerFineScene(file);
 
     /// <summary>Does what is due before a step.</summary>
     public abstract void Act(int step);

@@ -26,7 +26,8 @@ internal sealed class FineShape
 
     public (double X, double Y)[] Corners { get; }
 
-    public static FineShape Circle(FineBody body, (double X, double Y) centre, double radius, (double Density, double Friction, double Restitution) of)
+    public static FineShape Circle(
+        FineBody body, (double X, double Y) centre, double radius, (double Density, double Friction, double Restitution) of)
         => new(body, [centre], radius) { Density = of.Density, Friction = of.Friction, Restitution = of.Restitution };
 
     /// <exception cref="NotExpressedException">The corners are not convex.</exception>
@@ -36,7 +37,8 @@ internal sealed class FineShape
         corners = area < 0 ? [.. corners.Reverse()] : corners;
         for (int i = 0; i < corners.Length; i++)
         {
-            ((double px, double py), (double qx, double qy), (double rx, double ry)) = (corners[i], corners[(i + 1) % corners.Length], corners[(i + 2) % corners.Length]);
+            ((double px, double py), (double qx, double qy)) = (corners[i], corners[(i + 1) % corners.Length]);
+            (double rx, double ry) = corners[(i + 2) % corners.Length];
             if (Cross((qx - px, qy - py), (rx - qx, ry - qy)) < 0)
             {
                 throw new NotExpressedException("a polygon that is not convex");

@@ -6,7 +6,8 @@ using Farseer.Fidelity.Scenes;
 namespace Farseer.Fidelity.Fine;
 
 /// <summary>
-/// A spring of Farseer Physics 2.0 between points of two bodies, or of the world and a body: force -(k x + c v) along the line between them,
+/// A spring of Farseer Physics 2.0 between points of two bodies, or of the world and a body: force -(k x + c v) along the line between
+/// them,
 /// x beyond the rest length; or a torsion bar, whose torque on a body is -k x less c times that body's own spin. It is judged against its
 /// Breakpoint when a step begins, by the error at the begin of the step before, and still pulls in the step in which it breaks.
 /// </summary>

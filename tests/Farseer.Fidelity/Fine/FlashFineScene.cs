@@ -9,9 +9,14 @@ namespace Farseer.Fidelity.Fine;
 /// <summary>A scene of Box2DFlash.</summary>
 internal sealed class FlashFineScene : FineScene
 {
-    private static readonly string[] _known = ["position", "angle", "isBullet", "allowSleep", "userData", "linearDamping", "angularDamping"];
+    private static readonly string[] _known =
+        ["position", "angle", "isBullet", "allowSleep", "userData", "linearDamping", "angularDamping"];
+
     private static readonly string[] _knownOfShapes =
-        ["id", "type", "density", "friction", "restitution", "radius", "localPosition", "SetAsBox", "SetAsOrientedBox", "vertices", "userData"];
+    [
+        "id", "type", "density", "friction", "restitution", "radius", "localPosition", "SetAsBox", "SetAsOrientedBox", "vertices",
+        "userData",
+    ];
 
     private readonly List<JsonElement> _actions;
 
@@ -19,7 +24,8 @@ internal sealed class FlashFineScene : FineScene
     {
         JsonElement world = Json.Required(file.Root, "world");
         Refuse(Json.Optional(world, "continuousPhysics").ValueKind == JsonValueKind.False, "what passes through on purpose");
-        Refuse(Json.Items(file.Root, "inAddCallback").Any() || Json.Optional(file.Root, "contactFilter").ValueKind != JsonValueKind.Undefined, "what listeners do");
+        Refuse(Json.Items(file.Root, "inAddCallback").Any()
+            || Json.Optional(file.Root, "contactFilter").ValueKind != JsonValueKind.Undefined, "what listeners do");
         Gravity = (file.Gravity[0].GetDouble(), file.Gravity[1].GetDouble());
         _actions = [.. Json.Items(file.Root, "actions")];
         Refuse(_actions.Any(a => Json.Optional(a, "dt").ValueKind != JsonValueKind.Undefined), "another time step");
@@ -71,7 +77,8 @@ internal sealed class FlashFineScene : FineScene
         const double DefaultFriction = 0.2;
         string? unknown = shape.EnumerateObject().Select(p => p.Name).FirstOrDefault(n => !_knownOfShapes.Contains(n));
         Refuse(unknown is not null, unknown!);
-        (double, double, double) of = (Json.Number(shape, "density", 0), Json.Number(shape, "friction", DefaultFriction), Json.Number(shape, "restitution", 0));
+        (double Density, double Friction, double Restitution) of =
+            (Json.Number(shape, "density", 0), Json.Number(shape, "friction", DefaultFriction), Json.Number(shape, "restitution", 0));
         if (Json.Text(shape, "type") == "b2CircleDef")
         {
             JsonElement at = Json.Optional(shape, "localPosition");
@@ -84,9 +91,10 @@ internal sealed class FlashFineScene : FineScene
             return FineShape.Polygon(body, FineShape.Box(box[0].GetDouble(), box[1].GetDouble()), of);
         }
 
-        return Json.Optional(shape, "SetAsOrientedBox") is { ValueKind: JsonValueKind.Array } turned
-            ? FineShape.Polygon(body, FineShape.Box(turned[0].GetDouble(), turned[1].GetDouble(), Point(turned[2]), turned[3].GetDouble()), of)
-            : FineShape.Polygon(body, [.. Json.Items(shape, "vertices").Select(Point)], of);
+        (double X, double Y)[] corners = Json.Optional(shape, "SetAsOrientedBox") is { ValueKind: JsonValueKind.Array } turned
+            ? FineShape.Box(turned[0].GetDouble(), turned[1].GetDouble(), Point(turned[2]), turned[3].GetDouble())
+            : [.. Json.Items(shape, "vertices").Select(Point)];
+        return FineShape.Polygon(body, corners, of);
     }
 
     private static void Refuse(bool unknown, string what)

@@ -31,11 +31,12 @@ internal sealed class FlashExemptions
 
         bool IsMoving(string id) => file.Recordings.Values.Any(r => r.Rows.ContainsKey(id));
         IReadOnlyList<string>[] joints = [.. file.Joints.Select(j => Names(j.Args).ToList())];
-        _stuck = [.. bodies.Where(b => IsMoving(b.Id) && joints.Any(j => j.Contains(b.Id)) && bodies.Any(o => o != b && IsStuck(b, o))).Select(b => b.Id)];
+        _stuck = [.. bodies.Where(b => IsMoving(b.Id) && joints.Any(j => j.Contains(b.Id)) && bodies.Any(o => o != b
+            && IsStuck(b, o))).Select(b => b.Id)];
         _moved = [.. _stuck.Concat(bodies.Select(b => b.Id).Where(id => joints.Any(j => j.Contains(id) && j.Any(_stuck.Contains))))];
         _bullets =
         [
-            .. Json.Items(file.Root, "bodies").Where(b => Json.Optional(Json.Required(b, "def"), "isBullet").ValueKind == JsonValueKind.True).Select(b => Json.Text(b, "id")),
+            .. file.Bodies.Where(b => Json.Optional(b.Args, "isBullet").ValueKind == JsonValueKind.True).Select(b => b.Id),
             .. Json.Items(file.Root, "actions").Where(a => Json.OptionalText(a, "call") == "SetBullet").Select(a => Json.Text(a, "target")),
         ];
     }
@@ -45,19 +46,22 @@ internal sealed class FlashExemptions
     {
         if (_moved.Count > 0)
         {
-            yield return "not compared: " + string.Join(", ", _moved.Order(StringComparer.Ordinal)) + ": starts deep in another while a joint holds it, or is joined to what does";
+            yield return "not compared: " + string.Join(", ", _moved.Order(StringComparer.Ordinal))
+                + ": starts deep in another while a joint holds it, or is joined to what does";
         }
     }
 
     /// <summary>
-    /// A body whose motion is not compared: it starts deeper in another than half its width while a joint holds it, and no equation says which of
+    /// A body whose motion is not compared: it starts deeper in another than half its width while a joint holds it, and no equation
+    /// says which of
     /// the two gives way; or it is joined to such a body.
     /// </summary>
     public bool HoldsMotion(string body) => _moved.Contains(body);
 
     /// <summary>
     /// An event of a body that starts so; or of two moving bodies, none of them a bullet, that close in by more than half the
-    /// narrower one's width in a step: the original does not look for those between its steps unless the pair is new, the library always does.
+    /// narrower one's width in a step: the original does not look for those between its steps unless the pair is new, the library
+    /// always does.
     /// </summary>
     public bool Holds(SceneEvent e, int iterations)
     {

@@ -63,14 +63,19 @@ internal static class FlashListJudge
     }
 
     private static bool IsSame(
-        IEnumerable<(int Step, bool State)> recording, IEnumerable<(int Step, bool State)> got, List<(int Step, bool State)>[] recordings, int steps, int shift)
+        IEnumerable<(int Step, bool State)> recording,
+        IEnumerable<(int Step, bool State)> got,
+        List<(int Step, bool State)>[] recordings,
+        int steps,
+        int shift)
     {
         List<(int Step, bool State)> wanted = [.. recording];
         List<(int Step, bool State)> found = [.. got];
         DropLast(found, wanted.Count, steps - shift);
         DropLast(wanted, found.Count, steps - shift);
         return wanted.Count == found.Count && Enumerable.Range(0, found.Count).All(i =>
-            found[i].State == wanted[i].State && Near(found[i].Step, [.. recordings.Where(r => r.Count > i).Select(r => r[i].Step)], shift));
+            found[i].State == wanted[i].State
+                && Near(found[i].Step, [.. recordings.Where(r => r.Count > i).Select(r => r[i].Step)], shift));
     }
 
     private static List<(int Step, bool State)> Changes(JsonElement byBody, string body)

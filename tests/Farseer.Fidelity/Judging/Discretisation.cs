@@ -80,7 +80,8 @@ public sealed class Discretisation
         }
     }
 
-    public Difference At(int row) => new(_position[row] + _earlyPosition[row], _rotation[row], _velocity[row] + _earlyVelocity[row], _angular[row] + _earlyAngular[row]);
+    public Difference At(int row) => new(
+        _position[row] + _earlyPosition[row], _rotation[row], _velocity[row] + _earlyVelocity[row], _angular[row] + _earlyAngular[row]);
 
     public static double Speed(Row a, Row b) => Math.Sqrt(Square(a.VelocityX - b.VelocityX) + Square(a.VelocityY - b.VelocityY));
 
@@ -167,7 +168,8 @@ public sealed class Impacts
     }
 
     /// <summary>
-    /// Where nothing touches, an end of a joint's way may be struck: the velocity changes by more than twice what it does in the intervals beside.
+    /// Where nothing touches, an end of a joint's way may be struck: the velocity changes by more than twice what it does in the
+    /// intervals beside.
     /// </summary>
     private void FindJumps(Row[] rows, FloatTolerance rounding)
     {

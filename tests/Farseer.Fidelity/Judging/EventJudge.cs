@@ -127,7 +127,10 @@ public static class EventJudge
         return (shift, shift + (radius > 0 ? Updates(Math.Sqrt(2 * radius * depth), leaving * file.Dt) : 0));
     }
 
-    /// <summary>The updates that a pair of geoms may need more or less to cross what is a matter of shape and depth, or an edge of a circle that rolls.</summary>
+    /// <summary>
+    /// The updates that a pair of geoms may need more or less to cross what is a matter of shape and depth, or an edge of a circle that
+    /// rolls.
+    /// </summary>
     internal static int Crossing(SceneFile file, int iterations, string first, string second, int update)
     {
         (List<MadeObject> geoms, double slack) = Slack(file, first, second);

@@ -19,8 +19,12 @@ public static class ExactAnswers
 
     private static double[][]? Outline(SceneFile file, JsonElement vertices)
     {
-        JsonElement points = vertices.ValueKind == JsonValueKind.String ? Json.Optional(Json.Optional(file.Root, "vertices"), vertices.GetString()!) : vertices;
-        return points.ValueKind == JsonValueKind.Array ? [.. points.EnumerateArray().Select(p => new[] { p[0].GetDouble(), p[1].GetDouble() })] : null;
+        JsonElement points = vertices.ValueKind == JsonValueKind.String
+            ? Json.Optional(Json.Optional(file.Root, "vertices"), vertices.GetString()!)
+            : vertices;
+        return points.ValueKind == JsonValueKind.Array
+            ? [.. points.EnumerateArray().Select(p => new[] { p[0].GetDouble(), p[1].GetDouble() })]
+            : null;
     }
 
     /// <summary>
@@ -48,7 +52,8 @@ public static class ExactAnswers
     }
 
     /// <summary>
-    /// Two geoms touch if an edge of one crosses an edge of the other, or one holds the other: a circle with its outline of edges, as queries take
+    /// Two geoms touch if an edge of one crosses an edge of the other, or one holds the other: a circle with its outline of edges, as
+    /// queries take
     /// it. The original looks whether a vertex of one lies in the other, and so misses what lies between two vertices.
     /// </summary>
     private static bool? Touches(SceneFile file, SceneQuery query)
@@ -82,13 +87,14 @@ public static class ExactAnswers
         (double X, double Y)[]? local = geom.Factory switch
         {
             "CreateCircleGeom" or "CreateEllipseGeom" => Round(geom),
-            "CreateRectangleGeom" => Box(Json.Required(geom.Args, "width").GetDouble() / 2, Json.Required(geom.Args, "height").GetDouble() / 2),
+            "CreateRectangleGeom" => Box(geom),
             _ => null,
         };
         MadeObject body = file.Bodies.Single(b => b.Id == geom.Body);
         JsonElement at = Value(body, "position");
         JsonElement offset = Json.Optional(geom.Args, "offset");
-        if (local is null || at.ValueKind != JsonValueKind.Array || (Json.Number(geom.Args, "rotationOffset", 0) != 0 && offset.ValueKind == JsonValueKind.Array))
+        if (local is null || at.ValueKind != JsonValueKind.Array
+            || (Json.Number(geom.Args, "rotationOffset", 0) != 0 && offset.ValueKind == JsonValueKind.Array))
         {
             return null;
         }
@@ -96,10 +102,15 @@ public static class ExactAnswers
         double angle = Value(body, "rotation") is { ValueKind: JsonValueKind.Number } turned ? turned.GetDouble() : 0;
         (double ox, double oy) = offset.ValueKind == JsonValueKind.Array ? (offset[0].GetDouble(), offset[1].GetDouble()) : (0, 0);
         double own = Json.Number(geom.Args, "rotationOffset", 0);
-        return [.. local.Select(p => Turn(p, own)).Select(p => Turn((p.X + ox, p.Y + oy), angle)).Select(p => (p.X + at[0].GetDouble(), p.Y + at[1].GetDouble()))];
+        return [.. local.Select(p => Turn(p, own)).Select(p => Turn((p.X + ox, p.Y + oy), angle))
+            .Select(p => (p.X + at[0].GetDouble(), p.Y + at[1].GetDouble()))];
     }
 
-    private static (double X, double Y)[] Box(double x, double y) => [(-x, -y), (x, -y), (x, y), (-x, y)];
+    private static (double X, double Y)[] Box(MadeObject geom)
+    {
+        (double x, double y) = (Json.Required(geom.Args, "width").GetDouble() / 2, Json.Required(geom.Args, "height").GetDouble() / 2);
+        return [(-x, -y), (x, -y), (x, y), (-x, y)];
+    }
 
     private static (double X, double Y)[] Round(MadeObject geom)
     {

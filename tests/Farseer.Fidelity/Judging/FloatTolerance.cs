@@ -47,9 +47,11 @@ public sealed record FloatTolerance(double Position, double Rotation, double Lin
         .Select(b => Math.Max(Math.Abs(b[1].X - b[0].X), Math.Abs(b[1].Y - b[0].Y)) / file.Dt);
 
     /// <summary>
-    /// What joints make of the rounding of places: they turn a share of it into speed in each step, and a velocity below half an ulp of a place in
+    /// What joints make of the rounding of places: they turn a share of it into speed in each step, and a velocity below half an ulp
+    /// of a place in
     /// a step moves nothing. It is due to a body that the refined run holds still, every place and angle the same to the last bit, by that
-    /// run's steps; one that moves there has none of it. Where there is no refined run it is due to what is joined, by the recording's steps.
+    /// run's steps; one that moves there has none of it. Where there is no refined run it is due to what is joined, by the recording's
+    /// steps.
     /// </summary>
     public static Difference OfStanding(SceneFile file, Row[] rows)
     {

@@ -16,7 +16,8 @@ namespace Farseer.Fidelity.Judging;
 /// </summary>
 public static class ObservationJudge
 {
-    public static IEnumerable<Check> Judge(SceneFile file, int iterations, Recording ours, IReadOnlyDictionary<string, Row[]>? motion = null)
+    public static IEnumerable<Check> Judge(
+        SceneFile file, int iterations, Recording ours, IReadOnlyDictionary<string, Row[]>? motion = null)
     {
         foreach ((string expression, JsonElement[] expected) in file.Recordings[iterations].Observed)
         {
@@ -54,7 +55,8 @@ public static class ObservationJudge
     private static string[] Pairs(JsonElement value) => value.EnumerateArray().Select(p => p.GetString()!.Split(':')[0]).ToArray();
 
     /// <summary>
-    /// Each pair must be had or not as in a sample near by: the next, or one within the updates in which it crosses what its circles' edges and
+    /// Each pair must be had or not as in a sample near by: the next, or one within the updates in which it crosses what its circles'
+    /// edges and
     /// the depth of rest leave open. A circle that rolls leaves the floor from edge to edge in the original; where it moves so unlike
     /// a circle that the equations of motion are followed, its pairs are not compared.
     /// </summary>
@@ -73,11 +75,13 @@ public static class ObservationJudge
             {
                 int step = file.SampleSteps[k];
                 int shift = EventJudge.Crossing(file, iterations, geoms[0], geoms[1], step);
-                bool near = Enumerable.Range(0, expected.Length).Where(j => Math.Abs(j - k) <= 1 || Math.Abs(file.SampleSteps[j] - step) <= shift)
+                bool near = Enumerable.Range(0, expected.Length).Where(j => Math.Abs(j - k) <= 1
+                    || Math.Abs(file.SampleSteps[j] - step) <= shift)
                     .Any(j => expected[j].Contains(pair) == got[k].Contains(pair));
                 if (!near)
                 {
-                    return Check.Of(Name, $"after {step} [{string.Join(", ", got[k])}], in the original [{string.Join(", ", expected[k])}]");
+                    string pairs = string.Join(", ", expected[k]);
+                    return Check.Of(Name, $"after {step} [{string.Join(", ", got[k])}], in the original [{pairs}]");
                 }
             }
         }
@@ -85,7 +89,9 @@ public static class ObservationJudge
         return Check.Of(Name, null);
     }
 
-    /// <summary>Milliseconds since something: what it was may be two updates earlier or later, and the sample beside it may be nearer.</summary>
+    /// <summary>
+    /// Milliseconds since something: what it was may be two updates earlier or later, and the sample beside it may be nearer.
+    /// </summary>
     private static Check Timed(string what, JsonElement[] expected, JsonElement[] got, SceneFile file)
     {
         const double Milliseconds = 1000;

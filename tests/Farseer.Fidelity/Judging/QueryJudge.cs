@@ -32,7 +32,9 @@ public static class QueryJudge
         for (int i = 0; i < expected.Count; i++)
         {
             SceneQuery query = file.Queries[i];
-            JsonElement answer = (exactly ? ExactAnswers.Of(file, query) : null) is { } truth ? JsonSerializer.SerializeToElement(truth) : expected[i];
+            JsonElement answer = (exactly ? ExactAnswers.Of(file, query) : null) is { } truth
+                ? JsonSerializer.SerializeToElement(truth)
+                : expected[i];
             double magnitude = query.Args.Append(Points(file, query)).Select(ValueComparer.Magnitude).Append(ValueComparer.Magnitude(answer)).Max();
 
             // What is asked after some steps is asked of bodies that may be off by the limits of the trajectory.

@@ -21,7 +21,8 @@ public static class RowJudge
 
     private static readonly string[] Names = ["position", "rotation", "linearVelocity", "angularVelocity"];
 
-    public static IEnumerable<Check> Judge(SceneFile file, int iterations, Recording ours, IReadOnlyDictionary<string, Row[]>? motion = null)
+    public static IEnumerable<Check> Judge(
+        SceneFile file, int iterations, Recording ours, IReadOnlyDictionary<string, Row[]>? motion = null)
     {
         IReadOnlyDictionary<string, Row[]> reference = motion ?? file.Refined?.Rows ?? file.Recordings[iterations].Rows;
         if (reference.Count == 0)
@@ -104,7 +105,8 @@ public static class RowJudge
     }
 
     /// <summary>
-    /// The original's largest error against the equations of motion, over all bodies as where the file gives it: which of them is farthest off
+    /// The original's largest error against the equations of motion, over all bodies as where the file gives it: which of them is
+    /// farthest off
     /// is chance, as two that whirl on springs show. A body that the original leads another way altogether (it passes through what it
     /// should hit) is left out: by more than half of its way, or of its turn where it stays, is no error of a path.
     /// </summary>

@@ -98,7 +98,7 @@ public static class SceneJudge
     }
 
     /// <summary>Whether two runs left anything different behind.</summary>
-    internal static bool Differs(RunResult a, RunResult b)
+    private static bool Differs(RunResult a, RunResult b)
         => a.Recording.Rows.Any(p => !p.Value.SequenceEqual(b.Recording.Rows[p.Key]))
             || a.Recording.Observed.Any(p => !p.Value.Zip(b.Recording.Observed[p.Key], JsonElement.DeepEquals).All(same => same))
             || !a.Recording.QueryResults.Zip(b.Recording.QueryResults, JsonElement.DeepEquals).All(same => same)

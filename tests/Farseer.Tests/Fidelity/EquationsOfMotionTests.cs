@@ -59,7 +59,8 @@ public sealed class EquationsOfMotionTests
     }
 
     /// <summary>
-    /// A cylinder that rolls down a slope s from rest, on an arm a: v = (m g sin s / c)(1 - e^(-c t / (m + I / a^2))). It starts 0.2 deep in the
+    /// A cylinder that rolls down a slope s from rest, on an arm a: v = (m g sin s / c)(1 - e^(-c t / (m + I / a^2))). It starts 0.2
+    /// deep in the
     /// slope and stays so; the point it rolls on is in the middle of that.
     /// </summary>
     [Fact]

@@ -2,9 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using Farseer.Fidelity.Building;
 using Farseer.Fidelity.Judging;
-using Farseer.Fidelity.Running;
 using Farseer.Fidelity.Scenes;
 using Farseer.Tests.Shared;
 using Xunit;
@@ -44,15 +42,5 @@ public sealed class SceneTests
         {
             Directory.Delete(folder, recursive: true);
         }
-    }
-
-    /// <summary>A flag that changes none of the recorded scenes would not be known to bring back what the original did.</summary>
-    [Fact]
-    public void Flags_OfTheOriginal_EachChangeARecordedScene()
-    {
-        IEnumerable<object> idle = Quirks.Flags.Where(flag => !ReferenceData.Scenes.Any(scene =>
-            SceneJudge.Differs(SceneRunner.Run(scene, scene.Iterations[0], Quirks.All), SceneRunner.Run(scene, scene.Iterations[0], Quirks.Without(flag)))));
-
-        Assert.Empty(idle);
     }
 }

@@ -91,7 +91,8 @@ public class AngleSpring : Spring
     }
 
     /// <summary>
-    /// Angle without force, radians; finite. More than a turn is allowed, but for <see cref="Farseer201Quirks.AngleSpringTargetLimited"/>. Default that
+    /// Angle without force, radians; finite. More than a turn is allowed, but for
+    /// <see cref="Farseer201Quirks.AngleSpringTargetLimited"/>. Default that
     /// when it was made, or 0.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
@@ -99,7 +100,8 @@ public class AngleSpring : Spring
     {
         get
         {
-            bool isLimited = _isTargetSet && _body2?.Simulator is { } simulator && (simulator.Quirks & Farseer201Quirks.AngleSpringTargetLimited) != 0;
+            bool isLimited = _isTargetSet && _body2?.Simulator is { } simulator
+                && (simulator.Quirks & Farseer201Quirks.AngleSpringTargetLimited) != 0;
             return isLimited ? Math.Min(Math.Max(_targetAngle, -LargestTarget), LargestTarget) : _targetAngle;
         }
 
