@@ -168,7 +168,7 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
-    /// <summary>What a correction that is taken back gave through the joints was never given; of a projection as much as acts on speeds, and nothing of it is to start from.</summary>
+    /// <summary>What a correction that is taken back gave through the joints was never given; nor is a projection that does not act on speeds as a whole.</summary>
     private void RestoreImpulses(bool projected)
     {
         for (int at = 0; at < _jointCount; at++)
@@ -177,15 +177,10 @@ internal sealed unsafe partial class JointSolver
             JointTree* tree = _forest.Trees + TreeOf(joint->Ends);
             if (projected && tree->Astray)
             {
-                double share = tree->Levelled ? 0 : tree->Impelled;
-                if (share < 1)
+                if (tree->Levelled || tree->Impelled < 1)
                 {
                     Copy(joint->PlainLambda, joint->Lambda, JointRows.Most);
-                }
-
-                for (int k = 0; k < 3; k++)
-                {
-                    joint->Given[k] = joint->PlainGiven[k] + (share * (joint->Given[k] - joint->PlainGiven[k]));
+                    Copy(joint->PlainGiven, joint->Given, 3);
                 }
             }
             else if (!projected && (IsUndone(joint->Ends.NodeA) || IsUndone(joint->Ends.NodeB)))
