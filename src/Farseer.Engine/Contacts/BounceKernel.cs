@@ -28,7 +28,10 @@ internal static unsafe class BounceKernel
     /// </summary>
     private const float Parallel = 1e-4f;
 
-    /// <summary>Share of the speeds of two bodies by which their approach may be wrong: a few units in the last place of a float.</summary>
+    /// <summary>
+    /// Share of the speeds of two bodies by which their approach may be wrong, and of a substep by which a moment may be: a few units in
+    /// the last place of a float.
+    /// </summary>
     private const float Rounding = 1e-6f;
 
     /// <summary>The least restitution of bounces that are not weak.</summary>
@@ -374,6 +377,14 @@ internal static unsafe class BounceKernel
     /// 0 and the substep, and found by Newton's steps that are halvings where they would leave what is left of it. A lane whose time is found keeps it,
     /// whatever the others still do.
     /// </summary>
+    /// <param name="moments">The bodies.</param>
+    /// <param name="open">Lanes in which the surfaces met; the others have no time.</param>
+    /// <param name="level">The gap at which they meet.</param>
+    /// <param name="gap">The gap at the end of the substep.</param>
+    /// <param name="v">The speed at which it grows there.</param>
+    /// <param name="second">Of the second point.</param>
+    /// <param name="substep">Its length.</param>
+    /// <param name="speed">The speed at which the gap grows at that moment.</param>
     [MethodImpl(KernelMethod.Optimized)]
     private static Wide Moment(in Moments moments, WideMask open, Wide level, Wide gap, Wide v, bool second, float substep, out Wide speed)
     {

@@ -8,13 +8,15 @@ namespace Farseer.Engine.Joints;
 internal sealed unsafe partial class JointSolver
 {
     /// <summary>
-    /// Rounds of a projection: first with the bodies' own masses, then with equal ones. A light chain that a heavy load has run beyond its length bends to and fro about its straight pose by its
-    /// own masses, until its bends are less than √(m/M), since all others are easier than to move the load; by equal ones the load comes back at once, by the little that it ran too far.
-    /// Chains of 2 to 100 links at 1:10⁴ are whole after 60.
+    /// Rounds of a projection: first with the bodies' own masses, then with equal ones. A light chain that a heavy load has run beyond
+    /// its length bends to and fro about its straight pose by its own masses, until its bends are less than √(m/M), since all others are
+    /// easier than to move the load; by equal ones the load comes back at once, by the little that it ran too far. Chains of 2 to 100
+    /// links at 1:10⁴ are whole after 80.
     /// </summary>
     private const int Projections = 80;
     private const int TrueProjections = 12;
 
+    /// <summary>Ratio of the heaviest mass of a tree to its lightest from which on equal ones make another problem of it.</summary>
     private const double Uneven = 4;
 
     /// <summary>The widest turn of a body in a round, rad.</summary>
@@ -93,9 +95,10 @@ internal sealed unsafe partial class JointSolver
     private double ProjectedSpeed(TreeNode* node, int k) => (node->Move[k] - node->StartMove[k]) / _step.Substep;
 
     /// <summary>
-    /// Which share of the displacements' impulses acts on speeds too: all of it, if the speeds of the way to the projected place have no more energy than the body had. A chain that is as long
-    /// as its gap can close an error along itself only by a far larger bend: as a speed that bend would throw off what lies on it. Then they act as far as they take energy: it is
-    /// least at a share -v·Md/d·Md of the change d. They come in pairs, whatever the share, and the relax pass brings the rest into line with the joints.
+    /// Which share of the displacements' impulses acts on speeds too: all of it, if the speeds of the way to the projected place have no
+    /// more energy than the tree had. A chain that is as long as its gap can close an error along itself only by a far larger bend: as a
+    /// speed that bend would throw off what lies on it. Then they act as far as they take energy: it is least at a share -v·Md/d·Md of
+    /// the change d. They come in pairs, whatever the share, and the relax pass brings the rest into line with the joints.
     /// </summary>
     private double ImpelledShare(JointTree* tree)
     {
@@ -168,22 +171,21 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
-    /// <summary>What a correction that is taken back gave through the joints was never given; nor is a projection that does not act on speeds as a whole.</summary>
+    /// <summary>
+    /// What a correction that is taken back gave through the joints was never given; nor is a projection that does not act on speeds as a
+    /// whole.
+    /// </summary>
+    /// <param name="projected">Of projections; else of corrections.</param>
     private void RestoreImpulses(bool projected)
     {
         for (int at = 0; at < _jointCount; at++)
         {
             ActiveJoint* joint = _active.Pointer + _joints[at];
             JointTree* tree = _forest.Trees + TreeOf(joint->Ends);
-            if (projected && tree->Astray)
-            {
-                if (tree->Levelled || tree->Impelled < 1)
-                {
-                    Copy(joint->PlainLambda, joint->Lambda, JointRows.Most);
-                    Copy(joint->PlainGiven, joint->Given, 3);
-                }
-            }
-            else if (!projected && (IsUndone(joint->Ends.NodeA) || IsUndone(joint->Ends.NodeB)))
+            bool goesBack = projected
+                ? tree->Astray && (tree->Levelled || tree->Impelled < 1)
+                : IsUndone(joint->Ends.NodeA) || IsUndone(joint->Ends.NodeB);
+            if (goesBack)
             {
                 Copy(joint->PlainLambda, joint->Lambda, JointRows.Most);
                 Copy(joint->PlainGiven, joint->Given, 3);
@@ -194,8 +196,8 @@ internal sealed unsafe partial class JointSolver
     private bool IsUndone(int node) => node >= 0 && _forest.Trees[_forest.Nodes[node].Tree].Undone;
 
     /// <summary>
-    /// Displaces a tree by its present velocities, and by a share of them if they would turn a body further than the joints' directions are good for: all of it by the same share, so that
-    /// its centre of mass stays.
+    /// Displaces a tree by its present velocities, and by a share of them if they would turn a body further than the joints' directions
+    /// are good for: all of it by the same share, so that its centre of mass stays.
     /// </summary>
     private void MoveOn(JointTree* tree)
     {
@@ -225,23 +227,22 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
-    /// <summary>Its masses differ so much that equal ones make another problem of it.</summary>
+    /// <summary>See <see cref="Uneven"/>.</summary>
     private bool IsUneven(JointTree* tree)
     {
-        double lightest = 0;
-        double heaviest = double.MaxValue;
+        double lightest = LightestOf(tree);
+        bool uneven = false;
         for (int i = tree->First; i < tree->End; i++)
         {
             double inverse = _forest.Nodes[i].InverseMass;
-            lightest = Math.Max(lightest, inverse);
-            heaviest = inverse > 0 ? Math.Min(heaviest, inverse) : heaviest;
+            uneven |= inverse > 0 && lightest > Uneven * inverse;
         }
 
-        return lightest > Uneven * heaviest;
+        return uneven;
     }
 
-    /// <summary>Gives all bodies of a tree the mass of its lightest one; radii of gyration stay.</summary>
-    private void Level(JointTree* tree)
+    /// <summary>The inverse mass of the lightest body of a tree.</summary>
+    private double LightestOf(JointTree* tree)
     {
         double lightest = 0;
         for (int i = tree->First; i < tree->End; i++)
@@ -249,6 +250,13 @@ internal sealed unsafe partial class JointSolver
             lightest = Math.Max(lightest, _forest.Nodes[i].InverseMass);
         }
 
+        return lightest;
+    }
+
+    /// <summary>Gives all bodies of a tree the mass of its lightest one; radii of gyration stay.</summary>
+    private void Level(JointTree* tree)
+    {
+        double lightest = LightestOf(tree);
         for (int i = tree->First; i < tree->End; i++)
         {
             TreeNode* node = _forest.Nodes + i;
@@ -260,23 +268,35 @@ internal sealed unsafe partial class JointSolver
         }
     }
 
-    /// <summary>Gives the bodies of a tree their own masses again. Where nothing holds it, equal masses have kept another centre than its own.</summary>
+    /// <summary>
+    /// Gives the bodies of a tree their own masses again. Where nothing holds it, displacements by equal masses have kept another centre
+    /// than its own.
+    /// </summary>
     private void Unlevel(JointTree* tree)
     {
+        for (int i = tree->First; i < tree->End; i++)
+        {
+            LoadMass(_forest.Nodes + i);
+        }
+
+        if (!IsFree(tree))
+        {
+            return;
+        }
+
         double mass = 0;
         double x = 0;
         double y = 0;
         for (int i = tree->First; i < tree->End; i++)
         {
             TreeNode* node = _forest.Nodes + i;
-            LoadMass(node);
-            double own = node->InverseMass > 0 ? 1 / node->InverseMass : 0;
+            double own = 1 / node->InverseMass;
             mass += own;
             x += own * node->Velocity[0];
             y += own * node->Velocity[1];
         }
 
-        for (int i = tree->First; i < tree->End && IsFree(tree); i++)
+        for (int i = tree->First; i < tree->End; i++)
         {
             _forest.Nodes[i].Velocity[0] -= x / mass;
             _forest.Nodes[i].Velocity[1] -= y / mass;
@@ -295,7 +315,10 @@ internal sealed unsafe partial class JointSolver
         return free;
     }
 
-    /// <summary>Turns a tree that nothing holds as a whole, so that it spins about its centre as it did: displacements by other masses than its own have kept that of another body.</summary>
+    /// <summary>
+    /// Turns a tree that nothing holds as a whole, so that it spins about its centre as it did: displacements by other masses than its
+    /// own have kept the momentum of those.
+    /// </summary>
     private void KeepAngularMomentum(JointTree* tree)
     {
         double mass = 0;

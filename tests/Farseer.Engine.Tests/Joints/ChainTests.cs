@@ -15,8 +15,8 @@ public partial class ChainTests
     private const float Dt = 1f / 60;
 
     /// <summary>
-    /// Corrections stop at 1e-8 of a link, with one more or less where the two differ by a rounding; and chains of up to eight links whirl. Of a hundred one snaps taut: from there on the last
-    /// digits of its bends decide which way it whips.
+    /// Corrections stop at 1e-8 of a link, with one more or less where the two differ by a rounding; and chains of up to eight links
+    /// whirl. Of a hundred one snaps taut: from there on the last digits of its bends decide which way it whips.
     /// </summary>
     [Fact]
     public void RandomChains_SolvedAsSuchOrAsTrees_MoveAlike()
@@ -42,7 +42,8 @@ public partial class ChainTests
         Assert.InRange(parted, 0, MostSnaps);
     }
 
-    private static bool StandAlike(in BodyPose a, in BodyPose b) => Math.Abs(a.X - b.X) + Math.Abs(a.Y - b.Y) + Math.Abs(a.Angle - b.Angle) <= 1e-6;
+    private static bool StandAlike(in BodyPose a, in BodyPose b) =>
+        Math.Abs(a.X - b.X) + Math.Abs(a.Y - b.Y) + Math.Abs(a.Angle - b.Angle) <= 1e-6;
 
     private static bool PullAlike(in JointState a, in JointState b)
     {

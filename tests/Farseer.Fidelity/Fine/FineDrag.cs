@@ -45,8 +45,7 @@ internal sealed class FineDrag : IFinePull
     public void Pull(double step)
     {
         (double px, double py) = _body.ToWorld(_local);
-        double vx = _body.VelocityX - (_body.Spin * (py - _body.Y));
-        double vy = _body.VelocityY + (_body.Spin * (px - _body.X));
+        (double vx, double vy) = _body.VelocityAt(px, py);
         double fx = -(_stiffness * (px - _x)) - (_damping * vx);
         double fy = -(_stiffness * (py - _y)) - (_damping * vy);
         double length = Math.Sqrt((fx * fx) + (fy * fy));

@@ -22,8 +22,9 @@ internal sealed class FineHinge
     {
         (double px, double py) = _body.ToWorld(_local);
         (double rx, double ry) = (px - _body.X, py - _body.Y);
-        double vx = _body.VelocityX - (_body.Spin * ry) + ((px - _x) / step);
-        double vy = _body.VelocityY + (_body.Spin * rx) + ((py - _y) / step);
+        (double vx, double vy) = _body.VelocityAt(px, py);
+        vx += (px - _x) / step;
+        vy += (py - _y) / step;
         double i = _body.InverseInertia;
         double k11 = _body.InverseMass + (i * ry * ry);
         double k12 = -i * rx * ry;
