@@ -6,7 +6,7 @@ namespace Farseer.Engine.Joints;
 /// <summary>How the hard rows of a joint are solved.</summary>
 internal enum JointRole : byte
 {
-    /// <summary>As a block, by iteration: the joint closes a loop or has no hard rows.</summary>
+    /// <summary>As a block, by iteration: the joint ties different trees together, or has no hard rows.</summary>
     Iterated,
 
     /// <summary>Between two bodies of a tree, eliminated.</summary>
@@ -14,6 +14,9 @@ internal enum JointRole : byte
 
     /// <summary>Between a body of a tree and something that cannot move, eliminated.</summary>
     Anchor,
+
+    /// <summary>Between two bodies of a tree that its edges tie already: solved with the tree.</summary>
+    Loop,
 }
 
 /// <summary>A joint that acts in this step, with what its iterated rows need.</summary>
@@ -23,6 +26,9 @@ internal unsafe struct ActiveJoint
     public int Joint;
     public RowEnds Ends;
     public JointRole Role;
+
+    /// <summary>The first of the joints that close the loops of its tree.</summary>
+    public bool LeadsLoops;
 
     public JointKind Kind;
     public JointFlags Flags;

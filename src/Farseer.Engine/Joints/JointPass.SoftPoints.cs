@@ -39,8 +39,13 @@ internal sealed unsafe partial class JointPass
     /// In the position correction: a soft point goes with its bodies no further than it gives way to the impulse. What a limit or a contact
     /// turned a light body by swung its far anchor by decimetres in each substep, and the speed of that was for the pivot to stop.
     /// </summary>
-    private void HoldPoint(ActiveJoint* joint, JointRows* r)
+    public void HoldPoint(ActiveJoint* joint, JointRows* r)
     {
+        if (!r->SoftPoint)
+        {
+            return;
+        }
+
         RowEnds.Visit(_view, &joint->Ends);
         if (AnswerPoint(joint, r, RowSpeed(joint, r, 0), RowSpeed(joint, r, 1), out double change0, out double change1))
         {

@@ -73,11 +73,6 @@ internal sealed unsafe partial class JointPass
     /// </summary>
     public void WarmStart(ActiveJoint* joint, JointRows* r)
     {
-        if (joint->Role == JointRole.Iterated && r->Hard > 0 && joint->Ends.Coupled)
-        {
-            ForgetDead(joint, r);
-        }
-
         bool displaced = IsDisplaced(joint->Ends.NodeA) || IsDisplaced(joint->Ends.NodeB);
         double early = Early(joint);
         for (int k = joint->Role == JointRole.Iterated ? 0 : r->Hard; k < r->Count; k++)
@@ -181,12 +176,6 @@ internal sealed unsafe partial class JointPass
             {
                 k[(p * n) + q] = Coupling(joint, r, p, q);
             }
-        }
-
-        if (joint->Ends.Coupled)
-        {
-            InvertWithin(joint, r, k, n);
-            return;
         }
 
         for (int p = 0; p < n; p++)
@@ -363,16 +352,20 @@ internal sealed unsafe partial class JointPass
         return -(v + (LimitRecovery * over / h) + (r->Damping[k] * joint->Lambda[k])) / (response + r->Damping[k]);
     }
 
+    private static double Bias(JointRows* r, int k, in JointStep step)
+    {
+        double fastest = NetHurry * r->SizeOf(k) / step.Dt;
+        return Math.Max(-fastest, Math.Min(fastest, r->Error[k] * NetBias / step.Substep));
+    }
+
     private void SolveBlock(ActiveJoint* joint, JointRows* r, in JointStep step, bool biased)
     {
         double* residual = stackalloc double[3];
         int n = r->Hard;
-        bool coupled = joint->Ends.Coupled;
-        bool soft = !coupled && biased;
         for (int k = 0; k < n; k++)
         {
             bool servo = r->Type[k] == (byte)RowType.Servo;
-            double bias = servo ? -r->Speed[k] : biased ? Bias(joint, r, k, step) : 0;
+            double bias = servo ? -r->Speed[k] : biased ? Bias(r, k, step) : 0;
             residual[k] = RowSpeed(joint, r, k) + bias;
         }
 
@@ -384,7 +377,7 @@ internal sealed unsafe partial class JointPass
                 impulse -= joint->Block[(k * n) + q] * residual[q];
             }
 
-            if (soft && r->Type[k] != (byte)RowType.Servo)
+            if (biased && r->Type[k] != (byte)RowType.Servo)
             {
                 impulse = ((impulse * NetProduct) - joint->Lambda[k]) / (1 + NetProduct);
             }

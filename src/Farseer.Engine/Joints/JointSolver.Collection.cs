@@ -279,9 +279,10 @@ internal sealed unsafe partial class JointSolver
         }
 
         _forest.Build(_active.Pointer, _count, _step.Bodies.Mass.Pointer, _step.Moves, _nets.Search, _step.Bodies.Ids.End);
+        _loops.Build(_forest, _active.Pointer, _count);
         for (int i = 0; i < _count; i++)
         {
-            _active[i].BlockLimits = _active[i].Limited && _active[i].Role != JointRole.Iterated && HasRoom(i);
+            _active[i].BlockLimits = _active[i].Limited && IsEliminated(_active.Pointer + i) && HasRoom(i);
         }
 
         CountSprings();
@@ -291,6 +292,8 @@ internal sealed unsafe partial class JointSolver
         _loose.Begin(_forest, _active.Pointer, _rows.Pointer, _step);
         _loose.Reserve(_count);
     }
+
+    private static bool IsEliminated(ActiveJoint* joint) => joint->Role == JointRole.Edge || joint->Role == JointRole.Anchor;
 
     private void CountSprings()
     {

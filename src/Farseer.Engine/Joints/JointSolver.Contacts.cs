@@ -264,6 +264,16 @@ internal sealed unsafe partial class JointSolver
             Press(_contacts[i].Ends.NodeB);
         }
 
+        // By itself a tree meets its loops; what else pushes at it opens them.
+        for (int at = 0; at < _jointCount; at++)
+        {
+            int i = _joints[at];
+            if (_active[i].LeadsLoops && _forest.Trees[TreeOf(_active[i].Ends)].HasRows && !Iterates(_active.Pointer + i, _rows.Pointer + i))
+            {
+                Enlist(_active[i].Ends, i, (uint)i);
+            }
+        }
+
         for (int at = 0; at < _treeCount; at++)
         {
             _forest.Trees[_trees[at]].Group = GroupOf(_trees[at]);

@@ -92,7 +92,11 @@ internal sealed unsafe partial class JointSolver
             if (tree->Disturbed)
             {
                 SetTargets(tree, TargetKind.Pull);
-                TreeSolve.Run(_forest, tree);
+                _loops.Solve(tree);
+            }
+            else
+            {
+                _loops.ClearTargets(tree);
             }
         }
 
@@ -128,6 +132,11 @@ internal sealed unsafe partial class JointSolver
     {
         _pushRate = rate / _step.Substep;
         PutVelocitiesAside();
+        for (int at = 0; at < _treeCount; at++)
+        {
+            _loops.ClearTargets(_forest.Trees + _trees[at]);
+        }
+
         Sweep(Pass.PushOut, PushOutSweeps);
 
         MoveAndForget();

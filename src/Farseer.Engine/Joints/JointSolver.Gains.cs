@@ -154,7 +154,7 @@ internal sealed unsafe partial class JointSolver
             if (GroupOf(tree)->GroupActs && tree->HasLimits && tree->Eliminates)
             {
                 LetGoOfLimits(tree);
-                TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+                Factor(tree);
                 tree->Refactored = true;
             }
         }

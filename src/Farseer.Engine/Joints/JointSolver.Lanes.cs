@@ -114,8 +114,9 @@ internal sealed unsafe partial class JointSolver
     {
         for (int at = 0; at < _treeCount; at++)
         {
-            _forest.Trees[_trees[at]].Tied = false;
-            _forest.Trees[_trees[at]].Touched = false;
+            JointTree* tree = _forest.Trees + _trees[at];
+            tree->Tied = tree->LoopRows > 0;
+            tree->Touched = false;
         }
 
         for (int i = 0; i < _agendaCount; i++)
@@ -125,7 +126,7 @@ internal sealed unsafe partial class JointSolver
             {
                 _forest.Trees[TreeOf(_contacts[~item].Ends)].Touched = true;
             }
-            else if (item < 0 || _active[item].Role == JointRole.Iterated)
+            else if (item < 0 || !IsEliminated(_active.Pointer + item))
             {
                 ref RowEnds ends = ref EndsOf(item);
                 Tie(ends.NodeA);
@@ -212,7 +213,7 @@ internal sealed unsafe partial class JointSolver
                 Rewrite(_joints[at]);
             }
 
-            TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+            Factor(tree);
             if (tree->HasRows)
             {
                 TreeFactor.CompleteMasses(_forest, tree);

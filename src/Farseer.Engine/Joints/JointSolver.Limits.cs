@@ -99,9 +99,9 @@ internal sealed unsafe partial class JointSolver
         if (!tree->HasLimits)
         {
             SetTargets(tree, kind);
-            TreeSolve.Run(_forest, tree);
+            _loops.Solve(tree);
             TreeReactions.OfSolve(_forest, tree);
-            TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
+            Give(tree);
             return;
         }
 
@@ -109,7 +109,7 @@ internal sealed unsafe partial class JointSolver
         for (int round = 0; ; round++)
         {
             SetTargets(tree, kind);
-            TreeSolve.Run(_forest, tree);
+            _loops.Solve(tree);
             TreeReactions.OfSolve(_forest, tree);
             if (round == LimitRounds - 1 || !ReviseLimits(tree, kind, round < ReleaseRounds))
             {
@@ -117,12 +117,12 @@ internal sealed unsafe partial class JointSolver
             }
 
             Restore(tree);
-            TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+            Factor(tree);
             tree->Refactored = true;
         }
 
         ForgetLetGo(tree);
-        TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
+        Give(tree);
     }
 
     /// <summary>The masses of trees whose limits changed, and the responses of their rows; their groups are marked.</summary>

@@ -196,9 +196,10 @@ internal sealed unsafe partial class JointSolver
             return false;
         }
 
-        TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+        Factor(tree);
         Clear(tree);
-        TreeSolve.Run(_forest, tree);
+        SetTargets(tree, TargetKind.Projection);
+        _loops.Solve(tree);
         MoveOn(tree);
         return true;
     }
@@ -324,6 +325,6 @@ internal sealed unsafe partial class JointSolver
 
         range.Known = true;
         joint->Overrun = false;
-        joint->BlockLimits = joint->Role != JointRole.Iterated && HasRoom(index);
+        joint->BlockLimits = IsEliminated(joint) && HasRoom(index);
     }
 }

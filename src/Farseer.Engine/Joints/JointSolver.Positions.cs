@@ -289,9 +289,9 @@ internal sealed unsafe partial class JointSolver
             if (tree->Corrects && tree->Eliminates)
             {
                 // Its targets were written with its largest error.
-                TreeSolve.Run(_forest, tree);
+                _loops.Solve(tree);
                 TreeReactions.OfSolve(_forest, tree);
-                TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
+                Give(tree);
                 anyRows |= tree->HasRows;
             }
         }

@@ -398,10 +398,10 @@ internal sealed unsafe partial class JointSolver
 
             for (int attempt = 0; attempt < LimitRounds; attempt++)
             {
-                TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+                Factor(tree);
                 Clear(tree);
                 SetTargets(tree, TargetKind.Projection);
-                TreeSolve.Run(_forest, tree);
+                _loops.Solve(tree);
                 if (!tree->HasLimits || !ReviseLimits(tree, TargetKind.Projection, false))
                 {
                     break;
@@ -409,7 +409,7 @@ internal sealed unsafe partial class JointSolver
             }
 
             TreeReactions.OfSolve(_forest, tree);
-            TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
+            Give(tree);
             if (tree->Levelled)
             {
                 Unlevel(tree);

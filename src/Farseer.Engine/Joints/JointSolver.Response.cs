@@ -74,7 +74,8 @@ internal sealed unsafe partial class JointSolver
             Clear(_forest.Anchors[i].Target);
         }
 
-        TreeSolve.Run(_forest, tree);
+        _loops.ClearTargets(tree);
+        _loops.Solve(tree);
         for (int i = tree->First; i < tree->End; i++)
         {
             Copy(_forest.Nodes[i].Velocity, changes + (3 * (i - tree->First)), 3);

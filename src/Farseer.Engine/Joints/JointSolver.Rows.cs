@@ -249,6 +249,15 @@ internal sealed unsafe partial class JointSolver
             }
         }
 
+        for (int i = tree->LoopFirst; i < tree->LoopEnd; i++)
+        {
+            int joint = _loops.JointAt(i);
+            for (int r = 0; r < _active[joint].BuiltHard; r++)
+            {
+                _loops.TargetOf(i)[r] = Target(_active.Pointer + joint, _rows.Pointer + joint, r, kind, tree);
+            }
+        }
+
         for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
         {
             TreeAnchor* anchor = _forest.Anchors + i;

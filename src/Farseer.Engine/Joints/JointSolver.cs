@@ -60,6 +60,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     private readonly Column<JointRows> _rows = new Column<JointRows>();
     private readonly JointPass _pass = new JointPass();
     private readonly TreeContactPass _contactPass = new TreeContactPass();
+    private readonly TreeLoops _loops = new TreeLoops();
     private readonly JointKinds _kinds = new JointKinds();
     private readonly NetSolver _nets;
     private JointStep _step;
@@ -108,6 +109,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         AdmitTouched();
         int own = _nodeCount;
         Collate();
+        _loops.Enter(_forest, _active.Pointer, _rows.Pointer);
         _pass.Enter(_forest.View, _step.Bodies.State.Pointer);
         _contactPass.Enter(_forest.View, _step.Bodies, coefficients, _fineness);
         for (int at = 0; at < _jointCount; at++)
@@ -377,6 +379,11 @@ internal sealed unsafe partial class JointSolver : IStageWork
             }
             else
             {
+                if (_active[item].LeadsLoops)
+                {
+                    _loops.Sweep(_forest.Trees + TreeOf(_active[item].Ends));
+                }
+
                 Solve(_active.Pointer + item, _rows.Pointer + item, pass);
             }
         }
@@ -438,7 +445,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
                 _pass.Solve(joint, rows, _step, pass == Pass.Biased);
                 break;
             case Pass.Correction:
-                _pass.Correct(joint, rows, _step.Substep);
+                _pass.HoldPoint(joint, rows);
                 break;
             case Pass.Pull:
                 _pass.Pull(joint, rows, _step);
@@ -452,7 +459,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
         {
             int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
-            TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+            Factor(tree);
             if (tree->HasRows)
             {
                 TreeFactor.CompleteMasses(_forest, tree);
@@ -462,6 +469,20 @@ internal sealed unsafe partial class JointSolver : IStageWork
         }
 
         PrepareFrom(0);
+    }
+
+    /// <summary>The elimination of a tree and, with it, its loops.</summary>
+    private void Factor(JointTree* tree)
+    {
+        TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+        _loops.Factor(tree);
+    }
+
+    /// <summary>Adds what a solution gave to the joints of a tree.</summary>
+    private void Give(JointTree* tree)
+    {
+        TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
+        _loops.Give(tree);
     }
 
     private void Prepare(int item)

@@ -85,6 +85,8 @@ internal sealed unsafe partial class JointForest
         for (int i = 0; i < count; i++)
         {
             SetNodes(ref active[i].Ends, moves);
+            bool closes = active[i].Role == JointRole.Iterated && active[i].Ends.Coupled && active[i].BuiltHard > 0;
+            active[i].Role = closes ? JointRole.Loop : active[i].Role;
         }
 
         _ownNodes = Count;

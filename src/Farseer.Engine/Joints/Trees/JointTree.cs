@@ -13,6 +13,13 @@ internal struct JointTree
     public int AnchorFirst;
     public int AnchorEnd;
 
+    /// <summary>The joints that close loops in it; their rows, and where the inverse of these rows' responses stands.</summary>
+    public int LoopFirst;
+    public int LoopEnd;
+    public int LoopRow;
+    public int LoopRows;
+    public int LoopSquare;
+
     /// <summary>A body without joints that touches a tree: it takes part so that rows between the two have one form.</summary>
     public bool Guest;
 
