@@ -268,7 +268,14 @@ internal sealed unsafe partial class JointSolver
         for (int at = 0; at < _jointCount; at++)
         {
             int i = _joints[at];
-            if (_active[i].LeadsLoops && _forest.Trees[TreeOf(_active[i].Ends)].HasRows && !Iterates(_active.Pointer + i, _rows.Pointer + i))
+            if (_active[i].Role != JointRole.Loop || !_forest.Trees[TreeOf(_active[i].Ends)].HasRows)
+            {
+                continue;
+            }
+
+            Load(_active[i].Ends.NodeA);
+            Load(_active[i].Ends.NodeB);
+            if (_active[i].LeadsLoops && !Iterates(_active.Pointer + i, _rows.Pointer + i))
             {
                 Enlist(_active[i].Ends, i, (uint)i);
             }
