@@ -11,7 +11,6 @@ internal sealed unsafe partial class JointSolver
 {
     private const int PullSweeps = 4;
     private const int PushOutSweeps = 4;
-    private const int Halvings = 6;
 
     private double _pushRate;
 
@@ -121,109 +120,10 @@ internal sealed unsafe partial class JointSolver
             BoundTurns();
         }
 
-        PullAsFarAsItHelps();
         MoveAndForget();
         if (_overruns > 0)
         {
             CloseDisplaced();
-        }
-    }
-
-    /// <summary>
-    /// A displacement is good for as far as it makes the errors less. Joints that contradict each other make one that is far longer than their
-    /// errors, at whose end they are worse: their group goes half of the way then, or a half of that, or stays.
-    /// </summary>
-    private void PullAsFarAsItHelps()
-    {
-        for (int at = 0; at < _treeCount; at++)
-        {
-            JointTree* tree = _forest.Trees + _trees[at];
-            tree->Pull = 1;
-            tree->ErrorBefore = 0;
-            for (int i = tree->First; i < tree->End; i++)
-            {
-                Copy(_forest.Nodes[i].Move, _forest.Nodes[i].PlainMove, 3);
-            }
-        }
-
-        AddErrors(true);
-        for (int attempt = 0; attempt <= Halvings; attempt++)
-        {
-            for (int at = 0; at < _nodeCount; at++)
-            {
-                TreeNode* node = _forest.Nodes + _nodes[at];
-                JointTree* tree = _forest.Trees + node->Tree;
-                if (Yields(tree) && GroupOf(tree)->Pull > 0)
-                {
-                    Displace(node, GroupOf(tree)->Pull);
-                }
-            }
-
-            LoadPoses();
-            WriteErrors();
-            for (int at = 0; at < _treeCount; at++)
-            {
-                _forest.Trees[_trees[at]].ErrorAfter = 0;
-            }
-
-            AddErrors(false);
-            bool open = false;
-            for (int at = 0; at < _treeCount; at++)
-            {
-                JointTree* tree = _forest.Trees + _trees[at];
-                if (tree->Pull > 0 && !(tree->ErrorAfter <= tree->ErrorBefore))
-                {
-                    tree->Pull = attempt == Halvings - 1 ? 0 : 0.5 * tree->Pull;
-                    open = true;
-                }
-            }
-
-            if (!open)
-            {
-                break;
-            }
-        }
-
-        for (int at = 0; at < _nodeCount; at++)
-        {
-            TreeNode* node = _forest.Nodes + _nodes[at];
-            if (Yields(_forest.Trees + node->Tree))
-            {
-                SetMove(node, node->PlainMove[0], node->PlainMove[1], node->PlainMove[2]);
-                double share = GroupOf(_forest.Trees + node->Tree)->Pull;
-                for (int k = 0; k < 3; k++)
-                {
-                    node->Velocity[k] *= share;
-                }
-            }
-        }
-    }
-
-    private void Displace(TreeNode* node, double share)
-    {
-        double h = _step.Substep * share;
-        double turn = Math.Max(-1, Math.Min(1, h * node->Velocity[2]));
-        SetMove(node, node->PlainMove[0] + (h * node->Velocity[0]), node->PlainMove[1] + (h * node->Velocity[1]), node->PlainMove[2] + turn);
-    }
-
-    /// <summary>Adds the squares of the errors of the hard rows to those of their groups.</summary>
-    private void AddErrors(bool before)
-    {
-        for (int at = 0; at < _jointCount; at++)
-        {
-            int i = _joints[at];
-            JointRows* rows = _rows.Pointer + i;
-            JointTree* group = GroupOf(_forest.Trees + TreeOf(_active[i].Ends));
-            double sum = 0;
-            for (int r = 0; r < rows->Hard; r++)
-            {
-                double size = rows->SizeOf(r);
-                double error = rows->Type[r] == (byte)RowType.Servo || !(size > 0) ? 0 : rows->Error[r] / size;
-                sum += error * error;
-            }
-
-            group->ErrorBefore += before ? sum : 0;
-            group->ErrorAfter += before ? 0 : sum;
         }
     }
 

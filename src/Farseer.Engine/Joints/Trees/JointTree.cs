@@ -121,11 +121,6 @@ internal struct JointTree
     public double Turned;
     public bool GroupPulls;
 
-    /// <summary>Of the first tree of a group: the share of a pull that it goes, and the squares of its errors before and after.</summary>
-    public double Pull;
-    public double ErrorBefore;
-    public double ErrorAfter;
-
     /// <summary>It is solved on lanes in this step, and in no list of the other passes.</summary>
     public bool OnLanes;
 
