@@ -66,6 +66,7 @@ internal sealed unsafe partial class JointSolver
         {
             LoadPoses();
             WriteRows(false);
+            LetGoOfOpenLimits();
             Factor();
         }
 

@@ -85,6 +85,7 @@ internal sealed unsafe partial class JointSolver
 
         WriteRows(false);
         EaseOverruns();
+        LetGoOfOpenLimits();
         Factor();
         PrepareOnLanes(false);
         if (_loose.Any)

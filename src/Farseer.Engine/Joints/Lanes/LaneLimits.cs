@@ -24,7 +24,7 @@ internal static unsafe class LaneLimits
     public static void Aim(LaneJoint* joint, LanePlace* place, WideDouble h, bool relaxed)
     {
         WideDouble gap = HeldGap(joint);
-        WideDouble target = Target(gap, WideDouble.Load(joint->Slop), h, relaxed, place->LimitTurns);
+        WideDouble target = Target(gap, WideDouble.Load(joint->Slop), LeastGap(joint, place), h, relaxed, place->LimitTurns);
         WideDouble.Select(WideDouble.LoadMask(joint->Held), target, WideDouble.Zero).Store(joint->Goal + (place->HardRows * Y));
         if (!relaxed)
         {
@@ -123,8 +123,9 @@ internal static unsafe class LaneLimits
 
             terms = WideDouble.Splat(JointSolver.SpeedRounding) * terms;
             WideDouble slop = WideDouble.Load(at->Slop);
-            WideDoubleMask lower = speed < Target(WideDouble.Load(at->Gap), slop, time, relaxed, turns) - terms;
-            WideDoubleMask upper = WideDouble.Negate(speed) < Target(WideDouble.Load(at->Gap + Y), slop, time, relaxed, turns) - terms;
+            WideDouble least = LeastGap(at, place);
+            WideDoubleMask lower = speed < Target(WideDouble.Load(at->Gap), slop, least, time, relaxed, turns) - terms;
+            WideDoubleMask upper = WideDouble.Negate(speed) < Target(WideDouble.Load(at->Gap + Y), slop, least, time, relaxed, turns) - terms;
             if (place->Held != 0)
             {
                 WideDoubleMask held = WideDouble.LoadMask(at->Held);
@@ -143,6 +144,33 @@ internal static unsafe class LaneLimits
         return verdict;
     }
 
+    /// <summary>After the move: limits that are open again, see <see cref="JointSolver"/>, and what they gave counts no longer.</summary>
+    public static void LetGoOfOpen(LaneJoint* joint, LanePlace* place)
+    {
+        for (int lane = 0; lane < DoubleLanes.BundleLanes && place->Held != 0; lane += WideDouble.Count)
+        {
+            LaneJoint* at = DoubleLanes.Shift(joint, lane);
+            int open = DoubleLanes.Bits(WideDouble.LoadMask(at->Held) & (HeldGap(at) > LeastGap(at, place))) << lane;
+            for (int k = lane; open >> k != 0; k++)
+            {
+                if ((open & (1 << k)) != 0)
+                {
+                    joint->Held[k] = 0;
+                    joint->Push[k] = 0;
+                }
+            }
+
+            place->Held &= (byte)~open;
+        }
+
+        place->BlockRows = (byte)(place->Held != 0 ? place->HardRows + 1 : place->HardRows);
+    }
+
+    /// <summary>Up to this gap a limit is at its place.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WideDouble LeastGap(LaneJoint* joint, LanePlace* place) =>
+        WideDouble.Splat(JointSolver.Loose) * (place->LimitTurns ? WideDouble.Splat(1) : WideDouble.Load(joint->Size));
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideDouble HeldGap(LaneJoint* joint) =>
         WideDouble.Select(WideDouble.LoadMask(joint->HeldAbove), WideDouble.Load(joint->Gap + Y), WideDouble.Load(joint->Gap));
@@ -152,11 +180,15 @@ internal static unsafe class LaneLimits
 
     /// <summary>The speed of a limit that holds, and below which one is passed.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDouble Target(WideDouble gap, WideDouble slop, WideDouble h, bool relaxed, bool turns)
+    private static WideDouble Target(WideDouble gap, WideDouble slop, WideDouble least, WideDouble h, bool relaxed, bool turns)
     {
         WideDouble closing = WideDouble.Negate(gap) / h;
         WideDouble back = WideDouble.Zero;
-        if (!relaxed)
+        if (relaxed)
+        {
+            closing = WideDouble.Select(gap > least, WideDouble.Splat(double.NegativeInfinity), closing);
+        }
+        else
         {
             WideDouble fastest = WideDouble.Splat(JointSolver.FastestReturn);
             WideDouble over = gap + slop;

@@ -350,6 +350,19 @@ internal sealed unsafe partial class TreeLanes
         return holds ? row : -1;
     }
 
+    private void LetGoOfOpenLimits(LaneTrees* trees)
+    {
+        for (int i = 1; i < trees->Nodes && trees->HasLimits; i++)
+        {
+            LaneLimits.LetGoOfOpen(&_nodes.Pointer[trees->First + i].Joint, _places.Pointer + trees->First + i);
+        }
+
+        for (int i = 0; i < trees->Anchors && trees->HasLimits; i++)
+        {
+            LaneLimits.LetGoOfOpen(&_anchors.Pointer[trees->AnchorFirst + i].Joint, _anchorPlaces.Pointer + trees->AnchorFirst + i);
+        }
+    }
+
     /// <summary>What limits give is a sum over a substep.</summary>
     private void ForgetPushes(LaneTrees* trees)
     {

@@ -276,6 +276,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
     private void EndCorrection(LaneTrees* trees)
     {
         LeaveAstray(trees);
+        LetGoOfOpenLimits(trees);
         Factor(trees, false);
         EndSubstep(trees);
         if (trees->SweepsSofts)
