@@ -282,7 +282,7 @@ internal sealed unsafe partial class JointSolver
         return open;
     }
 
-    private static bool IsOpen(JointRows* rows, int row) => rows->Error[row] > Loose * rows->SizeOf(row);
+    private static bool IsOpen(JointRows* rows, int row) => rows->Error[row] > Small * rows->SizeOf(row);
 
     private bool ReleaseEdge(TreeNode* node)
     {

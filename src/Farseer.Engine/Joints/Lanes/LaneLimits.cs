@@ -169,7 +169,7 @@ internal static unsafe class LaneLimits
     /// <summary>Up to this gap a limit is at its place.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideDouble LeastGap(LaneJoint* joint, LanePlace* place) =>
-        WideDouble.Splat(JointSolver.Loose) * (place->LimitTurns ? WideDouble.Splat(1) : WideDouble.Load(joint->Size));
+        WideDouble.Splat(JointSolver.Small) * (place->LimitTurns ? WideDouble.Splat(1) : WideDouble.Load(joint->Size));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideDouble HeldGap(LaneJoint* joint) =>

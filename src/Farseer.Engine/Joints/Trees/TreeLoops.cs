@@ -14,7 +14,7 @@ internal sealed unsafe class TreeLoops
     /// ρ of K in terms of its rows' own responses: K (K² + ρ²)⁻¹ is the inverse wherever there is a response, and goes to 0 with it. In a grid of
     /// welds the tree alone holds what its loops would, and a linkage has dead centres; the plain inverse would divide rounding by rounding there.
     /// </summary>
-    private const double Dead = 1e-5;
+    private const double Dead = 1e-4;
 
     private readonly Column<int> _joints = new Column<int>();
     private readonly Column<int> _rowOf = new Column<int>();
