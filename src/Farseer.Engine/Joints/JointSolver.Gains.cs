@@ -35,7 +35,7 @@ internal sealed unsafe partial class JointSolver
         for (int at = 0; at < _treeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];
-            bool holds = tree->Joined && tree->HasRows && HoldsLimit(tree);
+            bool holds = tree->HasRows && HoldsLimit(tree, !tree->Joined);
             _forest.Trees[tree->Group].Kept |= holds;
             any |= holds;
         }
@@ -48,7 +48,9 @@ internal sealed unsafe partial class JointSolver
         return any;
     }
 
-    private bool HoldsLimit(JointTree* tree)
+    /// <param name="tree">The tree.</param>
+    /// <param name="open">Only limits that hold at the speed which closes their gap: contacts that open one find it a drive.</param>
+    private bool HoldsLimit(JointTree* tree, bool open)
     {
         if (!tree->HasLimits || !tree->Eliminates)
         {
@@ -57,18 +59,26 @@ internal sealed unsafe partial class JointSolver
 
         for (int i = tree->First + 1; i < tree->End; i++)
         {
-            if (_forest.Nodes[i].Rows > _forest.Nodes[i].HardRows)
+            TreeNode* node = _forest.Nodes + i;
+            for (int r = node->HardRows; r < node->Rows; r++)
             {
-                return true;
+                if (!open || IsOpen(_rows.Pointer + node->RowJoint[r], node->RowIndex[r]))
+                {
+                    return true;
+                }
             }
         }
 
         for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
         {
             TreeAnchor* anchor = _forest.Anchors + i;
-            if (_active[anchor->Active].BlockLimits && anchor->Rows > _rows[anchor->Active].Hard)
+            JointRows* rows = _rows.Pointer + anchor->Active;
+            for (int r = rows->Hard; r < anchor->Rows && _active[anchor->Active].BlockLimits; r++)
             {
-                return true;
+                if (!open || IsOpen(rows, anchor->RowIndex[r]))
+                {
+                    return true;
+                }
             }
         }
 

@@ -16,29 +16,26 @@ namespace Farseer.Tests.Regression;
 /// </summary>
 public class DriftedNetTests
 {
-    [Theory]
-    [InlineData(15)]
-    [InlineData(20)]
-    [InlineData(24)]
-    [InlineData(27)]
-    [InlineData(31)]
-    [InlineData(44)]
-    [InlineData(71)]
-    [InlineData(72)]
-    [InlineData(165)]
-    [InlineData(174)]
-    [InlineData(214)]
-    public void Joints_SwitchedAtRandom_ThrowNothingOff(int seed) => Run(seed, 1 / 60f);
+    [Fact]
+    public void Joints_SwitchedAtRandom_ThrowNothingOff()
+    {
+        for (int seed = 0; seed < 100; seed++)
+        {
+            Run(seed, 1 / 60f);
+        }
+    }
 
     // What the impulses of the short step were, blows, was repeated 167 to 16,667 times as hard: 10 of 60 nets blew up in the step after it.
     [Theory]
-    [InlineData(17, 1e-4f)]
-    [InlineData(31, 1e-4f)]
-    [InlineData(165, 1e-6f)]
-    [InlineData(181, 1e-6f)]
-    [InlineData(191, 1e-6f)]
-    [InlineData(197, 1e-6f)]
-    public void Joints_AfterAShortStep_ThrowNothingOff(int seed, float first) => Run(seed, first);
+    [InlineData(1e-4f)]
+    [InlineData(1e-6f)]
+    public void Joints_AfterAShortStep_ThrowNothingOff(float first)
+    {
+        for (int seed = 150; seed < 200; seed++)
+        {
+            Run(seed, first);
+        }
+    }
 
     private static void Run(int seed, float first)
     {
