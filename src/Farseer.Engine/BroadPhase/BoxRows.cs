@@ -73,4 +73,14 @@ internal sealed unsafe class BoxRows
         wide.MaxY = _maxY.Pointer;
         Wide = wide;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_minX);
+        s.Column(_minY);
+        s.Column(_maxX);
+        s.Column(_maxY);
+        Count = s.Value(Count);
+    }
 }

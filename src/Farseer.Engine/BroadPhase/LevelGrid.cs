@@ -295,4 +295,19 @@ internal sealed unsafe partial class LevelGrid : IBroadPhase, IStageWork
         _tree.Reserve(_reserved);
         _hits[0].Reserve(System.Math.Min(_reserved, UsualHits));
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _active.Visit(s);
+        _resting.Visit(s);
+        s.Column(_residence);
+        s.Value(ref _end);
+        _levels.Visit(s);
+        _tree.Visit(s);
+        _few.Visit(s);
+        _mainGroup.Visit(s);
+        s.Value(ref _reserved);
+        s.Value(ref _debt);
+    }
 }

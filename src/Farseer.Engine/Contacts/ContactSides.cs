@@ -231,4 +231,13 @@ internal sealed unsafe class ContactSides
     /// <summary>One bit of some flags as another bit of others.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static uint Bit(uint flags, uint from, uint to) => to >= from ? (flags & from) * (to / from) : (flags & from) / (from / to);
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_sides);
+        s.Column(_hulls);
+        s.Value(ref _isKept);
+        AnyHeard = s.Value(AnyHeard);
+    }
 }

@@ -121,4 +121,11 @@ internal sealed unsafe class RowHalves
         scratch.Release(mark);
         return middle & ~1;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _wait);
+        Partings = s.Value(Partings);
+    }
 }

@@ -146,4 +146,10 @@ internal sealed unsafe class RowOrder : IStageWork
 
     /// <summary>The body by which a row is placed, which no other row of its colour has: the first that moves.</summary>
     private static int Place(int a, int b, byte* moves) => RowGroups.PlaceOf(a, b, moves[a] != 0, moves[b] != 0);
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        Sorts = s.Value(Sorts);
+    }
 }

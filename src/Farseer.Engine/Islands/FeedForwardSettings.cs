@@ -291,4 +291,14 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
 
         return all;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _deepStacks.Visit(s);
+        s.Column(_deep);
+        s.Value(ref _slots);
+        s.Value(ref _anyDeep);
+        s.Value(ref _isOneForAll);
+    }
 }

@@ -112,4 +112,12 @@ internal sealed unsafe class IslandGroups
 
         return large > graph.RowCount || group < LeastGroups || group >= RowGroups.Most ? 0 : group + 1;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _wait);
+        s.Value(ref _nextWait);
+        Sorts = s.Value(Sorts);
+    }
 }

@@ -386,4 +386,20 @@ internal sealed unsafe partial class IslandStore : IStageWork
         int island = _islandOf[body];
         row->Slot[lane] = _firstSlot[island] + height;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _bodyEnd);
+        s.Column(_level);
+        s.Column(_begin);
+        s.Column(_end);
+        s.Column(_neighbours);
+        s.Column(_islandOf);
+        s.Column(_firstSlot);
+        s.Column(_ofSlot);
+        s.Column(_rowsOf);
+        Count = s.Value(Count);
+        SlotCount = s.Value(SlotCount);
+    }
 }

@@ -262,4 +262,15 @@ internal sealed unsafe class QueryIndex
         public int Place;
         public bool IsChanged;
     }
+
+    /// <summary>Nothing is known of any piece: all that there are by then are looked at by the next query.</summary>
+    public void Forget()
+    {
+        _known = 0;
+        _count = 0;
+        _changed.Clear();
+        Loose.Clear();
+        Tree.Build(_scratch, _boxes.Pointer, _members.Pointer, 0);
+        IsUsed = false;
+    }
 }

@@ -357,6 +357,13 @@ internal sealed unsafe class BoxStage : IStageWork
         public float Right;
         public float Up;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_fits);
+        s.Column(_stale);
+    }
 }
 
 /// <summary>Where a body gets to: ranges of displacements from a pose, and the greatest turn, radians.</summary>

@@ -436,4 +436,18 @@ internal sealed unsafe class ContactStage : IStageWork
         key ^= key >> 33;
         return key;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _startedCold);
+        _sides.Visit(s);
+        s.Value(ref _touching);
+        s.Value(ref _touchingNow);
+        s.Value(ref _hulls);
+        Lone.Visit(s);
+        AnyBounce = s.Value(AnyBounce);
+        ColdStart = s.Value(ColdStart);
+        AnyHeard = s.Value(AnyHeard);
+    }
 }

@@ -416,4 +416,17 @@ internal sealed unsafe partial class IslandClasses
         /// <summary>Its row in the class's copy.</summary>
         public int Place;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_parent);
+        s.Column(_class);
+        s.Column(_listed);
+        s.Column(_chosen);
+        s.Value(ref _substep);
+        s.Value(ref _adapts);
+        s.Value(ref _anyChosen);
+        s.Value(ref _only);
+    }
 }

@@ -228,4 +228,19 @@ internal sealed unsafe partial class ChainSolver : TreesAside
         Arms = chain->Swapped ? ChainColumn.OtherArms : ChainColumn.Arms,
         NewArms = chain->Swapped ? ChainColumn.Arms : ChainColumn.OtherArms,
     };
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_numbers);
+        s.Column(_chains);
+        s.Column(_places);
+        s.Column(_given);
+        s.Value(ref _count);
+        Any = s.Value(Any);
+        AllStay = s.Value(AllStay);
+        LiveBodies = s.Value(LiveBodies);
+        QuietJoints = s.Value(QuietJoints);
+        AnyPressed = s.Value(AnyPressed);
+    }
 }

@@ -309,4 +309,22 @@ internal sealed unsafe partial class LooseSolver
             }
         }
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_placeOf);
+        s.Column(_levels);
+        s.Column(_keys);
+        s.Column(_items);
+        s.Column(_bodies);
+        s.Column(_bundles);
+        s.Column(_places);
+        s.Column(_looseRows);
+        _turns.Visit(s);
+        s.Value(ref _bodyCount);
+        s.Value(ref _bundleCount);
+        s.Value(ref _rowCount);
+        s.Value(ref _jointCount);
+    }
 }

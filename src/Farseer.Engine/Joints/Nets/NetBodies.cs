@@ -222,4 +222,17 @@ internal sealed unsafe class NetBodies
             Wide.Select(kicked, v.C + (share * drive.C), v.C),
             Wide.Zero);
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_degree);
+        s.Column(_list);
+        s.Column(_kicks);
+        s.Column(_poses);
+        s.Column(_listed);
+        s.Column(_bound);
+        s.Value(ref _end);
+        s.Value(ref _count);
+    }
 }
