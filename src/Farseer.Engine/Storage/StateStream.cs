@@ -182,6 +182,23 @@ internal sealed unsafe class StateStream
         return item;
     }
 
+    /// <summary>Bytes that somebody else writes or reads at once; the span holds until anything else is asked of the stream.</summary>
+    public Span<byte> Take(int bytes)
+    {
+        if (IsReading ? bytes > Length - _at : _at + (long)bytes > _bytes.Length)
+        {
+            if (IsReading)
+            {
+                throw new InvalidOperationException($"{bytes} bytes were to be read, and {Length - _at} are left.");
+            }
+
+            Grow(_at + (long)bytes);
+        }
+
+        _at += bytes;
+        return new Span<byte>(_bytes, _at - bytes, bytes);
+    }
+
     /// <summary>Memory of a length that both sides know.</summary>
     public void Raw(void* start, long bytes)
     {

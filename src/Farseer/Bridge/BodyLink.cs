@@ -239,4 +239,52 @@ internal struct BodyLink
         public BodyForce Force;
         public BodyDrag Drag;
     }
+
+    /// <summary>Writes, or reads, what later updates read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Reference(ref _world);
+        s.Value(ref _handle);
+        StartsAsleep = s.Value(StartsAsleep);
+        UserFlags = s.Value(UserFlags);
+        IsSimulated = s.Value(IsSimulated);
+        Colliders = s.Value(Colliders);
+        Joints = s.Value(Joints);
+        if (!s.Value(_loose is not null))
+        {
+            _loose = null;
+            return;
+        }
+
+        _loose ??= new LooseBody();
+        s.Value(ref _loose.State);
+        s.Value(ref _loose.Pose);
+        s.Value(ref _loose.Mass);
+        s.Value(ref _loose.Force);
+        s.Value(ref _loose.Drag);
+    }
+
+    /// <summary>Takes the state out of the columns of a world that is about to be another one.</summary>
+    public void TakeOut()
+    {
+        if (_world is not null)
+        {
+            _loose ??= new LooseBody();
+            if (IsSimulated)
+            {
+                State = StateRef;
+            }
+
+            Pose = PoseRef;
+            Mass = MassRef;
+            Force = ForceRef;
+            Drag = DragRef;
+        }
+
+        _world = null;
+        _handle = default;
+        IsSimulated = false;
+        Colliders = 0;
+        Joints = 0;
+    }
 }

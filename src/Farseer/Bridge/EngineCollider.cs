@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Interfaces;
@@ -72,5 +73,12 @@ internal sealed class EngineCollider
         bool wantsA = (b.CollidesWith & a.CollisionCategories) != 0;
         bool oneIsEnough = a.Simulator is not null && (a.Simulator.Quirks & Farseer201Quirks.OneSidedCategoryFilter) != 0;
         return oneIsEnough ? wantsA || wantsB : wantsA && wantsB;
+    }
+
+    /// <summary>Writes, or reads, who judges pairs.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Reference(ref _handlers);
+        _each = s.Reference(_each)!;
     }
 }

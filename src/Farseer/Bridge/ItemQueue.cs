@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
@@ -206,4 +207,14 @@ internal sealed class ItemQueue<T>
 
         items.Clear();
     }
+
+    /// <summary>Writes, or reads, what waits.</summary>
+    public void Visit(StateStream s)
+    {
+        s.References(_in);
+        s.References(_out);
+    }
+
+    /// <summary>What waits to be taken in; also what was removed before it came to that.</summary>
+    public List<T> Waiting => _in;
 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
@@ -85,6 +86,15 @@ internal sealed class JointRelay : IUserJoints
         catch (Exception exception)
         {
             _events.Keep(exception);
+        }
+    }
+
+    /// <summary>Nothing is anywhere.</summary>
+    public void ClearTable()
+    {
+        for (int i = 0; i < _jointOf.Count; i++)
+        {
+            _jointOf[i] = null;
         }
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -231,5 +232,15 @@ public class InactivityController : Controller
         }
 
         return false;
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _anyDisabled);
+        s.Value(ref _activationDistance);
+        s.Value(ref _maxIdleTime);
+        BodiesEnabled = s.Value(BodiesEnabled);
     }
 }
