@@ -26,10 +26,17 @@ public sealed class PhysicsSimulatorState
     /// <summary>Bytes that the state takes, without references to objects and unused room; 0 if it holds nothing.</summary>
     public int ByteCount => Stream.Length;
 
+    /// <summary>Whether two captures are of the same state, bit for bit and with the same objects.</summary>
+    /// <param name="other">Another one.</param>
+    /// <returns>False also if <paramref name="other"/> is null.</returns>
+    public bool IsSameAs(PhysicsSimulatorState? other) => other is not null && Stream.IsSameAs(other.Stream);
+
+    internal string FirstDifference(PhysicsSimulatorState other) => Stream.FirstDifference(other.Stream);
+
     /// <summary>Whose state it is; null while it holds nothing.</summary>
     internal PhysicsSimulator? Owner { get; set; }
 
-    internal StateStream Stream { get; } = new StateStream();
+    internal StateStream Stream { get; } = new StateStream { Trace = System.Environment.GetEnvironmentVariable("FARSEER_TRACE") is null ? null : new() };
 
     internal StateRoster Roster { get; } = new StateRoster();
 }

@@ -245,7 +245,7 @@ internal sealed unsafe class SelectiveSweep : IBroadPhase
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        int sweeps = s.Value(_sweeps.Count);
+        int sweeps = s.Value(_levelCount);
         while (_sweeps.Count < sweeps)
         {
             _sweeps.Add(new SweepLevel());

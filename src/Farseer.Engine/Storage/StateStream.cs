@@ -15,6 +15,9 @@ internal sealed unsafe class StateStream
     private int _at;
     private int _objectAt;
 
+    /// <summary>Names of the fields and where each begins, for those who look for a difference; null: nobody does.</summary>
+    public List<(int At, int ObjectAt, string Name)>? Trace { get; set; }
+
     /// <summary>True while fields are set from the stream, false while they are written to it.</summary>
     public bool IsReading { get; private set; }
 
@@ -27,12 +30,57 @@ internal sealed unsafe class StateStream
     /// <summary>What was written, until it is written anew.</summary>
     public ReadOnlySpan<byte> Bytes => new ReadOnlySpan<byte>(_bytes, 0, Length);
 
+    public bool IsSameAs(StateStream other)
+    {
+        if (!Bytes.SequenceEqual(other.Bytes) || ObjectCount != other.ObjectCount)
+        {
+            return false;
+        }
+
+        for (int i = 0; i < ObjectCount; i++)
+        {
+            // Handlers are equal by what they call.
+            if (!ReferenceEquals(_objects[i], other._objects[i]) && !(_objects[i] is Delegate one && one.Equals(other._objects[i])))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>The names of the fields around the first difference; this one was traced.</summary>
+    public string FirstDifference(StateStream other)
+    {
+        int at = 0;
+        while (at < Length && at < other.Length && _bytes[at] == other._bytes[at])
+        {
+            at++;
+        }
+
+        if (at < Math.Max(Length, other.Length))
+        {
+            int index = Trace!.FindLastIndex(t => t.At <= at);
+            return $"byte {at} of {Length}, {other.Length}: {string.Join(", ", Trace.GetRange(Math.Max(0, index - 3), 4))}";
+        }
+
+        int item = 0;
+        while (item < Math.Min(ObjectCount, other.ObjectCount) && ReferenceEquals(_objects[item], other._objects[item]))
+        {
+            item++;
+        }
+
+        int place = Trace!.FindLastIndex(t => t.ObjectAt <= item);
+        return $"object {item} of {ObjectCount}, {other.ObjectCount}: {string.Join(", ", Trace.GetRange(Math.Max(0, place - 3), 4))}";
+    }
+
     /// <summary>Forgets what was written and writes anew.</summary>
     public void BeginWriting()
     {
         IsReading = false;
         _at = 0;
         _objectAt = 0;
+        Trace?.Clear();
     }
 
     public void EndWriting()
@@ -66,9 +114,10 @@ internal sealed unsafe class StateStream
         }
     }
 
-    public void Value<T>(ref T value)
+    public void Value<T>(ref T value, [CallerArgumentExpression(nameof(value))] string name = "")
         where T : unmanaged
     {
+        Trace?.Add((_at, _objectAt, name));
         byte* place = stackalloc byte[sizeof(T)];
         if (IsReading)
         {
@@ -83,19 +132,19 @@ internal sealed unsafe class StateStream
     }
 
     /// <summary>For properties: <c>Count = stream.Value(Count)</c>.</summary>
-    public T Value<T>(T value)
+    public T Value<T>(T value, [CallerArgumentExpression(nameof(value))] string name = "")
         where T : unmanaged
     {
-        Value(ref value);
+        Value(ref value, name);
         return value;
     }
 
     /// <summary>A column of records that stay where they are. What lies behind the last one that is not zero is zero, as in new memory.</summary>
-    public void Column<T>(Column<T> column)
+    public void Column<T>(Column<T> column, [CallerArgumentExpression(nameof(column))] string name = "")
         where T : unmanaged
     {
         int count = IsReading ? 0 : Used((byte*)column.Pointer, (long)column.Capacity * sizeof(T), sizeof(T));
-        Value(ref count);
+        Value(ref count, name);
         Records(column, count);
         if (IsReading && column.Capacity > count)
         {
@@ -104,13 +153,18 @@ internal sealed unsafe class StateStream
     }
 
     /// <summary>A column of which nobody reads what lies behind so many records before it is written.</summary>
-    public void Column<T>(Column<T> column, int count)
-        where T : unmanaged => Records(column, count);
-
-    /// <summary>An array whose length never changes.</summary>
-    public void Array<T>(T[] items)
+    public void Column<T>(Column<T> column, int count, [CallerArgumentExpression(nameof(column))] string name = "")
         where T : unmanaged
     {
+        Trace?.Add((_at, _objectAt, name));
+        Records(column, count);
+    }
+
+    /// <summary>An array whose length never changes.</summary>
+    public void Array<T>(T[] items, [CallerArgumentExpression(nameof(items))] string name = "")
+        where T : unmanaged
+    {
+        Trace?.Add((_at, _objectAt, name));
         if (items.Length > 0)
         {
             fixed (T* first = items)
@@ -120,10 +174,10 @@ internal sealed unsafe class StateStream
         }
     }
 
-    public void List<T>(List<T> items)
+    public void List<T>(List<T> items, [CallerArgumentExpression(nameof(items))] string name = "")
         where T : unmanaged
     {
-        int count = Value(items.Count);
+        int count = Value(items.Count, name);
         if (!IsReading)
         {
             for (int i = 0; i < count; i++)
@@ -141,10 +195,10 @@ internal sealed unsafe class StateStream
         }
     }
 
-    public void References<T>(List<T> items)
+    public void References<T>(List<T> items, [CallerArgumentExpression(nameof(items))] string name = "")
         where T : class
     {
-        int count = Value(items.Count);
+        int count = Value(items.Count, name);
         if (!IsReading)
         {
             for (int i = 0; i < count; i++)
@@ -162,12 +216,13 @@ internal sealed unsafe class StateStream
         }
     }
 
-    public void Reference<T>(ref T? item)
-        where T : class => item = Reference(item);
+    public void Reference<T>(ref T? item, [CallerArgumentExpression(nameof(item))] string name = "")
+        where T : class => item = Reference(item, name);
 
-    public T? Reference<T>(T? item)
+    public T? Reference<T>(T? item, [CallerArgumentExpression(nameof(item))] string name = "")
         where T : class
     {
+        Trace?.Add((_at, _objectAt, name));
         if (IsReading)
         {
             return (T?)_objects[_objectAt++];

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 
 namespace Farseer.Hunt.Running;
@@ -16,6 +17,34 @@ internal abstract class Observer
 
     /// <summary>Bodies that were taken out because their state was none.</summary>
     public List<string> Quarantined { get; } = new();
+
+    /// <summary>What is told now is of a detour, which is taken back.</summary>
+    public bool IsMuted { get; set; }
+
+    /// <summary>A hash of all events that were told, in their order.</summary>
+    public ulong Events { get; private set; } = 14695981039346656037;
+
+    /// <summary>Detours that were taken.</summary>
+    public int Detours { get; private set; }
+
+    /// <summary>Captures a world, goes on with it in some other way, and restores it.</summary>
+    public void Detour(object world, Random random)
+    {
+        IsMuted = true;
+        try
+        {
+            Detours += TakeDetour(world, random) ? 1 : 0;
+        }
+        finally
+        {
+            IsMuted = false;
+        }
+    }
+
+    /// <returns>False if the world cannot be captured.</returns>
+    protected virtual bool TakeDetour(object world, Random random) => false;
+
+    protected void Told(ulong what) => Events = (Events ^ what) * 1099511628211;
 
     /// <summary>An item was made: whoever wants to hear its events says so now.</summary>
     public abstract void Made(object item, object?[] arguments);
