@@ -31,6 +31,10 @@ public sealed class PhysicsSimulatorState
     /// <returns>False also if <paramref name="other"/> is null.</returns>
     public bool IsSameAs(PhysicsSimulatorState? other) => other is not null && Stream.IsSameAs(other.Stream);
 
+    internal bool HasSameValues(PhysicsSimulatorState other) => System.MemoryExtensions.SequenceEqual(Stream.Bytes, other.Stream.Bytes);
+
+    internal System.Collections.Generic.IEnumerable<string> Differences(PhysicsSimulatorState other) => Stream.Differences(other.Stream);
+
     internal string FirstDifference(PhysicsSimulatorState other) => Stream.FirstDifference(other.Stream);
 
     /// <summary>Whose state it is; null while it holds nothing.</summary>

@@ -181,7 +181,15 @@ internal sealed unsafe class RowArena
         s.Value(ref _segmentCount);
         s.Array(_free);
         s.Column(_segmentSize, _segmentCount);
-        s.Column(_extents, _granules);
+        _extents.EnsureCapacity(_granules);
+        for (int i = 0; i < _granules; i++)
+        {
+            // Not where its bundles are: that is another place in another process.
+            s.Value(ref _extents[i].Count);
+            s.Value(ref _extents[i].Next);
+            s.Value(ref _extents[i].Previous);
+        }
+
         if (!s.IsReading)
         {
             return;

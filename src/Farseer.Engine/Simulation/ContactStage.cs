@@ -440,6 +440,7 @@ internal sealed unsafe class ContactStage : IStageWork
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
+        _idle.Visit(s);
         s.Value(ref _startedCold);
         _sides.Visit(s);
         s.Value(ref _touching);

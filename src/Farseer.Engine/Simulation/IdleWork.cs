@@ -291,4 +291,7 @@ internal sealed unsafe class IdleWork : IStageWork
             Prefetch.Line(records + contacts.Idle(Place(i)));
         }
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s) => LookedCount = s.Value(LookedCount);
 }

@@ -49,6 +49,21 @@ internal sealed unsafe class StateStream
         return true;
     }
 
+    /// <summary>The names of all fields that differ; both were traced.</summary>
+    public IEnumerable<string> Differences(StateStream other)
+    {
+        for (int i = 0; i < Math.Min(Trace!.Count, other.Trace!.Count); i++)
+        {
+            int end = i + 1 < Trace.Count ? Trace[i + 1].At : Length;
+            int otherEnd = i + 1 < other.Trace.Count ? other.Trace[i + 1].At : other.Length;
+            ReadOnlySpan<byte> mine = new ReadOnlySpan<byte>(_bytes, Trace[i].At, end - Trace[i].At);
+            if (!mine.SequenceEqual(new ReadOnlySpan<byte>(other._bytes, other.Trace[i].At, otherEnd - other.Trace[i].At)))
+            {
+                yield return Trace[i].Name;
+            }
+        }
+    }
+
     /// <summary>The names of the fields around the first difference; this one was traced.</summary>
     public string FirstDifference(StateStream other)
     {

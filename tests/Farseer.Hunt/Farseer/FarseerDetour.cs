@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using System.Runtime.CompilerServices;
+using Farseer.Hunt.Running;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
@@ -47,6 +48,35 @@ internal sealed partial class FarseerObserver
         }
 
         return true;
+    }
+
+    private readonly System.Collections.Generic.List<PhysicsSimulatorState> _kept = new();
+
+    public override void Keep(object world)
+    {
+        try
+        {
+            _kept.Add(((PhysicsSimulator)world).Capture());
+        }
+        catch (ObjectDisposedException)
+        {
+            _kept.Add(new PhysicsSimulatorState());
+        }
+    }
+
+    public override string? FirstDifference(Observer other)
+    {
+        System.Collections.Generic.List<PhysicsSimulatorState> kept = ((FarseerObserver)other)._kept;
+        var first = new System.Collections.Generic.Dictionary<string, int>();
+        for (int i = 0; i < Math.Min(_kept.Count, kept.Count); i++)
+        {
+            foreach (string name in _kept[i].Differences(kept[i]))
+            {
+                first.TryAdd(name, i + 1);
+            }
+        }
+
+        return string.Join(", ", first);
     }
 
     private static void Mischief(PhysicsSimulator simulator, Random random)

@@ -65,6 +65,11 @@ internal sealed class Machine
 
     public int Detours => _observer.Detours;
 
+    /// <summary>States are kept, to look for the first difference.</summary>
+    public bool Keeps { get; init; }
+
+    public string? FirstDifference(Machine other) => _observer.FirstDifference(other._observer);
+
     /// <summary>Of the worlds that are there after the last call.</summary>
     public List<ulong> LastHashes { get; private set; } = new();
 
@@ -222,6 +227,11 @@ internal sealed class Machine
             }
 
             _observer.Stepped(world);
+            if (Keeps)
+            {
+                _observer.Keep(world);
+            }
+
             Hashes.Add(_observer.Hash(world));
             EventHashes.Add(_observer.Events);
             if (Failure is null && _invariants.After(world, (float)arguments[1]!, _items.Values, _handled == handled

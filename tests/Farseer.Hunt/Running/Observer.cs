@@ -41,6 +41,14 @@ internal abstract class Observer
         }
     }
 
+    /// <summary>Remembers a state, to look for the first difference later.</summary>
+    public virtual void Keep(object world)
+    {
+    }
+
+    /// <returns>The first difference of the states that two observers kept.</returns>
+    public virtual string? FirstDifference(Observer other) => null;
+
     /// <returns>False if the world cannot be captured.</returns>
     protected virtual bool TakeDetour(object world, Random random) => false;
 

@@ -58,14 +58,17 @@ internal static class StateHunt
         int told = plain.EventHashes.Zip(other.EventHashes).TakeWhile(h => h.First == h.Second).Count();
         int all = Math.Max(plain.Hashes.Count, other.Hashes.Count);
         return same < all || told < all
-            ? string.Create(CultureInfo.InvariantCulture, $"of {all} steps the values of {same} and the events of {told} are the same")
+            ? string.Create(CultureInfo.InvariantCulture, $"of {all} steps the values of {same} and the events of {told} are the same; {Difference(facade, seed, profile)}")
             : null;
     }
 
-    private static Machine Make(Facade facade, ulong seed, Profile? profile, int? detours, out Exception? thrown)
+    private static string? Difference(Facade facade, ulong seed, Profile? profile) =>
+        Make(facade, seed, profile, null, out _, keeps: true).FirstDifference(Make(facade, seed, profile, (int)seed, out _, keeps: true));
+
+    private static Machine Make(Facade facade, ulong seed, Profile? profile, int? detours, out Exception? thrown, bool keeps = false)
     {
         Script script = Decoder.Read(facade, Choices.FromSeed(seed), profile);
-        var machine = new Machine(script, null, detours);
+        var machine = new Machine(script, null, detours) { Keeps = keeps };
         thrown = null;
         try
         {
