@@ -411,4 +411,24 @@ internal sealed class EngineWorld : IStepHooks
             contact = next;
         }
     }
+
+    /// <summary>Writes, or reads, what later steps read of it, but for the contacts.</summary>
+    public void Visit(StateStream s)
+    {
+        World.Visit(s);
+        s.Value(ref _step);
+        _relay.Visit(s);
+    }
+
+    /// <summary>Forgets which shape has which collider.</summary>
+    public void ClearShapes() => Array.Clear(_shapes, 0, _shapes.Length);
+
+    /// <summary>Tells which collider a shape has.</summary>
+    public void Enter(b2Shape shape)
+    {
+        if (shape.Link.IsAttached)
+        {
+            _shapes[shape.Link.Collider.Index] = shape;
+        }
+    }
 }

@@ -4,6 +4,7 @@ using Box2D.Collision;
 using Box2D.Dynamics;
 using Box2D.Dynamics.Contacts;
 using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Bridge;
 
@@ -191,4 +192,7 @@ internal sealed class ListenerRelay
         Persist,
         Remove,
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s) => ToldStep = s.Value(ToldStep);
 }

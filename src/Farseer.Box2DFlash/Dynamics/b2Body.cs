@@ -4,6 +4,7 @@ using Box2D.Bridge;
 using Box2D.Collision.Shapes;
 using Box2D.Common.Math;
 using Box2D.Dynamics.Joints;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics;
 
@@ -383,4 +384,14 @@ public partial class b2Body
     private static bool Fits(double value) => !(value > 0) || ((float)value > 0 && Require.IsMass((float)value));
 
     private static Vector2 Of(b2Vec2 v) => new Vector2(v.x, v.y);
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        Link.Visit(s);
+        Next = s.Reference(Next);
+        Shapes = s.Reference(Shapes);
+        Joints = s.Reference(Joints);
+        IsAlive = s.Value(IsAlive);
+    }
 }

@@ -67,6 +67,11 @@ internal sealed partial class FarseerObserver
     public override string? FirstDifference(Observer other)
     {
         System.Collections.Generic.List<PhysicsSimulatorState> kept = ((FarseerObserver)other)._kept;
+        if (Environment.GetEnvironmentVariable("FARSEER_TRACE") is null)
+        {
+            return "set FARSEER_TRACE to see where";
+        }
+
         var first = new System.Collections.Generic.Dictionary<string, int>();
         for (int i = 0; i < Math.Min(_kept.Count, kept.Count); i++)
         {
@@ -130,7 +135,7 @@ internal sealed partial class FarseerObserver
         }
     }
 
-    private string Difference() => _state.FirstDifference(_again);
+    private string Difference() => Environment.GetEnvironmentVariable("FARSEER_TRACE") is null ? "" : _state.FirstDifference(_again);
 
     private void Tell(ulong what, Geom a, Geom b)
     {

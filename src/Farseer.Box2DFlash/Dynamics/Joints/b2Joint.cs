@@ -1,6 +1,7 @@
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics.Joints;
 
@@ -125,5 +126,14 @@ public abstract partial class b2Joint
     {
         _body1.WakeBySetter();
         _body2.WakeBySetter();
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    internal virtual void Visit(StateStream s)
+    {
+        Link.Visit(s);
+        Next = s.Reference(Next);
+        Edge1.Visit(s);
+        Edge2.Visit(s);
     }
 }

@@ -1,3 +1,5 @@
+using Farseer.Engine.Storage;
+
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>A joint as a body sees it: one item of <see cref="b2Body.GetJointList"/>.</summary>
@@ -35,4 +37,11 @@ public class b2JointEdge
     /// <param name="edge">The edge, or null.</param>
     /// <returns>True if it is null.</returns>
     public static bool operator !(b2JointEdge? edge) => edge is null;
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        prev = s.Reference(prev);
+        next = s.Reference(next);
+    }
 }
