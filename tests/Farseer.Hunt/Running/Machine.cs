@@ -275,6 +275,7 @@ internal sealed class Machine
                 return true;
             }
 
+            machine._observer.Told((ulong)call.Id);
             _told++;
             if (_told == (int)call.Arguments[1])
             {

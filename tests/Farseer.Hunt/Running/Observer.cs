@@ -52,7 +52,7 @@ internal abstract class Observer
     /// <returns>False if the world cannot be captured.</returns>
     protected virtual bool TakeDetour(object world, Random random) => false;
 
-    protected void Told(ulong what) => Events = (Events ^ what) * 1099511628211;
+    public void Told(ulong what) => Events = (Events ^ what) * 1099511628211;
 
     /// <summary>An item was made: whoever wants to hear its events says so now.</summary>
     public abstract void Made(object item, object?[] arguments);
