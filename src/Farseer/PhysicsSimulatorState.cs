@@ -31,7 +31,8 @@ public sealed class PhysicsSimulatorState
     /// <returns>False also if <paramref name="other"/> is null.</returns>
     public bool IsSameAs(PhysicsSimulatorState? other) => other is not null && Stream.IsSameAs(other.Stream);
 
-    internal bool HasSameValues(PhysicsSimulatorState other) => System.MemoryExtensions.SequenceEqual(Stream.Bytes, other.Stream.Bytes);
+    /// <summary>From now on captures note the names of the fields, for those who look for a difference.</summary>
+    internal void BeginTrace() => Stream.Trace = new System.Collections.Generic.List<(int At, int ObjectAt, string Name)>();
 
     internal System.Collections.Generic.IEnumerable<string> Differences(PhysicsSimulatorState other) => Stream.Differences(other.Stream);
 
@@ -40,7 +41,7 @@ public sealed class PhysicsSimulatorState
     /// <summary>Whose state it is; null while it holds nothing.</summary>
     internal PhysicsSimulator? Owner { get; set; }
 
-    internal StateStream Stream { get; } = new StateStream { Trace = System.Environment.GetEnvironmentVariable("FARSEER_TRACE") is null ? null : new() };
+    internal StateStream Stream { get; } = new StateStream();
 
     internal StateRoster Roster { get; } = new StateRoster();
 }

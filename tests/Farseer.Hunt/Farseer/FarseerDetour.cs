@@ -19,6 +19,7 @@ internal sealed partial class FarseerObserver
     protected override bool TakeDetour(object world, Random random)
     {
         var simulator = (PhysicsSimulator)world;
+        _state.BeginTrace();
         try
         {
             simulator.Capture(_state);
@@ -56,22 +57,20 @@ internal sealed partial class FarseerObserver
     {
         try
         {
-            _kept.Add(((PhysicsSimulator)world).Capture());
+            var state = new PhysicsSimulatorState();
+            state.BeginTrace();
+            ((PhysicsSimulator)world).Capture(state);
+            _kept.Add(state);
         }
         catch (ObjectDisposedException)
         {
-            _kept.Add(new PhysicsSimulatorState());
+            // A world that is no more has no state.
         }
     }
 
     public override string? FirstDifference(Observer other)
     {
         System.Collections.Generic.List<PhysicsSimulatorState> kept = ((FarseerObserver)other)._kept;
-        if (Environment.GetEnvironmentVariable("FARSEER_TRACE") is null)
-        {
-            return "set FARSEER_TRACE to see where";
-        }
-
         var first = new System.Collections.Generic.Dictionary<string, int>();
         for (int i = 0; i < Math.Min(_kept.Count, kept.Count); i++)
         {
@@ -135,7 +134,7 @@ internal sealed partial class FarseerObserver
         }
     }
 
-    private string Difference() => Environment.GetEnvironmentVariable("FARSEER_TRACE") is null ? "" : _state.FirstDifference(_again);
+    private string Difference() => _state.FirstDifference(_again);
 
     private void Tell(ulong what, Geom a, Geom b)
     {
