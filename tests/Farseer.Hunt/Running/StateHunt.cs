@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
@@ -58,7 +59,7 @@ internal static class StateHunt
         int told = plain.EventHashes.Zip(other.EventHashes).TakeWhile(h => h.First == h.Second).Count();
         int all = Math.Max(plain.Hashes.Count, other.Hashes.Count);
         return same < all || told < all
-            ? string.Create(CultureInfo.InvariantCulture, $"of {all} steps the values of {same} and the events of {told} are the same; {Difference(facade, seed, profile)}")
+            ? string.Create(CultureInfo.InvariantCulture, $"of {all} steps the values of {same} and the events of {told} are the same, call {plain.Outcomes.Where(o => other.Outcomes.GetValueOrDefault(o.Key) != o.Value).Select(o => o.Key).DefaultIfEmpty(-1).Min()} came out otherwise; {Difference(facade, seed, profile)}")
             : null;
     }
 
