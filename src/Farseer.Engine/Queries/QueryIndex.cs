@@ -263,14 +263,19 @@ internal sealed unsafe class QueryIndex
         public bool IsChanged;
     }
 
-    /// <summary>Nothing is known of any piece: all that there are by then are looked at by the next query.</summary>
-    public void Forget()
+    /// <summary>
+    /// Writes, or reads, what later queries read of it. How loose its boxes are follows from all that went before, and a step asks it for what a fast body may meet.
+    /// </summary>
+    public void Visit(StateStream s)
     {
-        _known = 0;
-        _count = 0;
-        _changed.Clear();
-        Loose.Clear();
-        Tree.Build(_scratch, _boxes.Pointer, _members.Pointer, 0);
-        IsUsed = false;
+        s.Value(ref _version);
+        s.Value(ref _known);
+        s.Value(ref _count);
+        IsUsed = s.Value(IsUsed);
+        s.Column(_fits, _known);
+        s.Column(_boxes, _known);
+        _changed.Visit(s);
+        Tree.Visit(s);
+        Loose.Visit(s);
     }
 }

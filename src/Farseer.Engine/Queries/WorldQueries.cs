@@ -40,8 +40,12 @@ internal sealed unsafe partial class WorldQueries
     /// <summary>Differs from step to step: bodies have moved.</summary>
     public long Version { get; set; }
 
-    /// <summary>The world is another one: all that is known of where its pieces are is forgotten.</summary>
-    public void Forget() => _index.Forget();
+    /// <summary>Writes, or reads, what later queries read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        Version = s.Value(Version);
+        _index.Visit(s);
+    }
 
     /// <summary>True while joints of the user's own see the poses of a substep: then no two queries find the same ones.</summary>
     public bool PosesChange { get; set; }

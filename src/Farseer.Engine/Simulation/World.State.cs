@@ -35,12 +35,11 @@ internal sealed partial class World
         VisitAccuracy(s);
         BroadPhase = s.Reference(BroadPhase)!;
         BroadPhase.Visit(s);
+        Queries.Visit(s);
         if (s.IsReading)
         {
             _immovableListed = false;
             _queriesSeeStep = false;
-            Queries.Forget();
-            Queries.Version++;
         }
     }
 
