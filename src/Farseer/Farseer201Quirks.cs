@@ -94,6 +94,18 @@ public enum Farseer201Quirks
     /// </summary>
     BuoyancyOfVertices = 32768,
 
+    /// <summary>
+    /// A target angle that is set on a <see cref="Dynamics.Springs.AngleSpring"/> is cut to ±5.5 radians; one that it had when it was
+    /// made is not.
+    /// </summary>
+    AngleSpringTargetLimited = 65536,
+
+    /// <summary>
+    /// The links of a <see cref="Dynamics.Path"/> that runs straight up or down lie across it, at rotation 0. By default they point
+    /// along it.
+    /// </summary>
+    UprightPathsLieAcross = 131072,
+
     /// <summary>All quirks.</summary>
-    All = 65535,
+    All = 262143,
 }

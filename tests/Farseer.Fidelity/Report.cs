@@ -16,7 +16,9 @@ public sealed class Report
         velocity, dt times its jumps). Both plus rounding ((2 + sqrt(steps)) ulps; a body that `refined` holds
         still to the last bit: a velocity of half an ulp of its place in a refined step) and, where bodies may
         touch, AllowedPenetration on positions. Beside an impact a velocity may be any between the rows
-        around it, and in the first sqrt(2 AllowedPenetration / g) a body at rest may still sink. Events: same
+        around it, and in the first sqrt(2 AllowedPenetration / g) a body at rest may still sink. What does not fit
+        so is judged by the equations of motion, where they know all of the scene: at most the original's own error
+        against them. Scenes run with all faults of the original, those that act are named. Events: same
         kinds, pairs and order, shifted by 2 updates plus the time to cross AllowedPenetration and the
         circle's sagitta. Queries, masses: 16 ulps. Not compared: number, place and depth of contacts.
         """;

@@ -28,7 +28,10 @@ internal static unsafe class BounceKernel
     /// </summary>
     private const float Parallel = 1e-4f;
 
-    /// <summary>Share of the speeds of two bodies by which their approach may be wrong: a few units in the last place of a float.</summary>
+    /// <summary>
+    /// Share of the speeds of two bodies by which their approach may be wrong, and of a substep by which a moment may be: a few units in
+    /// the last place of a float.
+    /// </summary>
     private const float Rounding = 1e-6f;
 
     /// <summary>The least restitution of bounces that are not weak.</summary>
@@ -180,8 +183,10 @@ internal static unsafe class BounceKernel
             moments.B = WideFlight.AtEnd(bodies, motions, row->BodyB + lane, Wide.Load(row->MassB + lane) + Wide.Load(row->InertiaB + lane), inverseSubstep);
             moments.Row = row;
             moments.Lane = lane;
-            Wide time0 = Wide.Select(met0, Moment(moments, rest + Wide.Load(bounce->Point0.Level + lane), second: false, c.Substep, out Wide w0), none);
-            Wide time1 = Wide.Select(met1, Moment(moments, rest + Wide.Load(bounce->Point1.Level + lane), second: true, c.Substep, out Wide w1), none);
+            Wide level0 = rest + Wide.Load(bounce->Point0.Level + lane);
+            Wide level1 = rest + Wide.Load(bounce->Point1.Level + lane);
+            Wide time0 = Wide.Select(met0, Moment(moments, met0, level0, s0, v0, second: false, c.Substep, out Wide w0), none);
+            Wide time1 = Wide.Select(met1, Moment(moments, met1, level1, s1, v1, second: true, c.Substep, out Wide w1), none);
 
             // Of two points the one that landed first has the first impact; the other comes after it, unless the surfaces are parallel by then.
             Wide time = Wide.Max(time0, time1);
@@ -281,7 +286,7 @@ internal static unsafe class BounceKernel
     public static void Finish(BounceLanes* bounce)
     {
         ContactBundle* row = bounce->Row;
-        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        for (int lane = 0; bounce->Struck >> lane != 0; lane++)
         {
             if (((bounce->Struck >> lane) & 1) != 0)
             {
@@ -369,34 +374,47 @@ internal static unsafe class BounceKernel
 
     /// <summary>
     /// When the surfaces of a point met, as seconds before the end of the substep, and how fast. The overlap at the end is a function of that time; its root is between
-    /// 0 and the substep, and found by Newton's steps that are halvings where they would leave what is left of it.
+    /// 0 and the substep, and found by Newton's steps that are halvings where they would leave what is left of it. A lane whose time is found keeps it,
+    /// whatever the others still do.
     /// </summary>
+    /// <param name="moments">The bodies.</param>
+    /// <param name="open">Lanes in which the surfaces met; the others have no time.</param>
+    /// <param name="level">The gap at which they meet.</param>
+    /// <param name="gap">The gap at the end of the substep.</param>
+    /// <param name="v">The speed at which it grows there.</param>
+    /// <param name="second">Of the second point.</param>
+    /// <param name="substep">Its length.</param>
+    /// <param name="speed">The speed at which the gap grows at that moment.</param>
     [MethodImpl(KernelMethod.Optimized)]
-    private static Wide Moment(in Moments moments, Wide level, bool second, float substep, out Wide speed)
+    private static Wide Moment(in Moments moments, WideMask open, Wide level, Wide gap, Wide v, bool second, float substep, out Wide speed)
     {
         Wide after = Wide.Zero;
         Wide before = Wide.Splat(substep);
+        Wide near = Wide.Splat(Rounding * substep);
         Wide time = Wide.Zero;
-        speed = Wide.Zero;
-        for (int i = 0; i < MomentSteps; i++)
+        Wide beyond = gap - level;
+        speed = v;
+        for (int i = 1; i < MomentSteps; i++)
         {
-            moments.A.Before(time, out WideDelta movedA, out WideVelocity a);
-            moments.B.Before(time, out WideDelta movedB, out WideVelocity b);
-            ContactKernel.Separations(moments.Row, moments.Lane, movedA, movedB, out Wide s0, out Wide s1);
-            new ImpactArms(moments.Row, moments.Lane, movedA, movedB).Velocities(a, b, out Wide v0, out Wide v1);
-            Wide beyond = (second ? s1 : s0) - level;
-            speed = second ? v1 : v0;
-            if (i + 1 == MomentSteps)
-            {
-                break;
-            }
-
             WideMask late = beyond < Wide.Zero;
             after = Wide.Select(late, time, after);
             before = Wide.Select(late, before, time);
             Wide next = time + (beyond / Wide.Min(speed, Wide.Splat(-float.Epsilon)));
             WideMask within = (speed < Wide.Zero) & (next >= after) & (next <= before);
-            time = Wide.Select(within, next, Wide.Splat(0.5f) * (after + before));
+            next = Wide.Select(within, next, Wide.Splat(0.5f) * (after + before));
+            open = open & (Wide.Abs(next - time) > near);
+            if (!WideLanes.Any(open))
+            {
+                break;
+            }
+
+            time = Wide.Select(open, next, time);
+            moments.A.Before(time, out WideDelta movedA, out WideVelocity a);
+            moments.B.Before(time, out WideDelta movedB, out WideVelocity b);
+            ContactKernel.Separations(moments.Row, moments.Lane, movedA, movedB, out Wide s0, out Wide s1);
+            new ImpactArms(moments.Row, moments.Lane, movedA, movedB).Velocities(a, b, out Wide v0, out Wide v1);
+            beyond = (second ? s1 : s0) - level;
+            speed = second ? v1 : v0;
         }
 
         return time;

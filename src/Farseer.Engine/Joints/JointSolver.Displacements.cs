@@ -199,11 +199,7 @@ internal sealed unsafe partial class JointSolver
                 continue;
             }
 
-            for (int i = tree->First; i < tree->End; i++)
-            {
-                TreeNode* node = _forest.Nodes + i;
-                SetMove(node, node->PlainMove[0], node->PlainMove[1], node->PlainMove[2]);
-            }
+            Recall(tree);
         }
     }
 }

@@ -162,7 +162,7 @@ internal sealed unsafe partial class JointSolver
         }
 
         bool any = true;
-        for (int round = 0; round < Projections && any; round++)
+        for (int round = 0; round < TrueProjections && any; round++)
         {
             any = false;
             LoadPoses();
@@ -199,11 +199,7 @@ internal sealed unsafe partial class JointSolver
         TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
         Clear(tree);
         TreeSolve.Run(_forest, tree);
-        for (int i = tree->First; i < tree->End; i++)
-        {
-            MoveOn(_forest.Nodes + i);
-        }
-
+        MoveOn(tree);
         return true;
     }
 

@@ -381,8 +381,11 @@ internal sealed unsafe partial class ImpactPass
 
     private void NoteChange(int body)
     {
-        _neighbors.Mark(body);
-        _changed[body] = _round;
+        if (_changed[body] != _round)
+        {
+            _neighbors.Mark(body);
+            _changed[body] = _round;
+        }
     }
 
     private void NoteTime(int body, bool yields, float time)

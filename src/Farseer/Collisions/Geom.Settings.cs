@@ -111,8 +111,10 @@ public partial class Geom
             Link.SetResponse(this, !value || Link.ResponseEnabled, value);
             if (_body is not null && (Quirks & Farseer201Quirks.SensorMakesBodyStatic) != 0)
             {
+                // What was static before has no inverse mass; what the sensor makes static keeps its own.
+                bool bySensor = value && (!_body.IsStatic || _body.IsStaticBySensor);
                 _body.IsStatic = value;
-                _body.IsStaticBySensor = value;
+                _body.IsStaticBySensor = bySensor;
             }
         }
     }

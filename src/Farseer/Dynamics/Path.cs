@@ -151,7 +151,7 @@ public partial class Path
             return;
         }
 
-        if (Place() is { } fault)
+        if (Place(ComplexFactory.Instance.Quirks) is { } fault)
         {
             throw new InvalidOperationException(fault);
         }
@@ -194,14 +194,14 @@ public partial class Path
     }
 
     /// <summary>Makes the bodies anew, or tells why it cannot; then nothing has changed.</summary>
-    internal string? Place()
+    internal string? Place(Farseer201Quirks quirks)
     {
         if (Obstacle() is { } obstacle)
         {
             return obstacle;
         }
 
-        PathWalk walk = PathWalk.Along(ControlPoints, _width, MostLinks + 1);
+        PathWalk walk = PathWalk.Along(ControlPoints, _width, MostLinks + 1, (quirks & Farseer201Quirks.UprightPathsLieAcross) != 0);
         if (walk.Links.Count == 0 || walk.Links.Count > MostLinks)
         {
             return walk.Links.Count == 0

@@ -22,9 +22,11 @@ internal sealed class PathWalk
     private readonly Curve _x = new Curve();
     private readonly Curve _y = new Curve();
     private readonly int _most;
+    private readonly bool _uprightLiesAcross;
 
-    private PathWalk(Vertices points, float width, int most)
+    private PathWalk(Vertices points, float width, int most, bool uprightLiesAcross)
     {
+        _uprightLiesAcross = uprightLiesAcross;
         _points = points;
         _width = width;
         _most = most;
@@ -51,11 +53,11 @@ internal sealed class PathWalk
     /// tenth of the links of a rope of 100. More than <paramref name="most"/> are not looked for. Empty if the curve never gets half a
     /// width away from its start.
     /// </summary>
-    public static PathWalk Along(Vertices points, float width, int most)
+    public static PathWalk Along(Vertices points, float width, int most, bool uprightLiesAcross)
     {
-        var exact = new PathWalk(points, width, most);
+        var exact = new PathWalk(points, width, most, uprightLiesAcross);
         exact.Walk(true);
-        var coarse = new PathWalk(points, width, most);
+        var coarse = new PathWalk(points, width, most, uprightLiesAcross);
         coarse.Walk(false);
         return coarse.Links.Count == exact.Links.Count ? coarse : exact;
     }
@@ -98,9 +100,14 @@ internal sealed class PathWalk
     /// The angle of the way from the link before to the point ahead. It is kept between -90 and 90 degrees, as the original's: where
     /// the curve goes to the left, a link faces backwards.
     /// </summary>
-    private static float Angle(Vector2 before, Vector2 ahead)
+    private float Angle(Vector2 before, Vector2 ahead)
     {
         Vector2 along = ahead - before;
+        if (_uprightLiesAcross && along.X == 0)
+        {
+            return 0;
+        }
+
         return along.X < 0 ? (float)StableMath.Atan2(-along.Y, -along.X) : (float)StableMath.Atan2(along.Y, along.X);
     }
 

@@ -299,7 +299,7 @@ public class ComplexFactory
         path.ControlPoints.Add(start);
         path.ControlPoints.Add(Path.FindMidpoint(start, end));
         path.ControlPoints.Add(end);
-        if (path.Place() is { } fault)
+        if (path.Place(quirks) is { } fault)
         {
             throw new ArgumentException(fault, sizedBy);
         }
@@ -334,7 +334,7 @@ public class ComplexFactory
             path.ControlPoints.Add(Require.Place(point, nameof(points)));
         }
 
-        if (path.Place() is { } fault)
+        if (path.Place(quirks) is { } fault)
         {
             throw new ArgumentException(fault, nameof(points));
         }

@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using Farseer.Fidelity.Judging;
 using Farseer.Fidelity.Scenes;
+using Farseer.Tests.Shared;
 using Xunit;
 
 namespace Farseer.Box2DFlash.Tests.Fidelity;
@@ -22,5 +24,24 @@ public sealed class SceneTests
 
         string failed = string.Join(Environment.NewLine, verdict.Checks.Where(c => !c.Passed));
         Assert.True(verdict.Outcome == Outcome.Pass, $"{verdict.Outcome} {verdict.Reason}{Environment.NewLine}{failed}");
+    }
+
+    /// <summary>The judge goes by what a scene holds: no name, no category and no text in it matters.</summary>
+    [Fact]
+    public void Scenes_UnderOtherNames_MeetTheirReference()
+    {
+        string folder = Directory.CreateTempSubdirectory("fidelity").FullName;
+        try
+        {
+            IReadOnlyDictionary<string, string> names = RenamedScenes.Write(TestData.SceneFolder(), folder);
+            IEnumerable<Verdict> verdicts = SceneFile.ReadFolder(folder).Select(SceneJudge.Judge);
+
+            Assert.Equal(_scenes.Count, names.Count);
+            Assert.All(verdicts, v => Assert.True(v.Outcome == Outcome.Pass, names[v.Scene] + " " + v.Reason));
+        }
+        finally
+        {
+            Directory.Delete(folder, recursive: true);
+        }
     }
 }

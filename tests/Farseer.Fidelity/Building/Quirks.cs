@@ -5,50 +5,33 @@ using System.Linq;
 namespace Farseer.Fidelity.Building;
 
 /// <summary>
-/// Which compatibility flag brings back what a scene shows. A scene that is not listed here, or whose
-/// flag does not exist because the library does the same without one, runs without flags.
+/// What was recorded is what the original did, with its faults: a scene is run with every compatibility flag of the library. One is
+/// left off, <c>ForcesActAtOnce</c>, which is no fault of the outcome but the original's integrator, and that is judged by its error.
 /// </summary>
 public static class Quirks
 {
-    private static readonly Dictionary<string, string[]> FlagsByScene = new(StringComparer.Ordinal)
-    {
-        ["chain_pin"] = ["PathLinkedAtFarEnds"],
-        ["collision_category"] = ["OneSidedCategoryFilter"],
-        ["fluid_circle"] = ["BuoyancyOfVertices"],
-        ["friction_changed_in_contact"] = ["PairFrictionFrozen"],
-        ["geom_rotation_offset"] = ["OffsetTurnedByRotationOffset"],
-        ["impulses"] = ["ImpulseDividedByMassTwice"],
-        ["joint_break"] = ["JointBreaksLate"],
-        ["moi_factories"] = ["EllipseInertiaFromRectangle", "PolygonInertiaUnsigned"],
-        ["oncollision_false"] = ["SeparationWithoutContact"],
-        ["onseparation"] = ["SeparationWithoutContact"],
-        ["remove_geom"] = ["NoSeparationOnRemoval"],
-        ["rest_L"] = ["PolygonInertiaUnsigned"],
-        ["rotation_set"] = ["RotationSetAddsRevolutions"],
-        ["sensor"] = ["SensorMakesBodyStatic", "SeparationWithoutContact"],
-        ["simulator_paused"] = ["ForcesAccumulateWhilePaused"],
-        ["spring_break"] = ["SpringBreaksLate"],
-    };
+    private static readonly string[] MethodFlags = ["ForcesActAtOnce"];
 
+    /// <summary>The library's type of flags, or null while it has none.</summary>
     private static Type? EnumType => Facade.FindType("Farseer201Quirks");
 
-    /// <summary>The flags for a scene as the library's enum, or null when it needs none.</summary>
-    public static object? For(string scene)
-    {
-        if (EnumType is not { } type || !FlagsByScene.TryGetValue(scene, out string[]? names))
-        {
-            return null;
-        }
+    /// <summary>Each flag that a scene is run with.</summary>
+    public static IReadOnlyList<object> Flags { get; } = EnumType is not { } type ? [] : [.. Enum.GetValues(type).Cast<object>()
+        .Where(f => long.IsPow2(Bits(f)) && !MethodFlags.Contains(f.ToString()))];
 
-        long bits = names.Aggregate(0L, (sum, name) => sum | (Enum.TryParse(type, name, out object? flag)
-            ? Convert.ToInt64(flag, System.Globalization.CultureInfo.InvariantCulture)
-            : throw new MissingPartException(type.Name + "." + name)));
-        return Enum.ToObject(type, bits);
-    }
+    /// <summary>The flags together, or null while the library has none.</summary>
+    public static object? All => Without(null);
+
+    /// <summary>The flags together but for one.</summary>
+    public static object? Without(object? flag) => EnumType is not { } type
+        ? null
+        : Enum.ToObject(type, Flags.Where(f => !f.Equals(flag)).Aggregate(0L, (sum, f) => sum | Bits(f)));
 
     public static void Set(object simulator, object quirks)
     {
         string? member = simulator.GetType().GetProperties().FirstOrDefault(p => p.PropertyType == quirks.GetType())?.Name;
         Facade.Set(simulator, member ?? throw new MissingPartException("PhysicsSimulator." + quirks.GetType().Name), quirks);
     }
+
+    private static long Bits(object flag) => Convert.ToInt64(flag, System.Globalization.CultureInfo.InvariantCulture);
 }

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Farseer.Fidelity.Fine;
 
 /// <summary>Where two shapes touch: up to two points, found anew in each small step, with the impulses of the last one.</summary>
-internal sealed class FineContact(FineShape a, FineShape b)
+internal sealed class FineContact(FineShape a, FineShape b, double friction, double restitution)
 {
     private readonly FinePoint[] _points = [new(), new()];
     private double _normalX;
@@ -15,9 +15,8 @@ internal sealed class FineContact(FineShape a, FineShape b)
 
     public FineShape B => b;
 
-    private double Friction { get; } = Math.Sqrt(a.Friction * b.Friction);
-
-    private double Restitution { get; } = Math.Max(a.Restitution, b.Restitution);
+    /// <summary>How far the shapes are apart; not a number while they are farther than was looked.</summary>
+    public double Gap => _count == 0 ? double.NaN : _count == 1 ? _points[0].Gap : Math.Min(_points[0].Gap, _points[1].Gap);
 
     /// <summary>Finds the points; what is further apart than <paramref name="near"/> does not matter yet.</summary>
     /// <returns>False if there is none.</returns>
@@ -64,8 +63,8 @@ internal sealed class FineContact(FineShape a, FineShape b)
             bool strikes = point.Normal == 0 && speed < -threshold;
 
             // What will bounce keeps its speed until it is there.
-            point.Waits = strikes && Restitution > 0 && point.Gap > 0;
-            point.Bounce = strikes && point.Gap <= 0 ? -Restitution * speed : 0;
+            point.Waits = strikes && restitution > 0 && point.Gap > 0;
+            point.Bounce = strikes && point.Gap <= 0 ? -restitution * speed : 0;
             Apply(point, point.Normal, point.Tangent);
         }
 
@@ -90,7 +89,7 @@ internal sealed class FineContact(FineShape a, FineShape b)
             double normal = Math.Max(0, point.Normal + ((wanted - NormalSpeed(point)) / Response(point, _normalX, _normalY)));
             Apply(point, normal - point.Normal, 0);
             point.Normal = normal;
-            double bound = Friction * normal;
+            double bound = friction * normal;
             double tangent = Math.Clamp(point.Tangent - (TangentSpeed(point) / Response(point, -_normalY, _normalX)), -bound, bound);
             Apply(point, 0, tangent - point.Tangent);
             point.Tangent = tangent;

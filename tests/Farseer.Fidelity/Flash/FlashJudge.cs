@@ -3,7 +3,6 @@ using System.Globalization;
 using System.Linq;
 using System.Text.Json;
 using Box2D.Dynamics;
-using Farseer.Fidelity.Fine;
 using Farseer.Fidelity.Judging;
 using Farseer.Fidelity.Running;
 using Farseer.Fidelity.Scenes;
@@ -15,37 +14,28 @@ internal static class FlashJudge
 {
     public static void Judge(SceneFile file, List<Check> checks, List<string> notes)
     {
-        Box2DFlash202Quirks quirks = FlashQuirks.For(file.Name);
-        if (quirks != Box2DFlash202Quirks.None)
-        {
-            notes.Add("with " + quirks);
-        }
+        Box2DFlash202Quirks quirks = FlashQuirks.All;
 
-        if (FlashExemptions.Reason(file) is { } reason)
-        {
-            notes.Add("not compared: " + reason);
-        }
-
-        IReadOnlyDictionary<string, Row[]>? motion = null;
-        if (FlashMotions.Reason(file) is { } truer)
-        {
-            notes.Add("equations of motion: " + truer);
-            motion = FineMotion.Run(file);
-        }
-
+        notes.AddRange(new FlashExemptions(file).Reasons());
+        Trajectories trajectories = new(file);
         foreach (int iterations in file.Iterations)
         {
             FlashRun run = FlashRun.Of(file, iterations, quirks);
             string prefix = file.Iterations.Length > 1 ? iterations.ToString(CultureInfo.InvariantCulture) + ": " : string.Empty;
-            checks.AddRange(JudgeRun(file, iterations, run, motion).Select(c => c with { What = prefix + c.What }));
+            checks.AddRange(JudgeRun(file, iterations, run, trajectories).Select(c => c with { What = prefix + c.What }));
+        }
+
+        if (trajectories.Motion is not null)
+        {
+            notes.Add("by the equations of motion");
         }
     }
 
-    private static IEnumerable<Check> JudgeRun(SceneFile file, int iterations, FlashRun run, IReadOnlyDictionary<string, Row[]>? motion)
+    private static IEnumerable<Check> JudgeRun(SceneFile file, int iterations, FlashRun run, Trajectories trajectories)
     {
         RunResult result = run.Result;
         string key = iterations.ToString(CultureInfo.InvariantCulture);
-        return RowJudge.Judge(file, iterations, result.Recording, null, motion)
+        return trajectories.Judge(iterations, result.Recording)
             .Concat(EventJudge.Judge(file, iterations, result.Recording))
             .Concat(FlashObservationJudge.Judge(file, iterations, result.Recording))
             .Concat(FlashQueryJudge.Judge(file, iterations, result.Recording))

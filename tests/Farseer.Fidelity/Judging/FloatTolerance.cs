@@ -9,7 +9,8 @@ namespace Farseer.Fidelity.Judging;
 /// <summary>
 /// How far two correct single-precision runs may drift apart by rounding alone. One addition rounds by
 /// at most half an ulp; N independent ones walk away by about sqrt(N) ulps, so the tolerance is
-/// (2 + sqrt(N)) ulps of the largest magnitude. A contact point's place rounds by an ulp of the
+/// (2 + sqrt(N)) ulps of the largest magnitude. Steady motion adds the same increment in each step of a recording, and half an ulp
+/// is lost to the same side each time: it has 2 + N / 2. A contact point's place rounds by an ulp of the
 /// position, which turns a body of half-width r by ulp / r: where bodies touch, a rotation has that
 /// magnitude too, and an angular velocity that of the velocity over r.
 /// </summary>
@@ -22,6 +23,13 @@ public sealed record FloatTolerance(double Position, double Rotation, double Lin
         double rotation = Largest(rows, r => Math.Abs(r.Rotation));
         double velocity = Largest(rows, r => Math.Max(Math.Abs(r.VelocityX), Math.Abs(r.VelocityY)));
         double angular = Largest(rows, r => Math.Abs(r.AngularVelocity));
+
+        // What pushes an overlap apart is a velocity too, though none that is recorded: all of the way may be gone in one step.
+        if (SceneSizes.MayTouch(file) && file.Format == SceneFormat.Farseer)
+        {
+            velocity = Math.Max(velocity, Steps(file, bodies).DefaultIfEmpty(0).Max());
+        }
+
         if (SceneSizes.MayTouch(file))
         {
             double halfWidth = SceneSizes.SmallestHalfWidth(file);
@@ -30,22 +38,32 @@ public sealed record FloatTolerance(double Position, double Rotation, double Lin
         }
 
         double ulps = 2 + Math.Sqrt((double)file.Steps * (file.Refined?.DtDivisor ?? 1));
-        return new FloatTolerance(Ulp(position) * ulps, Ulp(rotation) * ulps, Ulp(velocity) * ulps, Ulp(angular) * ulps);
+        double steady = file.Refined is null && file.Format == SceneFormat.Farseer ? 2 + (file.Steps / 2.0) : ulps;
+        return new FloatTolerance(Ulp(position) * steady, Ulp(rotation) * steady, Ulp(velocity) * steady, Ulp(angular) * steady);
     }
 
+    /// <summary>The ways between the first two samples of each body, over a step: there an overlap is pushed apart.</summary>
+    private static IEnumerable<double> Steps(SceneFile file, IEnumerable<Row[]> bodies) => bodies.Where(b => b.Length > 1)
+        .Select(b => Math.Max(Math.Abs(b[1].X - b[0].X), Math.Abs(b[1].Y - b[0].Y)) / file.Dt);
+
     /// <summary>
-    /// The velocity of a body that the refined run holds still, every place and angle the same to the last bit: below half an ulp
-    /// of them in one of its steps a velocity moves nothing, and is what its joints make of the rounding of places, for they turn
-    /// a share of it into speed in each step. A body that moves has none of this.
+    /// What joints make of the rounding of places: they turn a share of it into speed in each step, and a velocity below half an ulp
+    /// of a place in
+    /// a step moves nothing. It is due to a body that the refined run holds still, every place and angle the same to the last bit, by that
+    /// run's steps; one that moves there has none of it. Where there is no refined run it is due to what is joined, by the recording's
+    /// steps.
     /// </summary>
     public static Difference OfStanding(SceneFile file, Row[] rows)
     {
-        if (file.Refined is not { } refined || !rows.All(r => r.X == rows[0].X && r.Y == rows[0].Y && r.Rotation == rows[0].Rotation))
+        bool isDue = file.Refined is null
+            ? file.Format == SceneFormat.Farseer && (file.Joints.Count > 0 || Json.Items(file.Root, "paths").Any())
+            : rows.All(r => r.X == rows[0].X && r.Y == rows[0].Y && r.Rotation == rows[0].Rotation);
+        if (!isDue)
         {
             return default;
         }
 
-        double step = file.Dt / (double)refined.DtDivisor;
+        double step = file.Dt / (double)(file.Refined?.DtDivisor ?? 1);
         double place = Ulp(Math.Max(Math.Abs(rows[0].X), Math.Abs(rows[0].Y)));
         return new Difference(0, 0, place / 2 / step, Ulp(Math.Abs(rows[0].Rotation)) / 2 / step);
     }
@@ -82,6 +100,11 @@ public static class SceneSizes
             ? radius.GetDouble() * (1 - Math.Cos(Math.PI / edges.GetDouble()))
             : 0;
     }
+
+    /// <summary>How long an edge of a circle's polygon is.</summary>
+    public static double Edge(MadeObject geom) => Json.Optional(geom.Args, "numberOfEdges") is { ValueKind: JsonValueKind.Number } edges
+        ? 2 * Radius(geom) * Math.Sin(Math.PI / edges.GetDouble())
+        : 0;
 
     private static double HalfWidth(SceneFile file, MadeObject geom)
     {

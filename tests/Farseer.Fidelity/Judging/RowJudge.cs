@@ -10,46 +10,43 @@ namespace Farseer.Fidelity.Judging;
 /// <summary>
 /// Judges the trajectory: against <c>refined</c> within the original's own error, or, where there is
 /// none, against the recording within the method's spread and the integrator's error. Where the equations of motion are the
-/// reference, the original's own error is the largest over all rows of the body, or of those that <see cref="FlashMotions.Limiting"/> names.
+/// reference, the limit is the original's own error against them, as <see cref="OwnError"/> says.
 /// </summary>
 public static class RowJudge
 {
     /// <summary>The files give the original's own error with four digits: it may be half of the last one more.</summary>
     private const double WrittenDigits = 1.0005;
 
+    private const double LeastWays = 2;
+
     private static readonly string[] Names = ["position", "rotation", "linearVelocity", "angularVelocity"];
 
-    public static IEnumerable<Check> Judge(SceneFile file, int iterations, Recording ours, Func<string, double, Row>? closedForm, IReadOnlyDictionary<string, Row[]>? motion = null)
+    public static IEnumerable<Check> Judge(
+        SceneFile file, int iterations, Recording ours, IReadOnlyDictionary<string, Row[]>? motion = null)
     {
-        IReadOnlyDictionary<string, Row[]> reference = file.Refined?.Rows ?? file.Recordings[iterations].Rows;
+        IReadOnlyDictionary<string, Row[]> reference = motion ?? file.Refined?.Rows ?? file.Recordings[iterations].Rows;
         if (reference.Count == 0)
         {
             return [];
         }
 
-        if (closedForm is not null)
-        {
-            reference = reference.Keys.ToDictionary(b => b, b => file.SampleSteps.Select(s => closedForm(b, s * (double)file.Dt)).ToArray());
-        }
-
-        reference = motion ?? reference;
-
         // Without a refined run the recordings at 5 and at 100 iterations are the two ends of the method's
         // spread: what counts is the distance to the nearer one.
-        List<IReadOnlyDictionary<string, Row[]>> references = file.Refined is null && closedForm is null && motion is null
+        List<IReadOnlyDictionary<string, Row[]>> references = file.Refined is null && motion is null
             ? file.Recordings.Values.Select(r => r.Rows).ToList()
             : [reference];
         FloatTolerance rounding = FloatTolerance.Of(file, reference.Values);
+        Difference? own = motion is null ? file.Refined?.FromRecorded : OwnError(file, iterations, motion);
+        FlashExemptions? exempt = file.Format == SceneFormat.Box2DFlash ? new(file) : null;
         Worst[] worst = [new(), new(), new(), new()];
         foreach ((string body, Row[] expected) in reference)
         {
-            if (FlashExemptions.Holds(file, body))
+            if (exempt?.HoldsMotion(body) is true)
             {
                 continue;
             }
 
             Impacts impacts = new(file, expected, rounding);
-            Difference? own = motion is null ? file.Refined?.FromRecorded : FlashMotions.Limiting(file, body).Select(b => OwnError(file, iterations, motion, rounding, b)).Aggregate(Larger);
             Difference standing = FloatTolerance.OfStanding(file, expected);
             Discretisation? discretisation = own is null ? new Discretisation(file, expected, impacts) : null;
             for (int k = 0; k < expected.Length; k++)
@@ -107,6 +104,43 @@ public static class RowJudge
         return largest;
     }
 
+    /// <summary>
+    /// The original's largest error against the equations of motion, over all bodies as where the file gives it: which of them is
+    /// farthest off
+    /// is chance, as two that whirl on springs show. A body that the original leads another way altogether (it passes through what it
+    /// should hit) is left out: by more than half of its way, or of its turn where it stays, is no error of a path.
+    /// </summary>
+    public static Difference OwnError(SceneFile file, int iterations, IReadOnlyDictionary<string, Row[]> motion)
+    {
+        FloatTolerance rounding = FloatTolerance.Of(file, motion.Values);
+        Difference largest = default;
+        foreach ((string body, Row[] rows) in motion)
+        {
+            Row[] recorded = file.Recordings[iterations].Rows[body];
+            Impacts impacts = new(file, rows, rounding);
+            int[] both = [.. Enumerable.Range(0, rows.Length).Where(k => !recorded[k].IsAbsent && !rows[k].IsAbsent)];
+            Difference own = both.Select(k => Errors(recorded[k], rows, impacts, k)).Aggregate(default(Difference), Larger);
+            double way = both.Select(k => Way(rows[both[0]], rows[k])).DefaultIfEmpty(0).Max();
+            double turn = both.Select(k => Math.Abs(rows[k].Rotation - rows[both[0]].Rotation)).DefaultIfEmpty(0).Max();
+            if (own.Position > Math.Max(file.RestDepth, way / LeastWays) || (way == 0 && own.Rotation > turn / LeastWays))
+            {
+                continue;
+            }
+
+            if (file.Format == SceneFormat.Box2DFlash)
+            {
+                // Whole turns ahead or behind count: such a body may stand at any angle.
+                own = own with { Rotation = both.Select(k => Math.Abs(recorded[k].Rotation - rows[k].Rotation)).DefaultIfEmpty(0).Max() };
+            }
+
+            largest = Larger(largest, own);
+        }
+
+        return largest;
+    }
+
+    private static double Way(Row a, Row b) => Math.Sqrt(((a.X - b.X) * (a.X - b.X)) + ((a.Y - b.Y) * (a.Y - b.Y)));
+
     private static Difference Limits(SceneFile file, Difference? error, FloatTolerance rounding, Difference? discretisation, Difference settling)
     {
         // A contact rests AT AllowedPenetration here, anywhere between 0 and it in the original.
@@ -129,27 +163,6 @@ public static class RowJudge
             spread.AngularVelocity + (file.Growth * integrator.AngularVelocity) + rounding.AngularVelocity + settling.AngularVelocity);
     }
 
-    private static Difference OwnError(
-        SceneFile file, int iterations, IReadOnlyDictionary<string, Row[]> motion, FloatTolerance rounding, string body)
-    {
-        Difference largest = default;
-        Row[] recorded = file.Recordings[iterations].Rows[body];
-        Impacts impacts = new(file, motion[body], rounding);
-        for (int k = 0; k < recorded.Length; k++)
-        {
-            if (!recorded[k].IsAbsent && !motion[body][k].IsAbsent)
-            {
-                Difference own = Errors(recorded[k], motion[body], impacts, k);
-
-                // Whole turns ahead or behind count: such a body may stand at any angle.
-                double turn = Math.Abs(recorded[k].Rotation - motion[body][k].Rotation);
-                largest = Larger(largest, own with { Rotation = turn });
-            }
-        }
-
-        return largest;
-    }
-
     /// <summary>
     /// The differences of one row. Beside an impact the moment decides which velocity a sample shows, so
     /// there a velocity may be any between those of the rows around the impact.
@@ -157,7 +170,7 @@ public static class RowJudge
     private static Difference Errors(Row got, Row[] expected, Impacts impacts, int k)
     {
         Row wanted = expected[k];
-        double position = Math.Sqrt(((got.X - wanted.X) * (got.X - wanted.X)) + ((got.Y - wanted.Y) * (got.Y - wanted.Y)));
+        double position = Way(got, wanted);
         double turn = Math.Abs(got.Rotation - wanted.Rotation) % (2 * Math.PI);
         double linear = Discretisation.Speed(got, wanted);
         double angular = Math.Abs(got.AngularVelocity - wanted.AngularVelocity);

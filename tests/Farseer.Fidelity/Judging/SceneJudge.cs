@@ -56,44 +56,48 @@ public static class SceneJudge
 
     private static void JudgeFarseer(SceneFile file, List<Check> checks, List<string> notes)
     {
-        object? quirks = Quirks.For(file.Name);
-        ClosedForm? closedForm = ClosedForms.ByScene.GetValueOrDefault(file.Name);
-        if (quirks is not null)
+        object? quirks = Quirks.All;
+        Trajectories trajectories = new(file);
+        string[] acting = Acting(file);
+        if (acting.Length > 0)
         {
-            notes.Add("with " + quirks);
-        }
-
-        if (closedForm is not null)
-        {
-            notes.Add("closed form: " + closedForm.Reason);
+            notes.Add("with " + string.Join(", ", acting));
         }
 
         foreach (int iterations in file.Iterations)
         {
             RunResult run = SceneRunner.Run(file, iterations, quirks);
             string prefix = file.Iterations.Length > 1 ? iterations.ToString(CultureInfo.InvariantCulture) + ": " : string.Empty;
-            checks.AddRange(JudgeRun(file, iterations, run, closedForm).Select(c => c with { What = prefix + c.What }));
-            if (quirks is not null && !notes.Contains("the flags change it"))
-            {
-                bool differs = Differs(run, SceneRunner.Run(file, iterations, null));
-                checks.Add(Check.Of(prefix + "flags", differs ? null : "the scene is the same without them"));
-                notes.Add("the flags change it");
-            }
+            checks.AddRange(JudgeRun(file, iterations, run, trajectories).Select(c => c with { What = prefix + c.What }));
+        }
+
+        if (trajectories.Motion is not null)
+        {
+            notes.Add("by the equations of motion");
         }
     }
 
-    private static IEnumerable<Check> JudgeRun(SceneFile file, int iterations, RunResult run, ClosedForm? closedForm)
+    private static IEnumerable<Check> JudgeRun(SceneFile file, int iterations, RunResult run, Trajectories trajectories)
     {
-        Func<string, double, Row>? row = closedForm?.Row is { } form ? (body, time) => form(file, body, time) : null;
-        Func<SceneQuery, object?>? query = closedForm?.Query is { } queryForm ? asked => queryForm(file, asked) : null;
-        return RowJudge.Judge(file, iterations, run.Recording, row)
+        return trajectories.Judge(iterations, run.Recording)
             .Concat(EventJudge.Judge(file, iterations, run.Recording))
-            .Concat(ObservationJudge.Judge(file, iterations, run.Recording))
-            .Concat(QueryJudge.Queries(file, iterations, run.Recording, query))
+            .Concat(ObservationJudge.Judge(file, iterations, run.Recording, trajectories.Motion))
+            .Concat(QueryJudge.Queries(file, iterations, run.Recording))
             .Concat(QueryJudge.MassProperties(file, run))
             .Concat(QueryJudge.Paths(file, run));
     }
 
+    /// <summary>The flags that change the scene, each found by leaving it off.</summary>
+    private static string[] Acting(SceneFile file)
+    {
+        int iterations = file.Iterations[0];
+        RunResult run = SceneRunner.Run(file, iterations, Quirks.All);
+        return Differs(run, SceneRunner.Run(file, iterations, null))
+            ? [.. Quirks.Flags.Where(f => Differs(run, SceneRunner.Run(file, iterations, Quirks.Without(f)))).Select(f => f.ToString()!)]
+            : [];
+    }
+
+    /// <summary>Whether two runs left anything different behind.</summary>
     private static bool Differs(RunResult a, RunResult b)
         => a.Recording.Rows.Any(p => !p.Value.SequenceEqual(b.Recording.Rows[p.Key]))
             || a.Recording.Observed.Any(p => !p.Value.Zip(b.Recording.Observed[p.Key], JsonElement.DeepEquals).All(same => same))

@@ -26,6 +26,9 @@ internal static class Json
         };
     }
 
+    public static double Number(JsonElement parent, string name, double other)
+        => Optional(parent, name) is { ValueKind: JsonValueKind.Number } value ? value.GetDouble() : other;
+
     public static IEnumerable<JsonElement> Items(JsonElement parent, string name)
     {
         JsonElement value = Optional(parent, name);

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Numerics;
 using Farseer.Hunt.Running;
 
 namespace Farseer.Hunt.Calls;
@@ -46,6 +47,9 @@ internal abstract class Facade
 
     /// <summary>What a world begins with.</summary>
     public abstract void Open(Decoder decoder);
+
+    /// <summary>Where the bodies of a new world stand: apart, so that nothing is pushed out at the beginning.</summary>
+    protected static Vector2 PlaceOf(int i, int columns) => new(2.6f * ((i % columns) - (columns / 2)), 1.3f + (2.6f * (i / columns)));
 
     /// <summary>Some calls that make something whole: a body with a shape, a joint at the place of its bodies.</summary>
     public abstract void Compose(Decoder decoder);

@@ -4,7 +4,10 @@ using System.Numerics;
 using Farseer.Hunt.Calls;
 using Farseer.Hunt.Running;
 using FarseerGames.FarseerPhysics;
+using FarseerGames.FarseerPhysics.Controllers;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Joints;
+using FarseerGames.FarseerPhysics.Dynamics.Springs;
 
 namespace Farseer.Hunt.Farseer;
 
@@ -59,14 +62,12 @@ internal sealed class FarseerFacade : Facade
         var bodies = new List<int>();
         for (int i = 0; i < count && !choices.AreSpent; i++)
         {
-            // Apart, so that nothing is pushed out at the beginning.
-            var place = new Vector2(2.6f * ((i % columns) - (columns / 2)), 1.3f + (2.6f * (i / columns)));
+            Vector2 place = PlaceOf(i, columns);
             bodies.Add(AddBody(decoder, simulator, place));
             if (i > 0 && choices.OneIn(4))
             {
                 int before = choices.Below(i);
-                Vector2 other = new Vector2(2.6f * ((before % columns) - (columns / 2)), 1.3f + (2.6f * (before / columns)));
-                AddHardJoint(decoder, simulator, bodies[before], bodies[i], (place + other) / 2);
+                AddHardJoint(decoder, simulator, bodies[before], bodies[i], (place + PlaceOf(before, columns)) / 2);
             }
         }
 
@@ -89,13 +90,13 @@ internal sealed class FarseerFacade : Facade
             case 0 or 1 or 2:
                 AddBody(decoder, simulator, null);
                 break;
-            case 3 when decoder.Pick(typeof(global::FarseerGames.FarseerPhysics.Dynamics.Joints.Joint)) is { } joint:
+            case 3 when decoder.Pick(typeof(Joint)) is { } joint:
                 decoder.Emit("PhysicsSimulator.Add(Joint)", simulator, joint);
                 break;
-            case 4 when decoder.Pick(typeof(global::FarseerGames.FarseerPhysics.Dynamics.Springs.Spring)) is { } spring:
+            case 4 when decoder.Pick(typeof(Spring)) is { } spring:
                 decoder.Emit("PhysicsSimulator.Add(Spring)", simulator, spring);
                 break;
-            case 5 when decoder.Pick(typeof(global::FarseerGames.FarseerPhysics.Controllers.Controller)) is { } controller:
+            case 5 when decoder.Pick(typeof(Controller)) is { } controller:
                 decoder.Emit("PhysicsSimulator.Add(Controller)", simulator, controller);
                 break;
             case 6 when decoder.Pick(typeof(Body)) is { } one && decoder.Pick(typeof(Body)) is { } other:

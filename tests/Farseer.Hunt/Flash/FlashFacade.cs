@@ -56,7 +56,6 @@ internal sealed class FlashFacade : Facade
         var bodies = new List<int>();
         for (int i = 0; i < count && !choices.AreSpent; i++)
         {
-            // Apart, so that nothing is pushed out at the beginning.
             Vector2 place = PlaceOf(i, columns);
             bodies.Add(AddBody(decoder, world, place));
             if (i > 0 && choices.OneIn(4))
@@ -97,8 +96,6 @@ internal sealed class FlashFacade : Facade
                 break;
         }
     }
-
-    private static Vector2 PlaceOf(int i, int columns) => new(2.6f * ((i % columns) - (columns / 2)), 1.3f + (2.6f * (i / columns)));
 
     private static int AddWorld(Decoder decoder, Vector2 gravity)
     {

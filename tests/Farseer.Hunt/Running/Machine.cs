@@ -242,8 +242,6 @@ internal sealed class Machine
         }
     }
 
-
-
     /// <summary>
     /// Refusals are what is documented, and what a handler throws comes out where its event was told; anything else is a failure.
     /// </summary>

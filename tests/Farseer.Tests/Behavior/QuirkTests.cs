@@ -61,6 +61,10 @@ public class QuirkTests
 
         // Links of 10 end to end, but for the gap that the strides leave, 0.2 at most; with the flag from far end to far end less one.
         [Farseer201Quirks.PathLinkedAtFarEnds] = new(LengthOfTheSecondPinOfAChain, 0.1, 10, 0.1),
+
+        // Straight down is a quarter of a turn; more than a turn is 7.
+        [Farseer201Quirks.UprightPathsLieAcross] = new(RotationInARopeStraightDown, Math.PI / 2, 0, 1e-6),
+        [Farseer201Quirks.AngleSpringTargetLimited] = new(TargetOfAnAngleSpring, 7, 5.5, 0),
     };
 
     public static TheoryData<Farseer201Quirks> Flags => new(Enum.GetValues<Farseer201Quirks>()
@@ -98,6 +102,19 @@ public class QuirkTests
         PhysicsSimulator simulator = Falling();
         simulator.Quirks = flags;
         return simulator;
+    }
+
+    private static double RotationInARopeStraightDown(PhysicsSimulator simulator) => ComplexFactory.Instance
+        .CreateChain(simulator, Vector2.Zero, new Vector2(0, 100), 10, 2f, 1f, 1, LinkType.RevoluteJoint).Bodies[3].Rotation;
+
+    private static double TargetOfAnAngleSpring(PhysicsSimulator simulator)
+    {
+        Body first = BodyFactory.Instance.CreateRectangleBody(simulator, 10, 10, 1);
+        Body second = BodyFactory.Instance.CreateRectangleBody(simulator, 10, 10, 1);
+        AngleSpring spring = SpringFactory.Instance.CreateAngleSpring(simulator, first, second, 1, 1);
+        spring.TargetAngle = 7;
+        simulator.Update(Step);
+        return spring.TargetAngle;
     }
 
     private static double ImpulseOnMass(PhysicsSimulator simulator)

@@ -95,11 +95,11 @@ internal struct JointTree
     /// <summary>Its correction is taken back, since a tree that it touches went astray.</summary>
     public bool Undone;
 
-    /// <summary>Its own correction went astray.</summary>
-    public bool Strayed;
+    /// <summary>It was projected as if its bodies were equally heavy.</summary>
+    public bool Levelled;
 
-    /// <summary>Its projection would have made energy: it moved the bodies, and their speeds stayed as they were.</summary>
-    public bool Gains;
+    /// <summary>The share of its projection that acts on speeds.</summary>
+    public double Impelled;
 
     /// <summary>Takes part in the present round of the position correction.</summary>
     public bool Corrects;

@@ -11,11 +11,15 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
 /// </summary>
 public class AngleSpring : Spring
 {
+    /// <summary>The original's number, with the quirk.</summary>
+    private const float LargestTarget = 5.5f;
+
     private Body? _body1;
     private Body? _body2;
     private Vector2 _anchor1;
     private Vector2 _anchor2;
     private float _targetAngle;
+    private bool _isTargetSet;
     private float _maxTorque = float.MaxValue;
     private float _torqueMultiplier = 1;
 
@@ -87,12 +91,26 @@ public class AngleSpring : Spring
         set => _anchor2 = Require.Finite(value, nameof(Anchor2));
     }
 
-    /// <summary>Angle without force, radians; finite. More than a turn is allowed. Default that when it was made, or 0.</summary>
+    /// <summary>
+    /// Angle without force, radians; finite. More than a turn is allowed, but for
+    /// <see cref="Farseer201Quirks.AngleSpringTargetLimited"/>. Default that
+    /// when it was made, or 0.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float TargetAngle
     {
-        get => _targetAngle;
-        set => _targetAngle = Require.Finite(value, nameof(TargetAngle));
+        get
+        {
+            bool isLimited = _isTargetSet && _body2?.Simulator is { } simulator
+                && (simulator.Quirks & Farseer201Quirks.AngleSpringTargetLimited) != 0;
+            return isLimited ? Math.Min(Math.Max(_targetAngle, -LargestTarget), LargestTarget) : _targetAngle;
+        }
+
+        set
+        {
+            _targetAngle = Require.Finite(value, nameof(TargetAngle));
+            _isTargetSet = true;
+        }
     }
 
     /// <summary>Largest torque on a body, after <see cref="TorqueMultiplier"/>; finite and at least 0. Default the largest float.</summary>
@@ -128,9 +146,9 @@ public class AngleSpring : Spring
     public override void Update(float dt)
     {
         Require.NotNegative(dt, nameof(dt));
-        if (_body1 is not null && _body2 is not null && Survives((float)(SpringLink.Angle(_body1, _body2) - _targetAngle)))
+        if (_body1 is not null && _body2 is not null && Survives((float)(SpringLink.Angle(_body1, _body2) - TargetAngle)))
         {
-            SpringLink.Angular(this, _body1, _body2, _targetAngle, _torqueMultiplier, _maxTorque);
+            SpringLink.Angular(this, _body1, _body2, TargetAngle, _torqueMultiplier, _maxTorque);
         }
     }
 
