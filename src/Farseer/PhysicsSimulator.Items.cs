@@ -157,6 +157,8 @@ public partial class PhysicsSimulator
         }
 
         _clearWaits = false;
+        Geom[] geoms;
+        Body[] bodies;
         _relay.IsClearing = true;
         try
         {
@@ -178,8 +180,8 @@ public partial class PhysicsSimulator
                 }
             }
 
-            GeomList.Empty();
-            BodyList.Empty();
+            geoms = GeomList.Empty();
+            bodies = BodyList.Empty();
             ClearControls();
         }
         finally
@@ -190,6 +192,11 @@ public partial class PhysicsSimulator
         ForgetPending();
         _arbiters.Clear();
         _arbiters.IsStale = false;
+
+        // All is out before anybody hears of it, whatever he does or throws then.
+        GeomList.Tell(geoms, _relay);
+        BodyList.Tell(bodies, _relay);
+        _relay.Rethrow();
     }
 
     internal void NoteDisposed(Body body)

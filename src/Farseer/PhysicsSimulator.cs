@@ -299,9 +299,15 @@ public partial class PhysicsSimulator : IDisposable
     {
         if (!_isDisposed)
         {
-            Clear();
-            _isDisposed = true;
-            World.Dispose();
+            try
+            {
+                Clear();
+            }
+            finally
+            {
+                _isDisposed = true;
+                World.Dispose();
+            }
         }
 
         GC.SuppressFinalize(this);

@@ -42,4 +42,11 @@ public sealed class b2WorldState
     /// <param name="other">Another one.</param>
     /// <returns>False also if <paramref name="other"/> is null.</returns>
     public bool IsSameAs(b2WorldState? other) => other is not null && Stream.IsSameAs(other.Stream);
+
+    /// <summary>From now on captures note the names of the fields, for those who look for a difference.</summary>
+    internal void BeginTrace() => Stream.Trace = new List<(int At, int ObjectAt, string Name)>();
+
+    internal IEnumerable<string> Differences(b2WorldState other) => Stream.Differences(other.Stream);
+
+    internal string FirstDifference(b2WorldState other) => Stream.FirstDifference(other.Stream);
 }

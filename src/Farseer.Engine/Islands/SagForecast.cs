@@ -443,6 +443,8 @@ internal sealed unsafe class SagForecast
         s.Column(_doublings);
         s.Value(ref _islandCount);
         s.Value(ref _any);
+        s.Value(ref _gravity);
+        s.Value(ref _dt);
         AnyRaised = s.Value(AnyRaised);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using Farseer.Hunt.Running;
@@ -51,37 +52,23 @@ internal sealed partial class FarseerObserver
         return true;
     }
 
-    private readonly System.Collections.Generic.List<PhysicsSimulatorState> _kept = new();
-
-    public override void Keep(object world)
+    protected override object? Traced(object world)
     {
         try
         {
             var state = new PhysicsSimulatorState();
             state.BeginTrace();
             ((PhysicsSimulator)world).Capture(state);
-            _kept.Add(state);
+            return state;
         }
         catch (ObjectDisposedException)
         {
-            // A world that is no more has no state.
+            return null;
         }
     }
 
-    public override string? FirstDifference(Observer other)
-    {
-        System.Collections.Generic.List<PhysicsSimulatorState> kept = ((FarseerObserver)other)._kept;
-        var first = new System.Collections.Generic.Dictionary<string, int>();
-        for (int i = 0; i < Math.Min(_kept.Count, kept.Count); i++)
-        {
-            foreach (string name in _kept[i].Differences(kept[i]))
-            {
-                first.TryAdd(name, i + 1);
-            }
-        }
-
-        return string.Join(", ", first);
-    }
+    protected override IEnumerable<string> Differences(object state, object other) =>
+        ((PhysicsSimulatorState)state).Differences((PhysicsSimulatorState)other);
 
     private static void Mischief(PhysicsSimulator simulator, Random random)
     {

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Box2D.Collision.Shapes;
 using Box2D.Common.Math;
 using Box2D.Dynamics;
@@ -15,6 +16,7 @@ internal sealed partial class FlashObserver
     protected override bool TakeDetour(object world, Random random)
     {
         var made = (b2World)world;
+        _state.BeginTrace();
         made.Capture(_state);
         for (int i = 1 + random.Next(6); i > 0; i--)
         {
@@ -32,11 +34,21 @@ internal sealed partial class FlashObserver
         made.Capture(_again);
         if (!_state.IsSameAs(_again))
         {
-            Problems.Add(("a restored state is another one", ""));
+            Problems.Add(("a restored state is another one", _state.FirstDifference(_again)));
         }
 
         return true;
     }
+
+    protected override object Traced(object world)
+    {
+        var state = new b2WorldState();
+        state.BeginTrace();
+        ((b2World)world).Capture(state);
+        return state;
+    }
+
+    protected override IEnumerable<string> Differences(object state, object other) => ((b2WorldState)state).Differences((b2WorldState)other);
 
     private static void Mischief(b2World world, Random random)
     {

@@ -12,6 +12,8 @@ internal readonly record struct BodyFact(double X, double Y, double Vx, double V
 /// <summary>What a facade shows of a running world. It changes nothing.</summary>
 internal abstract class Observer
 {
+    private readonly List<object> _kept = new();
+
     /// <summary>Problems of events, found while they are told: (kind, values).</summary>
     public List<(string Kind, string Text)> Problems { get; } = new();
 
@@ -42,15 +44,36 @@ internal abstract class Observer
     }
 
     /// <summary>Remembers a state, to look for the first difference later.</summary>
-    public virtual void Keep(object world)
+    public void Keep(object world)
     {
+        if (Traced(world) is { } state)
+        {
+            _kept.Add(state);
+        }
     }
 
-    /// <returns>The first difference of the states that two observers kept.</returns>
-    public virtual string? FirstDifference(Observer other) => null;
+    /// <returns>The fields that differ in the states that two observers kept, each with the number of the state in which it does so first.</returns>
+    public string FirstDifference(Observer other)
+    {
+        var first = new Dictionary<string, int>(StringComparer.Ordinal);
+        for (int i = 0; i < Math.Min(_kept.Count, other._kept.Count); i++)
+        {
+            foreach (string name in Differences(_kept[i], other._kept[i]))
+            {
+                first.TryAdd(name, i + 1);
+            }
+        }
+
+        return string.Join(", ", first);
+    }
+
+    /// <returns>A state that knows the names of its fields; null: the world cannot be captured.</returns>
+    protected abstract object? Traced(object world);
+
+    protected abstract IEnumerable<string> Differences(object state, object other);
 
     /// <returns>False if the world cannot be captured.</returns>
-    protected virtual bool TakeDetour(object world, Random random) => false;
+    protected abstract bool TakeDetour(object world, Random random);
 
     public void Told(ulong what) => Events = (Events ^ what) * 1099511628211;
 
