@@ -144,7 +144,7 @@ public partial class PhysicsSimulator
 
     /// <summary>
     /// Takes everything out at once, without events; from within a handler, at the end of the update. The settings stay. The items
-    /// are not disposed and can be added again.
+    /// are not disposed and can be added again. What a handler of a list throws is thrown when all is out and all have been told.
     /// </summary>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
     public void Clear()

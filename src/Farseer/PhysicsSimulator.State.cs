@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Runtime.ExceptionServices;
 using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
@@ -14,6 +15,7 @@ namespace FarseerGames.FarseerPhysics;
 /// <content>Saving and restoring in place.</content>
 public partial class PhysicsSimulator
 {
+    [NotState(Why.OfOneStep)]
     private StateRoster? _present;
 
     /// <summary>Captures the state into a new object: see <see cref="Capture(PhysicsSimulatorState)"/>.</summary>
@@ -28,15 +30,17 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
-    /// Captures everything that influences a later update or event: poses, velocities, impulses from which the next step starts, sleep, springs,
-    /// controllers, what waits to be taken in or out, filters, handlers and settings. After <see cref="Restore"/> the same calls give the same bits.
+    /// Captures everything that influences a later update or event: poses, velocities, impulses from which the next step starts,
+    /// sleep, springs, controllers, what waits to be taken in or out, filters, handlers and settings. After <see cref="Restore"/>
+    /// the same calls give the same bits.
     /// </summary>
     /// <remarks>Not captured: tags and names, the number of workers, diagnostics, and the state of objects that handlers refer to.</remarks>
-    /// <param name="state">Where to; what it held is lost.</param>
+    /// <param name="state">Where to; what it held is lost, also if an exception is thrown: it holds nothing then.</param>
     /// <exception cref="ArgumentNullException"><paramref name="state"/> is null.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
     /// <exception cref="InvalidOperationException">
-    /// An update runs; or a joint, spring, controller or broad phase of your own does not implement <see cref="ISavedState"/>, whose type is named.
+    /// An update runs; or a joint, spring, controller or broad phase of your own does not implement <see cref="ISavedState"/>: its
+    /// type is named.
     /// </exception>
     public void Capture(PhysicsSimulatorState state)
     {
@@ -56,9 +60,14 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
-    /// Goes back to a state. Objects stay the same instances: what was added since is taken out and stays where it is, belonging to no simulator; what
-    /// was removed or disposed since is back.
+    /// Goes back to a state. Objects stay the same instances: what was added since is taken out and stays where it is, belonging to
+    /// no simulator; what was removed or disposed since is back.
     /// </summary>
+    /// <remarks>
+    /// A body has the geoms of then: one that was made since on a body that is in the state is without a body
+    /// (<see cref="Geom.SetBody"/> gives it one). What <see cref="ISavedState.RestoreState"/> of an item of your own throws is thrown
+    /// here once everything else is restored: only that item is as it left itself, and restoring again is allowed.
+    /// </remarks>
     /// <param name="state">A state of this simulator.</param>
     /// <exception cref="ArgumentNullException"><paramref name="state"/> is null.</exception>
     /// <exception cref="ArgumentException"><paramref name="state"/> holds nothing, or is of another simulator.</exception>
@@ -89,8 +98,9 @@ public partial class PhysicsSimulator
         present.Clear();
         StateStream s = state.Stream;
         s.BeginReading();
-        Visit(s, roster);
+        ExceptionDispatchInfo? failure = Visit(s, roster);
         s.EndReading();
+        failure?.Throw();
     }
 
     private static bool IsUsersOwn(object item) => item.GetType().Assembly != typeof(PhysicsSimulator).Assembly;
@@ -104,7 +114,7 @@ public partial class PhysicsSimulator
         }
     }
 
-    private static void VisitOwn(StateStream s, object item)
+    private static void VisitOwn(StateStream s, object item, ref ExceptionDispatchInfo? failure)
     {
         if (!IsUsersOwn(item) || item is not ISavedState own)
         {
@@ -118,57 +128,21 @@ public partial class PhysicsSimulator
         }
 
         Span<byte> bytes = s.Take(size);
-        if (s.IsReading)
-        {
-            own.RestoreState(bytes);
-        }
-        else
+        if (!s.IsReading)
         {
             bytes.Clear();
             own.SaveState(bytes);
-        }
-    }
-
-    private static void TakeOutNew(StateRoster present, StateRoster roster)
-    {
-        foreach (Joint joint in present.Joints)
-        {
-            if (!roster.Has(joint))
-            {
-                joint.TakeOut();
-            }
+            return;
         }
 
-        foreach (Spring spring in present.Springs)
+        try
         {
-            if (!roster.Has(spring))
-            {
-                spring.TakeOut();
-            }
+            own.RestoreState(bytes);
         }
-
-        foreach (Controller controller in present.Controllers)
+        catch (Exception exception)
         {
-            if (!roster.Has(controller))
-            {
-                controller.TakeOut();
-            }
-        }
-
-        foreach (Geom geom in present.Geoms)
-        {
-            if (!roster.Has(geom))
-            {
-                geom.TakeOut();
-            }
-        }
-
-        foreach (Body body in present.Bodies)
-        {
-            if (!roster.Has(body))
-            {
-                body.TakeOut();
-            }
+            // Everybody else is to be restored nevertheless.
+            failure ??= ExceptionDispatchInfo.Capture(exception);
         }
     }
 
@@ -235,136 +209,8 @@ public partial class PhysicsSimulator
         }
     }
 
-    private void Gather(StateRoster r)
-    {
-        r.Clear();
-        for (int i = 0; i < _table.BodyEnd; i++)
-        {
-            if (_table.Body(i) is { } body)
-            {
-                r.EnterOnce(r.Bodies, body);
-            }
-        }
-
-        for (int i = 0; i < _table.GeomEnd; i++)
-        {
-            if (_table.Geom(i) is { } geom)
-            {
-                r.EnterOnce(r.Geoms, geom);
-            }
-        }
-
-        Gather(r, BodyList);
-        Gather(r, _bodiesIn);
-        Gather(r, _bodiesOut);
-        Gather(r, _bodiesDisposed);
-        Gather(r, _pending);
-        Gather(r, _listeners);
-        Gather(r, GeomList);
-        Gather(r, _geomsIn);
-        Gather(r, _geomsOut);
-        Gather(r, _geomsDisposed);
-        Gather(r, _geomsChanged);
-        GatherItems(r);
-        GatherParts(r);
-    }
-
-    private void GatherItems(StateRoster r)
-    {
-        Gather(r.Joints, JointList);
-        Gather(r.Joints, _joints.Waiting);
-        Gather(r.Joints, _jointsDisposed);
-        Gather(r.Springs, SpringList);
-        Gather(r.Springs, _springs.Waiting);
-        Gather(r.Controllers, ControllerList);
-        Gather(r.Controllers, _controllers.Waiting);
-        r.Enter(r.Controllers, InactivityController);
-        foreach ((Joint joint, Body taken) in _jointsChanged)
-        {
-            r.Enter(r.Joints, joint);
-            Enter(r, taken);
-        }
-
-        foreach (Joint joint in r.Joints)
-        {
-            Enter(r, joint.FirstBody);
-            Enter(r, joint.SecondBody);
-            Enter(r, joint.Link.First);
-            Enter(r, joint.Link.Second);
-        }
-
-        void Gather<T>(List<T> list, List<T> items)
-            where T : class, IItem
-        {
-            foreach (T item in items)
-            {
-                if (item.Simulator is null || ReferenceEquals(item.Simulator, this))
-                {
-                    r.Enter(list, item);
-                }
-            }
-        }
-    }
-
-    /// <summary>The bodies of geoms and the geoms of bodies, until there are no more.</summary>
-    private void GatherParts(StateRoster r)
-    {
-        int nextBody = 0;
-        int nextGeom = 0;
-        while (nextBody < r.Bodies.Count || nextGeom < r.Geoms.Count)
-        {
-            for (; nextBody < r.Bodies.Count; nextBody++)
-            {
-                Body body = r.Bodies[nextBody];
-                for (int i = 0; i < body.GeomCount; i++)
-                {
-                    Enter(r, body.GeomAt(i));
-                }
-            }
-
-            for (; nextGeom < r.Geoms.Count; nextGeom++)
-            {
-                Enter(r, r.Geoms[nextGeom].Body);
-                Enter(r, r.Geoms[nextGeom].Link.AttachedBody);
-            }
-        }
-    }
-
-    private void Gather(StateRoster r, List<Body> bodies)
-    {
-        foreach (Body body in bodies)
-        {
-            Enter(r, body);
-        }
-    }
-
-    private void Gather(StateRoster r, List<Geom> geoms)
-    {
-        foreach (Geom geom in geoms)
-        {
-            Enter(r, geom);
-        }
-    }
-
-    // What is in the world stands in the table, and was entered from there.
-    private void Enter(StateRoster r, Body? body)
-    {
-        if (body is not null && !ReferenceEquals(body.Link.World, World)
-            && (body.Simulator is null || ReferenceEquals(body.Simulator, this)))
-        {
-            r.Enter(r.Bodies, body);
-        }
-    }
-
-    private void Enter(StateRoster r, Geom geom)
-    {
-        if (!geom.Link.IsAttached && (geom.Simulator is null || ReferenceEquals(geom.Simulator, this)))
-        {
-            r.Enter(r.Geoms, geom);
-        }
-    }
-
-    private void Visit(StateStream s, StateRoster roster)
+    /// <returns>What the first item of the user's own threw while it was read; all else is read then as well.</returns>
+    private ExceptionDispatchInfo? Visit(StateStream s, StateRoster roster)
     {
         World.Visit(s);
         VisitSettings(s);
@@ -399,18 +245,20 @@ public partial class PhysicsSimulator
             FillTables(roster);
         }
 
-        VisitOwn(s, _broadPhaseCollider);
-        VisitOwn(s, roster.Joints);
-        VisitOwn(s, roster.Springs);
-        VisitOwn(s, roster.Controllers);
+        ExceptionDispatchInfo? failure = null;
+        VisitOwn(s, _broadPhaseCollider, ref failure);
+        VisitOwn(s, roster.Joints, ref failure);
+        VisitOwn(s, roster.Springs, ref failure);
+        VisitOwn(s, roster.Controllers, ref failure);
+        return failure;
     }
 
-    private static void VisitOwn<T>(StateStream s, List<T> items)
+    private static void VisitOwn<T>(StateStream s, List<T> items, ref ExceptionDispatchInfo? failure)
         where T : class
     {
         foreach (T item in items)
         {
-            VisitOwn(s, item);
+            VisitOwn(s, item, ref failure);
         }
     }
 
@@ -439,11 +287,11 @@ public partial class PhysicsSimulator
 
     private void VisitLists(StateStream s)
     {
-        s.References(BodyList);
-        s.References(GeomList);
-        s.References(JointList);
-        s.References(SpringList);
-        s.References(ControllerList);
+        BodyList.Visit(s);
+        GeomList.Visit(s);
+        JointList.Visit(s);
+        SpringList.Visit(s);
+        ControllerList.Visit(s);
         _joints.Visit(s);
         _springs.Visit(s);
         _controllers.Visit(s);

@@ -24,12 +24,13 @@ public sealed class PhysicsSimulatorState
     }
 
     /// <summary>Bytes that the state takes, without references to objects and unused room; 0 if it holds nothing.</summary>
-    public int ByteCount => Stream.Length;
+    public int ByteCount => Owner is null ? 0 : Stream.Length;
 
     /// <summary>Whether two captures are of the same state, bit for bit and with the same objects.</summary>
     /// <param name="other">Another one.</param>
     /// <returns>False also if <paramref name="other"/> is null.</returns>
-    public bool IsSameAs(PhysicsSimulatorState? other) => other is not null && Stream.IsSameAs(other.Stream);
+    public bool IsSameAs(PhysicsSimulatorState? other) =>
+        other is not null && ReferenceEquals(Owner, other.Owner) && (Owner is null || Stream.IsSameAs(other.Stream));
 
     /// <summary>From now on captures note the names of the fields, for those who look for a difference.</summary>
     internal void BeginTrace() => Stream.Trace = new System.Collections.Generic.List<(int At, int ObjectAt, string Name)>();

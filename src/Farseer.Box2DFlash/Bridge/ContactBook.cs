@@ -15,7 +15,9 @@ internal sealed class ContactBook
     private readonly Dictionary<ulong, b2Contact> _byPair = new Dictionary<ulong, b2Contact>();
 
     /// <summary>Ended contacts, accepted and refused ones, for those to come: steps are not to allocate.</summary>
+    [NotState(Why.Room)]
     private readonly Stack<b2Contact> _spare = new Stack<b2Contact>();
+    [NotState(Why.Room)]
     private readonly Stack<b2Contact> _spareRefused = new Stack<b2Contact>();
 
     public b2Contact? First { get; private set; }

@@ -30,8 +30,11 @@ internal sealed class EngineWorld : IStepHooks
 
     private readonly b2World _world;
     private readonly ListenerRelay _relay;
+    [NotState(Why.Derived)]
     private b2Shape?[] _shapes = new b2Shape?[16];
+    [NotState(Why.OfOneStep)]
     private readonly IndexList _found = new IndexList();
+    [NotState(Why.Calm)]
     private ExceptionDispatchInfo? _failure;
     private long _step;
 

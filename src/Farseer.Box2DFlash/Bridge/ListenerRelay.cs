@@ -16,7 +16,9 @@ internal sealed class ListenerRelay
 {
     private readonly b2World _world;
     private readonly EngineWorld _engine;
+    [NotState(Why.OfOneStep)]
     private readonly b2ContactPoint _point = new b2ContactPoint();
+    [NotState(Why.OfOneStep)]
     private readonly b2ContactResult _result = new b2ContactResult();
 
     public ListenerRelay(b2World world, EngineWorld engine)

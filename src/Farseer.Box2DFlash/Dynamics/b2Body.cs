@@ -42,11 +42,17 @@ public partial class b2Body
     public const uint e_maxTypes = 3;
 
     private readonly bool _fixedRotation;
+    [NotState(Why.Fixed)]
     private readonly PlaceView _position;
+    [NotState(Why.Fixed)]
     private readonly PlaceView _worldCenter;
+    [NotState(Why.Fixed)]
     private readonly PlaceView _localCenter;
+    [NotState(Why.Fixed)]
     private readonly VelocityView _velocity;
+    [NotState(Why.Fixed)]
     private readonly b2XForm _xf;
+    [NotState(Why.Users)]
     private object? _userData;
 
     internal b2Body(b2World world, b2BodyDef def)

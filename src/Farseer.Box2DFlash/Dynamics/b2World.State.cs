@@ -19,8 +19,8 @@ public partial class b2World
     }
 
     /// <summary>
-    /// Captures everything that influences a later step or event: poses, velocities, impulses from which the next step starts, sleep, joints, filters,
-    /// listeners and settings. After <see cref="Restore"/> the same calls give the same bits.
+    /// Captures everything that influences a later step or event: poses, velocities, impulses from which the next step starts,
+    /// sleep, joints, filters, listeners and settings. After <see cref="Restore"/> the same calls give the same bits.
     /// </summary>
     /// <remarks>Not captured: user data, the debug drawing, and the state of listeners.</remarks>
     /// <param name="state">Where to; what it held is lost.</param>
@@ -40,8 +40,8 @@ public partial class b2World
     }
 
     /// <summary>
-    /// Goes back to a state. Bodies, shapes and joints stay the same instances: what was made since is destroyed, without a listener being told; what was
-    /// destroyed since is back. Contacts are views, and others than before.
+    /// Goes back to a state. Bodies, shapes and joints stay the same instances: what was made since is destroyed, without a listener
+    /// being told; what was destroyed since is back. Contacts are views, and others than before.
     /// </summary>
     /// <param name="state">A state of this world.</param>
     /// <exception cref="ArgumentNullException"><paramref name="state"/> is null.</exception>
@@ -71,22 +71,30 @@ public partial class b2World
         }
     }
 
-    // Those that are in the state are set to it next.
+    // All are as destroyed; those that are in the state are set to it next.
     private void TakeOutAll()
     {
-        for (b2Body? body = _bodies; body is not null; body = body.Next)
+        while (_joints is { } joint)
         {
-            body.Link.TakeOut();
-            body.IsAlive = false;
-            for (b2Shape? shape = body.Shapes; shape is not null; shape = shape.Next)
-            {
-                shape.Link.IsAttached = false;
-            }
+            _joints = joint.Next;
+            joint.Next = null;
+            joint.Link.TakeOut();
         }
 
-        for (b2Joint? joint = _joints; joint is not null; joint = joint.Next)
+        while (_bodies is { } body)
         {
-            joint.Link.TakeOut();
+            _bodies = body.Next;
+            body.Link.TakeOut();
+            body.IsAlive = false;
+            body.Next = null;
+            body.Joints = null;
+            while (body.Shapes is { } shape)
+            {
+                body.Shapes = shape.Next;
+                shape.Next = null;
+                shape.Body = null;
+                shape.Link.IsAttached = false;
+            }
         }
     }
 

@@ -26,7 +26,7 @@ public sealed class b2WorldState
     }
 
     /// <summary>Bytes that the state takes, without references to objects and unused room; 0 if it holds nothing.</summary>
-    public int ByteCount => Stream.Length;
+    public int ByteCount => Owner is null ? 0 : Stream.Length;
 
     internal b2World? Owner { get; set; }
 
@@ -41,7 +41,8 @@ public sealed class b2WorldState
     /// <summary>Whether two captures are of the same state, bit for bit and with the same objects.</summary>
     /// <param name="other">Another one.</param>
     /// <returns>False also if <paramref name="other"/> is null.</returns>
-    public bool IsSameAs(b2WorldState? other) => other is not null && Stream.IsSameAs(other.Stream);
+    public bool IsSameAs(b2WorldState? other) =>
+        other is not null && ReferenceEquals(Owner, other.Owner) && (Owner is null || Stream.IsSameAs(other.Stream));
 
     /// <summary>From now on captures note the names of the fields, for those who look for a difference.</summary>
     internal void BeginTrace() => Stream.Trace = new List<(int At, int ObjectAt, string Name)>();

@@ -23,7 +23,9 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
     private readonly Column<VelocityChange> _booked = new Column<VelocityChange>();
     private readonly Column<VelocityChange> _inner = new Column<VelocityChange>();
     private readonly double[] _work = new double[Parts];
+    [NotState(Why.Elsewhere)]
     private BodyStore _bodies = null!;
+    [NotState(Why.Elsewhere)]
     private JointSolver? _joints;
     private Vector2 _gravity;
     private int* _list;

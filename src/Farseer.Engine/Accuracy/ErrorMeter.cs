@@ -29,6 +29,7 @@ internal sealed unsafe class ErrorMeter
     private readonly ContactStore _contacts;
     private readonly ConstraintGraph _graph;
     private readonly JointStore _joints;
+    [NotState(Why.Elsewhere)]
     private EnergyAudit _audit = null!;
 
     public ErrorMeter(BodyStore bodies, ShapeStore shapes, ContactStore contacts, ConstraintGraph graph, JointStore joints)

@@ -39,6 +39,7 @@ internal sealed unsafe class BoxRows
     public int Count { get; private set; }
 
     /// <summary>Valid until the next growth.</summary>
+    [NotState(Why.Derived)]
     public WideBoxes Wide { get; private set; }
 
     /// <summary>Makes room for so many boxes and the padding.</summary>

@@ -50,6 +50,7 @@ internal sealed unsafe class ContactSides
 
     private readonly Column<ContactSide> _sides = new Column<ContactSide>();
     private readonly Column<int> _hulls = new Column<int>();
+    [NotState(Why.Elsewhere)]
     private BodySteps? _steps;
     private ContactSide* _first;
     private bool _isKept;

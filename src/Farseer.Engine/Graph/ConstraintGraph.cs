@@ -11,7 +11,7 @@ namespace Farseer.Engine.Graph;
 /// Colours contacts so that those of one colour can be solved side by side; which colour a contact gets is for
 /// <see cref="BodyColors"/> to say.
 /// </summary>
-internal sealed unsafe class ConstraintGraph
+internal sealed unsafe partial class ConstraintGraph
 {
     public const int ColorCount = BodyColors.Count;
 
@@ -50,15 +50,21 @@ internal sealed unsafe class ConstraintGraph
     private readonly Column<int> _degree = new Column<int>();
     // By group and colour; the first also has the colour of those asleep.
     private readonly List<GraphColor[]> _colors = new List<GraphColor[]>();
+    [NotState(Why.OfOneStep)]
     private readonly IndexList _moving = new IndexList();
+    [NotState(Why.OfOneStep)]
     private readonly int[] _counts = new int[RowGroups.Most];
 
     // The colours that have rows: a small world has one or two, and to ask all of them in every pass was most of its step.
+    [NotState(Why.Derived)]
     private GraphColor[] _solved = new GraphColor[ColorCount];
+    [NotState(Why.Derived)]
     private GraphColor[] _used = new GraphColor[ColorCount];
+    [NotState(Why.Derived)]
     private int _usedCount;
     private bool _usedChanged;
     private bool _isSmall;
+    [NotState(Why.Elsewhere)]
     private BodyStore? _store;
     private int _sharedRows;
 
@@ -494,43 +500,5 @@ internal sealed unsafe class ConstraintGraph
             Groups.Put(body, 0);
             _bodies.Clear(body);
         }
-    }
-
-    /// <summary>Writes, or reads, what later steps read of it.</summary>
-    public void Visit(StateStream s)
-    {
-        RowCount = s.Value(RowCount);
-        NewRows = s.Value(NewRows);
-        Changed = s.Value(Changed);
-        ChangeCount = s.Value(ChangeCount);
-        s.Value(ref _isSmall);
-        s.Value(ref _sharedRows);
-        s.Column(_changes, Math.Min(ChangeCount, MostChanges));
-        s.Column(_degree);
-        _bodies.Visit(s);
-        Groups.Visit(s);
-        _arena.Visit(s);
-        int groups = s.Value(_colors.Count);
-        while (_colors.Count < groups)
-        {
-            AddGroup();
-        }
-
-        for (int i = 0; i < _colors.Count; i++)
-        {
-            foreach (GraphColor color in _colors[i])
-            {
-                if (i < groups)
-                {
-                    color.Visit(s);
-                }
-                else
-                {
-                    color.ForgetAll();
-                }
-            }
-        }
-
-        _usedChanged |= s.IsReading;
     }
 }

@@ -46,6 +46,7 @@ internal sealed unsafe class RowArena
     /// <summary>Least bundles by which it grows, 88 KB: a small world may need a further colour late, and is not to allocate for it.</summary>
     private const int LeastGrowth = 64;
 
+    [NotState(Why.Room)]
     private readonly List<Column<ContactBundle>> _segments = new List<Column<ContactBundle>>();
 
     // One for each granule; of an extent the first one counts.

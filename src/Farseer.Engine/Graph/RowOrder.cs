@@ -28,12 +28,16 @@ internal sealed unsafe class RowOrder : IStageWork
     private int* _contactOf;
     private int* _rows;
     private int* _firstRow;
+    [NotState(Why.OfOneStep)]
     private int _bodyEnd;
+    [NotState(Why.Elsewhere)]
     private ConstraintGraph _graph = null!;
+    [NotState(Why.Elsewhere)]
     private Column<ContactRecord> _records = null!;
     private byte* _moves;
 
     /// <summary>Fewer rows are near enough as they come: their bodies fit a first-level cache. Default 1,024.</summary>
+    [NotState(Why.Running)]
     public int LeastRows { get; set; } = 1024;
 
     /// <summary>How often the rows were put in order.</summary>

@@ -40,12 +40,15 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
 
     private readonly ColorRanges _ranges = new ColorRanges();
     private readonly DeepStacks _deepStacks = new DeepStacks();
+    [NotState(Why.Elsewhere)]
     private IslandStore _islands = null!;
     private float* _sags;
     private readonly Column<float> _deep = new Column<float>();
     private float* _rate;
+    [NotState(Why.OfOneStep)]
     private ContactCoefficients _coefficients;
     private int _slots;
+    [NotState(Why.OfOneStep)]
     private bool _writes;
     private bool _anyDeep;
     private bool _isOneForAll;

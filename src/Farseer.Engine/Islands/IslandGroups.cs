@@ -28,6 +28,7 @@ internal sealed unsafe class IslandGroups
     private int _nextWait = 1;
 
     /// <summary>Rows of a group, by default 0.4 MB: with its bodies it stays in a second-level cache.</summary>
+    [NotState(Why.Running)]
     public int GroupRows { get; set; } = 2300;
 
     /// <summary>How often the rows were sorted.</summary>

@@ -42,10 +42,12 @@ internal sealed unsafe partial class IslandStore : IStageWork
     // By body, meanwhile too: the slot of its island at its level, 0 if it does not move.
     private int* _slotOf;
     private int* _flooded;
+    [NotState(Why.OfOneStep)]
     private GraphColor _color = null!;
     private readonly Column<int> _rowsOf = new Column<int>();
     private int* _degrees;
     private byte* _moves;
+    [NotState(Why.OfOneStep)]
     private Part _part;
 
     private enum Part

@@ -11,6 +11,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Islands;
 
 /// <summary>What the judgement of a step needs to know.</summary>
+[NotState(Why.OfOneStep)]
 internal unsafe struct RestInput
 {
     public BodyStore Bodies;

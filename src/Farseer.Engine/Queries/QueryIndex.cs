@@ -34,7 +34,9 @@ internal sealed unsafe class QueryIndex
     private readonly Column<PieceFit> _fits = new Column<PieceFit>();
     private readonly Column<Box> _boxes = new Column<Box>();
     private readonly IndexList _changed = new IndexList();
+    [NotState(Why.OfOneStep)]
     private readonly IndexList _due = new IndexList();
+    [NotState(Why.OfOneStep)]
     private readonly IndexList _members = new IndexList();
     private readonly Scratch _scratch = new Scratch();
     private long _version;

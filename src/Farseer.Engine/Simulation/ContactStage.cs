@@ -36,7 +36,9 @@ internal sealed unsafe class ContactStage : IStageWork
     private int _touchingNow;
     private int _hulls;
     private ScratchList<ulong> _droppedKeys;
+    [NotState(Why.Elsewhere)]
     private ContactStore _contacts = null!;
+    [NotState(Why.Elsewhere)]
     private ConstraintGraph _graph = null!;
 
     /// <summary>Fast pairs that may have nothing to do with any other.</summary>

@@ -10,6 +10,7 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 /// <summary>What the library's own colliders share: an algorithm of the engine, and the handlers that may refuse a pair.</summary>
 internal sealed class EngineCollider
 {
+    [NotState(Why.Elsewhere)]
     private readonly PhysicsSimulator _owner;
     private BroadPhaseCollisionHandler? _handlers;
     private Delegate[] _each = Array.Empty<Delegate>();

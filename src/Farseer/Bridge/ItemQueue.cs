@@ -12,6 +12,7 @@ internal sealed class ItemQueue<T>
     where T : class, IItem
 {
     private readonly PhysicsSimulator _owner;
+    [NotState(Why.Elsewhere)]
     private readonly List<T> _list;
     private readonly Action<T> _takeIn;
     private readonly Action<T> _unlist;

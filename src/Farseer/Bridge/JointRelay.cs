@@ -14,6 +14,7 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 internal sealed class JointRelay : IUserJoints
 {
     private readonly EventRelay _events;
+    [NotState(Why.Derived)]
     private readonly List<Joint?> _jointOf = new List<Joint?>();
 
     public JointRelay(EventRelay events, World world)

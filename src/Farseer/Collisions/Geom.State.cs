@@ -6,7 +6,10 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// <content>Saving and restoring.</content>
 public partial class Geom
 {
-    /// <summary>Writes, or reads, what later updates read of it. Tag and name are the user's; outlines never change, so it is enough which one it has.</summary>
+    /// <summary>
+    /// Writes, or reads, what later updates read of it. Tag and name are the user's; outlines never change, so it is enough which one
+    /// it has.
+    /// </summary>
     internal void Visit(StateStream s)
     {
         Link.Visit(s);
@@ -43,9 +46,16 @@ public partial class Geom
     }
 
     /// <summary>It belongs to no simulator any more, by a state from before it was added.</summary>
-    internal void TakeOut()
+    /// <param name="leavesBody">Nor to its body, which is set back to a time before the geom.</param>
+    internal void TakeOut(bool leavesBody)
     {
         Link.TakeOut();
+        if (leavesBody)
+        {
+            _body = null;
+            ForgetFrame();
+        }
+
         Simulator = null;
         Membership = Membership.None;
         IsLeaving = false;

@@ -22,6 +22,7 @@ public abstract class Controller : IDisposable, IItem
     public bool IsDisposed { get; private set; }
 
     /// <summary>Anything the user wants to keep with the controller. Default null.</summary>
+    [NotState(Why.Users)]
     public object? Tag { get; set; }
 
     PhysicsSimulator? IItem.Simulator

@@ -15,10 +15,13 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// </summary>
 public class InactivityController : Controller
 {
+    [NotState(Why.Elsewhere)]
     private readonly PhysicsSimulator _simulator;
 
     // Those that wake others, and those whose time is over, of one update.
+    [NotState(Why.OfOneStep)]
     private readonly List<Body> _wakers = new List<Body>();
+    [NotState(Why.OfOneStep)]
     private readonly List<Body> _idle = new List<Body>();
     private readonly IdleNeighbors _neighbors = new IdleNeighbors();
     private bool _anyDisabled;

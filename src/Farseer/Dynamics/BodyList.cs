@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics;
@@ -20,6 +21,7 @@ public class BodyList : List<Body>
     /// <summary>Called when a body has been removed. Use with +=. Default null.</summary>
     public ContentsChangedEventHandler? Removed { get; set; }
 
+    [NotState(Why.Fixed)]
     internal PhysicsSimulator? Owner { get; set; }
 
     /// <summary>Adds a body.</summary>
@@ -105,5 +107,13 @@ public class BodyList : List<Body>
                 relay.Keep(exception);
             }
         }
+    }
+
+    /// <summary>Writes, or reads, what is in it and who hears of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        s.References(this);
+        Added = s.Reference(Added);
+        Removed = s.Reference(Removed);
     }
 }

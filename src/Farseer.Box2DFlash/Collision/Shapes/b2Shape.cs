@@ -30,6 +30,7 @@ public abstract partial class b2Shape
     private float _restitution;
     private bool _isSensor;
     private b2FilterData _filter;
+    [NotState(Why.Users)]
     private object? _userData;
 
     internal b2Shape(b2ShapeDef def)

@@ -44,6 +44,7 @@ public abstract partial class b2Joint
     private readonly int _type;
     private readonly b2Body _body1;
     private readonly b2Body _body2;
+    [NotState(Why.Users)]
     private object? _userData;
 
     private protected b2Joint(b2JointDef def, b2World world, JointKind kind, b2Body body1, b2Body body2)

@@ -12,9 +12,11 @@ public class b2JointEdge
     }
 
     /// <summary>The body at the other side.</summary>
+    [NotState(Why.Fixed)]
     public b2Body other { get; }
 
     /// <summary>The joint.</summary>
+    [NotState(Why.Fixed)]
     public b2Joint joint { get; }
 
     /// <summary>The edge before this one, or null.</summary>

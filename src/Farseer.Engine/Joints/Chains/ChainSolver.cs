@@ -17,6 +17,7 @@ internal sealed unsafe partial class ChainSolver : TreesAside
     private readonly Column<Chain> _chains = new Column<Chain>();
     private readonly Column<ChainPlace> _places = new Column<ChainPlace>();
     private readonly Column<int> _given = new Column<int>();
+    [NotState(Why.Elsewhere)]
     private JointForest _forest = null!;
     private readonly JointStore _store;
     private ActiveJoint* _active;

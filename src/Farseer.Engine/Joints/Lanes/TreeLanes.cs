@@ -22,6 +22,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
     private readonly Column<LaneTrees> _bundles = new Column<LaneTrees>();
     private readonly Column<int> _given = new Column<int>();
     private readonly Column<int> _givenFrom = new Column<int>();
+    [NotState(Why.Elsewhere)]
     private JointForest _forest = null!;
     private ActiveJoint* _active;
     private JointRows* _rows;

@@ -19,6 +19,7 @@ internal sealed unsafe partial class LooseSolver
     private readonly Column<LoosePlace> _places = new Column<LoosePlace>();
     private readonly Column<LooseRow> _looseRows = new Column<LooseRow>();
     private readonly TurnTable _turns = new TurnTable();
+    [NotState(Why.Elsewhere)]
     private JointForest _forest = null!;
     private ActiveJoint* _active;
     private JointRows* _rows;

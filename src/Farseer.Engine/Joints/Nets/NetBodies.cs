@@ -31,6 +31,7 @@ internal sealed unsafe class NetBodies
     private readonly Column<NetPose> _poses = new Column<NetPose>();
     private readonly Column<byte> _listed = new Column<byte>();
     private readonly Column<byte> _bound = new Column<byte>();
+    [NotState(Why.Elsewhere)]
     private NetSearch _nets = new NetSearch();
     private int _end;
     private int _count;

@@ -22,6 +22,7 @@ internal sealed unsafe partial class NetSolver
     private readonly NetRows[] _rows = new NetRows[BodyColors.Count * Forms];
 
     // Those that have rows, in the order of solving.
+    [NotState(Why.OfOneStep)]
     private readonly NetRows[] _solved = new NetRows[BodyColors.Count * Forms];
     private int _solvedCount;
     private JointStep _step;

@@ -135,6 +135,7 @@ public abstract class Joint : IDisposable, IItem
     }
 
     /// <summary>Anything the user wants to keep with the joint. Default null.</summary>
+    [NotState(Why.Users)]
     public object? Tag { get; set; }
 
     /// <summary>

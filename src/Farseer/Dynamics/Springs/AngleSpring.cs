@@ -161,6 +161,7 @@ public class AngleSpring : Spring
         s.Value(ref _anchor1);
         s.Value(ref _anchor2);
         s.Value(ref _targetAngle);
+        s.Value(ref _isTargetSet);
         s.Value(ref _maxTorque);
         s.Value(ref _torqueMultiplier);
     }

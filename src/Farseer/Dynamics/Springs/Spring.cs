@@ -41,6 +41,7 @@ public abstract class Spring : IDisposable, IItem
     public bool IsDisposed { get; private set; }
 
     /// <summary>Anything the user wants to keep with the spring. Default null.</summary>
+    [NotState(Why.Users)]
     public object? Tag { get; set; }
 
     /// <summary>
