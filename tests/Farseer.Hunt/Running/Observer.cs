@@ -23,6 +23,9 @@ internal abstract class Observer
     /// <summary>What is told now is of a detour, which is taken back.</summary>
     public bool IsMuted { get; set; }
 
+    /// <summary>States know the names of their fields.</summary>
+    public bool Traces { get; set; }
+
     /// <summary>A hash of all events that were told, in their order.</summary>
     public ulong Events { get; private set; } = 14695981039346656037;
 
@@ -52,7 +55,7 @@ internal abstract class Observer
         }
     }
 
-    /// <returns>The fields that differ in the states that two observers kept, each with the number of the state in which it does so first.</returns>
+    /// <returns>The fields that differ in the states of two observers, each with the number of the state in which it does so first.</returns>
     public string FirstDifference(Observer other)
     {
         var first = new Dictionary<string, int>(StringComparer.Ordinal);

@@ -14,37 +14,35 @@ namespace Farseer.Hunt.Running;
 /// </summary>
 internal static class StateHunt
 {
-    /// <returns>Worlds that differ.</returns>
-    public static int Run(Facade facade, ulong seed, TimeSpan time, int mostWorlds, Profile? profile, TextWriter output)
+    /// <returns>What was done; it differs nowhere unless it says so.</returns>
+    public static StateTally Run(Facade facade, ulong seed, TimeSpan time, int mostWorlds, long mostCalls, Profile? profile, TextWriter output)
     {
         long start = Stopwatch.GetTimestamp();
-        int worlds = 0;
-        int failures = 0;
-        long steps = 0;
-        long detours = 0;
-        for (; Stopwatch.GetElapsedTime(start) < time && worlds < mostWorlds; seed++)
+        var tally = new StateTally();
+        for (; Stopwatch.GetElapsedTime(start) < time && tally.Worlds < mostWorlds && tally.Calls < mostCalls; seed++)
         {
-            worlds++;
-            string? wrong = Compare(facade, seed, profile, ref steps, ref detours);
-            if (wrong is not null)
+            if (Compare(facade, seed, profile, tally) is { } wrong)
             {
-                failures++;
+                tally.Different++;
                 output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"seed {seed}: {wrong}"));
             }
         }
 
         output.WriteLine(string.Create(CultureInfo.InvariantCulture,
-            $"{facade.Name}: {worlds} worlds, {steps} steps, {detours} captures and restores, {failures} worlds differ"));
-        return failures;
+            $"{facade.Name}: {tally.Worlds} worlds, {tally.Calls} calls, {tally.Steps} steps, {tally.Detours} captures and restores, "
+            + $"{tally.Different} worlds differ"));
+        return tally;
     }
 
     /// <returns>What differs, or null.</returns>
-    public static string? Compare(Facade facade, ulong seed, Profile? profile, ref long steps, ref long detours)
+    public static string? Compare(Facade facade, ulong seed, Profile? profile, StateTally tally)
     {
         Machine plain = Make(facade, seed, profile, null, out _);
         Machine other = Make(facade, seed, profile, (int)seed, out Exception? thrown);
-        steps += other.Steps;
-        detours += other.Detours;
+        tally.Worlds++;
+        tally.Calls += other.Calls;
+        tally.Steps += other.Steps;
+        tally.Detours += other.Detours;
         if (thrown is not null)
         {
             return thrown.ToString();
@@ -58,9 +56,15 @@ internal static class StateHunt
         int same = plain.Hashes.Zip(other.Hashes).TakeWhile(h => h.First == h.Second).Count();
         int told = plain.EventHashes.Zip(other.EventHashes).TakeWhile(h => h.First == h.Second).Count();
         int all = Math.Max(plain.Hashes.Count, other.Hashes.Count);
-        return same < all || told < all
-            ? string.Create(CultureInfo.InvariantCulture, $"of {all} steps the values of {same} and the events of {told} are the same, call {plain.Outcomes.Where(o => other.Outcomes.GetValueOrDefault(o.Key) != o.Value).Select(o => o.Key).DefaultIfEmpty(-1).Min()} came out otherwise; {Difference(facade, seed, profile)}")
-            : null;
+        if (same == all && told == all)
+        {
+            return null;
+        }
+
+        int call = plain.Outcomes.Where(o => other.Outcomes.GetValueOrDefault(o.Key) != o.Value).Select(o => o.Key).DefaultIfEmpty(-1).Min();
+        return string.Create(CultureInfo.InvariantCulture,
+            $"of {all} steps the values of {same} and the events of {told} are the same, call {call} came out otherwise; ")
+            + Difference(facade, seed, profile);
     }
 
     private static string? Difference(Facade facade, ulong seed, Profile? profile) =>
@@ -82,4 +86,19 @@ internal static class StateHunt
 
         return machine;
     }
+}
+
+/// <summary>What was done.</summary>
+internal sealed class StateTally
+{
+    public int Worlds { get; set; }
+
+    public long Calls { get; set; }
+
+    public long Steps { get; set; }
+
+    public long Detours { get; set; }
+
+    /// <summary>Worlds that differ.</summary>
+    public int Different { get; set; }
 }
