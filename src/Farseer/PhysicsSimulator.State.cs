@@ -21,7 +21,9 @@ public partial class PhysicsSimulator
     /// <summary>Captures the state into a new object: see <see cref="Capture(PhysicsSimulatorState)"/>.</summary>
     /// <returns>The state.</returns>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
-    /// <exception cref="InvalidOperationException">An update runs, or an item of your own does not implement <see cref="ISavedState"/>.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// An update runs, or an item of your own does not implement <see cref="ISavedState"/>.
+    /// </exception>
     public PhysicsSimulatorState Capture()
     {
         var state = new PhysicsSimulatorState();
@@ -34,7 +36,9 @@ public partial class PhysicsSimulator
     /// sleep, springs, controllers, what waits to be taken in or out, filters, handlers and settings. After <see cref="Restore"/>
     /// the same calls give the same bits.
     /// </summary>
-    /// <remarks>Not captured: tags and names, the number of workers, diagnostics, and the state of objects that handlers refer to.</remarks>
+    /// <remarks>
+    /// Not captured: tags and names, the number of workers, diagnostics, and the state of objects that handlers refer to.
+    /// </remarks>
     /// <param name="state">Where to; what it held is lost, also if an exception is thrown: it holds nothing then.</param>
     /// <exception cref="ArgumentNullException"><paramref name="state"/> is null.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
@@ -82,7 +86,8 @@ public partial class PhysicsSimulator
         RequireOutside(nameof(Restore));
         if (!ReferenceEquals(state.Owner, this))
         {
-            throw new ArgumentException(state.Owner is null ? "The state holds nothing." : "The state is of another simulator.", nameof(state));
+            throw new ArgumentException(
+                state.Owner is null ? "The state holds nothing." : "The state is of another simulator.", nameof(state));
         }
 
         StateRoster roster = state.Roster;

@@ -5,7 +5,8 @@ namespace FarseerGames.FarseerPhysics;
 
 /// <summary>
 /// A state of a <see cref="PhysicsSimulator"/> at one moment: made by <see cref="PhysicsSimulator.Capture()"/>, gone back to by
-/// <see cref="PhysicsSimulator.Restore"/> as often as wanted. It belongs to the simulator that it was captured from, and lasts until it is captured anew.
+/// <see cref="PhysicsSimulator.Restore"/> as often as wanted. It belongs to the simulator that it was captured from, and lasts
+/// until it is captured anew.
 /// </summary>
 /// <remarks>Its memory is kept: once it has grown, capturing into it again allocates nothing.</remarks>
 /// <example>

@@ -57,8 +57,9 @@ public static class Program
         {
             facade, seconds, seed, worlds, calls, profile,
         };
-        state.SetAction(result => StateHunt.Run(Facades.Find(result.GetValue(facade)!), result.GetValue(seed) ?? (ulong)DateTime.UtcNow.Ticks,
-            TimeSpan.FromSeconds(result.GetValue(seconds)), result.GetValue(worlds), result.GetValue(calls), result.GetValue(profile),
+        state.SetAction(result => StateHunt.Run(Facades.Find(result.GetValue(facade)!),
+            result.GetValue(seed) ?? (ulong)DateTime.UtcNow.Ticks, TimeSpan.FromSeconds(result.GetValue(seconds)),
+            result.GetValue(worlds), result.GetValue(calls), result.GetValue(profile),
             Console.Out).Different == 0 ? 0 : 1);
         root.Add(state);
         return root.Parse(args).Invoke();

@@ -16,7 +16,9 @@ public sealed class StateFieldTests
         walk.Walk(typeof(b2World));
 
 
-        Assert.True(walk.Visited > 400 && walk.Reasons.Count > 150, $"the walk saw only {walk.Visited} fields with state and {walk.Reasons.Count} reasons");
+        Assert.True(
+            walk.Visited > 400 && walk.Reasons.Count > 150,
+            $"the walk saw only {walk.Visited} fields with state and {walk.Reasons.Count} reasons");
         Assert.Empty(walk.Missing);
         Assert.Empty(walk.Unvisited);
         Assert.Empty(walk.Contradictory);

@@ -90,7 +90,8 @@ internal sealed class StateWalk
         }
 
         // Records without references are written as they are.
-        if (!_types.Contains(type) || type.IsEnum || typeof(Delegate).IsAssignableFrom(type) || IsPlain(type) || !_seen.Add(type) || Excused(type, type.FullName!))
+        if (!_types.Contains(type) || type.IsEnum || typeof(Delegate).IsAssignableFrom(type) || IsPlain(type)
+            || !_seen.Add(type) || Excused(type, type.FullName!))
         {
             return;
         }
@@ -108,7 +109,8 @@ internal sealed class StateWalk
         Array.ForEach(type.GetFields(All), Look);
     }
 
-    private bool IsVisit(MethodBase method) => method.DeclaringType != _stream && method.GetParameters().Any(p => p.ParameterType == _stream);
+    private bool IsVisit(MethodBase method) =>
+        method.DeclaringType != _stream && method.GetParameters().Any(p => p.ParameterType == _stream);
 
     private static bool IsPlain(Type type) =>
         type.IsPrimitive || type.IsPointer || type.IsEnum
@@ -117,7 +119,8 @@ internal sealed class StateWalk
     private void Look(FieldInfo field)
     {
         Type type = field.FieldType;
-        PropertyInfo? property = field.Name.StartsWith('<') ? field.DeclaringType!.GetProperty(field.Name[1..field.Name.IndexOf('>', StringComparison.Ordinal)], All) : null;
+        PropertyInfo? property = field.Name.StartsWith('<')
+            ? field.DeclaringType!.GetProperty(field.Name[1..field.Name.IndexOf('>', StringComparison.Ordinal)], All) : null;
         string name = field.DeclaringType!.FullName + "." + (property?.Name ?? field.Name);
         bool isSet = _set.Contains(Key(field));
         bool isVisited = isSet || (_read.Contains(Key(field)) && !type.IsValueType);
@@ -132,7 +135,8 @@ internal sealed class StateWalk
         }
 
         // What is made with its owner and never changed needs no state; where something lies is no state either.
-        if (type.IsPointer || type.IsFunctionPointer || (field.IsInitOnly && (IsPlain(type) || type == typeof(string) || typeof(Delegate).IsAssignableFrom(type))))
+        if (type.IsPointer || type.IsFunctionPointer
+            || (field.IsInitOnly && (IsPlain(type) || type == typeof(string) || typeof(Delegate).IsAssignableFrom(type))))
         {
             return;
         }
@@ -180,7 +184,7 @@ internal sealed class StateWalk
         Note(method, depth);
         if (method.DeclaringType is { IsInterface: true, IsGenericType: false } face)
         {
-            foreach (Type type in _types.Where(t => t is { IsInterface: false, IsGenericTypeDefinition: false } && face.IsAssignableFrom(t)))
+            foreach (Type type in _types.Where(t => !t.IsInterface && !t.IsGenericTypeDefinition && face.IsAssignableFrom(t)))
             {
                 InterfaceMapping map = type.GetInterfaceMap(face);
                 Note(map.TargetMethods[Array.IndexOf(map.InterfaceMethods, method)], depth);

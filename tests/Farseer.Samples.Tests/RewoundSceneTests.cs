@@ -50,7 +50,9 @@ public sealed class RewoundSceneTests
         }
     }
 
-    /// <summary>One state back, by turns four: further than the worlds have been since. By turns with the other number of workers.</summary>
+    /// <summary>
+    /// One state back, by turns four: further than the worlds have been since. By turns with the other number of workers.
+    /// </summary>
     private static void Rewind(object scene, PhysicsSimulator[] worlds, Action<int> step, int steps)
     {
         var kept = new List<(PhysicsSimulatorState[] States, OwnMemory Own)>();
@@ -92,7 +94,8 @@ public sealed class RewoundSceneTests
 
     private static ulong Hash(PhysicsSimulator[] worlds) => worlds.Aggregate(0ul, (hash, world) => (hash * 31) + world.StateHash());
 
-    private static int Values(PhysicsSimulator[] worlds) => PublicValues.HashOf(worlds.SelectMany(w => w.BodyList.AsEnumerable<object>().Append(w)
+    private static int Values(PhysicsSimulator[] worlds) => PublicValues.HashOf(worlds.SelectMany(w =>
+        w.BodyList.AsEnumerable<object>().Append(w)
         .Concat(w.GeomList).Concat(w.JointList).Concat(w.SpringList).Concat(w.ControllerList).Concat(w.ArbiterList)
         .Concat(w.ArbiterList.SelectMany(a => a.ContactList.Cast<object>()))));
 

@@ -6,11 +6,13 @@ using System.Reflection;
 namespace Farseer.Tests.Shared;
 
 /// <summary>
-/// What an object of a sample remembers beside its world: fields, and what lists and arrays in them hold. A state of a world does not have them; who goes
-/// back to one sets them back himself.
+/// What an object of a sample remembers beside its world: fields, and what lists and arrays in them hold. A state of a world does
+/// not have them; who goes back to one sets them back himself.
 /// </summary>
 internal sealed class OwnMemory
 {
+    private const BindingFlags All = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
+
     private readonly List<(object Owner, FieldInfo Field, object? Value)> _fields = [];
     private readonly List<(IList Items, object?[] Values)> _lists = [];
     private readonly HashSet<object> _seen = new(ReferenceEqualityComparer.Instance);
@@ -49,7 +51,7 @@ internal sealed class OwnMemory
 
         for (Type? type = owner.GetType(); type is not null && type.Assembly == mine; type = type.BaseType)
         {
-            foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
+            foreach (FieldInfo field in type.GetFields(All))
             {
                 object? value = field.GetValue(owner);
                 if (!field.IsInitOnly)
@@ -71,5 +73,6 @@ internal sealed class OwnMemory
         }
     }
 
-    private static bool IsPlain(Type type) => type.IsArray ? type.GetArrayRank() == 1 : type.IsGenericType && type.GetGenericTypeDefinition() == typeof(List<>);
+    private static bool IsPlain(Type type) =>
+        type.IsArray ? type.GetArrayRank() == 1 : type.IsGenericType && type.GetGenericTypeDefinition() == typeof(List<>);
 }

@@ -26,7 +26,8 @@ internal static class PublicValues
     }
 
     private static PropertyInfo[] Readable(Type type) => [.. type.GetProperties(BindingFlags.Instance | BindingFlags.Public)
-        .Where(p => p.GetMethod is { IsPublic: true } && p.GetIndexParameters().Length == 0 && p.PropertyType.IsValueType && !p.PropertyType.IsByRefLike)
+        .Where(p => p.GetMethod is { IsPublic: true } && p.GetIndexParameters().Length == 0)
+        .Where(p => p.PropertyType is { IsValueType: true, IsByRefLike: false })
         .Where(p => p.Name != "Id")
         .OrderBy(p => p.MetadataToken)];
 }

@@ -115,7 +115,9 @@ public sealed class RackAndPinionJoint : Joint, ISavedState
         _start = Way();
     }
 
-    /// <summary>The impulse that the next update starts from is all that the joint remembers: the rest is made anew in each iteration.</summary>
+    /// <summary>
+    /// The impulse that the next update starts from is all that the joint remembers: the rest is made anew in each iteration.
+    /// </summary>
     public int StateSize => sizeof(float);
 
     /// <summary>Called when the simulator is captured.</summary>

@@ -6,8 +6,9 @@ using Farseer.Engine.Storage;
 namespace Box2D.Dynamics;
 
 /// <summary>
-/// A state of a <see cref="b2World"/> at one moment: made by <see cref="b2World.Capture()"/>, gone back to by <see cref="b2World.Restore"/> as often as
-/// wanted. It belongs to the world that it was captured from, and lasts until it is captured anew.
+/// A state of a <see cref="b2World"/> at one moment: made by <see cref="b2World.Capture()"/>, gone back to by
+/// <see cref="b2World.Restore"/> as often as wanted. It belongs to the world that it was captured from, and lasts until it is
+/// captured anew.
 /// </summary>
 /// <remarks>Its memory is kept: once it has grown, capturing into it again allocates nothing.</remarks>
 /// <example>

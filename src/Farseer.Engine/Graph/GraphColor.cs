@@ -200,7 +200,9 @@ internal sealed unsafe class GraphColor
         }
     }
 
-    /// <summary>Writes, or reads, what later steps read of it; the arena comes before. Of its memory only the bundles that have rows.</summary>
+    /// <summary>
+    /// Writes, or reads, what later steps read of it; the arena comes before. Of its memory only the bundles that have rows.
+    /// </summary>
     public void Visit(StateStream s)
     {
         s.Value(ref _first);

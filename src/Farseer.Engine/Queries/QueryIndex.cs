@@ -266,7 +266,8 @@ internal sealed unsafe class QueryIndex
     }
 
     /// <summary>
-    /// Writes, or reads, what later queries read of it. How loose its boxes are follows from all that went before, and a step asks it for what a fast body may meet.
+    /// Writes, or reads, what later queries read of it. How loose its boxes are follows from all that went before, and a step
+    /// asks it for what a fast body may meet.
     /// </summary>
     public void Visit(StateStream s)
     {

@@ -9,7 +9,8 @@ namespace Farseer.Engine.Simulation;
 internal sealed partial class World
 {
     /// <summary>
-    /// Writes the state, or sets it to what was written of this world. Who hears of its steps, and what is only memory of one step, is no part of it.
+    /// Writes the state, or sets it to what was written of this world. Who hears of its steps, and what is only memory of one
+    /// step, is no part of it.
     /// </summary>
     /// <exception cref="InvalidOperationException">A step runs.</exception>
     public void Visit(StateStream s)

@@ -31,7 +31,8 @@ internal enum Why
 }
 
 /// <summary>
-/// On a field, property or type that lives from step to step and that no method with a <see cref="StateStream"/> visits. A test asks for one of the two.
+/// On a field, property or type that lives from step to step and that no method with a <see cref="StateStream"/> visits. A test
+/// asks for one of the two.
 /// </summary>
 [AttributeUsage(AttributeTargets.Field | AttributeTargets.Property | AttributeTargets.Class | AttributeTargets.Struct)]
 internal sealed class NotStateAttribute : Attribute

@@ -260,8 +260,9 @@ internal sealed unsafe class PairMap
     }
 
     /// <summary>
-    /// Writes, or reads, what later steps read of it. The table comes back in the size that it had: a larger one would have its entries elsewhere, and
-    /// in what order they are removed matters to nobody, but the values would have to be put in one by one.
+    /// Writes, or reads, what later steps read of it. The table comes back in the size that it had: a larger one would have its
+    /// entries elsewhere, and in what order they are removed matters to nobody, but the values would have to be put in one by
+    /// one.
     /// </summary>
     public void Visit(StateStream s)
     {

@@ -5,8 +5,9 @@ using System.Runtime.CompilerServices;
 namespace Farseer.Engine.Storage;
 
 /// <summary>
-/// What a simulation remembers from step to step, written or read. Each owner of state has one method that visits its fields in turn; the same
-/// method saves and restores, so that the two cannot disagree. Memory is kept: a stream that has grown allocates nothing.
+/// What a simulation remembers from step to step, written or read. Each owner of state has one method that visits its fields in
+/// turn; the same method saves and restores, so that the two cannot disagree. Memory is kept: a stream that has grown allocates
+/// nothing.
 /// </summary>
 internal sealed unsafe class StateStream
 {
@@ -50,8 +51,9 @@ internal sealed unsafe class StateStream
     }
 
     /// <summary>The names of all fields that differ; both were traced.</summary>
-    public IEnumerable<string> Differences(StateStream other)
+    public List<string> Differences(StateStream other)
     {
+        var names = new List<string>();
         for (int i = 0; i < Math.Min(Trace!.Count, other.Trace!.Count); i++)
         {
             int end = i + 1 < Trace.Count ? Trace[i + 1].At : Length;
@@ -59,9 +61,11 @@ internal sealed unsafe class StateStream
             ReadOnlySpan<byte> mine = new ReadOnlySpan<byte>(_bytes, Trace[i].At, end - Trace[i].At);
             if (!mine.SequenceEqual(new ReadOnlySpan<byte>(other._bytes, other.Trace[i].At, otherEnd - other.Trace[i].At)))
             {
-                yield return Trace[i].Name;
+                names.Add(Trace[i].Name);
             }
         }
+
+        return names;
     }
 
     /// <summary>The names of the fields around the first difference; this one was traced.</summary>
@@ -154,7 +158,9 @@ internal sealed unsafe class StateStream
         return value;
     }
 
-    /// <summary>A column of records that stay where they are. What lies behind the last one that is not zero is zero, as in new memory.</summary>
+    /// <summary>
+    /// A column of records that stay where they are. What lies behind the last one that is not zero is zero, as in new memory.
+    /// </summary>
     public void Column<T>(Column<T> column, [CallerArgumentExpression(nameof(column))] string name = "")
         where T : unmanaged
     {

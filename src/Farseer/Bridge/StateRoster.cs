@@ -7,7 +7,9 @@ using FarseerGames.FarseerPhysics.Dynamics.Springs;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
-/// <summary>Everybody whose state is part of a simulator's: what is in it, what waits for it, and the bodies and geoms that these have.</summary>
+/// <summary>
+/// Everybody whose state is part of a simulator's: what is in it, what waits for it, and the bodies and geoms that these have.
+/// </summary>
 internal sealed class StateRoster
 {
     private readonly HashSet<object> _seen = new HashSet<object>();

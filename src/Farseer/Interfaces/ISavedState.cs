@@ -3,10 +3,14 @@ using System;
 namespace FarseerGames.FarseerPhysics.Interfaces;
 
 /// <summary>
-/// What a joint, spring, controller or broad phase of your own implements to take part in <see cref="PhysicsSimulator.Capture(PhysicsSimulatorState)"/>
-/// and <see cref="PhysicsSimulator.Restore"/>: it writes its fields to a span of bytes and reads them from one.
+/// What a joint, spring, controller or broad phase of your own implements to take part in
+/// <see cref="PhysicsSimulator.Capture(PhysicsSimulatorState)"/> and <see cref="PhysicsSimulator.Restore"/>: it writes its fields
+/// to a span of bytes and reads them from one.
 /// </summary>
-/// <remarks>Fields of the base classes (enabled, limits, bodies and the like) are saved by the library; only what you add is yours to save.</remarks>
+/// <remarks>
+/// Fields of the base classes (enabled, limits, bodies and the like) are saved by the library; only what you add is yours to
+/// save.
+/// </remarks>
 /// <example>
 /// <code>
 /// public int StateSize => sizeof(float);
@@ -18,7 +22,10 @@ namespace FarseerGames.FarseerPhysics.Interfaces;
 /// </example>
 public interface ISavedState
 {
-    /// <summary>Bytes that <see cref="SaveState"/> is going to write, at least 0. Asked at each capture; it may change from one to the next.</summary>
+    /// <summary>
+    /// Bytes that <see cref="SaveState"/> is going to write, at least 0. Asked at each capture; it may change from one to the
+    /// next.
+    /// </summary>
     int StateSize { get; }
 
     /// <summary>Writes all that influences a later update.</summary>

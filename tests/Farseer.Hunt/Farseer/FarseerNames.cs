@@ -39,7 +39,8 @@ internal sealed class FarseerNames : Names
             || typeof(LibraryCollider).IsAssignableFrom(t) || t.Name.EndsWith("List", StringComparison.Ordinal)))
         .Concat(new[]
         {
-            typeof(PhysicsSimulator), typeof(PhysicsSimulatorState), typeof(Body), typeof(Geom), typeof(BodyFactory), typeof(GeomFactory), typeof(JointFactory),
+            typeof(PhysicsSimulator), typeof(PhysicsSimulatorState), typeof(Body), typeof(Geom),
+                typeof(BodyFactory), typeof(GeomFactory), typeof(JointFactory),
                 typeof(SpringFactory),
             typeof(ComplexFactory), typeof(Path), typeof(QueryFilter), typeof(AABB), typeof(AABBFluidContainer), typeof(Scaling),
                 typeof(ErrorBudget),

@@ -55,7 +55,9 @@ internal abstract class Observer
         }
     }
 
-    /// <returns>The fields that differ in the states of two observers, each with the number of the state in which it does so first.</returns>
+    /// <returns>
+    /// The fields that differ in the states of two observers, each with the number of the state in which it does so first.
+    /// </returns>
     public string FirstDifference(Observer other)
     {
         var first = new Dictionary<string, int>(StringComparer.Ordinal);

@@ -15,7 +15,8 @@ namespace Farseer.Hunt.Running;
 internal static class StateHunt
 {
     /// <returns>What was done; it differs nowhere unless it says so.</returns>
-    public static StateTally Run(Facade facade, ulong seed, TimeSpan time, int mostWorlds, long mostCalls, Profile? profile, TextWriter output)
+    public static StateTally Run(
+        Facade facade, ulong seed, TimeSpan time, int mostWorlds, long mostCalls, Profile? profile, TextWriter output)
     {
         long start = Stopwatch.GetTimestamp();
         var tally = new StateTally();
@@ -61,7 +62,8 @@ internal static class StateHunt
             return null;
         }
 
-        int call = plain.Outcomes.Where(o => other.Outcomes.GetValueOrDefault(o.Key) != o.Value).Select(o => o.Key).DefaultIfEmpty(-1).Min();
+        int call = plain.Outcomes.Where(o => other.Outcomes.GetValueOrDefault(o.Key) != o.Value)
+            .Select(o => o.Key).DefaultIfEmpty(-1).Min();
         return string.Create(CultureInfo.InvariantCulture,
             $"of {all} steps the values of {same} and the events of {told} are the same, call {call} came out otherwise; ")
             + Difference(facade, seed, profile);
