@@ -230,8 +230,7 @@ public abstract partial class b2Shape
         s.Value(ref _isSensor);
         _filter = s.Reference(_filter)!;
         _filter.Visit(s);
-        Link.Collider = s.Value(Link.Collider);
-        Link.IsAttached = s.Value(Link.IsAttached);
+        Link.Visit(s);
         Body = s.Reference(Body);
         Next = s.Reference(Next);
         Density = s.Value(Density);
