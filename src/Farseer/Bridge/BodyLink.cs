@@ -113,19 +113,7 @@ internal struct BodyLink
     {
         World world = _world!;
         Handle handle = _handle;
-        _loose ??= new LooseBody();
-        if (IsSimulated)
-        {
-            State = StateRef;
-        }
-
-        Pose = PoseRef;
-        Mass = MassRef;
-        Force = ForceRef;
-        Drag = DragRef;
-        _world = null;
-        _handle = default;
-        IsSimulated = false;
+        LeaveColumns();
         world.DestroyBody(handle);
     }
 
@@ -267,6 +255,13 @@ internal struct BodyLink
     /// <summary>Takes the state out of the columns of a world that is about to be another one.</summary>
     public void TakeOut()
     {
+        LeaveColumns();
+        Colliders = 0;
+        Joints = 0;
+    }
+
+    private void LeaveColumns()
+    {
         if (_world is not null)
         {
             _loose ??= new LooseBody();
@@ -284,7 +279,5 @@ internal struct BodyLink
         _world = null;
         _handle = default;
         IsSimulated = false;
-        Colliders = 0;
-        Joints = 0;
     }
 }
