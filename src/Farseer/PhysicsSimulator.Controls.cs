@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Controllers;
 using FarseerGames.FarseerPhysics.Dynamics.Springs;
@@ -20,9 +21,11 @@ public partial class PhysicsSimulator
     public ControllerList ControllerList { get; }
 
     /// <summary>Disables bodies that rest, if it is enabled; off by default.</summary>
+    [NotState(Why.Fixed)]
     public InactivityController InactivityController { get; }
 
     /// <summary>True while forces act: springs then go to the engine.</summary>
+    [NotState(Why.Calm)]
     internal bool IsApplyingForces { get; private set; }
 
     /// <summary>Adds a spring; it acts from the next update on. One that was added before is ignored.</summary>

@@ -144,7 +144,7 @@ public partial class PhysicsSimulator
 
     /// <summary>
     /// Takes everything out at once, without events; from within a handler, at the end of the update. The settings stay. The items
-    /// are not disposed and can be added again.
+    /// are not disposed and can be added again. What a handler of a list throws is thrown when all is out and all have been told.
     /// </summary>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
     public void Clear()
@@ -157,6 +157,8 @@ public partial class PhysicsSimulator
         }
 
         _clearWaits = false;
+        Geom[] geoms;
+        Body[] bodies;
         _relay.IsClearing = true;
         try
         {
@@ -178,8 +180,8 @@ public partial class PhysicsSimulator
                 }
             }
 
-            GeomList.Empty();
-            BodyList.Empty();
+            geoms = GeomList.Empty();
+            bodies = BodyList.Empty();
             ClearControls();
         }
         finally
@@ -190,6 +192,11 @@ public partial class PhysicsSimulator
         ForgetPending();
         _arbiters.Clear();
         _arbiters.IsStale = false;
+
+        // All is out before anybody hears of it, whatever he does or throws then.
+        GeomList.Tell(geoms, _relay);
+        BodyList.Tell(bodies, _relay);
+        _relay.Rethrow();
     }
 
     internal void NoteDisposed(Body body)

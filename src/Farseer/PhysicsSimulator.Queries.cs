@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 
@@ -13,6 +14,7 @@ namespace FarseerGames.FarseerPhysics;
 /// </content>
 public partial class PhysicsSimulator
 {
+    [NotState(Why.Fixed)]
     private readonly QueryLink _queries;
 
     /// <summary>The first geom on a way. A geom that the way starts in or on is met at once.</summary>

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using Farseer.Engine.Stepping;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -12,30 +13,39 @@ public partial class PhysicsSimulator
 {
     private readonly List<Body> _pending = new List<Body>();
     private readonly List<Body> _listeners = new List<Body>();
+    [NotState(Why.Calm)]
     private bool _isUpdating;
 
     /// <summary>True measures the times below; false, the default, costs nothing.</summary>
+    [NotState(Why.Running)]
     public bool EnableDiagnostics { get; set; }
 
     /// <summary>Milliseconds that the last update took in all; −1 until measured.</summary>
+    [NotState(Why.Running)]
     public float UpdateTime { get; private set; } = -1;
 
     /// <summary>Milliseconds for taking items in and out; −1 until measured.</summary>
+    [NotState(Why.Running)]
     public float CleanUpTime { get; private set; } = -1;
 
     /// <summary>Milliseconds for finding the pairs; −1 until measured.</summary>
+    [NotState(Why.Running)]
     public float BroadPhaseCollisionTime { get; private set; } = -1;
 
     /// <summary>Milliseconds for the contacts of the pairs, with their events; −1 until measured.</summary>
+    [NotState(Why.Running)]
     public float NarrowPhaseCollisionTime { get; private set; } = -1;
 
     /// <summary>Milliseconds for forces and stored impulses; −1 until measured.</summary>
+    [NotState(Why.Running)]
     public float ApplyForcesTime { get; private set; } = -1;
 
     /// <summary>Milliseconds for solving the contacts; −1 until measured.</summary>
+    [NotState(Why.Running)]
     public float ApplyImpulsesTime { get; private set; } = -1;
 
     /// <summary>Milliseconds for bringing the new positions to the bodies; −1 until measured.</summary>
+    [NotState(Why.Running)]
     public float UpdatePositionsTime { get; private set; } = -1;
 
     /// <summary>Advances the simulation.</summary>

@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Interfaces;
 
 namespace FarseerGames.FarseerPhysics;
@@ -6,7 +7,9 @@ namespace FarseerGames.FarseerPhysics;
 /// <content>The threads that share an update. (Additions to the original.)</content>
 public partial class PhysicsSimulator
 {
+    [NotState(Why.Running)]
     private int _workerCount = 1;
+    [NotState(Why.Running)]
     private IStepScheduler? _stepScheduler;
 
     /// <summary>

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Numerics;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Controllers;
@@ -19,6 +20,7 @@ namespace FarseerGames.FarseerPhysics;
 /// </summary>
 public partial class PhysicsSimulator : IDisposable
 {
+    [NotState(Why.Derived)]
     private readonly ObjectTable _table = new ObjectTable();
     private readonly EventRelay _relay;
     private readonly ArbiterView _arbiters;
@@ -28,6 +30,7 @@ public partial class PhysicsSimulator : IDisposable
     private Scaling _scaling = new Scaling(0.001f, 0.01f);
     private IBroadPhaseCollider _broadPhaseCollider;
     private Farseer201Quirks _quirks;
+    [NotState(Why.Calm)]
     private bool _isDisposed;
 
     /// <summary>Makes a simulator without gravity.</summary>
@@ -299,9 +302,15 @@ public partial class PhysicsSimulator : IDisposable
     {
         if (!_isDisposed)
         {
-            Clear();
-            _isDisposed = true;
-            World.Dispose();
+            try
+            {
+                Clear();
+            }
+            finally
+            {
+                _isDisposed = true;
+                World.Dispose();
+            }
         }
 
         GC.SuppressFinalize(this);

@@ -1,3 +1,5 @@
+using Farseer.Engine.Storage;
+
 
 namespace FarseerGames.FarseerPhysics;
 
@@ -79,5 +81,14 @@ public class Scaling
         float step = _gathered;
         _gathered = 0;
         return step;
+    }
+
+    /// <summary>Writes, or reads, what later updates read of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        s.Value(ref _maximumUpdateInterval);
+        s.Value(ref _updateInterval);
+        s.Value(ref _gathered);
+        Enabled = s.Value(Enabled);
     }
 }

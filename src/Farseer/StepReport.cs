@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Accuracy;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Dynamics.Joints;
 
@@ -213,4 +214,18 @@ public readonly struct StepReport
     /// every impulse acts both ways.
     /// </summary>
     public double MomentumError => _measures.MomentumError;
+
+    /// <summary>Writes, or reads, the report of the last step.</summary>
+    internal static StepReport Visit(StateStream s, in StepReport report)
+    {
+        StepMeasures measures = s.Value(report._measures);
+        Body? body = s.Reference(report.WorstBody);
+        Body? partner = s.Reference(report.WorstPartner);
+        Joint? joint = s.Reference(report.WorstJoint);
+        double load = s.Value(report.BudgetLoad);
+        TimeSpan time = s.Value(report.StepTime);
+        bool within = s.Value(report.IsWithinTimeLimit);
+        TimeSpan limit = within ? TimeSpan.Zero : time - new TimeSpan(1);
+        return s.IsReading ? new StepReport(measures, body, partner, joint, load, time, limit) : report;
+    }
 }

@@ -52,6 +52,16 @@ public static class Program
             return failed == 0 ? 0 : 1;
         });
         root.Add(replay);
+        var calls = new Option<long>("--calls") { DefaultValueFactory = _ => long.MaxValue, Description = "how many calls at most" };
+        var state = new Command("state", "Captures worlds before some steps, does something else with them, restores them, and compares.")
+        {
+            facade, seconds, seed, worlds, calls, profile,
+        };
+        state.SetAction(result => StateHunt.Run(Facades.Find(result.GetValue(facade)!),
+            result.GetValue(seed) ?? (ulong)DateTime.UtcNow.Ticks, TimeSpan.FromSeconds(result.GetValue(seconds)),
+            result.GetValue(worlds), result.GetValue(calls), result.GetValue(profile),
+            Console.Out).Different == 0 ? 0 : 1);
+        root.Add(state);
         return root.Parse(args).Invoke();
     }
 }

@@ -1,11 +1,13 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.InteropServices;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Dynamics.Joints;
 using FarseerGames.FarseerPhysics.Factories;
+using FarseerGames.FarseerPhysics.Interfaces;
 
 namespace Farseer.Scenes;
 
@@ -93,7 +95,7 @@ public sealed class OwnJoint : Scene
 /// C / dt takes away that share of an error that is left from before.
 /// </para>
 /// </summary>
-public sealed class RackAndPinionJoint : Joint
+public sealed class RackAndPinionJoint : Joint, ISavedState
 {
     private readonly Body _rack;
     private readonly Body _pinion;
@@ -112,6 +114,17 @@ public sealed class RackAndPinionJoint : Joint
         _radius = radius;
         _start = Way();
     }
+
+    /// <summary>
+    /// The impulse that the next update starts from is all that the joint remembers: the rest is made anew in each iteration.
+    /// </summary>
+    public int StateSize => sizeof(float);
+
+    /// <summary>Called when the simulator is captured.</summary>
+    public void SaveState(Span<byte> destination) => MemoryMarshal.Write(destination, in _impulse);
+
+    /// <summary>Called when the simulator goes back to a state.</summary>
+    public void RestoreState(ReadOnlySpan<byte> source) => _impulse = MemoryMarshal.Read<float>(source);
 
     /// <summary>Called at the start of an update: a joint without its bodies must go.</summary>
     public override void Validate()

@@ -368,4 +368,33 @@ internal sealed class BodyLink
         x = (Cos * dx) + (Sin * dy);
         y = (Cos * dy) - (Sin * dx);
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _handle);
+        s.Value(ref _pose);
+        s.Value(ref _state);
+        s.Value(ref _linearDamping);
+        s.Value(ref _angularDamping);
+        s.Value(ref _keeps);
+        s.Value(ref _sleepsAtFirst);
+        IsAttached = s.Value(IsAttached);
+        CenterX = s.Value(CenterX);
+        CenterY = s.Value(CenterY);
+        Mass = s.Value(Mass);
+        Inertia = s.Value(Inertia);
+        IsFrozen = s.Value(IsFrozen);
+    }
+
+    /// <summary>Takes the state out of a world that is about to be another one.</summary>
+    public void TakeOut()
+    {
+        if (IsAttached)
+        {
+            _pose = PoseRef;
+            _state = StateRef;
+            IsAttached = false;
+        }
+    }
 }

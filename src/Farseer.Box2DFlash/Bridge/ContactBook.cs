@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Box2D.Collision.Shapes;
 using Box2D.Dynamics.Contacts;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Bridge;
 
@@ -14,7 +15,9 @@ internal sealed class ContactBook
     private readonly Dictionary<ulong, b2Contact> _byPair = new Dictionary<ulong, b2Contact>();
 
     /// <summary>Ended contacts, accepted and refused ones, for those to come: steps are not to allocate.</summary>
+    [NotState(Why.Room)]
     private readonly Stack<b2Contact> _spare = new Stack<b2Contact>();
+    [NotState(Why.Room)]
     private readonly Stack<b2Contact> _spareRefused = new Stack<b2Contact>();
 
     public b2Contact? First { get; private set; }
@@ -78,4 +81,37 @@ internal sealed class ContactBook
 
     /// <summary>As in the original a polygon comes before a circle; otherwise the older shape comes first.</summary>
     private static bool IsSwapped(b2Shape a, b2Shape b) => a.GetType() == b2Shape.e_circleShape && b.GetType() == b2Shape.e_polygonShape;
+
+    /// <summary>
+    /// Writes, or reads, the contacts. Which object stands for a contact is not kept: they are used again and again as bodies come and go.
+    /// </summary>
+    public void Visit(StateStream s)
+    {
+        int count = s.Value(Count);
+        if (s.IsReading)
+        {
+            while (First is not null)
+            {
+                Remove(First);
+            }
+        }
+
+        // The last one first, for each comes in before the others.
+        b2Contact? contact = First;
+        while (contact?.Next is not null)
+        {
+            contact = contact.Next;
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            b2Shape shape1 = s.Reference(contact?.Shape1)!;
+            b2Shape shape2 = s.Reference(contact?.Shape2)!;
+            bool accepted = s.Value(contact is not null && contact.IsAccepted);
+            b2Contact visited = s.IsReading ? Add(shape1, shape2, accepted) : contact!;
+            visited.WasNear = s.Value(visited.WasNear);
+            visited.Points.Visit(s);
+            contact = s.IsReading ? null : visited.Previous;
+        }
+    }
 }

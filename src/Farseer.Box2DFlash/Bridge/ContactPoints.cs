@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Bridge;
 
@@ -78,5 +79,28 @@ internal sealed class ContactPoints
         }
 
         return false;
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        Count = s.Value(Count);
+        BeforeCount = s.Value(BeforeCount);
+        Step = s.Value(Step);
+        Visit(s, ref _now, Count);
+        Visit(s, ref _before, BeforeCount);
+    }
+
+    private static void Visit(StateStream s, ref ContactPoint[] points, int count)
+    {
+        if (points.Length < count)
+        {
+            Array.Resize(ref points, count);
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            s.Value(ref points[i]);
+        }
     }
 }

@@ -30,8 +30,11 @@ internal sealed class EngineWorld : IStepHooks
 
     private readonly b2World _world;
     private readonly ListenerRelay _relay;
+    [NotState(Why.Derived)]
     private b2Shape?[] _shapes = new b2Shape?[16];
+    [NotState(Why.OfOneStep)]
     private readonly IndexList _found = new IndexList();
+    [NotState(Why.Calm)]
     private ExceptionDispatchInfo? _failure;
     private long _step;
 
@@ -409,6 +412,26 @@ internal sealed class EngineWorld : IStepHooks
             }
 
             contact = next;
+        }
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it, but for the contacts.</summary>
+    public void Visit(StateStream s)
+    {
+        World.Visit(s);
+        s.Value(ref _step);
+        _relay.Visit(s);
+    }
+
+    /// <summary>Forgets which shape has which collider.</summary>
+    public void ClearShapes() => Array.Clear(_shapes, 0, _shapes.Length);
+
+    /// <summary>Tells which collider a shape has.</summary>
+    public void Enter(b2Shape shape)
+    {
+        if (shape.Link.IsAttached)
+        {
+            _shapes[shape.Link.Collider.Index] = shape;
         }
     }
 }

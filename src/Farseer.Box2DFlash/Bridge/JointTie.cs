@@ -114,4 +114,16 @@ internal sealed class JointTie
         _flags = value ? _flags | flag : _flags & ~flag;
         Push();
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _handle);
+        s.Value(ref _attached);
+        s.Value(ref _flags);
+        s.Value(ref Settings);
+    }
+
+    /// <summary>Lets go of a world that is about to be another one.</summary>
+    public void TakeOut() => _attached = false;
 }

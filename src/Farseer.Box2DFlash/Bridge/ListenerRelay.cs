@@ -4,6 +4,7 @@ using Box2D.Collision;
 using Box2D.Dynamics;
 using Box2D.Dynamics.Contacts;
 using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Bridge;
 
@@ -15,7 +16,9 @@ internal sealed class ListenerRelay
 {
     private readonly b2World _world;
     private readonly EngineWorld _engine;
+    [NotState(Why.OfOneStep)]
     private readonly b2ContactPoint _point = new b2ContactPoint();
+    [NotState(Why.OfOneStep)]
     private readonly b2ContactResult _result = new b2ContactResult();
 
     public ListenerRelay(b2World world, EngineWorld engine)
@@ -191,4 +194,7 @@ internal sealed class ListenerRelay
         Persist,
         Remove,
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s) => ToldStep = s.Value(ToldStep);
 }

@@ -9,4 +9,11 @@ internal sealed class ShapeLink
 
     /// <summary>False while the body is frozen or the shape is gone.</summary>
     public bool IsAttached { get; set; }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        Collider = s.Value(Collider);
+        IsAttached = s.Value(IsAttached);
+    }
 }

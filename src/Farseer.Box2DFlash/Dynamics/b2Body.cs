@@ -4,6 +4,7 @@ using Box2D.Bridge;
 using Box2D.Collision.Shapes;
 using Box2D.Common.Math;
 using Box2D.Dynamics.Joints;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics;
 
@@ -41,11 +42,17 @@ public partial class b2Body
     public const uint e_maxTypes = 3;
 
     private readonly bool _fixedRotation;
+    [NotState(Why.Fixed)]
     private readonly PlaceView _position;
+    [NotState(Why.Fixed)]
     private readonly PlaceView _worldCenter;
+    [NotState(Why.Fixed)]
     private readonly PlaceView _localCenter;
+    [NotState(Why.Fixed)]
     private readonly VelocityView _velocity;
+    [NotState(Why.Fixed)]
     private readonly b2XForm _xf;
+    [NotState(Why.Users)]
     private object? _userData;
 
     internal b2Body(b2World world, b2BodyDef def)
@@ -383,4 +390,14 @@ public partial class b2Body
     private static bool Fits(double value) => !(value > 0) || ((float)value > 0 && Require.IsMass((float)value));
 
     private static Vector2 Of(b2Vec2 v) => new Vector2(v.x, v.y);
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        Link.Visit(s);
+        Next = s.Reference(Next);
+        Shapes = s.Reference(Shapes);
+        Joints = s.Reference(Joints);
+        IsAlive = s.Value(IsAlive);
+    }
 }

@@ -1,10 +1,12 @@
 using Box2D.Bridge;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics;
 
 /// <content>Debug drawing.</content>
 public partial class b2World
 {
+    [NotState(Why.Users)]
     private b2DebugDraw? _debugDraw;
 
     /// <summary>Registers what draws the world at the end of each step.</summary>

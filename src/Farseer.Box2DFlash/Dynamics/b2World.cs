@@ -7,6 +7,7 @@ using Box2D.Collision.Shapes;
 using Box2D.Common.Math;
 using Box2D.Dynamics.Contacts;
 using Box2D.Dynamics.Joints;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics;
 
@@ -15,12 +16,15 @@ public partial class b2World
 {
     private readonly Vector2 _lower;
     private readonly Vector2 _upper;
+    [NotState(Why.Fixed)]
     private readonly b2Body _ground;
+    [NotState(Why.Fixed)]
     private readonly GravityView _gravity;
     private b2Body? _bodies;
     private b2Joint? _joints;
     private int _bodyCount;
     private int _jointCount;
+    [NotState(Why.Calm)]
     private bool _locked;
     private Box2DFlash202Quirks _quirks;
 

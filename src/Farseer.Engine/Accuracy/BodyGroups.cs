@@ -3,6 +3,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Accuracy;
 
 /// <summary>Bodies that touch or are joined, as sets, and whether something fixed holds the set.</summary>
+[NotState(Why.OfOneStep)]
 internal sealed class BodyGroups
 {
     private readonly Column<int> _parent = new Column<int>();

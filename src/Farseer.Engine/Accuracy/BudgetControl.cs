@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Accuracy;
 
@@ -75,5 +76,15 @@ internal sealed class BudgetControl
             _now--;
             _calm = 0;
         }
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _now);
+        s.Value(ref _calm);
+        Length = s.Value(Length);
+        Share = s.Value(Share);
+        MostSubsteps = s.Value(MostSubsteps);
     }
 }

@@ -23,7 +23,9 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
     private readonly Column<VelocityChange> _booked = new Column<VelocityChange>();
     private readonly Column<VelocityChange> _inner = new Column<VelocityChange>();
     private readonly double[] _work = new double[Parts];
+    [NotState(Why.Elsewhere)]
     private BodyStore _bodies = null!;
+    [NotState(Why.Elsewhere)]
     private JointSolver? _joints;
     private Vector2 _gravity;
     private int* _list;
@@ -344,5 +346,24 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
 
         VelocityChange v = Velocity(body);
         return Work(_bodies.Mass[body], v, v) / 2;
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_start);
+        s.Column(_last);
+        s.Column(_before);
+        s.Column(_booked);
+        s.Column(_inner);
+        s.Array(_work);
+        s.Value(ref _gravity);
+        s.Value(ref _count);
+        s.Value(ref _substep);
+        s.Value(ref _dragWork);
+        s.Value(ref _motorWork);
+        s.Value(ref _supportX);
+        s.Value(ref _supportY);
+        Motion.Visit(s);
     }
 }

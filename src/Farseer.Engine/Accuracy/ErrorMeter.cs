@@ -7,6 +7,7 @@ using Farseer.Engine.Joints;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Accuracy;
 
@@ -28,6 +29,7 @@ internal sealed unsafe class ErrorMeter
     private readonly ContactStore _contacts;
     private readonly ConstraintGraph _graph;
     private readonly JointStore _joints;
+    [NotState(Why.Elsewhere)]
     private EnergyAudit _audit = null!;
 
     public ErrorMeter(BodyStore bodies, ShapeStore shapes, ContactStore contacts, ConstraintGraph graph, JointStore joints)
@@ -327,4 +329,7 @@ internal sealed unsafe class ErrorMeter
         rows.Size = Math.Sqrt((frame.RAX * frame.RAX) + (frame.RAY * frame.RAY)) + Math.Sqrt((frame.RBX * frame.RBX) + (frame.RBY * frame.RBY));
         _kinds.Of(link.Kind).Write(frame, settings, _joints.Flags[joint], ref rows);
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s) => _slips.Visit(s);
 }

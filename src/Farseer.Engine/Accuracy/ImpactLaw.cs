@@ -19,13 +19,16 @@ internal sealed unsafe class ImpactLaw
     /// <summary>Tangential share of an impulse up to which its arm tells where it acted.</summary>
     private const double Frictionless = 1e-3;
 
+    [NotState(Why.OfOneStep)]
     private readonly Column<Group> _groups = new Column<Group>();
     private readonly BodyStore _bodies;
     private readonly ContactStore _contacts;
     private readonly ConstraintGraph _graph;
     private readonly JointStore _joints;
     private readonly ErrorMeter _meter;
+    [NotState(Why.Elsewhere)]
     private EnergyAudit _audit = null!;
+    [NotState(Why.OfOneStep)]
     private double _dt;
 
     public ImpactLaw(BodyStore bodies, ContactStore contacts, ConstraintGraph graph, JointStore joints, ErrorMeter meter)

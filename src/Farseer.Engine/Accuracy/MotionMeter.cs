@@ -107,4 +107,12 @@ internal sealed class MotionMeter
         public double Length;
         public int Step;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_tracks);
+        s.Value(ref _step);
+        s.Value(ref _end);
+    }
 }

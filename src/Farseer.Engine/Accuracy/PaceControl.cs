@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Accuracy;
 
@@ -11,6 +12,7 @@ namespace Farseer.Engine.Accuracy;
 /// so growing stays within the limit, and for fewer it is at most that, so the next step, whose t/n is larger, takes less again.
 /// Telling a from b would need steps of different n close together, which a calm scene does not have.
 /// </remarks>
+[NotState(Why.Running)]
 internal sealed class PaceControl
 {
     /// <summary>Share of the limit that is aimed at; the rest is for steps that take a little longer than the last.</summary>

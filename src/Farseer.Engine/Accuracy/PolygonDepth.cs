@@ -2,6 +2,7 @@ using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Accuracy;
 
@@ -9,6 +10,7 @@ namespace Farseer.Engine.Accuracy;
 /// Depth of the overlap of two convex polygons: the shortest way that parts them, by the axes of all edges, in double precision.
 /// A manifold tells less: between slanted ends its deepest point is the deepest of those that lie across from the other's face.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class PolygonDepth
 {
     /// <summary>Most vertices of a piece that are looked at.</summary>

@@ -7,6 +7,7 @@ namespace Farseer.Engine.Accuracy;
 /// How far bodies stand from where they would with exact contacts: what the contacts and joints between a body and the nearest fixed one
 /// are off by, summed over the shortest such way. The ten boxes of a stack sink each by its own contact and all below.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed class SagPaths
 {
     /// <summary>Walks over all pairs at most: a way over more than so many bodies is cut off there.</summary>

@@ -128,4 +128,11 @@ internal sealed unsafe class SlipMeter
         public double Way0;
         public double Way1;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_memory);
+        s.Value(ref _step);
+    }
 }

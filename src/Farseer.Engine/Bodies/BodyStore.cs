@@ -62,4 +62,22 @@ internal sealed class BodyStore
             Residual[body] = default;
         }
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        Ids.Visit(s);
+        Visited.Visit(s);
+        s.Column(State);
+        s.Column(Pose);
+        s.Column(Mass);
+        s.Column(Force);
+        s.Column(Drag);
+        s.Column(Flags);
+        s.Column(UserIndex);
+        s.Column(Motion);
+        s.Column(Drive);
+        s.Column(Size);
+        s.Column(Residual);
+    }
 }

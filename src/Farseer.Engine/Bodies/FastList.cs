@@ -4,6 +4,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Bodies;
 
 /// <summary>The bodies that moved by more than their size in a step, with their states at its start.</summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class FastList
 {
     private FastMotion* _motions;

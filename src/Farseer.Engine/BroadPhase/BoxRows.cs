@@ -39,6 +39,7 @@ internal sealed unsafe class BoxRows
     public int Count { get; private set; }
 
     /// <summary>Valid until the next growth.</summary>
+    [NotState(Why.Derived)]
     public WideBoxes Wide { get; private set; }
 
     /// <summary>Makes room for so many boxes and the padding.</summary>
@@ -72,5 +73,15 @@ internal sealed unsafe class BoxRows
         wide.MaxX = _maxX.Pointer;
         wide.MaxY = _maxY.Pointer;
         Wide = wide;
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_minX);
+        s.Column(_minY);
+        s.Column(_maxX);
+        s.Column(_maxY);
+        Count = s.Value(Count);
     }
 }

@@ -1,4 +1,5 @@
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.BroadPhase;
 
@@ -13,6 +14,10 @@ internal sealed unsafe class BruteForce : IBroadPhase
     }
 
     public void Removed(ProxyStore proxies, int proxy)
+    {
+    }
+
+    public void Visit(StateStream s)
     {
     }
 

@@ -83,4 +83,11 @@ internal sealed unsafe class FewSeekers
             }
         }
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _rows.Visit(s);
+        s.Column(_seekers);
+    }
 }

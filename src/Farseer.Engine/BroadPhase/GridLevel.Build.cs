@@ -12,6 +12,7 @@ namespace Farseer.Engine.BroadPhase;
 /// the boxes were given, so the result is that of sorting them at once, whoever did which block and which bin. One worker alone has one bin: to deal boxes out takes
 /// as long as half of the rest.
 /// </remarks>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe partial class GridLevel : IStageWork
 {
     // The slack covers the rounding of the cell numbers: they are below 2²⁶, so the division errs by less than 2⁻²⁶ cells.

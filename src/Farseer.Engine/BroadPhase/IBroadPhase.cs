@@ -55,6 +55,15 @@ internal sealed class ProxyStore
     public int End { get; set; }
 
     public ColumnSet Set => _set;
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(Fat);
+        s.Column(Info);
+        s.Column(Sought);
+        End = s.Value(End);
+    }
 }
 
 /// <summary>Finds overlapping fat boxes. Implementations differ in speed only: the sets of pairs are the same.</summary>
@@ -70,4 +79,7 @@ internal interface IBroadPhase
     /// that <see cref="ProxyStore.Sought"/> tells to be known. Who gets another group is removed and added.
     /// </summary>
     void Collect(ProxyStore proxies, PairBuffer pairs);
+
+    /// <summary>Writes, or reads, what it remembers from search to search.</summary>
+    void Visit(StateStream s);
 }

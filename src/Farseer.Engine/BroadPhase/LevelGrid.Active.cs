@@ -21,6 +21,7 @@ internal sealed unsafe partial class LevelGrid
 
     // In scratch memory, while boxes are gathered.
     private GatherSums* _gathered;
+    [NotState(Why.OfOneStep)]
     private bool _gathers;
     private int _end;
 

@@ -30,17 +30,25 @@ internal sealed unsafe partial class LevelGrid : IBroadPhase, IStageWork
     // There from the start: a size class that comes late, as fast boxes make one, allocates nothing.
     private const int UsualLevels = 8;
 
+    [NotState(Why.OfOneStep)]
     private readonly List<GridLevel> _grids = new List<GridLevel>(UsualLevels);
     private readonly SizeLevels _levels = new SizeLevels();
     private readonly PackedTree _tree = new PackedTree();
     private readonly FewSeekers _few = new FewSeekers();
     private readonly MainGroup _mainGroup = new MainGroup();
+    [NotState(Why.OfOneStep)]
     private IndexList[] _hits = { new IndexList() };
+    [NotState(Why.OfOneStep)]
     private PairBuffer[] _found = { new PairBuffer() };
+    [NotState(Why.Running)]
     private StageRunner? _runner;
+    [NotState(Why.Elsewhere)]
     private ProxyStore _proxies = null!;
+    [NotState(Why.OfOneStep)]
     private PairBuffer _pairs = null!;
+    [NotState(Why.OfOneStep)]
     private GridLevel? _coarse;
+    [NotState(Why.OfOneStep)]
     private GridLevel? _fine;
     private int _reserved;
     private long _debt;
@@ -294,5 +302,20 @@ internal sealed unsafe partial class LevelGrid : IBroadPhase, IStageWork
         _resting.Reserve(_reserved);
         _tree.Reserve(_reserved);
         _hits[0].Reserve(System.Math.Min(_reserved, UsualHits));
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _active.Visit(s);
+        _resting.Visit(s);
+        s.Column(_residence);
+        s.Value(ref _end);
+        _levels.Visit(s);
+        _tree.Visit(s);
+        _few.Visit(s);
+        _mainGroup.Visit(s);
+        s.Value(ref _reserved);
+        s.Value(ref _debt);
     }
 }

@@ -56,4 +56,11 @@ internal sealed class LooseBoxes
         _rows.SetCount(last);
         return moved;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _rows.Visit(s);
+        _proxies.Visit(s);
+    }
 }

@@ -76,4 +76,13 @@ internal sealed unsafe class MainGroup
 
         return candidate;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _all.Visit(s);
+        s.Value(ref _any);
+        s.Value(ref _isOld);
+        Group = s.Value(Group);
+    }
 }

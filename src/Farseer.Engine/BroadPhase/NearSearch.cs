@@ -7,6 +7,7 @@ namespace Farseer.Engine.BroadPhase;
 /// Walks a <see cref="PackedTree"/>, and the boxes that are not in it yet, towards the nearest answer: groups that can hold a near one
 /// come first, and those that cannot hold a better one than is known are left out.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class NearSearch<TProbe>
     where TProbe : struct, IBoxProbe
 {

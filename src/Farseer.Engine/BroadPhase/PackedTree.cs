@@ -225,4 +225,16 @@ internal sealed unsafe class PackedTree
         value = (value | (value << 2)) & 0x33333333;
         return (value | (value << 1)) & 0x55555555;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _lanes.Visit(s);
+        s.Column(_proxies);
+        s.Array(_layerStart);
+        s.Array(_layerEnd);
+        s.Value(ref _layers);
+        SlotCount = s.Value(SlotCount);
+        Count = s.Value(Count);
+    }
 }

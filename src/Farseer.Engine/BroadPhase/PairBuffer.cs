@@ -3,6 +3,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.BroadPhase;
 
 /// <summary>A reused list of proxy pairs, packed as lower &lt;&lt; 32 | higher.</summary>
+[NotState(Why.OfOneStep)]
 internal sealed class PairBuffer
 {
     private readonly Column<ulong> _pairs = new Column<ulong>(256);

@@ -42,4 +42,12 @@ internal sealed unsafe class PairSet
             }
         }
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _slots.Visit(s);
+        s.Column(_list);
+        Count = s.Value(Count);
+    }
 }

@@ -241,4 +241,27 @@ internal sealed unsafe class SelectiveSweep : IBroadPhase
         /// <summary>The lower edge by which the box was sorted in.</summary>
         public float Key;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        int sweeps = s.Value(_levelCount);
+        while (_sweeps.Count < sweeps)
+        {
+            _sweeps.Add(new SweepLevel());
+        }
+
+        for (int i = 0; i < sweeps; i++)
+        {
+            _sweeps[i].Visit(s);
+        }
+
+        _levels.Visit(s);
+        _live.Visit(s);
+        _seekers.Visit(s);
+        s.Column(_places);
+        s.Value(ref _known);
+        s.Value(ref _levelCount);
+        s.Value(ref _shifts);
+    }
 }

@@ -191,4 +191,13 @@ internal sealed unsafe class SizeLevels : IStageWork
         // The largest side of one.
         public double Most;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_bucketLevel);
+        s.Column(_maxSize);
+        s.Column(_start);
+        Count = s.Value(Count);
+    }
 }

@@ -145,4 +145,18 @@ internal sealed unsafe class SweepAndPrune : IBroadPhase
             _open.Add(proxy);
         }
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _x.Visit(s);
+        _y.Visit(s);
+        _pairs.Visit(s);
+        _tracked.Visit(s);
+        _added.Visit(s);
+        _removed.Visit(s);
+        _open.Visit(s);
+        s.Column(_openSlot);
+        s.Value(ref _anyRemoved);
+    }
 }

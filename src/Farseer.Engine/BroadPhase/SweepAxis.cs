@@ -115,4 +115,11 @@ internal sealed unsafe class SweepAxis
         float value = upper ? (_vertical ? box.MaxY : box.MaxX) : (_vertical ? box.MinY : box.MinX);
         return ((ulong)RadixSort.OrderedBits(value) << 32) | (upper ? UpperEdge : 0) | (uint)proxy;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_edges);
+        Count = s.Value(Count);
+    }
 }

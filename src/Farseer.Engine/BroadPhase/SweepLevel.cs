@@ -212,4 +212,13 @@ internal sealed unsafe class SweepLevel
 
     private static void Slide(float* items, int from, int to, int count) =>
         System.Buffer.MemoryCopy(items + from, items + to, (long)count * sizeof(float), (long)count * sizeof(float));
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _rows.Visit(s);
+        s.Column(_proxies);
+        s.Value(ref _vertical);
+        s.Value(ref _margin);
+    }
 }

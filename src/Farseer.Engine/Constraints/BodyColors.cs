@@ -138,4 +138,10 @@ internal sealed class BodyColors
 
         return overflow;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_masks);
+    }
 }

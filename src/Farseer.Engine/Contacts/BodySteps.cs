@@ -149,4 +149,12 @@ internal sealed unsafe class BodySteps
         public double Y;
         public double Angle;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_steps);
+        s.Column(_places);
+        s.Column(_left);
+    }
 }

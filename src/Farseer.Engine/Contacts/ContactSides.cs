@@ -50,6 +50,7 @@ internal sealed unsafe class ContactSides
 
     private readonly Column<ContactSide> _sides = new Column<ContactSide>();
     private readonly Column<int> _hulls = new Column<int>();
+    [NotState(Why.Elsewhere)]
     private BodySteps? _steps;
     private ContactSide* _first;
     private bool _isKept;
@@ -231,4 +232,13 @@ internal sealed unsafe class ContactSides
     /// <summary>One bit of some flags as another bit of others.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static uint Bit(uint flags, uint from, uint to) => to >= from ? (flags & from) * (to / from) : (flags & from) / (from / to);
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_sides);
+        s.Column(_hulls);
+        s.Value(ref _isKept);
+        AnyHeard = s.Value(AnyHeard);
+    }
 }

@@ -432,4 +432,28 @@ internal sealed class ContactStore
     private void EnsureGaps() => _gaps.EnsureCapacity((Records.Capacity + IdleBundle.Lanes - 1) / IdleBundle.Lanes);
 
     private unsafe void NameGap(int place, in ContactRecord record) => IdleGap.Name(Gaps, place, record);
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_firstAtFixed);
+        s.Column(_idle);
+        s.Column(_idleA);
+        s.Column(_idleB);
+        s.Column(_nextAtFixed);
+        s.Column(_previousAtFixed);
+        s.Column(_gaps);
+        s.Value(ref _keepsManifolds);
+        s.Value(ref _keepsFriction);
+        s.Column(Records);
+        s.Column(Manifolds);
+        s.Column(FirstFriction);
+        Map.Visit(s);
+        Compounds.Visit(s);
+        Count = s.Value(Count);
+        End = s.Value(End);
+        IdleCount = s.Value(IdleCount);
+        Steps.Visit(s);
+        KeepsGaps = s.Value(KeepsGaps);
+    }
 }

@@ -11,6 +11,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>What the update of contacts reads: columns and the numbers of this step.</summary>
+[NotState(Why.OfOneStep)]
 internal unsafe struct ContactUpdateInput
 {
     public ShapeStore Shapes;

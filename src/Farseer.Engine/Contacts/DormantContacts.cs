@@ -87,4 +87,11 @@ internal sealed class DormantContacts
         public Ends A;
         public Ends B;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_first);
+        s.Column(_links);
+    }
 }

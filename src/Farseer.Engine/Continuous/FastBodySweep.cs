@@ -15,6 +15,7 @@ namespace Farseer.Engine.Continuous;
 /// flies on with the rest of its time; one that the solver moved is stopped there, keeps its velocity, and the next step finds it in
 /// contact. Either may lose the rest of its step, but never passes.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed partial class FastBodySweep
 {
     /// <summary>Impacts of one body in a step; after them it waits for the next.</summary>

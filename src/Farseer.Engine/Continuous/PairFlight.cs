@@ -4,6 +4,7 @@ using Farseer.Engine.Contacts;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Continuous;
 
@@ -37,6 +38,7 @@ internal struct PairImpulse
 /// again: each such impact ends a flight in which they sank into each other by a tolerance, so the step is cut the finer the more their
 /// ways bend. Momentum is kept, and energy is lost only by restitution and friction.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed class PairFlight
 {
     /// <summary>Impacts of a pair in a step; after them both wait for the next.</summary>

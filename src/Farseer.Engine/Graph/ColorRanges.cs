@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Graph;
 
@@ -9,6 +10,7 @@ namespace Farseer.Engine.Graph;
 /// the rows that are its own in the passes, where each colour is cut by itself, and they stay in its cache (groups that are solved together are cut there as one, halves between them). Each part begins with a record and with a number
 /// that is a whole number of records: where a colour ends in the middle of one, the number of the bundle that is not there is left out.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed class ColorRanges
 {
     private GraphColor[] _colors = new GraphColor[ConstraintGraph.ColorCount];

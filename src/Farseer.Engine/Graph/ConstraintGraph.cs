@@ -11,7 +11,7 @@ namespace Farseer.Engine.Graph;
 /// Colours contacts so that those of one colour can be solved side by side; which colour a contact gets is for
 /// <see cref="BodyColors"/> to say.
 /// </summary>
-internal sealed unsafe class ConstraintGraph
+internal sealed unsafe partial class ConstraintGraph
 {
     public const int ColorCount = BodyColors.Count;
 
@@ -50,15 +50,14 @@ internal sealed unsafe class ConstraintGraph
     private readonly Column<int> _degree = new Column<int>();
     // By group and colour; the first also has the colour of those asleep.
     private readonly List<GraphColor[]> _colors = new List<GraphColor[]>();
+    [NotState(Why.OfOneStep)]
     private readonly IndexList _moving = new IndexList();
+    [NotState(Why.OfOneStep)]
     private readonly int[] _counts = new int[RowGroups.Most];
 
-    // The colours that have rows: a small world has one or two, and to ask all of them in every pass was most of its step.
-    private GraphColor[] _solved = new GraphColor[ColorCount];
-    private GraphColor[] _used = new GraphColor[ColorCount];
-    private int _usedCount;
     private bool _usedChanged;
     private bool _isSmall;
+    [NotState(Why.Elsewhere)]
     private BodyStore? _store;
     private int _sharedRows;
 
@@ -83,29 +82,6 @@ internal sealed unsafe class ConstraintGraph
     public int ChangeCount { get; private set; }
 
     public bool ChangesAreKnown => ChangeCount <= Math.Min(MostChanges, (RowCount / 4) + 1);
-
-    /// <summary>
-    /// The colours that have rows, in the order of solving: moving pairs, their overflow, ground pairs, their overflow; each of all groups.
-    /// Valid until a row is added or removed.
-    /// </summary>
-    public ReadOnlySpan<GraphColor> Solved
-    {
-        get
-        {
-            FindUsed();
-            return new ReadOnlySpan<GraphColor>(_solved, 0, _usedCount);
-        }
-    }
-
-    /// <summary>The same by their number.</summary>
-    public ReadOnlySpan<GraphColor> Used
-    {
-        get
-        {
-            FindUsed();
-            return new ReadOnlySpan<GraphColor>(_used, 0, _usedCount);
-        }
-    }
 
     /// <summary>Which rows lie side by side.</summary>
     public RowGroups Groups { get; } = new RowGroups();
@@ -444,40 +420,6 @@ internal sealed unsafe class ConstraintGraph
         }
 
         ChangeCount = Math.Min(ChangeCount + 1, MostChanges + 1);
-    }
-
-    private void FindUsed()
-    {
-        if (!_usedChanged)
-        {
-            return;
-        }
-
-        _usedChanged = false;
-        _usedCount = 0;
-        if (_used.Length < ColorCount * _colors.Count)
-        {
-            _used = new GraphColor[ColorCount * _colors.Count];
-            _solved = new GraphColor[_used.Length];
-        }
-
-        int solved = 0;
-        for (int i = 0; i < ColorCount; i++)
-        {
-            int next = BodyColors.InOrder(i);
-            foreach (GraphColor[] colors in _colors)
-            {
-                if (colors[i].RowCount > 0)
-                {
-                    _used[_usedCount++] = colors[i];
-                }
-
-                if (colors[next].RowCount > 0)
-                {
-                    _solved[solved++] = colors[next];
-                }
-            }
-        }
     }
 
     private void Mark(int body, int color, bool moves)

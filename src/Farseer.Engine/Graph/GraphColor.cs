@@ -1,5 +1,6 @@
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Graph;
 
@@ -197,5 +198,42 @@ internal sealed unsafe class GraphColor
             _first = RowExtent.None;
             _inLast = 0;
         }
+    }
+
+    /// <summary>
+    /// Writes, or reads, what later steps read of it; the arena comes before. Of its memory only the bundles that have rows.
+    /// </summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _first);
+        s.Value(ref _last);
+        s.Value(ref _inLast);
+        RowCount = s.Value(RowCount);
+        BundleCount = s.Value(BundleCount);
+        if (_last < 0)
+        {
+            return;
+        }
+
+        for (int extent = _first; ; extent = _arena.Extents[extent].Next)
+        {
+            int bundles = extent == _last ? _inLast : _arena.Extents[extent].Count;
+            int records = (bundles + ContactBundle.Beside - 1) / ContactBundle.Beside;
+            s.Raw(_arena.Extents[extent].Bundles, (long)records * ContactBundle.Bytes);
+            if (extent == _last)
+            {
+                break;
+            }
+        }
+    }
+
+    /// <summary>It has no rows, and holds no extents: those are somebody else's by now.</summary>
+    public void ForgetAll()
+    {
+        _first = RowExtent.None;
+        _last = RowExtent.None;
+        _inLast = 0;
+        RowCount = 0;
+        BundleCount = 0;
     }
 }

@@ -46,12 +46,17 @@ internal sealed unsafe class RowArena
     /// <summary>Least bundles by which it grows, 88 KB: a small world may need a further colour late, and is not to allocate for it.</summary>
     private const int LeastGrowth = 64;
 
+    [NotState(Why.Room)]
     private readonly List<Column<ContactBundle>> _segments = new List<Column<ContactBundle>>();
 
     // One for each granule; of an extent the first one counts.
     private readonly Column<RowExtent> _extents = new Column<RowExtent>();
     private readonly int[] _free = new int[Sizes];
     private int _granules;
+
+    // The segments in use, and how many granules each has. Behind them lie those that a state which was restored had not yet.
+    private readonly Column<int> _segmentSize = new Column<int>();
+    private int _segmentCount;
 
     public RowArena()
     {
@@ -154,14 +159,12 @@ internal sealed unsafe class RowArena
     {
         int first = _granules;
         int count = bundles >> GranuleShift;
-        var segment = new Column<ContactBundle>(count);
-        _segments.Add(segment);
         _granules += count;
         _extents.EnsureCapacity(_granules);
-        for (int i = 0; i < count; i++)
-        {
-            _extents[first + i].Bundles = segment.Pointer + i;
-        }
+        _segmentSize.EnsureCapacity(_segmentCount + 1);
+        _segmentSize[_segmentCount] = count;
+        PlaceSegment(_segmentCount, first);
+        _segmentCount++;
 
         // From the end, so that what lies first is taken first.
         while (count > 0)
@@ -169,6 +172,55 @@ internal sealed unsafe class RowArena
             int size = SizeOf(count << GranuleShift);
             count -= 1 << size;
             Free(first + count, size);
+        }
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it, but for the rows: the colours know which there are.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _granules);
+        s.Value(ref _segmentCount);
+        s.Array(_free);
+        s.Column(_segmentSize, _segmentCount);
+        _extents.EnsureCapacity(_granules);
+        for (int i = 0; i < _granules; i++)
+        {
+            // Not where its bundles are: that is another place in another process.
+            s.Value(ref _extents[i].Count);
+            s.Value(ref _extents[i].Next);
+            s.Value(ref _extents[i].Previous);
+        }
+
+        if (!s.IsReading)
+        {
+            return;
+        }
+
+        int first = 0;
+        for (int i = 0; i < _segmentCount; i++)
+        {
+            PlaceSegment(i, first);
+            first += _segmentSize[i];
+        }
+    }
+
+    /// <summary>Finds memory for a segment, and tells its extents where they are.</summary>
+    private void PlaceSegment(int index, int first)
+    {
+        int count = _segmentSize[index];
+        if (index == _segments.Count)
+        {
+            _segments.Add(new Column<ContactBundle>(count));
+        }
+        else if (_segments[index].Capacity < count)
+        {
+            _segments[index] = new Column<ContactBundle>(count);
+        }
+
+        ContactBundle* start = _segments[index].Pointer;
+        for (int i = 0; i < count; i++)
+        {
+            _extents[first + i].Bundles = start + i;
         }
     }
 }

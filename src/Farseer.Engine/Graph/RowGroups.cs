@@ -125,4 +125,14 @@ internal sealed class RowGroups
         _tied[groupB] = true;
         return 0;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_group);
+        s.Array(_tied);
+        Count = s.Value(Count);
+        Middle = s.Value(Middle);
+        LeastOfColor = s.Value(LeastOfColor);
+    }
 }

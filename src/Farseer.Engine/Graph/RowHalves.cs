@@ -31,9 +31,11 @@ internal sealed unsafe class RowHalves
     /// The rows of fewer bodies are not halved. Default 6,144: one worker takes 1.007 of the time with halves of 10,000 bodies, 1.013 with those of a pyramid of 5,050, whose bodies are in the order
     /// of the rows anyway. Where there are so many, new rows go to their half from the first on, so that few need to be moved.
     /// </summary>
+    [NotState(Why.Running)]
     public int LeastBodies { get; set; } = 6144;
 
     /// <summary>Rows of a colour that is halved, by default 512: half of as many are hardly worth sharing, and a record that is not full costs them most.</summary>
+    [NotState(Why.Running)]
     public int LeastOfColor { get; set; } = 512;
 
     /// <summary>How often rows were parted.</summary>
@@ -120,5 +122,12 @@ internal sealed unsafe class RowHalves
 
         scratch.Release(mark);
         return middle & ~1;
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _wait);
+        Partings = s.Value(Partings);
     }
 }

@@ -28,12 +28,16 @@ internal sealed unsafe class RowOrder : IStageWork
     private int* _contactOf;
     private int* _rows;
     private int* _firstRow;
+    [NotState(Why.OfOneStep)]
     private int _bodyEnd;
+    [NotState(Why.Elsewhere)]
     private ConstraintGraph _graph = null!;
+    [NotState(Why.Elsewhere)]
     private Column<ContactRecord> _records = null!;
     private byte* _moves;
 
     /// <summary>Fewer rows are near enough as they come: their bodies fit a first-level cache. Default 1,024.</summary>
+    [NotState(Why.Running)]
     public int LeastRows { get; set; } = 1024;
 
     /// <summary>How often the rows were put in order.</summary>
@@ -146,4 +150,10 @@ internal sealed unsafe class RowOrder : IStageWork
 
     /// <summary>The body by which a row is placed, which no other row of its colour has: the first that moves.</summary>
     private static int Place(int a, int b, byte* moves) => RowGroups.PlaceOf(a, b, moves[a] != 0, moves[b] != 0);
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        Sorts = s.Value(Sorts);
+    }
 }

@@ -178,4 +178,12 @@ internal sealed unsafe class DeepStacks
             _wereAny |= isDeep;
         }
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_wereDeep);
+        s.Value(ref _bodies);
+        s.Value(ref _wereAny);
+    }
 }

@@ -40,12 +40,15 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
 
     private readonly ColorRanges _ranges = new ColorRanges();
     private readonly DeepStacks _deepStacks = new DeepStacks();
+    [NotState(Why.Elsewhere)]
     private IslandStore _islands = null!;
     private float* _sags;
     private readonly Column<float> _deep = new Column<float>();
     private float* _rate;
+    [NotState(Why.OfOneStep)]
     private ContactCoefficients _coefficients;
     private int _slots;
+    [NotState(Why.OfOneStep)]
     private bool _writes;
     private bool _anyDeep;
     private bool _isOneForAll;
@@ -290,5 +293,15 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         }
 
         return all;
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _deepStacks.Visit(s);
+        s.Column(_deep);
+        s.Value(ref _slots);
+        s.Value(ref _anyDeep);
+        s.Value(ref _isOneForAll);
     }
 }

@@ -28,6 +28,7 @@ internal sealed unsafe class IslandGroups
     private int _nextWait = 1;
 
     /// <summary>Rows of a group, by default 0.4 MB: with its bodies it stays in a second-level cache.</summary>
+    [NotState(Why.Running)]
     public int GroupRows { get; set; } = 2300;
 
     /// <summary>How often the rows were sorted.</summary>
@@ -111,5 +112,13 @@ internal sealed unsafe class IslandGroups
         }
 
         return large > graph.RowCount || group < LeastGroups || group >= RowGroups.Most ? 0 : group + 1;
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _wait);
+        s.Value(ref _nextWait);
+        Sorts = s.Value(Sorts);
     }
 }

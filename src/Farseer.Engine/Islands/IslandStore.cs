@@ -42,10 +42,12 @@ internal sealed unsafe partial class IslandStore : IStageWork
     // By body, meanwhile too: the slot of its island at its level, 0 if it does not move.
     private int* _slotOf;
     private int* _flooded;
+    [NotState(Why.OfOneStep)]
     private GraphColor _color = null!;
     private readonly Column<int> _rowsOf = new Column<int>();
     private int* _degrees;
     private byte* _moves;
+    [NotState(Why.OfOneStep)]
     private Part _part;
 
     private enum Part
@@ -385,5 +387,21 @@ internal sealed unsafe partial class IslandStore : IStageWork
         int height = Math.Max(0, Math.Max(level[body], level[other]));
         int island = _islandOf[body];
         row->Slot[lane] = _firstSlot[island] + height;
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _bodyEnd);
+        s.Column(_level);
+        s.Column(_begin);
+        s.Column(_end);
+        s.Column(_neighbours);
+        s.Column(_islandOf);
+        s.Column(_firstSlot);
+        s.Column(_ofSlot);
+        s.Column(_rowsOf);
+        Count = s.Value(Count);
+        SlotCount = s.Value(SlotCount);
     }
 }

@@ -11,6 +11,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Islands;
 
 /// <summary>What the judgement of a step needs to know.</summary>
+[NotState(Why.OfOneStep)]
 internal unsafe struct RestInput
 {
     public BodyStore Bodies;
@@ -287,5 +288,17 @@ internal sealed unsafe class RestJudge : IStageWork
 
         /// <summary>Seconds since then.</summary>
         public float Time;
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_records);
+        s.Column(_parent);
+        s.Column(_firstOfIsland);
+        s.Column(_least);
+        _resting.Visit(s);
+        s.Value(ref _anyReady);
+        AnyRested = s.Value(AnyRested);
     }
 }

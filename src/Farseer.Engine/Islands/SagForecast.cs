@@ -433,4 +433,18 @@ internal sealed unsafe class SagForecast
         public bool Raised;
         public byte Wait;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_wait);
+        s.Column(_islands);
+        s.Column(_fine);
+        s.Column(_doublings);
+        s.Value(ref _islandCount);
+        s.Value(ref _any);
+        s.Value(ref _gravity);
+        s.Value(ref _dt);
+        AnyRaised = s.Value(AnyRaised);
+    }
 }

@@ -12,6 +12,7 @@ namespace Farseer.Engine.Islands;
 /// sweeps as a box is lighter than what stands on it until they find the load, and meanwhile it is squeezed: 1:10⁴ sank by 83 mm,
 /// and with twice the iterations the box was thrown out. Given once, when a resting island begins without any impulse; the passes go on from there.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class StartingLoads
 {
     /// <summary>Contacts of the largest island: its matrix has twice as many rows, and is solved within 0.2 ms.</summary>

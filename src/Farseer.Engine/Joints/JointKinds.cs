@@ -1,8 +1,10 @@
 using Farseer.Engine.Joints.Kinds;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints;
 
 /// <summary>The registry: one line a kind, in the order of <see cref="JointKind"/>.</summary>
+[NotState(Why.Fixed)]
 internal sealed class JointKinds
 {
     private readonly JointForm[] _forms =

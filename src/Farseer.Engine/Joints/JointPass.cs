@@ -1,6 +1,7 @@
 using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints;
 
@@ -8,6 +9,7 @@ namespace Farseer.Engine.Joints;
 /// The iterated rows of joints: motors, springs, limits that no block holds, and the blocks of joints that close a loop. Each is
 /// solved in turn against the full inverse mass of its bodies' trees.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe partial class JointPass
 {
     /// <summary>Share of an overrun of a limit that is taken away in a substep.</summary>

@@ -11,6 +11,7 @@ internal sealed unsafe partial class JointSolver
     /// <summary>Room from the first contact on: a few ragdolls that lie down one after the other need more ever later.</summary>
     private const int LeastContacts = 64;
 
+    [NotState(Why.OfOneStep)]
     private readonly Column<TreeContact> _contacts = new Column<TreeContact>();
     private readonly Column<ulong> _agendaKeys = new Column<ulong>();
     private readonly Column<int> _agenda = new Column<int>();

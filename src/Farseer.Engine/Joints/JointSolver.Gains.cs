@@ -289,6 +289,7 @@ internal sealed unsafe partial class JointSolver
     }
 
     /// <summary>Velocities and impulses at some moment of a pass.</summary>
+    [NotState(Why.OfOneStep)]
     private sealed class KeptState
     {
         public readonly Column<double> Speeds = new Column<double>();

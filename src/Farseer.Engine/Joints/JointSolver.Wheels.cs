@@ -23,6 +23,7 @@ internal sealed unsafe partial class JointSolver
     /// <summary>Error of the hinge in radii of gyration, squared, up to which nobody put the body elsewhere.</summary>
     private const double Disturbing = 1e-4;
 
+    [NotState(Why.OfOneStep)]
     private readonly Column<WheelContact> _wheelContacts = new Column<WheelContact>();
     private int _wheelContactCount;
     private bool _anyWheels;

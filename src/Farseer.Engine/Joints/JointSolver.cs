@@ -10,6 +10,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints;
 
 /// <summary>What the joints see of a step.</summary>
+[NotState(Why.OfOneStep)]
 internal unsafe struct JointStep
 {
     public StageRunner Runner;

@@ -187,4 +187,22 @@ internal sealed class JointStore
         ref JointLink link = ref Links[entry >> 1];
         return ref (entry & 1) == 0 ? ref link.PreviousA : ref link.PreviousB;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_first);
+        s.Column(_degree);
+        s.Column(_ties);
+        s.Value(ref _bodies);
+        s.Value(ref _order);
+        Ids.Visit(s);
+        s.Column(Links);
+        s.Column(Settings);
+        s.Column(Flags);
+        s.Column(States);
+        s.Column(Ranges);
+        Changed = s.Value(Changed);
+        Edition = s.Value(Edition);
+    }
 }

@@ -3,6 +3,7 @@ using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints;
 
@@ -11,6 +12,7 @@ namespace Farseer.Engine.Joints;
 /// What differs beyond that: the arms of a substep's poses serve velocities and impulses alike, since responses are found anew in each
 /// substep anyway.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe partial class TreeContactPass
 {
     private const double DeterminantShare = 1e-3;

@@ -1,12 +1,16 @@
+using Farseer.Engine.Storage;
+
 namespace Farseer.Engine.Joints;
 
 /// <summary>Trees that are solved apart from the general passes for as long as they need nothing else, and then given back to them.</summary>
 internal abstract class TreesAside
 {
     /// <summary>Trees given back by the last pass.</summary>
+    [NotState(Why.OfOneStep)]
     public int GivenCount { get; protected set; }
 
     /// <summary>The rows of the step's start are no longer those of the present poses.</summary>
+    [NotState(Why.OfOneStep)]
     public bool HasMoved { get; protected set; }
 
     /// <summary>Which tree was given back.</summary>

@@ -29,6 +29,7 @@ internal struct SumHit
 /// moving shape, convex again, rounded by both radii. A cast of the shape is then a ray against it, and an overlap is the question whether
 /// it holds the displacement 0: both exact, without iteration.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class ConvexSum
 {
     private readonly Column<double> _points = new Column<double>(64);

@@ -6,6 +6,14 @@ namespace System.Runtime.CompilerServices
     {
     }
 
+    [System.AttributeUsage(System.AttributeTargets.Parameter)]
+    internal sealed class CallerArgumentExpressionAttribute : System.Attribute
+    {
+        public CallerArgumentExpressionAttribute(string parameterName) => ParameterName = parameterName;
+
+        public string ParameterName { get; }
+    }
+
     [System.AttributeUsage(System.AttributeTargets.Module)]
     internal sealed class SkipLocalsInitAttribute : System.Attribute
     {

@@ -34,7 +34,9 @@ internal sealed unsafe class QueryIndex
     private readonly Column<PieceFit> _fits = new Column<PieceFit>();
     private readonly Column<Box> _boxes = new Column<Box>();
     private readonly IndexList _changed = new IndexList();
+    [NotState(Why.OfOneStep)]
     private readonly IndexList _due = new IndexList();
+    [NotState(Why.OfOneStep)]
     private readonly IndexList _members = new IndexList();
     private readonly Scratch _scratch = new Scratch();
     private long _version;
@@ -261,5 +263,22 @@ internal sealed unsafe class QueryIndex
         /// <summary>Slot in the tree, or −2 less the place among the loose boxes, or −1.</summary>
         public int Place;
         public bool IsChanged;
+    }
+
+    /// <summary>
+    /// Writes, or reads, what later queries read of it. How loose its boxes are follows from all that went before, and a step
+    /// asks it for what a fast body may meet.
+    /// </summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _version);
+        s.Value(ref _known);
+        s.Value(ref _count);
+        IsUsed = s.Value(IsUsed);
+        s.Column(_fits, _known);
+        s.Column(_boxes, _known);
+        _changed.Visit(s);
+        Tree.Visit(s);
+        Loose.Visit(s);
     }
 }

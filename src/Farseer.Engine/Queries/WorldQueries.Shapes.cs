@@ -12,11 +12,16 @@ namespace Farseer.Engine.Queries;
 /// <summary>Convex shapes, standing or on a straight way without turning.</summary>
 internal sealed unsafe partial class WorldQueries
 {
+    [NotState(Why.OfOneStep)]
     private readonly Column<double> _shape = new Column<double>(64);
+    [NotState(Why.OfOneStep)]
     private readonly Column<double> _moving = new Column<double>(64);
+    [NotState(Why.OfOneStep)]
     private readonly Column<double> _standing = new Column<double>(64);
     private readonly ConvexSum _sum = new ConvexSum();
+    [NotState(Why.OfOneStep)]
     private int _shapeCount;
+    [NotState(Why.OfOneStep)]
     private double _shapeRadius;
 
     /// <summary>Sets the shape of the next query: a disc about a world point.</summary>

@@ -20,12 +20,18 @@ internal sealed unsafe partial class WorldQueries
     private readonly QueryIndex _index = new QueryIndex();
     private readonly NearSearch<RayProbe> _rays = new NearSearch<RayProbe>();
     private readonly NearSearch<PointProbe> _points = new NearSearch<PointProbe>();
+    [NotState(Why.OfOneStep)]
     private readonly IndexList _found = new IndexList();
+    [NotState(Why.OfOneStep)]
     private readonly Column<ulong> _keys = new Column<ulong>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<int> _values = new Column<int>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<RayHit> _hits = new Column<RayHit>();
     private readonly RadixSort _sort = new RadixSort();
+    [NotState(Why.OfOneStep)]
     private QueryFilter _filter;
+    [NotState(Why.Calm)]
     private bool _isAsking;
 
     public WorldQueries(ShapeStore shapes, BodyStore bodies)
@@ -40,7 +46,15 @@ internal sealed unsafe partial class WorldQueries
     /// <summary>Differs from step to step: bodies have moved.</summary>
     public long Version { get; set; }
 
+    /// <summary>Writes, or reads, what later queries read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        Version = s.Value(Version);
+        _index.Visit(s);
+    }
+
     /// <summary>True while joints of the user's own see the poses of a substep: then no two queries find the same ones.</summary>
+    [NotState(Why.Calm)]
     public bool PosesChange { get; set; }
 
     public void Changed(int piece) => _index.Changed(piece);

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Settings;
 
@@ -102,4 +103,30 @@ internal sealed class WorldSettings
 
     /// <summary>A joint still acts in the step in which it breaks (a quirk of the original). Default false.</summary>
     public bool JointsBreakLate { get; set; }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        Gravity = s.Value(Gravity);
+        Substeps = s.Value(Substeps);
+        AdaptSubsteps = s.Value(AdaptSubsteps);
+        AllowedPenetration = s.Value(AllowedPenetration);
+        FrictionMix = s.Value(FrictionMix);
+        RestitutionMix = s.Value(RestitutionMix);
+        BounceThreshold = s.Value(BounceThreshold);
+        MostDrivenSpeed = s.Value(MostDrivenSpeed);
+        MostDrivenSpin = s.Value(MostDrivenSpin);
+        FreezePairFriction = s.Value(FreezePairFriction);
+        Recovery = s.Value(Recovery);
+        KeepImpulses = s.Value(KeepImpulses);
+        CorrectPositions = s.Value(CorrectPositions);
+        Continuous = s.Value(Continuous);
+        OneSidedFilter = s.Value(OneSidedFilter);
+        AllowSleep = s.Value(AllowSleep);
+        GravityWakes = s.Value(GravityWakes);
+        TimeToSleep = s.Value(TimeToSleep);
+        RestShare = s.Value(RestShare);
+        SeparateUntouchedPairs = s.Value(SeparateUntouchedPairs);
+        JointsBreakLate = s.Value(JointsBreakLate);
+    }
 }

@@ -283,4 +283,27 @@ internal sealed class ShapeStore
     }
 
     private void ReturnRange(int start, int count) => _freeRanges[SizeClass(count)].Add(start);
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        foreach (List<int> free in _freeRanges)
+        {
+            s.List(free);
+        }
+
+        s.Column(_pieceHandles);
+        _runs.Visit(s);
+        s.Value(ref _vertexEnd);
+        s.Column(Pieces);
+        s.Column(NextPiece);
+        s.Column(Colliders);
+        PieceIds.Visit(s);
+        VisitedPieces.Visit(s);
+        ColliderIds.Visit(s);
+        s.Column(Vertices);
+        s.Column(Normals);
+        s.Column(OutlineBefore);
+        s.Column(OutlineAfter);
+    }
 }

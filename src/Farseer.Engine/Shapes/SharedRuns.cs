@@ -95,4 +95,11 @@ internal sealed unsafe class SharedRuns
         public int Pieces;
         public int Count;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_uses);
+        s.Array(_offered);
+    }
 }

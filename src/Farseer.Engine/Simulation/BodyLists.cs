@@ -283,4 +283,21 @@ internal sealed unsafe class BodyLists
             _outcasts[OutcastCount++] = new QuarantineRecord { Body = body, Cause = cause };
         }
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_moves);
+        s.Column(_wasActive);
+        s.Column(_active);
+        _driven.Visit(s);
+        s.Column(_solver);
+        s.Column(_free);
+        s.Column(_outcasts);
+        ActiveCount = s.Value(ActiveCount);
+        SolverCount = s.Value(SolverCount);
+        PaddedSolverCount = s.Value(PaddedSolverCount);
+        FreeCount = s.Value(FreeCount);
+        OutcastCount = s.Value(OutcastCount);
+    }
 }

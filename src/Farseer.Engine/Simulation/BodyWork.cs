@@ -44,6 +44,7 @@ internal struct Holders
 /// What a step does to each body by itself, in ranges of a list. Bodies that need more than that are marked, and seen to
 /// afterwards by one thread in the order of the list.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class BodyWork : IStageWork
 {
     /// <summary>Bodies that are worth another worker's while, some 1 µs.</summary>

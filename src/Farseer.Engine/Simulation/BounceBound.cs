@@ -10,6 +10,7 @@ namespace Farseer.Engine.Simulation;
 /// What a step may have made of a body where restitutions above 1 make energy: see <see cref="DrivenBound"/>. What is faster by itself, or
 /// by what gravity and forces do on its way, stays so, but a step adds nothing.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class BounceBound
 {
     private readonly Column<Start> _starts = new Column<Start>();

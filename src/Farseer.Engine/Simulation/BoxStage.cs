@@ -54,9 +54,13 @@ internal sealed unsafe class BoxStage : IStageWork
     private readonly Column<ulong> _stale = new Column<ulong>();
 
     /// <summary>Pieces that each worker has given new boxes; the first one writes them to the list of the world.</summary>
+    [NotState(Why.OfOneStep)]
     private IndexList[] _moved = { null! };
+    [NotState(Why.Elsewhere)]
     private World _world = null!;
+    [NotState(Why.OfOneStep)]
     private float _dt;
+    [NotState(Why.OfOneStep)]
     private float _pull;
 
     /// <summary>Looks at all bodies, and fits the boxes of those that left theirs.</summary>
@@ -356,6 +360,13 @@ internal sealed unsafe class BoxStage : IStageWork
         public float Down;
         public float Right;
         public float Up;
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_fits);
+        s.Column(_stale);
     }
 }
 

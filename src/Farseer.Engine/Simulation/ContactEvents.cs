@@ -429,4 +429,20 @@ internal sealed unsafe class ContactEvents
         public bool Gone;
         public bool Refused;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_points);
+        s.Column(_contacts);
+        s.Column(_keys);
+        s.Column(_pairs);
+        s.Column(_oldKeys);
+        s.Column(_oldPairs);
+        s.Column(_woken);
+        s.Value(ref _oldCount);
+        s.Value(ref _count);
+        s.Value(ref _wokenCount);
+        ImpactsHeard = s.Value(ImpactsHeard);
+    }
 }

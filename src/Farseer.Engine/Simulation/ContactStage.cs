@@ -36,7 +36,9 @@ internal sealed unsafe class ContactStage : IStageWork
     private int _touchingNow;
     private int _hulls;
     private ScratchList<ulong> _droppedKeys;
+    [NotState(Why.Elsewhere)]
     private ContactStore _contacts = null!;
+    [NotState(Why.Elsewhere)]
     private ConstraintGraph _graph = null!;
 
     /// <summary>Fast pairs that may have nothing to do with any other.</summary>
@@ -435,5 +437,20 @@ internal sealed unsafe class ContactStage : IStageWork
         key *= 0xC4CEB9FE1A85EC53UL;
         key ^= key >> 33;
         return key;
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _idle.Visit(s);
+        s.Value(ref _startedCold);
+        _sides.Visit(s);
+        s.Value(ref _touching);
+        s.Value(ref _touchingNow);
+        s.Value(ref _hulls);
+        Lone.Visit(s);
+        AnyBounce = s.Value(AnyBounce);
+        ColdStart = s.Value(ColdStart);
+        AnyHeard = s.Value(AnyHeard);
     }
 }

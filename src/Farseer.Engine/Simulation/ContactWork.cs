@@ -23,6 +23,7 @@ internal unsafe struct BundleOutcome
 /// and manifolds of its pairs, and its outcome; what follows from the outcomes is done afterwards, by one thread, in the order of
 /// the bundles.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class ContactWork : IStageWork
 {
     /// <summary>Pieces that are worth another worker's while, some 2 µs, and bundles, some 0.5 µs.</summary>

@@ -18,6 +18,7 @@ namespace Farseer.Engine.Simulation;
 /// body that nothing holds, against what cannot move. The others get a row made at the impact that the present velocities lead to;
 /// limbs that pass something one made where they are.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class FastPairStage : IStageWork
 {
     /// <summary>Pairs that are worth another worker's while, some 2 µs.</summary>

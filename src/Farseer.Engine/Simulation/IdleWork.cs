@@ -26,6 +26,7 @@ internal sealed unsafe class IdleWork : IStageWork
     /// <summary>Fewer pairs are looked at as they come: what is left of bundles of each kind would outweigh what is gained.</summary>
     private const int LeastSorted = 8 * ContactBundle.Lanes;
 
+    [NotState(Why.OfOneStep)]
     private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
     private readonly BundleNotes _notes = new BundleNotes();
 
@@ -37,6 +38,7 @@ internal sealed unsafe class IdleWork : IStageWork
     // Places in the idle list of the pairs to look at; null: of all.
     private int* _looked;
     private ContactUpdateInput _input;
+    [NotState(Why.OfOneStep)]
     private Part _part;
 
     private enum Part
@@ -291,4 +293,7 @@ internal sealed unsafe class IdleWork : IStageWork
             Prefetch.Line(records + contacts.Idle(Place(i)));
         }
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s) => LookedCount = s.Value(LookedCount);
 }

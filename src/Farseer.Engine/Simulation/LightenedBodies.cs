@@ -63,4 +63,11 @@ internal sealed unsafe class LightenedBodies
     }
 
     private float ShareOf(int body) => _share[body] == 0 ? 1 : _share[body];
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _bodies.Visit(s);
+        s.Column(_share);
+    }
 }

@@ -141,4 +141,12 @@ internal sealed unsafe class LonePairs
             Free = 1,
         };
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _candidates.Visit(s);
+        s.Column(_pairs);
+        Count = s.Value(Count);
+    }
 }

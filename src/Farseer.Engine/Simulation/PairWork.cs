@@ -11,6 +11,7 @@ namespace Farseer.Engine.Simulation;
 /// Leaves those of the pairs that were found which are new and pass the filters, in ranges, and describes these. In a net of joints nearly all pairs that are
 /// found are pairs of neighbours, again in each step. Before that, forgets which boxes were new in the step before.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class PairWork : IStageWork
 {
     /// <summary>Pairs that are worth another worker's while, some 2 µs.</summary>

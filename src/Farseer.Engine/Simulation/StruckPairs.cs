@@ -18,6 +18,7 @@ namespace Farseer.Engine.Simulation;
 /// <remarks>
 /// Workers look at blocks of pairs and of bundles. A block packs what it looks at into bundles of its own, so that these do not follow from who had which.
 /// </remarks>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class StruckPairs : IStageWork
 {
     /// <summary>Pairs of a block, of which most are passed over, and bundles of rows: some 2 µs each.</summary>

@@ -9,6 +9,7 @@ namespace Farseer.Engine.Simulation;
 /// The parts of the sweep that workers share: which pairs fast bodies are looked after in, and which of these bodies meet nothing, so that the sweep
 /// itself, which goes from body to body in their order, passes over most of them.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class SweepWork : IStageWork
 {
     /// <summary>Records of a block, some 2 µs, and bodies that are worth another worker's while, some 4 µs.</summary>

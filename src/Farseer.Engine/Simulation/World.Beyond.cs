@@ -17,11 +17,13 @@ internal sealed partial class World
     private const int MostInARow = 2048;
 
     private readonly BoxPacks _immovable = new BoxPacks();
+    [NotState(Why.OfOneStep)]
     private readonly IndexList _beyond = new IndexList();
     private bool _immovableListed;
     private bool _queriesSeeStep;
 
     /// <summary>The sweep that is to look at what is found.</summary>
+    [NotState(Why.OfOneStep)]
     private Continuous.FastBodySweep _seeker = null!;
 
     bool Continuous.IImpactListener.AddsNothing(int body, in BodyPath way)

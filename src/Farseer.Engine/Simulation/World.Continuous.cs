@@ -25,7 +25,9 @@ internal sealed partial class World : IImpactListener
     // Where the pairs of each place begin, and how many one has at most.
     private unsafe int* _sweepFirst;
     private int _mostSwept;
+    [NotState(Why.OfOneStep)]
     private int _sweepNext;
+    [NotState(Why.OfOneStep)]
     private bool _sweepGathered;
 
     bool IImpactListener.OnImpact(int contact, in Manifold manifold) =>

@@ -36,6 +36,7 @@ internal sealed partial class World
     public JointStore Joints { get; } = new JointStore();
 
     /// <summary>Who hears of broken joints and solves those that a user wrote.</summary>
+    [NotState(Why.Fixed)]
     public IUserJoints? UserJoints { get; set; }
 
     /// <param name="kind">Which equations it keeps.</param>

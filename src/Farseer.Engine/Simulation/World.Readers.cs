@@ -19,8 +19,11 @@ internal interface IContactVisitor
 /// <summary>What readers ask of the world between steps.</summary>
 internal sealed partial class World
 {
+    [NotState(Why.OfOneStep)]
     private readonly Column<ulong> _visitKeys = new Column<ulong>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<int> _visitContacts = new Column<int>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<ContactPoint> _visitPoints = new Column<ContactPoint>();
 
     /// <summary>World box of a collider at its present pose.</summary>

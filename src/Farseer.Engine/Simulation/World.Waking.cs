@@ -11,6 +11,7 @@ namespace Farseer.Engine.Simulation;
 /// <summary>What wakes bodies: changes from outside, awake bodies that come into touch, springs, and the ground when it moves.</summary>
 internal sealed partial class World
 {
+    [NotState(Why.OfOneStep)]
     private readonly IndexList _flood = new IndexList();
 
     /// <summary>A pair that is about to touch wakes the side that sleeps.</summary>

@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Stepping;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
@@ -13,8 +14,11 @@ internal sealed partial class World : IDisposable
     private const double JointSubstepCost = 30;
 
     private StageRunner _runner = new StageRunner(1, null);
+    [NotState(Why.Running)]
     private int _workers = 1;
+    [NotState(Why.Running)]
     private Action<int, Action>? _scheduler;
+    [NotState(Why.Calm)]
     private bool _isDisposed;
 
     /// <summary>Sets how many threads share a step, from the next one on.</summary>

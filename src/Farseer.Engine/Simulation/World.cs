@@ -84,12 +84,14 @@ internal sealed partial class World
     /// <summary>Memory of the phases of a step, which all that is taken is given back to at its end.</summary>
     private Scratch Scratch => Proxies.Scratch;
 
+    [NotState(Why.Fixed)]
     public IStepHooks? Hooks { get; set; }
 
     /// <summary>Swappable between steps: pairs already found are kept, and the new one starts with all proxies.</summary>
     public IBroadPhase BroadPhase { get; private set; } = new LevelGrid();
 
     /// <summary>True while a step runs: removals then wait for the next one.</summary>
+    [NotState(Why.Calm)]
     public bool IsStepping { get; private set; }
 
     /// <summary>Pairs of pieces in contact.</summary>

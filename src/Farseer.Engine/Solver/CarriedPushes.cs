@@ -126,4 +126,11 @@ internal sealed unsafe class CarriedPushes
         DeepStacks.IsHigh(islands, island) && feedForward.IsDeep(island);
 
     private static int Levels(IslandStore islands, int island) => islands.FirstSlot[island + 1] - islands.FirstSlot[island];
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_pushes);
+        s.Value(ref _carried);
+    }
 }

@@ -27,18 +27,28 @@ internal sealed unsafe partial class IslandClasses
     private readonly Column<byte> _class = new Column<byte>();
     private readonly Column<byte> _listed = new Column<byte>();
     private readonly Column<byte> _chosen = new Column<byte>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<Loan> _loans = new Column<Loan>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<int>[] _lists = new Column<int>[Count];
+    [NotState(Why.OfOneStep)]
     private readonly int[] _counts = new int[Count];
+    [NotState(Why.OfOneStep)]
     private readonly int[] _padded = new int[Count];
+    [NotState(Why.OfOneStep)]
     private readonly GraphColor[][] _borrowed = new GraphColor[Count][];
+    [NotState(Why.Room)]
     private readonly GraphColor?[][] _pool = new GraphColor?[Count][];
+    [NotState(Why.OfOneStep)]
     private readonly int[] _used = new int[Count];
+    [NotState(Why.OfOneStep)]
     private readonly int[] _rowCounts = new int[Count];
     private readonly TieAction _unite;
     private readonly TieAction _handOn;
     private readonly TieAction _addKinematic;
+    [NotState(Why.Elsewhere)]
     private ConstraintGraph _graph = null!;
+    [NotState(Why.OfOneStep)]
     private int _loanCount;
     private float _substep;
     private bool _adapts;
@@ -415,5 +425,18 @@ internal sealed unsafe partial class IslandClasses
 
         /// <summary>Its row in the class's copy.</summary>
         public int Place;
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_parent);
+        s.Column(_class);
+        s.Column(_listed);
+        s.Column(_chosen);
+        s.Value(ref _substep);
+        s.Value(ref _adapts);
+        s.Value(ref _anyChosen);
+        s.Value(ref _only);
     }
 }

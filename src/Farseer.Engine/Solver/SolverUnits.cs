@@ -14,6 +14,7 @@ namespace Farseer.Engine.Solver;
 /// Groups of islands solved one after the other, all substeps of one before the next: its rows and bodies stay near meanwhile, and a worker
 /// that has one waits for nobody. Each row meets the same rows in the same order as when all groups are solved together.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class SolverUnits : IStageWork
 {
     /// <summary>Fewer units for each worker would leave some of them without work at the end.</summary>

@@ -70,6 +70,7 @@ internal unsafe ref struct SolverInput
 /// The substeps of a step: small steps with one pass of each kind beat many passes on a large one at the same cost. Each
 /// substep: velocities, springs, warm start, biased pass, positions, relax pass, impacts.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class SubstepSolver
 {
     /// <summary>

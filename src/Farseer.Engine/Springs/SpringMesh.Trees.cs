@@ -5,6 +5,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Springs;
 
 /// <content>Meshes with bodies that trees of joints hold.</content>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe partial class SpringMesh
 {
     /// <summary>How a slot's body is held, beside 0 and 1 of <see cref="SpringRow.HeldA"/>.</summary>

@@ -325,4 +325,13 @@ internal sealed unsafe class SpringStore
         public double Swing;
         public double Drag;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_rows);
+        s.Column(_records);
+        s.Column(_treeBodies);
+        Count = s.Value(Count);
+    }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.ExceptionServices;
 using System.Threading;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Stepping;
 
@@ -21,6 +22,7 @@ namespace Farseer.Engine.Stepping;
 /// Tried and left: fixed halves with a counter to spin on, which is 0.1 µs a phase faster on idle cores and loses all of it, and
 /// more, whenever something else runs on one of them.
 /// </remarks>
+[NotState(Why.Running)]
 internal sealed partial class StageRunner : IDisposable
 {
     /// <summary>Most workers: a bit for each in <see cref="CrewPlace"/>, and one for "open".</summary>

@@ -1,8 +1,10 @@
 using System.Diagnostics;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Stepping;
 
 /// <summary>Seconds spent in each stage of the last step. Off by default; nothing in the engine decides by it.</summary>
+[NotState(Why.Running)]
 internal sealed class StepProfile
 {
     private readonly long[] _ticks = new long[(int)StepStage.Count];

@@ -105,4 +105,11 @@ internal sealed unsafe class BitSet
         return (int)((bits * 0x0101010101010101UL) >> 56);
 #endif
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _wordCount);
+        s.Column(_words);
+    }
 }

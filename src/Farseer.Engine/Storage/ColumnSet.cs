@@ -3,6 +3,7 @@ using System.Collections.Generic;
 namespace Farseer.Engine.Storage;
 
 /// <summary>Columns of equal length that grow together. Growth, state hash and snapshot are written once, here.</summary>
+[NotState(Why.Room)]
 internal sealed class ColumnSet
 {
     private readonly List<IColumn> _columns = new List<IColumn>();

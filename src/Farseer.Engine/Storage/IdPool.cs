@@ -55,4 +55,11 @@ internal sealed class IdPool
 
     /// <summary>True if the slot is in use: generations of live slots are odd, of freed ones even.</summary>
     public bool IsUsed(int index) => (_generations[index] & 1) == 1;
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.List(_generations);
+        s.List(_free);
+    }
 }

@@ -45,4 +45,11 @@ internal sealed unsafe class IndexList
         _items.EnsureCapacity(count);
         Count = count;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        Count = s.Value(Count);
+        s.Column(_items, Count);
+    }
 }

@@ -258,4 +258,22 @@ internal sealed unsafe class PairMap
             Put(slot, key, old.ValueAt(i));
         }
     }
+
+    /// <summary>
+    /// Writes, or reads, what later steps read of it. The table comes back in the size that it had: a larger one would have its
+    /// entries elsewhere, and in what order they are removed matters to nobody, but the values would have to be put in one by
+    /// one.
+    /// </summary>
+    public void Visit(StateStream s)
+    {
+        Count = s.Value(Count);
+        s.Value(ref _mask);
+        s.Value(ref _shift);
+        s.Reference(ref _values);
+        s.Column(_slots);
+        if (_values != null)
+        {
+            s.Column(_values);
+        }
+    }
 }

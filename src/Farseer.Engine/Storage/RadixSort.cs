@@ -4,6 +4,7 @@ namespace Farseer.Engine.Storage;
 /// Sorts unsigned keys, with or without a payload, in ascending order: O(n) a byte of key, stable, no allocation once the scratch memory
 /// has grown. Bytes that are the same in all keys cost one counting pass together and no move, so small numbers in wide keys are cheap.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class RadixSort
 {
     // Below this count an insertion sort wins over clearing and summing the histograms.

@@ -7,6 +7,7 @@ namespace Farseer.Engine.Storage;
 /// its end, which together were more than all that is kept of a body. What is taken holds whatever was there before; it stays
 /// where it is until it is released, also if more is taken meanwhile. Taken by the calling thread alone.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class Scratch
 {
     private const int Alignment = 64;

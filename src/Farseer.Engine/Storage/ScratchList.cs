@@ -4,6 +4,7 @@ using System.Runtime.CompilerServices;
 namespace Farseer.Engine.Storage;
 
 /// <summary>A list that lives within a phase, in memory of a <see cref="Scratch"/>.</summary>
+[NotState(Why.OfOneStep)]
 internal unsafe struct ScratchList<T>
     where T : unmanaged
 {

@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -12,7 +13,9 @@ internal sealed class ArbiterView : IContactVisitor
     private const int LeastSpares = 16;
 
     private readonly PhysicsSimulator _simulator;
+    [NotState(Why.Elsewhere)]
     private readonly ObjectTable _table;
+    [NotState(Why.Room)]
     private readonly Pool<Arbiter> _pool = new Pool<Arbiter>();
 
     public ArbiterView(PhysicsSimulator simulator, ObjectTable table)
@@ -21,6 +24,7 @@ internal sealed class ArbiterView : IContactVisitor
         _table = table;
     }
 
+    [NotState(Why.Derived)]
     public ArbiterList List { get; } = new ArbiterList { Capacity = LeastSpares };
 
     /// <summary>Set by each step; the list is filled anew when next asked for.</summary>

@@ -113,19 +113,7 @@ internal struct BodyLink
     {
         World world = _world!;
         Handle handle = _handle;
-        _loose ??= new LooseBody();
-        if (IsSimulated)
-        {
-            State = StateRef;
-        }
-
-        Pose = PoseRef;
-        Mass = MassRef;
-        Force = ForceRef;
-        Drag = DragRef;
-        _world = null;
-        _handle = default;
-        IsSimulated = false;
+        LeaveColumns();
         world.DestroyBody(handle);
     }
 
@@ -238,5 +226,58 @@ internal struct BodyLink
         public BodyMass Mass;
         public BodyForce Force;
         public BodyDrag Drag;
+    }
+
+    /// <summary>Writes, or reads, what later updates read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Reference(ref _world);
+        s.Value(ref _handle);
+        StartsAsleep = s.Value(StartsAsleep);
+        UserFlags = s.Value(UserFlags);
+        IsSimulated = s.Value(IsSimulated);
+        Colliders = s.Value(Colliders);
+        Joints = s.Value(Joints);
+        if (!s.Value(_loose is not null))
+        {
+            _loose = null;
+            return;
+        }
+
+        _loose ??= new LooseBody();
+        s.Value(ref _loose.State);
+        s.Value(ref _loose.Pose);
+        s.Value(ref _loose.Mass);
+        s.Value(ref _loose.Force);
+        s.Value(ref _loose.Drag);
+    }
+
+    /// <summary>Takes the state out of the columns of a world that is about to be another one.</summary>
+    public void TakeOut()
+    {
+        LeaveColumns();
+        Colliders = 0;
+        Joints = 0;
+    }
+
+    private void LeaveColumns()
+    {
+        if (_world is not null)
+        {
+            _loose ??= new LooseBody();
+            if (IsSimulated)
+            {
+                State = StateRef;
+            }
+
+            Pose = PoseRef;
+            Mass = MassRef;
+            Force = ForceRef;
+            Drag = DragRef;
+        }
+
+        _world = null;
+        _handle = default;
+        IsSimulated = false;
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Interfaces;
@@ -9,6 +10,7 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 /// <summary>What the library's own colliders share: an algorithm of the engine, and the handlers that may refuse a pair.</summary>
 internal sealed class EngineCollider
 {
+    [NotState(Why.Elsewhere)]
     private readonly PhysicsSimulator _owner;
     private BroadPhaseCollisionHandler? _handlers;
     private Delegate[] _each = Array.Empty<Delegate>();
@@ -72,5 +74,12 @@ internal sealed class EngineCollider
         bool wantsA = (b.CollidesWith & a.CollisionCategories) != 0;
         bool oneIsEnough = a.Simulator is not null && (a.Simulator.Quirks & Farseer201Quirks.OneSidedCategoryFilter) != 0;
         return oneIsEnough ? wantsA || wantsB : wantsA && wantsB;
+    }
+
+    /// <summary>Writes, or reads, who judges pairs.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Reference(ref _handlers);
+        _each = s.Reference(_each)!;
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Runtime.ExceptionServices;
 using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
@@ -12,8 +13,11 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 internal sealed class EventRelay : IStepHooks
 {
     private readonly PhysicsSimulator _simulator;
+    [NotState(Why.Elsewhere)]
     private readonly ObjectTable _table;
+    [NotState(Why.OfOneStep)]
     private readonly ContactList _contacts = new ContactList(16);
+    [NotState(Why.Calm)]
     private ExceptionDispatchInfo? _failure;
 
     public EventRelay(PhysicsSimulator simulator, ObjectTable table)
@@ -26,9 +30,11 @@ internal sealed class EventRelay : IStepHooks
     public EngineCollider? Collider { get; set; }
 
     /// <summary>True while a collider is being taken out: the engine then ends its contacts.</summary>
+    [NotState(Why.Calm)]
     public bool IsRemoving { get; set; }
 
     /// <summary>True while everything is being taken out, which tells nobody.</summary>
+    [NotState(Why.Calm)]
     public bool IsClearing { get; set; }
 
     /// <summary>Also while disposed geoms wait to leave. To ask for each pair whether its geoms live was a tenth of a tumbling scene.</summary>

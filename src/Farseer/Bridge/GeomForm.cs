@@ -1,5 +1,6 @@
 using System.Numerics;
 using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
@@ -30,6 +31,7 @@ internal enum FormKind
 }
 
 /// <summary>The shape of a geom before it is an engine shape. Geoms that copy one another share it; it never changes.</summary>
+[NotState(Why.Fixed)]
 internal sealed class GeomForm
 {
     private ShapeGeometry? _shape;

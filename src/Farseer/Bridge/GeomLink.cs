@@ -145,4 +145,28 @@ internal struct GeomLink
         info.Flags = Flags(geom);
         _world.Refilter(Handle);
     }
+
+    /// <summary>Writes, or reads, what later updates read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Reference(ref _world);
+        Friction = s.Value(Friction);
+        Restitution = s.Value(Restitution);
+        Group = s.Value(Group);
+        Categories = s.Value(Categories);
+        CollidesWith = s.Value(CollidesWith);
+        CollisionEnabled = s.Value(CollisionEnabled);
+        ResponseEnabled = s.Value(ResponseEnabled);
+        IsSensor = s.Value(IsSensor);
+        Handle = s.Value(Handle);
+        AttachedBody = s.Reference(AttachedBody);
+    }
+
+    /// <summary>Lets go of a world that is about to be another one.</summary>
+    public void TakeOut()
+    {
+        _world = null;
+        AttachedBody = null;
+        Handle = default;
+    }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -12,6 +13,7 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 /// Which resting bodies others are about to meet, touch, or hold by a joint or spring, and which hang together with those again. What is
 /// disabled has no contacts and no joints, so a body that rests on it or hangs at it would fall.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed class IdleNeighbors
 {
     /// <summary>Surfaces closer than this share of a geom's shorter side touch.</summary>

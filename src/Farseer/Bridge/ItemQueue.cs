@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
@@ -11,6 +12,7 @@ internal sealed class ItemQueue<T>
     where T : class, IItem
 {
     private readonly PhysicsSimulator _owner;
+    [NotState(Why.Elsewhere)]
     private readonly List<T> _list;
     private readonly Action<T> _takeIn;
     private readonly Action<T> _unlist;
@@ -206,4 +208,14 @@ internal sealed class ItemQueue<T>
 
         items.Clear();
     }
+
+    /// <summary>Writes, or reads, what waits.</summary>
+    public void Visit(StateStream s)
+    {
+        s.References(_in);
+        s.References(_out);
+    }
+
+    /// <summary>What waits to be taken in; also what was removed before it came to that.</summary>
+    public List<T> Waiting => _in;
 }

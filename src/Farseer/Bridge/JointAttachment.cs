@@ -149,4 +149,27 @@ internal sealed class JointAttachment
     }
 
     public static double Angle(Body? body) => body is null ? 0 : body.Link.PoseRef.Angle;
+
+    /// <summary>Writes, or reads, what later updates read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Reference(ref _world);
+        Handle = s.Value(Handle);
+        First = s.Reference(First);
+        Second = s.Reference(Second);
+    }
+
+    /// <summary>Lets go of a world that is about to be another one; the bodies are told by nobody.</summary>
+    public void TakeOut(Joint joint)
+    {
+        if (_world is not null)
+        {
+            joint.KeepError(Error);
+        }
+
+        _world = null;
+        Handle = default;
+        First = null;
+        Second = null;
+    }
 }

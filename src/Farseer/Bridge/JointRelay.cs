@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
@@ -13,6 +14,7 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 internal sealed class JointRelay : IUserJoints
 {
     private readonly EventRelay _events;
+    [NotState(Why.Derived)]
     private readonly List<Joint?> _jointOf = new List<Joint?>();
 
     public JointRelay(EventRelay events, World world)
@@ -85,6 +87,15 @@ internal sealed class JointRelay : IUserJoints
         catch (Exception exception)
         {
             _events.Keep(exception);
+        }
+    }
+
+    /// <summary>Nothing is anywhere.</summary>
+    public void ClearTable()
+    {
+        for (int i = 0; i < _jointOf.Count; i++)
+        {
+            _jointOf[i] = null;
         }
     }
 }

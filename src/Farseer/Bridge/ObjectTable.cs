@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -45,5 +46,12 @@ internal sealed class ObjectTable
         {
             Array.Resize(ref items, Math.Max(length, items.Length + (items.Length / 4)));
         }
+    }
+
+    /// <summary>Nothing is anywhere.</summary>
+    public void Clear()
+    {
+        Array.Clear(_bodies, 0, _bodies.Length);
+        Array.Clear(_geoms, 0, _geoms.Length);
     }
 }

@@ -1,5 +1,6 @@
 using Farseer.Engine.Simulation;
 using Farseer.Engine.Springs;
+using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
@@ -37,5 +38,19 @@ internal sealed class SpringMemory
             world.WakeUp(_def.BodyA);
             world.WakeUp(_def.BodyB);
         }
+    }
+
+    /// <summary>Writes, or reads, what later updates read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Reference(ref _world);
+        s.Value(ref _def);
+    }
+
+    /// <summary>Lets go of a world that is about to be another one.</summary>
+    public void Forget()
+    {
+        _world = null;
+        _def = default;
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Interfaces;
@@ -11,6 +12,7 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 /// The part of a geom that is in a fluid. What has straight bounds is cut out exactly. Of any other fluid only points can be asked for: the geom's
 /// outline is then divided, and where it passes the surface found by halving.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed class SubmergedPart
 {
     /// <summary>Halvings of a side or an arc before its ends are asked for: four parts a side, eight a quarter turn.</summary>

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -62,5 +63,10 @@ internal sealed class UserBroadPhase : IBroadPhase
                 }
             }
         }
+    }
+
+    /// <summary>What the user's collider remembers it saves itself.</summary>
+    public void Visit(StateStream s)
+    {
     }
 }

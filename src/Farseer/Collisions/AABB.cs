@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
 
@@ -150,5 +151,12 @@ public class AABB
     {
         _min = min;
         _max = max;
+    }
+
+    /// <summary>Writes, or reads, what later updates read of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        s.Value(ref _min);
+        s.Value(ref _max);
     }
 }

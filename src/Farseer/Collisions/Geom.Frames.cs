@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
 
@@ -237,9 +238,12 @@ public partial class Geom
     {
         public CollisionEventHandler? OnCollision;
         public SeparationEventHandler? OnSeparation;
+        [NotState(Why.Users)]
         public object? Tag;
+        [NotState(Why.Users)]
         public string? Name;
         public Grid? Grid;
+        [NotState(Why.Derived)]
         public Frame? Frame;
     }
 

@@ -124,7 +124,10 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     /// <summary>True once <see cref="Dispose()"/> was called.</summary>
     public bool IsDisposed { get; private set; }
 
-    /// <summary>The body that carries the geom; null only for a geom made without one.</summary>
+    /// <summary>
+    /// The body that carries the geom; null only for a geom made without one, or made since the state that its body went back to
+    /// (<see cref="PhysicsSimulator.Restore"/>).
+    /// </summary>
     public Body Body => _body!;
 
     /// <summary>Anything the user wants to keep with the geom. Default null.</summary>

@@ -1,4 +1,7 @@
+using System;
 using System.Collections.Generic;
+using Farseer.Engine.Storage;
+using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
 
@@ -18,11 +21,12 @@ public class GeomList : List<Geom>
     /// <summary>Called when a geom has been removed. Use with +=. Default null.</summary>
     public ContentsChangedEventHandler? Removed { get; set; }
 
+    [NotState(Why.Fixed)]
     internal PhysicsSimulator? Owner { get; set; }
 
     /// <summary>Adds a geom.</summary>
     /// <param name="geom">The geom.</param>
-    /// <exception cref="System.ArgumentNullException"><paramref name="geom"/> is null.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="geom"/> is null.</exception>
     public new void Add(Geom geom)
     {
         Require.NotNull(geom, nameof(geom));
@@ -38,7 +42,7 @@ public class GeomList : List<Geom>
 
     /// <summary>Removes a geom; one that is not in the list is ignored.</summary>
     /// <param name="geom">The geom.</param>
-    /// <exception cref="System.ArgumentNullException"><paramref name="geom"/> is null.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="geom"/> is null.</exception>
     public new void Remove(Geom geom)
     {
         Require.NotNull(geom, nameof(geom));
@@ -86,13 +90,35 @@ public class GeomList : List<Geom>
     }
 
     /// <summary>Takes all out at once: one after the other, each would move all those behind it.</summary>
-    internal void Empty()
+    /// <returns>Those of whom <see cref="Tell"/> is to tell.</returns>
+    internal Geom[] Empty()
     {
         Geom[] removed = Removed is null ? [] : ToArray();
         Clear();
+        return removed;
+    }
+
+    /// <summary>Tells of removals, of all of them even if a handler throws.</summary>
+    internal void Tell(Geom[] removed, EventRelay relay)
+    {
         foreach (Geom geom in removed)
         {
-            Removed?.Invoke(geom);
+            try
+            {
+                Removed?.Invoke(geom);
+            }
+            catch (Exception exception)
+            {
+                relay.Keep(exception);
+            }
         }
+    }
+
+    /// <summary>Writes, or reads, what is in it and who hears of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        s.References(this);
+        Added = s.Reference(Added);
+        Removed = s.Reference(Removed);
     }
 }

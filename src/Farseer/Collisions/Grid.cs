@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
 
@@ -20,6 +21,7 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// asked for.
 /// </para>
 /// </remarks>
+[NotState(Why.Users)]
 public sealed partial class Grid
 {
     /// <summary>64 MB of distances: beyond this the cell size is surely a mistake.</summary>

@@ -1,4 +1,5 @@
 using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Interfaces;
 
@@ -20,6 +21,7 @@ public abstract class LibraryCollider : IBroadPhaseCollider
         remove => Core.Remove(value);
     }
 
+    [NotState(Why.Fixed)]
     internal EngineCollider Core { get; }
 
     /// <summary>The simulator calls it; the collider already knows its geoms by then, so it does nothing.</summary>

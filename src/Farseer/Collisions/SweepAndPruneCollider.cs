@@ -1,3 +1,4 @@
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
@@ -14,6 +15,7 @@ public partial class SweepAndPruneCollider : LibraryCollider
     }
 
     /// <summary>The pairs found by the last <see cref="Run"/>. The simulation does not use it.</summary>
+    [NotState(Why.OfOneStep)]
     public CollisionPairDictionary CollisionPairs { get; } = new CollisionPairDictionary();
 
     /// <summary>Tells if two geoms would become a pair once their boxes overlap.</summary>

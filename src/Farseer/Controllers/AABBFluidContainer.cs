@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Interfaces;
@@ -53,5 +54,12 @@ public class AABBFluidContainer : IFluidContainer, IStraightFluid
         Vector2 min = _aabb!.Min;
         Vector2 max = _aabb.Max;
         return new FluidPart(min.X, max.X, max.Y, OutlineEdge.Line(min.X, min.Y, max.X, min.Y));
+    }
+
+    /// <summary>Writes, or reads, what later updates read of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        s.Reference(ref _aabb);
+        _aabb?.Visit(s);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -47,4 +48,11 @@ public abstract class BodyController : Controller
     /// <param name="body">An enabled body that can move.</param>
     /// <param name="dt">The step, seconds.</param>
     protected abstract void Act(Body body, float dt);
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        Filter = s.Reference(Filter);
+    }
 }

@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Controllers;
@@ -21,6 +22,7 @@ public abstract class Controller : IDisposable, IItem
     public bool IsDisposed { get; private set; }
 
     /// <summary>Anything the user wants to keep with the controller. Default null.</summary>
+    [NotState(Why.Users)]
     public object? Tag { get; set; }
 
     PhysicsSimulator? IItem.Simulator
@@ -50,4 +52,20 @@ public abstract class Controller : IDisposable, IItem
     /// <summary>Does the work of <see cref="Dispose()"/>.</summary>
     /// <param name="disposing">True when called by <see cref="Dispose()"/>.</param>
     protected virtual void Dispose(bool disposing) => IsDisposed = true;
+
+    /// <summary>Writes, or reads, what later updates read of it.</summary>
+    internal virtual void Visit(StateStream s)
+    {
+        Enabled = s.Value(Enabled);
+        IsDisposed = s.Value(IsDisposed);
+        Simulator = s.Reference(Simulator);
+        ((IItem)this).Membership = s.Value(((IItem)this).Membership);
+    }
+
+    /// <summary>It belongs to no simulator any more, by a state from before it was added.</summary>
+    internal void TakeOut()
+    {
+        Simulator = null;
+        ((IItem)this).Membership = Membership.None;
+    }
 }

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Controllers;
@@ -19,6 +20,7 @@ public class ControllerList : List<Controller>
     /// <summary>Called when a controller has been removed. Use with +=. Default null.</summary>
     public ContentsChangedEventHandler? Removed { get; set; }
 
+    [NotState(Why.Fixed)]
     internal PhysicsSimulator? Owner { get; set; }
 
     /// <summary>Adds a controller.</summary>
@@ -79,5 +81,13 @@ public class ControllerList : List<Controller>
         {
             Removed?.Invoke(controller);
         }
+    }
+
+    /// <summary>Writes, or reads, what is in it and who hears of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        s.References(this);
+        Added = s.Reference(Added);
+        Removed = s.Reference(Removed);
     }
 }

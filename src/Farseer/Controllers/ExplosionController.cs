@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -72,5 +73,12 @@ public class ExplosionController : BodyController
         public float Radius { get; }
 
         public float Impulse { get; }
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.List(_charges);
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
@@ -210,5 +211,20 @@ public class FluidDragController : Controller
     {
         _geoms.RemoveAt(index);
         _entered.RemoveAt(index);
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Reference(ref _container);
+        s.Value(ref _gravity);
+        s.Value(ref _density);
+        s.Value(ref _linearDragCoefficient);
+        s.Value(ref _rotationalDragCoefficient);
+        (_container as AABBFluidContainer)?.Visit(s);
+        s.References(_geoms);
+        s.List(_entered);
+        Entry = s.Reference(Entry);
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -80,5 +81,15 @@ public class GravityController : BodyController
             double pull = body.Mass * (double)_strength / (reach * reach * reach);
             body.ApplyForce(new Vector2((float)(pull * x), (float)(pull * y)));
         }
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _center);
+        s.Value(ref _strength);
+        s.Value(ref _minRadius);
+        s.Value(ref _maxRadius);
     }
 }

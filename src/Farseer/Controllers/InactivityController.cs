@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -14,10 +15,13 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// </summary>
 public class InactivityController : Controller
 {
+    [NotState(Why.Elsewhere)]
     private readonly PhysicsSimulator _simulator;
 
     // Those that wake others, and those whose time is over, of one update.
+    [NotState(Why.OfOneStep)]
     private readonly List<Body> _wakers = new List<Body>();
+    [NotState(Why.OfOneStep)]
     private readonly List<Body> _idle = new List<Body>();
     private readonly IdleNeighbors _neighbors = new IdleNeighbors();
     private bool _anyDisabled;
@@ -231,5 +235,15 @@ public class InactivityController : Controller
         }
 
         return false;
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _anyDisabled);
+        s.Value(ref _activationDistance);
+        s.Value(ref _maxIdleTime);
+        BodiesEnabled = s.Value(BodiesEnabled);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -53,5 +54,13 @@ public class VelocityLimitController : BodyController
         {
             body.AngularVelocity = body.AngularVelocity > 0 ? _maxAngularVelocity : -_maxAngularVelocity;
         }
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _maxLinearVelocity);
+        s.Value(ref _maxAngularVelocity);
     }
 }

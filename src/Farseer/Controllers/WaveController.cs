@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Interfaces;
@@ -293,5 +294,35 @@ public class WaveController : Controller, IFluidContainer, IStraightFluid
         int last = _currentWave.Length - 1;
         _currentWave[last] = ConvertUnits.ToSimUnits(_generator);
         _highest = Math.Min(_highest, _currentWave[last]);
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        _currentWave = s.Reference(_currentWave)!;
+        s.Array(_currentWave);
+        _previousWave = s.Reference(_previousWave)!;
+        s.Array(_previousWave);
+        _resultWave = s.Reference(_resultWave)!;
+        s.Array(_resultWave);
+        _xPosition = s.Reference(_xPosition)!;
+        s.Array(_xPosition);
+        s.Value(ref _position);
+        s.Value(ref _width);
+        s.Value(ref _height);
+        s.Value(ref _nodeCount);
+        s.Value(ref _dampingCoefficient);
+        s.Value(ref _frequency);
+        s.Value(ref _waveGeneratorMin);
+        s.Value(ref _waveGeneratorMax);
+        s.Value(ref _waveGeneratorStep);
+        s.Value(ref _generator);
+        s.Value(ref _timePassed);
+        s.Value(ref _falls);
+        s.Value(ref _highest);
+        VectorPoint = s.Value(VectorPoint);
+        VectorNearWaveEdge = s.Value(VectorNearWaveEdge);
+        VectorFarWaveEdge = s.Value(VectorFarWaveEdge);
     }
 }

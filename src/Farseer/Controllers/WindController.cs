@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
@@ -55,5 +56,15 @@ public class WindController : BodyController
             double share = new DragLaw((double)_coefficient * body.InverseMass * dt, 1).First;
             body.ApplyForce((float)(_coefficient * share) * (_velocity - body.LinearVelocity));
         }
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _velocity);
+        s.Value(ref _coefficient);
+        Area = s.Reference(Area);
+        Area?.Visit(s);
     }
 }

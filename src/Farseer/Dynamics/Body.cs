@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 
@@ -479,7 +480,9 @@ public partial class Body : IDisposable
 
         public EventHandler<EventArgs>? Disposed;
         public UpdatedEventHandler? Updated;
+        [NotState(Why.Users)]
         public object? Tag;
+        [NotState(Why.Users)]
         public string? Name;
         public float IdleTime;
         public float MinimumVelocity = UsualMinimumVelocity;

@@ -1,4 +1,7 @@
+using System;
 using System.Collections.Generic;
+using Farseer.Engine.Storage;
+using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
@@ -18,11 +21,12 @@ public class BodyList : List<Body>
     /// <summary>Called when a body has been removed. Use with +=. Default null.</summary>
     public ContentsChangedEventHandler? Removed { get; set; }
 
+    [NotState(Why.Fixed)]
     internal PhysicsSimulator? Owner { get; set; }
 
     /// <summary>Adds a body.</summary>
     /// <param name="body">The body.</param>
-    /// <exception cref="System.ArgumentNullException"><paramref name="body"/> is null.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
     public new void Add(Body body)
     {
         Require.NotNull(body, nameof(body));
@@ -38,7 +42,7 @@ public class BodyList : List<Body>
 
     /// <summary>Removes a body; one that is not in the list is ignored.</summary>
     /// <param name="body">The body.</param>
-    /// <exception cref="System.ArgumentNullException"><paramref name="body"/> is null.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
     public new void Remove(Body body)
     {
         Require.NotNull(body, nameof(body));
@@ -81,13 +85,35 @@ public class BodyList : List<Body>
     }
 
     /// <summary>Takes all out at once: one after the other, each would move all those behind it.</summary>
-    internal void Empty()
+    /// <returns>Those of whom <see cref="Tell"/> is to tell.</returns>
+    internal Body[] Empty()
     {
         Body[] removed = Removed is null ? [] : ToArray();
         Clear();
+        return removed;
+    }
+
+    /// <summary>Tells of removals, of all of them even if a handler throws.</summary>
+    internal void Tell(Body[] removed, EventRelay relay)
+    {
         foreach (Body body in removed)
         {
-            Removed?.Invoke(body);
+            try
+            {
+                Removed?.Invoke(body);
+            }
+            catch (Exception exception)
+            {
+                relay.Keep(exception);
+            }
         }
+    }
+
+    /// <summary>Writes, or reads, what is in it and who hears of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        s.References(this);
+        Added = s.Reference(Added);
+        Removed = s.Reference(Removed);
     }
 }

@@ -1,9 +1,11 @@
 using System;
 using System.Globalization;
+using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
 /// <summary>Tells which body the simulator took out because its state was no longer one of numbers. (An addition to the original.)</summary>
+[NotState(Why.Fixed)]
 public sealed class BodyQuarantinedEventArgs : EventArgs
 {
     internal BodyQuarantinedEventArgs(Body body, long step, string reason, string? lastCall, long lastCallStep)

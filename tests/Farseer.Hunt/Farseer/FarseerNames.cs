@@ -39,7 +39,8 @@ internal sealed class FarseerNames : Names
             || typeof(LibraryCollider).IsAssignableFrom(t) || t.Name.EndsWith("List", StringComparison.Ordinal)))
         .Concat(new[]
         {
-            typeof(PhysicsSimulator), typeof(Body), typeof(Geom), typeof(BodyFactory), typeof(GeomFactory), typeof(JointFactory),
+            typeof(PhysicsSimulator), typeof(PhysicsSimulatorState), typeof(Body), typeof(Geom),
+                typeof(BodyFactory), typeof(GeomFactory), typeof(JointFactory),
                 typeof(SpringFactory),
             typeof(ComplexFactory), typeof(Path), typeof(QueryFilter), typeof(AABB), typeof(AABBFluidContainer), typeof(Scaling),
                 typeof(ErrorBudget),
@@ -65,6 +66,9 @@ internal sealed class FarseerNames : Names
         ["*.Name"] = "nobody looks at it",
         ["*.Validate"] = "an update calls it",
         ["*.PreStep"] = "an update calls it",
+        ["*.StateSize"] = "a capture asks it",
+        ["*.SaveState"] = "a capture calls it",
+        ["*.RestoreState"] = "a restore calls it",
         ["Joint.Update"] = "an update calls it",
         ["Spring.Update"] = "an update calls it",
         ["Controller.Update"] = "an update calls it",

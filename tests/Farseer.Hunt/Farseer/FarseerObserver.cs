@@ -14,7 +14,7 @@ using FarseerGames.FarseerPhysics.Factories;
 namespace Farseer.Hunt.Farseer;
 
 /// <summary>What is seen of worlds of Farseer Physics 2.0.</summary>
-internal sealed class FarseerObserver : Observer
+internal sealed partial class FarseerObserver : Observer
 {
     private readonly HashSet<(int, int)> _touching = new();
     private readonly HashSet<Geom> _gone = new(ReferenceEqualityComparer.Instance);
@@ -26,14 +26,20 @@ internal sealed class FarseerObserver : Observer
             case PhysicsSimulator simulator:
                 simulator.BodyQuarantined += (_, e) =>
                 {
+                    if (IsMuted)
+                    {
+                        return;
+                    }
+
                     string ties = simulator.JointList.Count + simulator.SpringList.Count > 0 ? " (A world with joints or springs.)" : "";
                     Quarantined.Add(string.Create(CultureInfo.InvariantCulture,
                         $"{e.Reason} Last call: {e.LastCall}, after step {e.LastCallStep} of {e.Step}.{ties}"));
                 };
-                simulator.GeomList.Removed += geom => _gone.Add(geom);
+                simulator.GeomList.Removed += geom => _ = !IsMuted && _gone.Add(geom);
                 simulator.GeomList.Added += geom => _gone.Remove(geom);
                 break;
             case Geom geom:
+                _numbers.AddOrUpdate(geom, _numbers.Count());
                 geom.OnCollision += Begin;
                 geom.OnSeparation += End;
                 break;
@@ -148,6 +154,19 @@ internal sealed class FarseerObserver : Observer
 
     private bool Begin(Geom a, Geom b, ContactList contacts)
     {
+        if (IsMuted)
+        {
+            return true;
+        }
+
+        Tell(1, a, b);
+        foreach (Contact contact in contacts)
+        {
+            Told((uint)BitConverter.SingleToInt32Bits(contact.Position.X));
+            Told((uint)BitConverter.SingleToInt32Bits(contact.Position.Y));
+            Told((uint)BitConverter.SingleToInt32Bits(contact.Separation));
+        }
+
         if (_gone.Contains(a) || _gone.Contains(b))
         {
             Problems.Add(("OnCollision of a geom that was removed", ""));
@@ -170,6 +189,12 @@ internal sealed class FarseerObserver : Observer
 
     private void End(Geom a, Geom b)
     {
+        if (IsMuted)
+        {
+            return;
+        }
+
+        Tell(2, a, b);
         // Both geoms tell of the end.
         if (!_touching.Contains(Pair(a, b)))
         {

@@ -8,8 +8,18 @@ using FarseerGames.FarseerPhysics.Interfaces;
 namespace Farseer.Hunt.Farseer;
 
 /// <summary>A joint of a user's own, which does nothing but call back.</summary>
-public sealed class OwnJoint : Joint
+public sealed class OwnJoint : Joint, ISavedState
 {
+    public int StateSize => 0;
+
+    public void SaveState(Span<byte> destination)
+    {
+    }
+
+    public void RestoreState(ReadOnlySpan<byte> source)
+    {
+    }
+
     public event Action PreStepping = delegate { };
 
     public event Action Updating = delegate { };
@@ -24,8 +34,18 @@ public sealed class OwnJoint : Joint
 }
 
 /// <summary>A spring of a user's own, which does nothing but call back.</summary>
-public sealed class OwnSpring : Spring
+public sealed class OwnSpring : Spring, ISavedState
 {
+    public int StateSize => 0;
+
+    public void SaveState(Span<byte> destination)
+    {
+    }
+
+    public void RestoreState(ReadOnlySpan<byte> source)
+    {
+    }
+
     public event Action Updating = delegate { };
 
     public override void Validate()
@@ -36,8 +56,18 @@ public sealed class OwnSpring : Spring
 }
 
 /// <summary>A controller of a user's own, which does nothing but call back.</summary>
-public sealed class OwnController : Controller
+public sealed class OwnController : Controller, ISavedState
 {
+    public int StateSize => 0;
+
+    public void SaveState(Span<byte> destination)
+    {
+    }
+
+    public void RestoreState(ReadOnlySpan<byte> source)
+    {
+    }
+
     public event Action Updating = delegate { };
 
     public override void Validate()

@@ -36,7 +36,8 @@ internal sealed class FlashNames : Names
             || typeof(b2JointDef).IsAssignableFrom(t) || typeof(b2ShapeDef).IsAssignableFrom(t))
         .Concat(new[]
         {
-            typeof(b2World), typeof(b2Body), typeof(b2BodyDef), typeof(b2FilterData), typeof(b2MassData), typeof(b2AABB), typeof(b2OBB),
+            typeof(b2World), typeof(b2WorldState),
+            typeof(b2Body), typeof(b2BodyDef), typeof(b2FilterData), typeof(b2MassData), typeof(b2AABB), typeof(b2OBB),
                 typeof(b2Segment), typeof(b2XForm),
             typeof(b2ContactListener), typeof(b2ContactFilter), typeof(b2DestructionListener), typeof(b2BoundaryListener),
             typeof(OwnContacts), typeof(OwnFilter), typeof(OwnGoodbyes), typeof(OwnBoundary),

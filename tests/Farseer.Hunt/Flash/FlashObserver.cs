@@ -13,7 +13,7 @@ using Farseer.Hunt.Running;
 namespace Farseer.Hunt.Flash;
 
 /// <summary>What is seen of worlds of Box2DFlash 2.0.2.</summary>
-internal sealed class FlashObserver : Observer
+internal sealed partial class FlashObserver : Observer
 {
     /// <summary>A body that was frozen so deep inside of its world has not left it: its state was none.</summary>
     private const float Inside = 50;

@@ -26,6 +26,7 @@ internal sealed class Machine
 
     private readonly Script _script;
     private readonly int? _workers;
+    private readonly Random? _random;
     private readonly Observer _observer;
     private readonly Invariants _invariants;
     private readonly Dictionary<int, object> _items = new();
@@ -35,8 +36,12 @@ internal sealed class Machine
     private int _handled;
     private int _call;
 
-    public Machine(Script script, int? workers = null)
+    /// <param name="script">The world.</param>
+    /// <param name="workers">For all its simulations.</param>
+    /// <param name="detours">Before some steps the world is captured, something else is done with it, and it is restored.</param>
+    public Machine(Script script, int? workers = null, int? detours = null)
     {
+        _random = detours is { } seed ? new Random(seed) : null;
         _script = script;
         _workers = workers;
         _observer = script.Facade.Observe();
@@ -54,6 +59,20 @@ internal sealed class Machine
 
     /// <summary>Of each world after each of its steps.</summary>
     public List<ulong> Hashes { get; } = new();
+
+    /// <summary>Of all events that were told until then.</summary>
+    public List<ulong> EventHashes { get; } = new();
+
+    public int Detours => _observer.Detours;
+
+    /// <summary>States are kept with the names of their fields, to look for the first difference.</summary>
+    public bool Keeps
+    {
+        get => _observer.Traces;
+        init => _observer.Traces = value;
+    }
+
+    public string? FirstDifference(Machine other) => _observer.FirstDifference(other._observer);
 
     /// <summary>Of the worlds that are there after the last call.</summary>
     public List<ulong> LastHashes { get; private set; } = new();
@@ -183,6 +202,13 @@ internal sealed class Machine
                 _observer.SetWorkers(world, workers);
             }
 
+            if (_random is not null && _random.Next(3) == 0)
+            {
+                _isMuted = true;
+                _observer.Detour(world, _random);
+                _isMuted = false;
+            }
+
             int handled = _handled;
             int thrown = _thrown.Count;
             long start = Stopwatch.GetTimestamp();
@@ -205,7 +231,13 @@ internal sealed class Machine
             }
 
             _observer.Stepped(world);
+            if (Keeps)
+            {
+                _observer.Keep(world);
+            }
+
             Hashes.Add(_observer.Hash(world));
+            EventHashes.Add(_observer.Events);
             if (Failure is null && _invariants.After(world, (float)arguments[1]!, _items.Values, _handled == handled
                 && _thrown.Count == thrown) is { } wrong)
             {
@@ -245,6 +277,7 @@ internal sealed class Machine
                 return true;
             }
 
+            machine._observer.Told((ulong)call.Id);
             _told++;
             if (_told == (int)call.Arguments[1])
             {

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 
 namespace Farseer.Hunt.Running;
@@ -11,11 +12,75 @@ internal readonly record struct BodyFact(double X, double Y, double Vx, double V
 /// <summary>What a facade shows of a running world. It changes nothing.</summary>
 internal abstract class Observer
 {
+    private readonly List<object> _kept = new();
+
     /// <summary>Problems of events, found while they are told: (kind, values).</summary>
     public List<(string Kind, string Text)> Problems { get; } = new();
 
     /// <summary>Bodies that were taken out because their state was none.</summary>
     public List<string> Quarantined { get; } = new();
+
+    /// <summary>What is told now is of a detour, which is taken back.</summary>
+    public bool IsMuted { get; set; }
+
+    /// <summary>States know the names of their fields.</summary>
+    public bool Traces { get; set; }
+
+    /// <summary>A hash of all events that were told, in their order.</summary>
+    public ulong Events { get; private set; } = 14695981039346656037;
+
+    /// <summary>Detours that were taken.</summary>
+    public int Detours { get; private set; }
+
+    /// <summary>Captures a world, goes on with it in some other way, and restores it.</summary>
+    public void Detour(object world, Random random)
+    {
+        IsMuted = true;
+        try
+        {
+            Detours += TakeDetour(world, random) ? 1 : 0;
+        }
+        finally
+        {
+            IsMuted = false;
+        }
+    }
+
+    /// <summary>Remembers a state, to look for the first difference later.</summary>
+    public void Keep(object world)
+    {
+        if (Traced(world) is { } state)
+        {
+            _kept.Add(state);
+        }
+    }
+
+    /// <returns>
+    /// The fields that differ in the states of two observers, each with the number of the state in which it does so first.
+    /// </returns>
+    public string FirstDifference(Observer other)
+    {
+        var first = new Dictionary<string, int>(StringComparer.Ordinal);
+        for (int i = 0; i < Math.Min(_kept.Count, other._kept.Count); i++)
+        {
+            foreach (string name in Differences(_kept[i], other._kept[i]))
+            {
+                first.TryAdd(name, i + 1);
+            }
+        }
+
+        return string.Join(", ", first);
+    }
+
+    /// <returns>A state that knows the names of its fields; null: the world cannot be captured.</returns>
+    protected abstract object? Traced(object world);
+
+    protected abstract IEnumerable<string> Differences(object state, object other);
+
+    /// <returns>False if the world cannot be captured.</returns>
+    protected abstract bool TakeDetour(object world, Random random);
+
+    public void Told(ulong what) => Events = (Events ^ what) * 1099511628211;
 
     /// <summary>An item was made: whoever wants to hear its events says so now.</summary>
     public abstract void Made(object item, object?[] arguments);

@@ -419,4 +419,36 @@ public class MembershipTests
         Assert.True(simulator.UpdateTime >= 0);
         Assert.True(simulator.ApplyImpulsesTime >= 0);
     }
+
+    [Fact]
+    public void Clear_WithAHandlerThatThrows_TakesEverythingOutAndThrowsThen()
+    {
+        var simulator = new PhysicsSimulator();
+        Body[] bodies = [.. Enumerable.Range(0, 3).Select(i => BodyFactory.Instance.CreateBody(simulator, 1, 1))];
+        Geom[] geoms = [.. bodies.Select(b => GeomFactory.Instance.CreateCircleGeom(simulator, b, 1, 8))];
+        simulator.Update(0.01f);
+        int told = 0;
+        GeomList.ContentsChangedEventHandler bad = _ =>
+        {
+            told++;
+            Assert.Empty(simulator.BodyList);
+            throw new FormatException();
+        };
+        simulator.GeomList.Removed += bad;
+        simulator.BodyList.Removed += _ => told++;
+        Assert.Throws<FormatException>(simulator.Clear);
+        Assert.Equal(6, told);
+        Assert.Empty(simulator.BodyList);
+        Assert.Empty(simulator.GeomList);
+        simulator.Update(0.01f);
+
+        // And so does the end of a simulator.
+        Array.ForEach(geoms, simulator.Add);
+        Array.ForEach(bodies, simulator.Add);
+        simulator.Update(0.01f);
+        Assert.Throws<FormatException>(simulator.Dispose);
+        Assert.Throws<ObjectDisposedException>(() => simulator.Update(0.01f));
+        Assert.Empty(simulator.BodyList);
+        simulator.Dispose();
+    }
 }

@@ -50,6 +50,7 @@ internal static class OpenDoors
         ["GeomList.Removed"] = NoHandler,
         ["Geom.OnCollision"] = NoHandler,
         ["Geom.OnSeparation"] = NoHandler,
+        ["PhysicsSimulatorState.IsSameAs(other)"] = Comparison,
         ["PhysicsSimulator.StepScheduler"] = "null stands for threads of the simulator's own",
         ["Geom.Tag"] = "the user's own",
         ["Joint.Tag"] = "the user's own",

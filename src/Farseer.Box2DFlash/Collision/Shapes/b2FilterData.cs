@@ -1,3 +1,5 @@
+using Farseer.Engine.Storage;
+
 namespace Box2D.Collision.Shapes;
 
 /// <summary>Which shapes a shape collides with.</summary>
@@ -15,4 +17,12 @@ public class b2FilterData
     /// <summary>A new object with the same values.</summary>
     /// <returns>The copy.</returns>
     public b2FilterData Copy() => new b2FilterData { categoryBits = categoryBits, maskBits = maskBits, groupIndex = groupIndex };
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        categoryBits = s.Value(categoryBits);
+        maskBits = s.Value(maskBits);
+        groupIndex = s.Value(groupIndex);
+    }
 }

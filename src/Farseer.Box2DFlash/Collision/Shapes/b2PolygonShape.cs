@@ -6,15 +6,19 @@ using Box2D.Common;
 using Box2D.Common.Math;
 using Box2D.Dynamics;
 using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Collision.Shapes;
 
 /// <summary>A convex polygon of a body. What it hands out are copies.</summary>
 public class b2PolygonShape : b2Shape
 {
+    [NotState(Why.Fixed)]
     private readonly Vector2[] _corners;
+    [NotState(Why.Fixed)]
     private readonly Vector2[] _normals;
     private readonly MassProperties _mass;
+    [NotState(Why.Derived)]
     private b2OBB? _obb;
 
     internal b2PolygonShape(b2PolygonDef def)

@@ -3,6 +3,7 @@ using System.Numerics;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Box2D.Dynamics;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Collision.Shapes;
 
@@ -29,6 +30,7 @@ public abstract partial class b2Shape
     private float _restitution;
     private bool _isSensor;
     private b2FilterData _filter;
+    [NotState(Why.Users)]
     private object? _userData;
 
     internal b2Shape(b2ShapeDef def)
@@ -218,5 +220,19 @@ public abstract partial class b2Shape
         Require.Vector(segment.p1, nameof(segment));
         Require.Vector(segment.p2, nameof(segment));
         Require.Finite(maxLambda, nameof(maxLambda));
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        s.Value(ref _friction);
+        s.Value(ref _restitution);
+        s.Value(ref _isSensor);
+        _filter = s.Reference(_filter)!;
+        _filter.Visit(s);
+        Link.Visit(s);
+        Body = s.Reference(Body);
+        Next = s.Reference(Next);
+        Density = s.Value(Density);
     }
 }

@@ -1,3 +1,5 @@
+using Farseer.Engine.Storage;
+
 namespace Box2D.Common.Math;
 
 /// <summary>
@@ -134,4 +136,11 @@ public class b2Vec2
         "(" + x.ToString(System.Globalization.CultureInfo.InvariantCulture) + ", " + y.ToString(System.Globalization.CultureInfo.InvariantCulture) + ")";
 
     private double Square() => ((double)x * x) + ((double)y * y);
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        s.Value(ref _x);
+        s.Value(ref _y);
+    }
 }

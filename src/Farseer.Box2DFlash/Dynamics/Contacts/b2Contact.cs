@@ -2,6 +2,7 @@ using System;
 using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Collision.Shapes;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics.Contacts;
 
@@ -26,6 +27,7 @@ public class b2Contact
 
     internal b2Contact? Previous { get; set; }
 
+    [NotState(Why.Derived)]
     internal ulong Key { get; set; }
 
     internal ContactPoints Points { get; }

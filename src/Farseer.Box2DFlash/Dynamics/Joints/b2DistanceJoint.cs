@@ -3,6 +3,7 @@ using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics.Joints;
 
@@ -112,5 +113,13 @@ public class b2DistanceJoint : b2Joint
     {
         get => GetDampingRatio();
         set => SetDampingRatio(value);
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        _local1.Visit(s);
+        _local2.Visit(s);
     }
 }

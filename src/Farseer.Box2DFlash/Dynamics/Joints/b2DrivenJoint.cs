@@ -3,6 +3,7 @@ using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics.Joints;
 
@@ -149,4 +150,12 @@ public abstract class b2DrivenJoint : b2Joint
     [Obsolete("Use GetAnchor2() and GetLocalPoint of the body.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Vec2 m_localAnchor2 => Local2.Copy();
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        Local1.Visit(s);
+        Local2.Visit(s);
+    }
 }

@@ -2,6 +2,7 @@ using System;
 using System.ComponentModel;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics.Joints;
 
@@ -11,7 +12,9 @@ namespace Box2D.Dynamics.Joints;
 /// </summary>
 public class b2GearJoint : b2Joint
 {
+    [NotState(Why.Fixed)]
     private readonly b2Joint _joint1;
+    [NotState(Why.Fixed)]
     private readonly b2Joint _joint2;
 
     internal b2GearJoint(b2GearJointDef def, b2World world)

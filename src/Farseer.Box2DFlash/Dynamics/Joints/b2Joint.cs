@@ -1,6 +1,7 @@
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics.Joints;
 
@@ -43,6 +44,7 @@ public abstract partial class b2Joint
     private readonly int _type;
     private readonly b2Body _body1;
     private readonly b2Body _body2;
+    [NotState(Why.Users)]
     private object? _userData;
 
     private protected b2Joint(b2JointDef def, b2World world, JointKind kind, b2Body body1, b2Body body2)
@@ -125,5 +127,14 @@ public abstract partial class b2Joint
     {
         _body1.WakeBySetter();
         _body2.WakeBySetter();
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    internal virtual void Visit(StateStream s)
+    {
+        Link.Visit(s);
+        Next = s.Reference(Next);
+        Edge1.Visit(s);
+        Edge2.Visit(s);
     }
 }

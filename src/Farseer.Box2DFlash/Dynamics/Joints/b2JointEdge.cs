@@ -1,3 +1,5 @@
+using Farseer.Engine.Storage;
+
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>A joint as a body sees it: one item of <see cref="b2Body.GetJointList"/>.</summary>
@@ -10,9 +12,11 @@ public class b2JointEdge
     }
 
     /// <summary>The body at the other side.</summary>
+    [NotState(Why.Fixed)]
     public b2Body other { get; }
 
     /// <summary>The joint.</summary>
+    [NotState(Why.Fixed)]
     public b2Joint joint { get; }
 
     /// <summary>The edge before this one, or null.</summary>
@@ -35,4 +39,11 @@ public class b2JointEdge
     /// <param name="edge">The edge, or null.</param>
     /// <returns>True if it is null.</returns>
     public static bool operator !(b2JointEdge? edge) => edge is null;
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        prev = s.Reference(prev);
+        next = s.Reference(next);
+    }
 }

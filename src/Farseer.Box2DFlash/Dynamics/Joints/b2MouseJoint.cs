@@ -3,6 +3,7 @@ using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics.Joints;
 
@@ -62,5 +63,13 @@ public class b2MouseJoint : b2Joint
     {
         get => _target.Copy();
         set => SetTarget(value);
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        _local.Visit(s);
+        _target.Visit(s);
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.ComponentModel;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics.Joints;
 
@@ -87,4 +88,14 @@ public class b2PulleyJoint : b2Joint
     [Obsolete("Use GetRatio().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public float m_ratio => GetRatio();
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        _local1.Visit(s);
+        _local2.Visit(s);
+        _ground1.Visit(s);
+        _ground2.Visit(s);
+    }
 }

@@ -17,6 +17,7 @@ internal sealed unsafe partial class ChainSolver : TreesAside
     private readonly Column<Chain> _chains = new Column<Chain>();
     private readonly Column<ChainPlace> _places = new Column<ChainPlace>();
     private readonly Column<int> _given = new Column<int>();
+    [NotState(Why.Elsewhere)]
     private JointForest _forest = null!;
     private readonly JointStore _store;
     private ActiveJoint* _active;
@@ -228,4 +229,19 @@ internal sealed unsafe partial class ChainSolver : TreesAside
         Arms = chain->Swapped ? ChainColumn.OtherArms : ChainColumn.Arms,
         NewArms = chain->Swapped ? ChainColumn.Arms : ChainColumn.OtherArms,
     };
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_numbers);
+        s.Column(_chains);
+        s.Column(_places);
+        s.Column(_given);
+        s.Value(ref _count);
+        Any = s.Value(Any);
+        AllStay = s.Value(AllStay);
+        LiveBodies = s.Value(LiveBodies);
+        QuietJoints = s.Value(QuietJoints);
+        AnyPressed = s.Value(AnyPressed);
+    }
 }

@@ -22,6 +22,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
     private readonly Column<LaneTrees> _bundles = new Column<LaneTrees>();
     private readonly Column<int> _given = new Column<int>();
     private readonly Column<int> _givenFrom = new Column<int>();
+    [NotState(Why.Elsewhere)]
     private JointForest _forest = null!;
     private ActiveJoint* _active;
     private JointRows* _rows;
@@ -405,5 +406,27 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         }
 
         StoreVelocities(trees);
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_nodes);
+        s.Column(_places);
+        s.Column(_anchors);
+        s.Column(_anchorPlaces);
+        s.Column(_bundles);
+        s.Column(_given);
+        s.Column(_givenFrom);
+        s.Value(ref _count);
+        s.Value(ref _nodeCount);
+        s.Value(ref _anchorCount);
+        s.Column(_softs);
+        s.Column(_softPlaces);
+        s.Column(_walks);
+        s.Column(_drafts);
+        s.Column(_draftKeys);
+        s.Value(ref _draftCount);
+        s.Value(ref _softCount);
     }
 }

@@ -19,6 +19,7 @@ internal sealed unsafe partial class LooseSolver
     private readonly Column<LoosePlace> _places = new Column<LoosePlace>();
     private readonly Column<LooseRow> _looseRows = new Column<LooseRow>();
     private readonly TurnTable _turns = new TurnTable();
+    [NotState(Why.Elsewhere)]
     private JointForest _forest = null!;
     private ActiveJoint* _active;
     private JointRows* _rows;
@@ -308,5 +309,23 @@ internal sealed unsafe partial class LooseSolver
                 JointSolver.StoreVelocity(body->Velocity, _step.Bodies.State.Pointer + body->Body);
             }
         }
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_placeOf);
+        s.Column(_levels);
+        s.Column(_keys);
+        s.Column(_items);
+        s.Column(_bodies);
+        s.Column(_bundles);
+        s.Column(_places);
+        s.Column(_looseRows);
+        _turns.Visit(s);
+        s.Value(ref _bodyCount);
+        s.Value(ref _bundleCount);
+        s.Value(ref _rowCount);
+        s.Value(ref _jointCount);
     }
 }

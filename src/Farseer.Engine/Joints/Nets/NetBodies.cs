@@ -31,6 +31,7 @@ internal sealed unsafe class NetBodies
     private readonly Column<NetPose> _poses = new Column<NetPose>();
     private readonly Column<byte> _listed = new Column<byte>();
     private readonly Column<byte> _bound = new Column<byte>();
+    [NotState(Why.Elsewhere)]
     private NetSearch _nets = new NetSearch();
     private int _end;
     private int _count;
@@ -221,5 +222,18 @@ internal sealed unsafe class NetBodies
             Wide.Select(kicked, v.B + (share * drive.B), v.B),
             Wide.Select(kicked, v.C + (share * drive.C), v.C),
             Wide.Zero);
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_degree);
+        s.Column(_list);
+        s.Column(_kicks);
+        s.Column(_poses);
+        s.Column(_listed);
+        s.Column(_bound);
+        s.Value(ref _end);
+        s.Value(ref _count);
     }
 }

@@ -192,4 +192,18 @@ internal abstract unsafe class NetRows
         e->TurnB[lane] = b->InverseInertia * inverse;
         return scale;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        IsShared = s.Value(IsShared);
+        RowCount = s.Value(RowCount);
+        Disturbed = s.Value(Disturbed);
+        s.Reference(ref _anchors);
+        if (_anchors != null)
+        {
+            s.Column(_memory);
+            s.Column(_anchors);
+        }
+    }
 }

@@ -94,4 +94,16 @@ internal sealed unsafe class NetSearch
 
         return body;
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_parent);
+        s.Column(_bodies);
+        s.Column(_edges);
+        s.Column(_marks);
+        s.Column(_anchored);
+        s.Value(ref _end);
+        Any = s.Value(Any);
+    }
 }

@@ -1,4 +1,5 @@
 using Farseer.Engine.Constraints;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Nets;
 
@@ -21,6 +22,7 @@ internal sealed unsafe partial class NetSolver
     private readonly NetRows[] _rows = new NetRows[BodyColors.Count * Forms];
 
     // Those that have rows, in the order of solving.
+    [NotState(Why.OfOneStep)]
     private readonly NetRows[] _solved = new NetRows[BodyColors.Count * Forms];
     private int _solvedCount;
     private JointStep _step;
@@ -153,6 +155,32 @@ internal sealed unsafe partial class NetSolver
                     _solved[_solvedCount++] = rows;
                 }
             }
+        }
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        foreach (NetRows rows in _rows)
+        {
+            rows.Visit(s);
+        }
+
+        _bodyColors.Visit(s);
+        _bodies.Visit(s);
+        s.Value(ref _solvedCount);
+        s.Value(ref _runs);
+        Disturbed = s.Value(Disturbed);
+        _search.Visit(s);
+        s.Column(_places);
+        s.Column(_wanted);
+        _members.Visit(s);
+        s.Value(ref _end);
+
+        // Those to solve are listed again from these.
+        if (s.IsReading)
+        {
+            FindSolved();
         }
     }
 }

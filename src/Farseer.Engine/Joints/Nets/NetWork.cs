@@ -1,9 +1,11 @@
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Nets;
 
 /// <summary>The passes of nets in ranges for the workers: of bodies, and of the bundles of a form and colour.</summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class NetWork : IStageWork, ISequenceWork
 {
     /// <summary>Bundles, of rows or of bodies, that are worth another worker's while, some 0.5 µs.</summary>

@@ -458,4 +458,28 @@ internal sealed unsafe partial class JointForest
             }
         }
     }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_nodes);
+        s.Column(_ordered);
+        s.Column(_trees);
+        s.Column(_anchors);
+        s.Column(_edgeJoints);
+        s.Column(_nodeOf);
+        s.Column(_start);
+        s.Column(_entries);
+        s.Column(_queue);
+        s.Column(_places);
+        s.Value(ref _mapped);
+        s.Value(ref _ownNodes);
+        s.Value(ref _ownTrees);
+        s.Value(ref _edgeJointCount);
+        Count = s.Value(Count);
+        TreeCount = s.Value(TreeCount);
+        AnchorCount = s.Value(AnchorCount);
+        s.Column(_group);
+        s.Column(_round);
+    }
 }

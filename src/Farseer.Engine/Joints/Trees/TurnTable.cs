@@ -41,4 +41,13 @@ internal sealed unsafe class TurnTable
     public double Sin(int index) => _sin.Pointer[index];
 
     public double Cos(int index) => _cos.Pointer[index];
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Column(_angles);
+        s.Column(_sin);
+        s.Column(_cos);
+        Count = s.Value(Count);
+    }
 }

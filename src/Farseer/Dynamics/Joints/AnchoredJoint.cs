@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
@@ -57,5 +58,13 @@ public abstract class AnchoredJoint : PairJoint
         settings.AnchorAY = _anchor1.Y;
         settings.AnchorBX = _anchor2.X;
         settings.AnchorBY = _anchor2.Y;
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _anchor1);
+        s.Value(ref _anchor2);
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -73,5 +74,13 @@ public class AngleJoint : PairJoint
         settings.Target = _targetAngle;
         settings.MaxImpulse = Bound(_maxImpulse);
         settings.Softness = Math.Min(1, settings.Softness);
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _targetAngle);
+        s.Value(ref _maxImpulse);
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -112,5 +113,16 @@ public class DistanceJoint : AnchoredJoint
         settings.Lower = _lower;
         settings.Upper = _upper;
         flags |= _limited ? JointFlags.Limit : JointFlags.None;
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _distance);
+        s.Value(ref _spring);
+        s.Value(ref _limited);
+        s.Value(ref _lower);
+        s.Value(ref _upper);
     }
 }

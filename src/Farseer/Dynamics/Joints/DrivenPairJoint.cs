@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -91,4 +92,11 @@ public abstract class DrivenPairJoint : PairJoint
     }
 
     internal override void Fill(ref JointSettings settings, ref JointFlags flags) => _drive.Fill(ref settings, ref flags);
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _drive);
+    }
 }

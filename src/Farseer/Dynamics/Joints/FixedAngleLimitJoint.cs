@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -75,5 +76,14 @@ public class FixedAngleLimitJoint : WorldJoint
         settings.Lower = _lowerLimit;
         settings.Upper = _upperLimit;
         settings.Slop = _slop;
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _lowerLimit);
+        s.Value(ref _upperLimit);
+        s.Value(ref _slop);
     }
 }

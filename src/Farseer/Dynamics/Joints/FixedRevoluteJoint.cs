@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -121,5 +122,17 @@ public class FixedRevoluteJoint : DrivenWorldJoint
             _startAngle = JointAttachment.Angle(Body);
             Changed();
         }
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _anchor);
+        s.Value(ref _anchorWaits);
+        s.Value(ref _x);
+        s.Value(ref _y);
+        s.Value(ref _startAngle);
+        s.Value(ref _maxImpulse);
     }
 }

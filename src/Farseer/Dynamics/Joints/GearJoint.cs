@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -96,5 +97,15 @@ public class GearJoint : PairJoint
             _measured = true;
             _constant = JointAttachment.Angle(Body2) + (_ratio * JointAttachment.Angle(Body1));
         }
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _ratio);
+        s.Value(ref _maxImpulse);
+        s.Value(ref _constant);
+        s.Value(ref _measured);
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -134,6 +135,7 @@ public abstract class Joint : IDisposable, IItem
     }
 
     /// <summary>Anything the user wants to keep with the joint. Default null.</summary>
+    [NotState(Why.Users)]
     public object? Tag { get; set; }
 
     /// <summary>
@@ -271,4 +273,29 @@ public abstract class Joint : IDisposable, IItem
     internal static double Bound(float value) => value >= float.MaxValue ? double.PositiveInfinity : value;
 
     private void RaiseBroke() => Broke?.Invoke(this, EventArgs.Empty);
+
+    /// <summary>Writes, or reads, what later updates read of it.</summary>
+    internal virtual void Visit(StateStream s)
+    {
+        Link.Visit(s);
+        s.Value(ref _enabled);
+        s.Value(ref _breakpoint);
+        s.Value(ref _breakForce);
+        s.Value(ref _softness);
+        s.Value(ref _biasFactor);
+        s.Value(ref _collideConnected);
+        s.Value(ref _jointError);
+        s.Reference(ref Broke);
+        IsDisposed = s.Value(IsDisposed);
+        Simulator = s.Reference(Simulator);
+        ((IItem)this).Membership = s.Value(((IItem)this).Membership);
+    }
+
+    /// <summary>It belongs to no simulator any more, by a state from before it was added.</summary>
+    internal void TakeOut()
+    {
+        Link.TakeOut(this);
+        Simulator = null;
+        ((IItem)this).Membership = Membership.None;
+    }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -87,5 +88,15 @@ public class MotorJoint : PairJoint
         settings.Target = _angle;
         settings.MotorLimit = Bound(_maxForce);
         settings.TorqueLimit = Bound(_maxTorque);
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _offset);
+        s.Value(ref _angle);
+        s.Value(ref _maxForce);
+        s.Value(ref _maxTorque);
     }
 }

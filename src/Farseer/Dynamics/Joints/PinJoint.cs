@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -50,5 +51,12 @@ public class PinJoint : AnchoredJoint
     {
         base.Fill(ref settings, ref flags);
         settings.Target = _targetDistance;
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _targetDistance);
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
@@ -86,5 +87,13 @@ public class PulleyJoint : AnchoredJoint
         settings.Upper = _length;
         settings.Lower = _length / (double)_ratio;
         flags |= JointFlags.Limit;
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _ratio);
+        s.Value(ref _length);
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -99,5 +100,18 @@ public class RevoluteJoint : DrivenPairJoint
     {
         JointAttachment.ToWorld(body, x, y, out double worldX, out double worldY);
         return new Vector2((float)worldX, (float)worldY);
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _anchor);
+        s.Value(ref _anchorWaits);
+        s.Value(ref _x1);
+        s.Value(ref _y1);
+        s.Value(ref _x2);
+        s.Value(ref _y2);
+        s.Value(ref _startAngle);
     }
 }

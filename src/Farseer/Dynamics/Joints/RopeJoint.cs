@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
@@ -44,5 +45,12 @@ public class RopeJoint : AnchoredJoint
     {
         base.Fill(ref settings, ref flags);
         settings.Upper = _maxLength;
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _maxLength);
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -102,5 +103,14 @@ public class SliderJoint : AnchoredJoint
         settings.Lower = _min;
         settings.Upper = _max;
         settings.Slop = _slop;
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _min);
+        s.Value(ref _max);
+        s.Value(ref _slop);
     }
 }

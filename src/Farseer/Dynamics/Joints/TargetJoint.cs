@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -87,5 +88,14 @@ public class TargetJoint : WorldJoint
         settings.AnchorBY = _y;
         settings.MotorLimit = Bound(_maxForce);
         _spring.Fill(ref settings, ref flags);
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _target);
+        s.Value(ref _maxForce);
+        s.Value(ref _spring);
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -68,5 +69,12 @@ public class WeldJoint : PairJoint
         settings.AnchorBY = _y2;
         settings.Target = _startAngle;
         _spring.Fill(ref settings, ref flags);
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _spring);
     }
 }

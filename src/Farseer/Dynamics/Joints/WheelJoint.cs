@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -64,5 +65,12 @@ public class WheelJoint : AxisJoint
     {
         base.Fill(ref settings, ref flags);
         _spring.Fill(ref settings, ref flags);
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Value(ref _spring);
     }
 }

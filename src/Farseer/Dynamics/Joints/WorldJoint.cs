@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -52,5 +53,12 @@ public abstract class WorldJoint : Joint
     /// <summary>The body may be known from now on.</summary>
     private protected virtual void BodySet()
     {
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Reference(ref _body);
     }
 }

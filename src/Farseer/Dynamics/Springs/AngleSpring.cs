@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
@@ -149,5 +150,19 @@ public class AngleSpring : Spring
         {
             SpringLink.Angular(this, _body1, _body2, TargetAngle, _torqueMultiplier, _maxTorque);
         }
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Reference(ref _body1);
+        s.Reference(ref _body2);
+        s.Value(ref _anchor1);
+        s.Value(ref _anchor2);
+        s.Value(ref _targetAngle);
+        s.Value(ref _isTargetSet);
+        s.Value(ref _maxTorque);
+        s.Value(ref _torqueMultiplier);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
@@ -81,5 +82,15 @@ public class FixedAngleSpring : Spring
         {
             SpringLink.Angular(this, null, _body, _targetAngle, _torqueMultiplier, _maxTorque);
         }
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Reference(ref _body);
+        s.Value(ref _targetAngle);
+        s.Value(ref _maxTorque);
+        s.Value(ref _torqueMultiplier);
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
@@ -95,5 +96,15 @@ public class FixedLinearSpring : Spring
         {
             SpringLink.Linear(this, _body, _bodyAttachPoint, null, _worldAttachPoint, _restLength);
         }
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Reference(ref _body);
+        s.Value(ref _bodyAttachPoint);
+        s.Value(ref _worldAttachPoint);
+        s.Value(ref _restLength);
     }
 }

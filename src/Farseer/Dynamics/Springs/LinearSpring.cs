@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
@@ -139,5 +140,16 @@ public class LinearSpring : Spring
         {
             SpringLink.Linear(this, _body1, _attachPoint1, _body2, _attachPoint2, _restLength);
         }
+    }
+
+    /// <inheritdoc/>
+    internal override void Visit(StateStream s)
+    {
+        base.Visit(s);
+        s.Reference(ref _body1);
+        s.Reference(ref _body2);
+        s.Value(ref _attachPoint1);
+        s.Value(ref _attachPoint2);
+        s.Value(ref _restLength);
     }
 }

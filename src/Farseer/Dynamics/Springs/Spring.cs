@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
@@ -40,6 +41,7 @@ public abstract class Spring : IDisposable, IItem
     public bool IsDisposed { get; private set; }
 
     /// <summary>Anything the user wants to keep with the spring. Default null.</summary>
+    [NotState(Why.Users)]
     public object? Tag { get; set; }
 
     /// <summary>
@@ -155,5 +157,28 @@ public abstract class Spring : IDisposable, IItem
             Enabled = false;
             Broke?.Invoke(this, EventArgs.Empty);
         }
+    }
+
+    /// <summary>Writes, or reads, what later updates read of it.</summary>
+    internal virtual void Visit(StateStream s)
+    {
+        s.Value(ref _springConstant);
+        s.Value(ref _dampingConstant);
+        s.Value(ref _breakpoint);
+        s.Value(ref _enabled);
+        s.Reference(ref Broke);
+        IsDisposed = s.Value(IsDisposed);
+        SpringError = s.Value(SpringError);
+        Simulator = s.Reference(Simulator);
+        ((IItem)this).Membership = s.Value(((IItem)this).Membership);
+        Memory.Visit(s);
+    }
+
+    /// <summary>It belongs to no simulator any more, by a state from before it was added.</summary>
+    internal void TakeOut()
+    {
+        Memory.Forget();
+        Simulator = null;
+        ((IItem)this).Membership = Membership.None;
     }
 }

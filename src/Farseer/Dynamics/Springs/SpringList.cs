@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
@@ -19,6 +20,7 @@ public class SpringList : List<Spring>
     /// <summary>Called when a spring has been removed. Use with +=. Default null.</summary>
     public ContentsChangedEventHandler? Removed { get; set; }
 
+    [NotState(Why.Fixed)]
     internal PhysicsSimulator? Owner { get; set; }
 
     /// <summary>Adds a spring.</summary>
@@ -79,5 +81,13 @@ public class SpringList : List<Spring>
         {
             Removed?.Invoke(spring);
         }
+    }
+
+    /// <summary>Writes, or reads, what is in it and who hears of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        s.References(this);
+        Added = s.Reference(Added);
+        Removed = s.Reference(Removed);
     }
 }

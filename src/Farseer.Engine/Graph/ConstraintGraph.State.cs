@@ -1,0 +1,46 @@
+using System;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Graph;
+
+/// <content>Saving and restoring.</content>
+internal sealed unsafe partial class ConstraintGraph
+{
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        RowCount = s.Value(RowCount);
+        NewRows = s.Value(NewRows);
+        Changed = s.Value(Changed);
+        ChangeCount = s.Value(ChangeCount);
+        s.Value(ref _isSmall);
+        s.Value(ref _sharedRows);
+        s.Column(_changes, Math.Min(ChangeCount, MostChanges));
+        s.Column(_degree);
+        _bodies.Visit(s);
+        Groups.Visit(s);
+        _arena.Visit(s);
+        int groups = s.Value(_colors.Count);
+        while (_colors.Count < groups)
+        {
+            AddGroup();
+        }
+
+        for (int i = 0; i < _colors.Count; i++)
+        {
+            foreach (GraphColor color in _colors[i])
+            {
+                if (i < groups)
+                {
+                    color.Visit(s);
+                }
+                else
+                {
+                    color.ForgetAll();
+                }
+            }
+        }
+
+        _usedChanged |= s.IsReading;
+    }
+}

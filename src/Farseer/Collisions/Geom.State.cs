@@ -1,0 +1,63 @@
+using Farseer.Engine.Storage;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics.Collisions;
+
+/// <content>Saving and restoring.</content>
+public partial class Geom
+{
+    /// <summary>
+    /// Writes, or reads, what later updates read of it. Tag and name are the user's; outlines never change, so it is enough which one
+    /// it has.
+    /// </summary>
+    internal void Visit(StateStream s)
+    {
+        Link.Visit(s);
+        s.Reference(ref _body);
+        s.Reference(ref _form);
+        s.Reference(ref _localVertices);
+        s.Reference(ref _offset);
+        s.Value(ref _collisionGridCellSize);
+        IsDisposed = s.Value(IsDisposed);
+        Simulator = s.Reference(Simulator);
+        Membership = s.Value(Membership);
+        IsLeaving = s.Value(IsLeaving);
+        if (!s.Value(_extras is not null))
+        {
+            if (_extras is not null)
+            {
+                _extras.OnCollision = null;
+                _extras.OnSeparation = null;
+                _extras.Grid = null;
+            }
+        }
+        else
+        {
+            GeomExtras extras = _extras ??= new GeomExtras();
+            s.Reference(ref extras.OnCollision);
+            s.Reference(ref extras.OnSeparation);
+            s.Reference(ref extras.Grid);
+        }
+
+        if (s.IsReading)
+        {
+            ForgetFrame();
+        }
+    }
+
+    /// <summary>It belongs to no simulator any more, by a state from before it was added.</summary>
+    /// <param name="leavesBody">Nor to its body, which is set back to a time before the geom.</param>
+    internal void TakeOut(bool leavesBody)
+    {
+        Link.TakeOut();
+        if (leavesBody)
+        {
+            _body = null;
+            ForgetFrame();
+        }
+
+        Simulator = null;
+        Membership = Membership.None;
+        IsLeaving = false;
+    }
+}

@@ -1,0 +1,99 @@
+using System.Collections.Generic;
+using Farseer.Engine.Storage;
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Collisions;
+
+namespace FarseerGames.FarseerPhysics.Dynamics;
+
+/// <content>Saving and restoring.</content>
+public partial class Body
+{
+    /// <summary>Writes, or reads, what later updates read of it. Tag and name are the user's.</summary>
+    internal void Visit(StateStream s)
+    {
+        Link.Visit(s);
+        VisitGeoms(s);
+        IsDisposed = s.Value(IsDisposed);
+        IsQuarantined = s.Value(IsQuarantined);
+        IsAutoIdle = s.Value(IsAutoIdle);
+        Idle = s.Value(Idle);
+        IsStaticBySensor = s.Value(IsStaticBySensor);
+        LastCall = s.Reference(LastCall);
+        LastCallStep = s.Value(LastCallStep);
+        Simulator = s.Reference(Simulator);
+        JointCount = s.Value(JointCount);
+        Membership = s.Value(Membership);
+        IsPendingNoted = s.Value(IsPendingNoted);
+        IsListenerNoted = s.Value(IsListenerNoted);
+        Impulse = s.Value(Impulse);
+        Swing = s.Value(Swing);
+        VisitExtras(s);
+    }
+
+    /// <summary>It belongs to no simulator any more, by a state from before it was added; it stays where it is.</summary>
+    internal void TakeOut()
+    {
+        Link.TakeOut();
+        Simulator = null;
+        JointCount = 0;
+        Membership = Membership.None;
+        IsPendingNoted = false;
+        IsListenerNoted = false;
+    }
+
+    private void VisitGeoms(StateStream s)
+    {
+        int count = s.Value(GeomCount);
+        if (!s.IsReading)
+        {
+            for (int i = 0; i < count; i++)
+            {
+                s.Reference(GeomAt(i));
+            }
+
+            return;
+        }
+
+        var several = _geoms as List<Geom>;
+        if (several is null && count > 1)
+        {
+            several = new List<Geom>(count);
+        }
+
+        several?.Clear();
+        _geoms = several;
+        for (int i = 0; i < count; i++)
+        {
+            AddGeom(s.Reference<Geom>(null)!);
+        }
+    }
+
+    private void VisitExtras(StateStream s)
+    {
+        if (!s.Value(_extras is not null))
+        {
+            if (_extras is not null)
+            {
+                // What came since is as if it had not; but for the user's own.
+                _extras.Disposed = null;
+                _extras.Updated = null;
+                _extras.IdleTime = 0;
+                _extras.MinimumVelocity = BodyExtras.UsualMinimumVelocity;
+                _extras.ToldX = 0;
+                _extras.ToldY = 0;
+                _extras.ToldAngle = 0;
+            }
+
+            return;
+        }
+
+        BodyExtras extras = Extras;
+        s.Reference(ref extras.Disposed);
+        s.Reference(ref extras.Updated);
+        s.Value(ref extras.IdleTime);
+        s.Value(ref extras.MinimumVelocity);
+        s.Value(ref extras.ToldX);
+        s.Value(ref extras.ToldY);
+        s.Value(ref extras.ToldAngle);
+    }
+}

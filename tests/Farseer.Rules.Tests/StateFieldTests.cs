@@ -1,0 +1,27 @@
+using System;
+using Box2D.Dynamics;
+using FarseerGames.FarseerPhysics;
+using Xunit;
+
+namespace Farseer.Rules.Tests;
+
+/// <summary>What lives from step to step is saved and restored, or says why it need not be.</summary>
+public sealed class StateFieldTests
+{
+    [Fact]
+    public void Fields_ThatLiveFromStepToStep_AreVisitedOrSayWhyNot()
+    {
+        var walk = new StateWalk(typeof(PhysicsSimulator).Assembly, typeof(b2World).Assembly);
+        walk.Walk(typeof(PhysicsSimulator));
+        walk.Walk(typeof(b2World));
+
+
+        Assert.True(
+            walk.Visited > 400 && walk.Reasons.Count > 150,
+            $"the walk saw only {walk.Visited} fields with state and {walk.Reasons.Count} reasons");
+        Assert.Empty(walk.Missing);
+        Assert.Empty(walk.Unvisited);
+        Assert.Empty(walk.Contradictory);
+        Assert.Empty(walk.Unasked);
+    }
+}
