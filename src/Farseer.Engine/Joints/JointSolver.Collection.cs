@@ -279,7 +279,7 @@ internal sealed unsafe partial class JointSolver
         }
 
         _forest.Build(_active.Pointer, _count, _step.Bodies.Mass.Pointer, _step.Moves, _nets.Search, _step.Bodies.Ids.End);
-        _loops.Build(_forest, _active.Pointer, _count);
+        _loops.Build(_count);
         for (int i = 0; i < _count; i++)
         {
             _active[i].BlockLimits = _active[i].Limited && IsEliminated(_active.Pointer + i) && HasRoom(i);

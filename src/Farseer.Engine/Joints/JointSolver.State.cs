@@ -36,6 +36,7 @@ internal sealed partial class JointSolver
         s.Value(ref _contactCount);
         s.Value(ref _agendaCount);
         _forest.Visit(s);
+        _loops.Visit(s);
         s.Column(_active);
         s.Column(_rows);
         _nets.Visit(s);

@@ -61,7 +61,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     private readonly Column<JointRows> _rows = new Column<JointRows>();
     private readonly JointPass _pass = new JointPass();
     private readonly TreeContactPass _contactPass = new TreeContactPass();
-    private readonly TreeLoops _loops = new TreeLoops();
+    private readonly TreeLoops _loops;
     private readonly JointKinds _kinds = new JointKinds();
     private readonly NetSolver _nets;
     private JointStep _step;
@@ -70,6 +70,7 @@ internal sealed unsafe partial class JointSolver : IStageWork
     public JointSolver(JointStore store)
     {
         _store = store;
+        _loops = new TreeLoops(_forest, _active, _rows);
         _nets = new NetSolver(store);
         _chains = new ChainSolver(store);
     }
@@ -110,7 +111,6 @@ internal sealed unsafe partial class JointSolver : IStageWork
         AdmitTouched();
         int own = _nodeCount;
         Collate();
-        _loops.Enter(_forest, _active.Pointer, _rows.Pointer);
         _pass.Enter(_forest.View, _step.Bodies.State.Pointer);
         _contactPass.Enter(_forest.View, _step.Bodies, coefficients, _fineness);
         for (int at = 0; at < _jointCount; at++)

@@ -65,6 +65,8 @@ public class ClosedChainTests
             {
                 simulator.Update(Dt);
                 change = Math.Max(change, Math.Abs(Energy(links) - start));
+
+                // A correction may leave 10⁻⁴ of a link's length.
                 Assert.All(hinges, hinge => Assert.InRange(Math.Abs(hinge.JointError), 0, 1e-4));
             }
 
@@ -72,7 +74,7 @@ public class ClosedChainTests
             changes.Add(change / (6 * 0.5 * 10 * 0.5));
         }
 
-        // 10⁻⁴ of a length a correction may leave, 0.5 m here. 0.6 % measured; a loop that folds flat passes a place where its joints leave it one way less, and may come out of it with other energy.
+        // 0.6 % measured; a loop that folds flat passes a place where its joints leave it one way less, and may come out of it with other energy.
         changes.Sort();
         Assert.InRange(changes[changes.Count / 2], 0, 0.02);
     }

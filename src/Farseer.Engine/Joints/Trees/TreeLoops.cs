@@ -19,36 +19,62 @@ internal sealed unsafe class TreeLoops
     private readonly Column<int> _joints = new Column<int>();
     private readonly Column<int> _rowOf = new Column<int>();
     private readonly Column<double> _inverse = new Column<double>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<double> _work = new Column<double>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<double> _scale = new Column<double>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<double> _target = new Column<double>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<double> _residual = new Column<double>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<double> _lambda = new Column<double>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<double> _kept = new Column<double>();
-    private JointForest _forest = null!;
-    private ActiveJoint* _active;
-    private JointRows* _rows;
+
+    [NotState(Why.Elsewhere)]
+    private readonly JointForest _forest;
+
+    [NotState(Why.Elsewhere)]
+    private readonly Column<ActiveJoint> _active;
+
+    [NotState(Why.Elsewhere)]
+    private readonly Column<JointRows> _rows;
+
+    public TreeLoops(JointForest forest, Column<ActiveJoint> active, Column<JointRows> rows)
+    {
+        _forest = forest;
+        _active = active;
+        _rows = rows;
+    }
+
+    public void Visit(StateStream s)
+    {
+        s.Column(_joints);
+        s.Column(_rowOf);
+        s.Column(_inverse);
+    }
 
     /// <summary>Sorts the joints that close loops by their trees; the forest has been built.</summary>
-    public void Build(JointForest forest, ActiveJoint* active, int count)
+    public void Build(int count)
     {
-        JointTree* trees = forest.Trees;
+        JointTree* trees = _forest.Trees;
         int loops = 0;
         int bodies = 0;
         for (int i = 0; i < count; i++)
         {
-            active[i].LeadsLoops = false;
-            if (active[i].Role == JointRole.Loop)
+            _active[i].LeadsLoops = false;
+            if (_active[i].Role == JointRole.Loop)
             {
                 loops++;
-                trees[forest.Nodes[active[i].Ends.NodeA].Tree].LoopEnd++;
+                trees[_forest.Nodes[_active[i].Ends.NodeA].Tree].LoopEnd++;
             }
         }
 
         _joints.EnsureCapacity(loops);
         _rowOf.EnsureCapacity(loops);
         int first = 0;
-        for (int i = 0; i < forest.TreeCount; i++)
+        for (int i = 0; i < _forest.TreeCount; i++)
         {
             JointTree* tree = trees + i;
             int own = tree->LoopEnd;
@@ -60,32 +86,32 @@ internal sealed unsafe class TreeLoops
 
         for (int i = 0; i < count; i++)
         {
-            if (active[i].Role == JointRole.Loop)
+            if (_active[i].Role == JointRole.Loop)
             {
-                JointTree* tree = trees + forest.Nodes[active[i].Ends.NodeA].Tree;
-                active[i].LeadsLoops = tree->LoopEnd == tree->LoopFirst;
+                JointTree* tree = trees + _forest.Nodes[_active[i].Ends.NodeA].Tree;
+                _active[i].LeadsLoops = tree->LoopEnd == tree->LoopFirst;
                 _joints[tree->LoopEnd++] = i;
             }
         }
 
-        PlaceRows(forest, active);
+        PlaceRows();
         _kept.EnsureCapacity(3 * bodies);
     }
 
-    private void PlaceRows(JointForest forest, ActiveJoint* active)
+    private void PlaceRows()
     {
         int rows = 0;
         int squares = 0;
         int most = 0;
-        for (int i = 0; i < forest.TreeCount; i++)
+        for (int i = 0; i < _forest.TreeCount; i++)
         {
-            JointTree* tree = forest.Trees + i;
+            JointTree* tree = _forest.Trees + i;
             tree->LoopRow = rows;
             tree->LoopSquare = squares;
             for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
             {
                 _rowOf[at] = rows;
-                rows += active[_joints[at]].BuiltHard;
+                rows += _active[_joints[at]].BuiltHard;
             }
 
             tree->LoopRows = rows - tree->LoopRow;
@@ -99,14 +125,6 @@ internal sealed unsafe class TreeLoops
         _scale.EnsureCapacity(rows);
         _inverse.EnsureCapacity(squares);
         _work.EnsureCapacity(2 * most * most);
-    }
-
-    /// <summary>What the other members work on in a step.</summary>
-    public void Enter(JointForest forest, ActiveJoint* active, JointRows* rows)
-    {
-        _forest = forest;
-        _active = active;
-        _rows = rows;
     }
 
     /// <summary>The joint that is the loop at a place.</summary>
@@ -197,7 +215,7 @@ internal sealed unsafe class TreeLoops
         JointForestView view = _forest.View;
         for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
         {
-            RowEnds.Visit(view, &_active[_joints[at]].Ends);
+            RowEnds.Visit(view, &_active.Pointer[_joints[at]].Ends);
             FindResidual(at);
         }
 
@@ -207,11 +225,11 @@ internal sealed unsafe class TreeLoops
         double* b = stackalloc double[3];
         for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
         {
-            ActiveJoint* joint = _active + _joints[at];
+            ActiveJoint* joint = _active.Pointer + _joints[at];
             RowEnds.Visit(view, &joint->Ends);
             Clear(a, 3);
             Clear(b, 3);
-            JointRows* rows = _rows + _joints[at];
+            JointRows* rows = _rows.Pointer + _joints[at];
             for (int r = 0; r < joint->BuiltHard; r++)
             {
                 AddScaled(rows->A + (r * 3), _lambda[_rowOf[at] + r], a);
@@ -253,10 +271,10 @@ internal sealed unsafe class TreeLoops
 
     private void Give(int at, double* lambda)
     {
-        ActiveJoint* joint = _active + _joints[at];
+        ActiveJoint* joint = _active.Pointer + _joints[at];
         for (int r = 0; r < joint->BuiltHard; r++)
         {
-            AddScaled(_rows[_joints[at]].B + (r * 3), lambda[r], joint->Given);
+            AddScaled(_rows.Pointer[_joints[at]].B + (r * 3), lambda[r], joint->Given);
         }
     }
 
@@ -265,8 +283,8 @@ internal sealed unsafe class TreeLoops
         int joint = _joints[at];
         ref RowEnds ends = ref _active[joint].Ends;
         TreeNode* nodes = _forest.Nodes;
-        return SmallMatrix.Dot(_rows[joint].A + (row * 3), nodes[ends.NodeA].Velocity)
-            + SmallMatrix.Dot(_rows[joint].B + (row * 3), nodes[ends.NodeB].Velocity);
+        return SmallMatrix.Dot(_rows.Pointer[joint].A + (row * 3), nodes[ends.NodeA].Velocity)
+            + SmallMatrix.Dot(_rows.Pointer[joint].B + (row * 3), nodes[ends.NodeB].Velocity);
     }
 
     private void Push(int at, int row, double impulse)
@@ -274,9 +292,9 @@ internal sealed unsafe class TreeLoops
         int joint = _joints[at];
         double* a = stackalloc double[3] { 0, 0, 0 };
         double* b = stackalloc double[3] { 0, 0, 0 };
-        AddScaled(_rows[joint].A + (row * 3), impulse, a);
-        AddScaled(_rows[joint].B + (row * 3), impulse, b);
-        RowEnds.Push(_forest.Nodes, &_active[joint].Ends, a, b);
+        AddScaled(_rows.Pointer[joint].A + (row * 3), impulse, a);
+        AddScaled(_rows.Pointer[joint].B + (row * 3), impulse, b);
+        RowEnds.Push(_forest.Nodes, &_active.Pointer[joint].Ends, a, b);
     }
 
     private void Keep(JointTree* tree)
