@@ -79,7 +79,7 @@ public partial class PhysicsSimulator
         bool unlist = GeomList.Removed is not null || !ListRoom.AreMany(geoms + lost);
         if (!unlist)
         {
-            GeomList.RemoveAll(static geom => geom.IsLeaving);
+            ((List<Geom>)GeomList).RemoveAll(static geom => geom.IsLeaving);
         }
 
         TakeOut(_geomsOut, geoms, unlist);
@@ -201,7 +201,7 @@ public partial class PhysicsSimulator
         bodies.RemoveRange(0, count);
         if (!unlist)
         {
-            BodyList.RemoveAll(static body => body.Membership == Membership.None);
+            ((List<Body>)BodyList).RemoveAll(static body => body.Membership == Membership.None);
         }
     }
 
@@ -257,6 +257,7 @@ public partial class PhysicsSimulator
         {
             body.Link.Attach(World, isSimulated);
             _table.SetBody(body.Link.Handle.Index, body);
+            _relay.Recorder.Take(body);
         }
         else
         {

@@ -188,6 +188,7 @@ public partial class PhysicsSimulator
         }
 
         ForgetPending();
+        _relay.Recorder.Clear();
         _arbiters.Clear();
         _arbiters.IsStale = false;
     }

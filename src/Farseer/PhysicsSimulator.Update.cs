@@ -113,6 +113,7 @@ public partial class PhysicsSimulator
             _isUpdating = false;
         }
 
+        _relay.Recorder.Publish(BodyList);
         if (_clearWaits)
         {
             Clear();

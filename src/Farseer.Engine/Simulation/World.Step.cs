@@ -32,6 +32,7 @@ internal sealed partial class World
         Profile.Begin();
         PurgeNow();
         BeginAccuracy();
+        BeginImpulses();
         WakeWhatChanged(dt);
         CollectBodies();
         _bodiesSwitched = false;
@@ -53,6 +54,7 @@ internal sealed partial class World
         _contactStage.Update(_runner, this, contacts, _graph, Joints, UserJoints != null && UserJoints.Any);
         _events.Raise(this, _contacts, _graph, _contactStage.AnyHeard);
         MakeRoomAhead();
+        MakeRoomForImpulses();
         Profile.End(StepStage.NarrowPhase);
 
         bool anyDeep = UpdateIslands(dt, contacts.Coefficients, SortSwitched(dt));
@@ -104,6 +106,7 @@ internal sealed partial class World
 
         StopSwitched();
         EndAccuracy(dt);
+        RaisePushes(substep);
         Profile.End(StepStage.Finish);
 
         FallAsleep(dt);
@@ -322,6 +325,7 @@ internal sealed partial class World
         joints?.Select(0, substep, 1);
         Queries.PosesChange = anyUserJoints;
         input.Audit = Audit;
+        input.Impulses = Impulses;
         if (input.PaddedCount > 0)
         {
             AuditSolve(input);

@@ -43,6 +43,7 @@ internal sealed unsafe class SolverUnits : IStageWork
     private int* _degrees;
     private IslandStore _islands = null!;
     private Vector2 _gravity;
+    private ContactImpulses? _impulses;
 
     /// <summary>Places that so many bodies may take, each group filled up to whole bundles.</summary>
     public static int MostListed(int bodies, int groups) => bodies + (groups * WideLanes.BundleLanes);
@@ -95,6 +96,7 @@ internal sealed unsafe class SolverUnits : IStageWork
         _degrees = input.Degrees;
         _islands = input.Islands;
         _gravity = input.GravityVector;
+        _impulses = input.Impulses;
         input.Runner.RunEach(this, _count);
     }
 
@@ -127,6 +129,7 @@ internal sealed unsafe class SolverUnits : IStageWork
             input.Degrees = _degrees;
             input.Islands = _islands;
             input.GravityVector = _gravity;
+            input.Impulses = _impulses;
             _solvers[worker].Solve(input);
         }
     }

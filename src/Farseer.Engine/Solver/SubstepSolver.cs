@@ -64,6 +64,9 @@ internal unsafe ref struct SolverInput
 
     /// <summary>Keeps accounts of the substeps, if somebody wants them.</summary>
     public ISolverAudit? Audit;
+
+    /// <summary>Sums what contacts give, if somebody reads it.</summary>
+    public ContactImpulses? Impulses;
 }
 
 /// <summary>
@@ -117,6 +120,11 @@ internal sealed unsafe class SubstepSolver
         int jointSweeps = sweeps > 1 && input.Joints != null && IsApart(colors, input.Joints) ? 1 : sweeps;
         for (int substep = 0; substep < input.Substeps; substep++)
         {
+            if (input.Impulses != null)
+            {
+                WatchApproaches(input, input.Impulses);
+            }
+
             if (impacts)
             {
                 PrepareImpacts(input);
@@ -199,10 +207,45 @@ internal sealed unsafe class SubstepSolver
                 input.Audit?.Book(SolverPart.Joints);
             }
 
+            if (input.Impulses != null)
+            {
+                AddImpulses(input.Colors, input.Impulses, 1);
+                input.Joints?.AddImpulses(input.Impulses, 1);
+            }
+
             input.Audit?.EndSubstep();
         }
 
         input.Joints?.Finish();
+    }
+
+    /// <summary>Adds what all rows hold to the sums of the step.</summary>
+    /// <param name="colors">The rows.</param>
+    /// <param name="impulses">The sums.</param>
+    /// <param name="sign">1, or -1 to take it off again.</param>
+    internal static void AddImpulses(ReadOnlySpan<GraphColor> colors, ContactImpulses impulses, double sign)
+    {
+        for (int i = 0; i < colors.Length; i++)
+        {
+            foreach (ContactBundle* row in colors[i].Bundles)
+            {
+                impulses.Add(row, sign);
+            }
+        }
+    }
+
+    /// <summary>Before impacts are held back, which hides their points.</summary>
+    private static void WatchApproaches(in SolverInput input, ContactImpulses impulses)
+    {
+        for (int i = 0; i < input.Colors.Length; i++)
+        {
+            foreach (ContactBundle* row in input.Colors[i].Bundles)
+            {
+                impulses.Watch(row, input.Bodies.State.Pointer);
+            }
+        }
+
+        input.Joints?.WatchApproaches(impulses);
     }
 
     /// <summary>Positions by the joints; bodies that only they moved may be for all to move from here on.</summary>

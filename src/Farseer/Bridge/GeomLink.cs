@@ -128,7 +128,7 @@ internal struct GeomLink
         flags |= ResponseEnabled && !IsSensor ? ColliderFlags.ResponseEnabled : ColliderFlags.None;
         flags |= geom.OnCollision is not null ? ColliderFlags.WantsContact : ColliderFlags.None;
         flags |= geom.OnSeparation is not null ? ColliderFlags.WantsSeparation : ColliderFlags.None;
-        return flags;
+        return flags | (geom.Simulator is { } simulator ? simulator.Relay.Recorder.WantedOf(IsSensor) : ColliderFlags.None);
     }
 
     private readonly void PushFilter(Geom geom)

@@ -109,9 +109,9 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     /// <param name="geometry1">The geom whose handler is called.</param>
     /// <param name="geometry2">The geom that it touches.</param>
     /// <param name="contactList">
-    /// The contacts, deepest first. Positions are world coordinates, normals point from the geom created first to the other,
-    /// whichever of them is <paramref name="geometry1"/>; separations are negative where they overlap and positive where they are
-    /// about to meet within this step. The list is used again: copy what you want to keep.
+    /// The contacts, deepest first. Positions are world coordinates, normals point from <paramref name="geometry1"/> to
+    /// <paramref name="geometry2"/> (see <see cref="Farseer201Quirks.NormalsFromOlderGeom"/>); separations are negative where they overlap and
+    /// positive where they are about to meet within this step; impulses are 0, for nothing has pushed yet. The list is used again: copy what you want to keep.
     /// </param>
     /// <returns>False to cancel the response in this step.</returns>
     public delegate bool CollisionEventHandler(Geom geometry1, Geom geometry2, ContactList contactList);

@@ -116,7 +116,7 @@ internal sealed class FarseerNames : Names
         (new Span(0, 2, 1e-6f, 1e3f), "frictionCoefficient ratio"),
         (_force, "force torque"),
         (_strength, "maxForce maxTorque maxMotorForce maxMotorTorque maxImpulse breakForce breakpoint springConstant dampingConstant dampningConstant strength torqueMultiplier "
-            + "maxLinearVelocity maxAngularVelocity"),
+            + "maxLinearVelocity maxAngularVelocity hitSpeed"),
         (new Span(0.5f, 8, 1e-6f, 1e6f), "frequency"),
         (_drag, "linearDragCoefficient rotationalDragCoefficient quadraticDragCoefficient density fluidDensity"),
         (_time, "idleTime maxIdleTime timeToSleep updateInterval maximumUpdateInterval preferredUpdateInterval dt dtReal"),

@@ -270,5 +270,9 @@ public abstract class Joint : IDisposable, IItem
     /// <summary>The largest float, and infinity, stand for no bound.</summary>
     internal static double Bound(float value) => value >= float.MaxValue ? double.PositiveInfinity : value;
 
-    private void RaiseBroke() => Broke?.Invoke(this, EventArgs.Empty);
+    private void RaiseBroke()
+    {
+        Simulator?.Relay.Recorder.Broke(this);
+        Broke?.Invoke(this, EventArgs.Empty);
+    }
 }
