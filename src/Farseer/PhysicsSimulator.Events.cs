@@ -1,3 +1,4 @@
+using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -6,6 +7,7 @@ namespace FarseerGames.FarseerPhysics;
 /// <content>Events that are read after an update, and what contacts gave. (Additions to the original.)</content>
 public partial class PhysicsSimulator
 {
+    private readonly PoseMemory _poses = new PoseMemory();
     private StepEvents? _events;
 
     /// <summary>
@@ -54,6 +56,25 @@ public partial class PhysicsSimulator
         get => World.HitSpeed;
         set => World.HitSpeed = Require.NotNegative(value, nameof(HitSpeed));
     }
+
+    /// <summary>
+    /// True keeps where bodies were when the last update began, so that <see cref="Body.GetPose"/> can say where they are between updates; <see cref="FixedStepDriver"/>
+    /// sets it. False, the default, costs nothing. No bit of the motion changes by it. (An addition to the original.)
+    /// </summary>
+    public bool KeepsPoses
+    {
+        get => _poses.IsOn;
+        set
+        {
+            if (value != _poses.IsOn)
+            {
+                _poses.IsOn = value;
+                _poses.Keep(World);
+            }
+        }
+    }
+
+    internal PoseMemory Poses => _poses;
 
     /// <summary>
     /// True lets updates add up what each contact gives, so that <see cref="Contact.NormalImpulse"/> and <see cref="Contact.TangentImpulse"/> are exact:

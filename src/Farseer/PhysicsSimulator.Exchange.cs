@@ -235,6 +235,7 @@ public partial class PhysicsSimulator
     /// <summary>A geom got another body or outline: its collider is made anew.</summary>
     private void Remake(Geom geom)
     {
+        geom.WaitsForRemake = false;
         if (!geom.Link.IsAttached || !ReferenceEquals(geom.Simulator, this))
         {
             return;
@@ -258,6 +259,7 @@ public partial class PhysicsSimulator
             body.Link.Attach(World, isSimulated);
             _table.SetBody(body.Link.Handle.Index, body);
             _relay.Recorder.Take(body);
+            _poses.Put(body.Link.Handle.Index, body.Link.PoseRef);
         }
         else
         {

@@ -45,7 +45,7 @@ public partial class PhysicsSimulator : IDisposable
     {
         _relay = new EventRelay(this, _table);
         _arbiters = new ArbiterView(this, _table);
-        _queries = new QueryLink(World, _table);
+        _queries = new QueryLink(this, World, _table);
         BodyList = new BodyList { Owner = this };
         GeomList = new GeomList { Owner = this };
         JointList = new JointList { Owner = this };
@@ -307,22 +307,23 @@ public partial class PhysicsSimulator : IDisposable
         GC.SuppressFinalize(this);
     }
 
-    /// <summary>The first geom, in the order of <see cref="GeomList"/>, that a world point is in.</summary>
+    /// <summary>The first geom, in the order of <see cref="GeomList"/> and then of those that wait for the next update, that a world point is in.</summary>
     /// <param name="x">x of the point.</param>
     /// <param name="y">y of the point.</param>
     /// <returns>The geom, or null.</returns>
     public Geom? Collide(float x, float y) => Collide(new Vector2(x, y));
 
-    /// <summary>The first geom, in the order of <see cref="GeomList"/>, that a world point is in.</summary>
+    /// <summary>The first geom, in the order of <see cref="GeomList"/> and then of those that wait for the next update, that a world point is in.</summary>
     /// <param name="point">The point.</param>
     /// <returns>The geom, or null.</returns>
     public Geom? Collide(Vector2 point)
     {
-        for (int i = 0; i < GeomList.Count; i++)
+        List<Geom> present = ListPresent();
+        for (int i = 0; i < present.Count; i++)
         {
-            if (!GeomList[i].IsDisposed && GeomList[i].Collide(point))
+            if (present[i].Collide(point))
             {
-                return GeomList[i];
+                return present[i];
             }
         }
 
@@ -332,20 +333,21 @@ public partial class PhysicsSimulator : IDisposable
     /// <summary>All geoms that a world point is in.</summary>
     /// <param name="x">x of the point.</param>
     /// <param name="y">y of the point.</param>
-    /// <returns>A new list, in the order of <see cref="GeomList"/>.</returns>
+    /// <returns>A new list, in the order of <see cref="GeomList"/> and then of those that wait for the next update.</returns>
     public List<Geom> CollideAll(float x, float y) => CollideAll(new Vector2(x, y));
 
     /// <summary>All geoms that a world point is in.</summary>
     /// <param name="point">The point.</param>
-    /// <returns>A new list, in the order of <see cref="GeomList"/>.</returns>
+    /// <returns>A new list, in the order of <see cref="GeomList"/> and then of those that wait for the next update.</returns>
     public List<Geom> CollideAll(Vector2 point)
     {
         var found = new List<Geom>();
-        for (int i = 0; i < GeomList.Count; i++)
+        List<Geom> present = ListPresent();
+        for (int i = 0; i < present.Count; i++)
         {
-            if (!GeomList[i].IsDisposed && GeomList[i].Collide(point))
+            if (present[i].Collide(point))
             {
-                found.Add(GeomList[i]);
+                found.Add(present[i]);
             }
         }
 

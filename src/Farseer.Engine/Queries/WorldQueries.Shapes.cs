@@ -44,6 +44,18 @@ internal sealed unsafe partial class WorldQueries
         }
     }
 
+    /// <summary>Sets the shape of the next query: that of another world's.</summary>
+    public void SetShape(WorldQueries other)
+    {
+        _shapeCount = other._shapeCount;
+        _shapeRadius = other._shapeRadius;
+        _shape.EnsureCapacity(2 * _shapeCount);
+        for (int i = 0; i < 2 * _shapeCount; i++)
+        {
+            _shape[i] = other._shape[i];
+        }
+    }
+
     /// <summary>Finds the colliders that the shape touches or overlaps, in the order of their making.</summary>
     public void FindOverlapping(in QueryFilter filter, IndexList colliders)
     {

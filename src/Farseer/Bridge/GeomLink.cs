@@ -96,20 +96,27 @@ internal struct GeomLink
 
     public void Attach(Geom geom, World world)
     {
-        Handle = world.CreateCollider(geom.Body.Link.Handle, geom.Form!.Shape, new ColliderDef
-        {
-            Flags = Flags(geom),
-            Friction = Friction,
-            Restitution = Restitution,
-            Group = Group,
-            Categories = (uint)Categories,
-            CollidesWith = (uint)CollidesWith,
-            Offset = geom.EffectiveOffset,
-            RotationOffset = geom.RotationOffset,
-        });
+        Handle = world.CreateCollider(geom.Body.Link.Handle, geom.Form!.Shape, Describe(geom));
         world.Collider(Handle).Order = geom.Id;
         AttachedBody = geom.Body;
         _world = world;
+    }
+
+    /// <summary>What a collider of a geom is made from.</summary>
+    public static ColliderDef Describe(Geom geom)
+    {
+        ref GeomLink link = ref geom.Link;
+        return new ColliderDef
+        {
+            Flags = link.Flags(geom),
+            Friction = link.Friction,
+            Restitution = link.Restitution,
+            Group = link.Group,
+            Categories = (uint)link.Categories,
+            CollidesWith = (uint)link.CollidesWith,
+            Offset = geom.EffectiveOffset,
+            RotationOffset = geom.RotationOffset,
+        };
     }
 
     public void Detach()

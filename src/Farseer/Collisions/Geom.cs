@@ -218,6 +218,12 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     /// <returns>A number that was not given out before in this process.</returns>
     public static int GetNextId() => Interlocked.Increment(ref s_lastId);
 
+    /// <summary>True while its collider is that of an outline or a body that it no longer has.</summary>
+    internal bool WaitsForRemake { get; set; }
+
+    /// <summary>True while a list of geoms is being made that it is in.</summary>
+    internal bool IsListed { get; set; }
+
     /// <summary>Moves the geom to another body. In a simulator it takes effect at the next update.</summary>
     /// <param name="bodyToSet">The new body.</param>
     /// <exception cref="ArgumentNullException"><paramref name="bodyToSet"/> is null.</exception>

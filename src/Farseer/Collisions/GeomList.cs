@@ -1,12 +1,10 @@
-using System.Collections.Generic;
-
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>
 /// A list of geoms that tells of additions and removals. That of a simulator is a view of what it simulates:
 /// <see cref="Add"/> and <see cref="Remove"/> then stand for those of the simulator, which take effect at the next update.
 /// </summary>
-public class GeomList : List<Geom>
+public class GeomList : ItemList<Geom>
 {
     /// <summary>Handles a change of the list.</summary>
     /// <param name="geom">The geom added or removed.</param>
@@ -18,81 +16,29 @@ public class GeomList : List<Geom>
     /// <summary>Called when a geom has been removed. Use with +=. Default null.</summary>
     public ContentsChangedEventHandler? Removed { get; set; }
 
-    internal PhysicsSimulator? Owner { get; set; }
+    private protected override bool IsHeard => Removed is not null;
 
     /// <summary>Adds a geom.</summary>
     /// <param name="geom">The geom.</param>
     /// <exception cref="System.ArgumentNullException"><paramref name="geom"/> is null.</exception>
-    public new void Add(Geom geom)
-    {
-        Require.NotNull(geom, nameof(geom));
-        if (Owner is null)
-        {
-            TakeIn(geom);
-        }
-        else
-        {
-            Owner.Add(geom);
-        }
-    }
+    public new void Add(Geom geom) => AddItem(geom, nameof(geom));
 
     /// <summary>Removes a geom; one that is not in the list is ignored.</summary>
     /// <param name="geom">The geom.</param>
     /// <exception cref="System.ArgumentNullException"><paramref name="geom"/> is null.</exception>
-    public new void Remove(Geom geom)
-    {
-        Require.NotNull(geom, nameof(geom));
-        if (Owner is null)
-        {
-            TakeOut(geom);
-        }
-        else
-        {
-            Owner.Remove(geom);
-        }
-    }
+    public new void Remove(Geom geom) => RemoveItem(geom, nameof(geom));
 
     /// <summary>Takes disposed geoms out of the list. A simulator does it by itself at each update.</summary>
     /// <returns>How many there were.</returns>
-    public int RemoveDisposed()
-    {
-        int count = 0;
-        for (int i = Count - 1; i >= 0; i--)
-        {
-            if (this[i].IsDisposed)
-            {
-                Geom removed = this[i];
-                RemoveAt(i);
-                Removed?.Invoke(removed);
-                count++;
-            }
-        }
+    public int RemoveDisposed() => DropDisposed();
 
-        return count;
-    }
+    private protected override bool IsDisposed(Geom item) => item.IsDisposed;
 
-    internal void TakeIn(Geom geom)
-    {
-        base.Add(geom);
-        Added?.Invoke(geom);
-    }
+    private protected override void TellAdded(Geom item) => Added?.Invoke(item);
 
-    internal void TakeOut(Geom geom)
-    {
-        if (base.Remove(geom))
-        {
-            Removed?.Invoke(geom);
-        }
-    }
+    private protected override void TellRemoved(Geom item) => Removed?.Invoke(item);
 
-    /// <summary>Takes all out at once: one after the other, each would move all those behind it.</summary>
-    internal void Empty()
-    {
-        Geom[] removed = Removed is null ? [] : ToArray();
-        Clear();
-        foreach (Geom geom in removed)
-        {
-            Removed?.Invoke(geom);
-        }
-    }
+    private protected override void OwnerAdd(Geom item) => Owner!.Add(item);
+
+    private protected override void OwnerRemove(Geom item) => Owner!.Remove(item);
 }

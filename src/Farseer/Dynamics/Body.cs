@@ -324,7 +324,13 @@ public partial class Body : IDisposable
     /// <summary>True if the speed of the body is at least <see cref="MinimumVelocity"/>.</summary>
     public bool Moves => LinearVelocity.LengthSquared() >= MinimumVelocity * MinimumVelocity;
 
-    /// <summary>What an inactivity controller knows of the body.</summary>
+    /// <summary>
+    /// The geoms that were made for the body, in the order of their making, whether they are in a simulator or not; disposed ones are not among them. (An addition to the
+    /// original.)
+    /// </summary>
+    public BodyGeoms Geoms => new BodyGeoms(this);
+
+    /// <summary>What an inactivity controller knows of the body.
     internal IdleState Idle { get; set; }
 
     /// <summary>Made static by a sensor quirk, which in the original left the inverse mass as it was.</summary>

@@ -110,9 +110,9 @@ internal sealed class FarseerNames : Names
             + "worldPoint worldPosition worldAttachPoint initialAnchor worldOffset min max translation vector controlPoint location "
             + "worldVector fixedPoint from to intersectPoint contact epicenter"),
         (_speed, "linearVelocity velocity motorSpeed angularVelocity impulse angularImpulse axis amount normal uvector localNormal"),
-        (_angle, "rotation rotationOffset angle targetAngle"),
+        (_angle, "rotation rotationOffset angle targetAngle totalRotation"),
         (_mass, "mass momentOfInertia"),
-        (_share, "restitutionCoefficient biasFactor softness coefficient dampingCoefficient dampingRatio sleepTolerance minimumVelocity allowedPenetration slop jointError springError share"),
+        (_share, "restitutionCoefficient biasFactor softness coefficient dampingCoefficient dampingRatio sleepTolerance minimumVelocity allowedPenetration slop jointError springError share alpha"),
         (new Span(0, 2, 1e-6f, 1e3f), "frictionCoefficient ratio"),
         (_force, "force torque"),
         (_strength, "maxForce maxTorque maxMotorForce maxMotorTorque maxImpulse breakForce breakpoint springConstant dampingConstant dampningConstant strength torqueMultiplier "
@@ -159,6 +159,7 @@ internal sealed class FarseerNames : Names
             => $"new Vertices(new Vector2[] {{ {points} }})", points => new Vertices(points))
         : type == typeof(List<Geom>) ? new FreshKind("new List<Geom>()", () => new List<Geom>())
         : type == typeof(List<RayCastHit>) ? new FreshKind("new List<RayCastHit>()", () => new List<RayCastHit>())
+        : type == typeof(Pose) ? new FreshKind("new Pose(1, 2, 3)", () => new Pose(1, 2, 3))
         : type == typeof(Matrix4x4) ? new FreshKind("Matrix4x4.Identity", () => Matrix4x4.Identity)
         : null;
 
