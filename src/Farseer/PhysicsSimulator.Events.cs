@@ -58,6 +58,23 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
+    /// Says what the surfaces of a pair are together, where the rules of <see cref="FrictionType"/> and <see cref="RestitutionType"/> do not do. It is
+    /// asked in each update for each pair of geoms that are near each other, on the calling thread, in an order that the scene alone decides; null, the default, costs nothing. (An addition to the original.)
+    /// </summary>
+    public MaterialMixer? MixMaterials
+    {
+        get => _surfaces.Mixer;
+        set
+        {
+            _surfaces.Mixer = value;
+            if (value is not null)
+            {
+                World.UseSurfaces();
+            }
+        }
+    }
+
+    /// <summary>
     /// True keeps where bodies were when the last update began, so that <see cref="Body.GetPose"/> can say where they are between updates; <see cref="FixedStepDriver"/>
     /// sets it. False, the default, costs nothing. No bit of the motion changes by it. (An addition to the original.)
     /// </summary>

@@ -67,6 +67,8 @@ public partial class PhysicsSimulator
 
             _geomsChanged.RemoveRange(0, count);
         }
+
+        LayRails();
     }
 
     private void RemoveWaiting()
@@ -266,7 +268,17 @@ public partial class PhysicsSimulator
             body.Link.SetSimulated(isSimulated);
         }
 
-        if (body.Impulse != System.Numerics.Vector2.Zero || body.Swing != 0)
+        if (body.GravityScale != 1)
+        {
+            NoteGravity(body);
+        }
+
+        if (body.IsRailed)
+        {
+            NoteRails(body);
+        }
+
+        if (body.Impulse != System.Numerics.Vector2.Zero || body.AngularImpulse != 0 || body.Swing != 0)
         {
             NotePending(body);
         }

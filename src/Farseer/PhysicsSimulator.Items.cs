@@ -215,6 +215,7 @@ public partial class PhysicsSimulator
 
         ForgetPending();
         _relay.Recorder.Clear();
+        _relay.OneWay.Clear();
         _arbiters.Clear();
         _arbiters.IsStale = false;
     }

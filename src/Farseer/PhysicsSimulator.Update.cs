@@ -178,6 +178,8 @@ public partial class PhysicsSimulator
                 BodyList[i].UseForces(dt);
             }
         }
+
+        PullScaled();
     }
 
     /// <summary>Runs a user's own broad phase on the arbiter list.</summary>

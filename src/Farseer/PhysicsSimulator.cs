@@ -22,6 +22,7 @@ public partial class PhysicsSimulator : IDisposable
     private readonly ObjectTable _table = new ObjectTable();
     private readonly EventRelay _relay;
     private readonly ArbiterView _arbiters;
+    private readonly SurfaceRelay _surfaces;
     private float _biasFactor = 0.8f;
     private int _maxContactsToDetect = 10;
     private int _maxContactsToResolve = 4;
@@ -46,6 +47,8 @@ public partial class PhysicsSimulator : IDisposable
         _relay = new EventRelay(this, _table);
         _arbiters = new ArbiterView(this, _table);
         _queries = new QueryLink(this, World, _table);
+        _surfaces = new SurfaceRelay(this, _table);
+        World.Surfaces = _surfaces;
         BodyList = new BodyList { Owner = this };
         GeomList = new GeomList { Owner = this };
         JointList = new JointList { Owner = this };
@@ -152,12 +155,43 @@ public partial class PhysicsSimulator : IDisposable
     /// <exception cref="ArgumentOutOfRangeException">The value is not a member of the enum.</exception>
     public FrictionType FrictionType
     {
-        get => World.Settings.FrictionMix == FrictionMix.Minimum ? FrictionType.Minimum : FrictionType.Average;
+        get => World.Settings.FrictionMix switch
+        {
+            FrictionMix.Minimum => FrictionType.Minimum,
+            FrictionMix.GeometricMean => FrictionType.GeometricMean,
+            FrictionMix.Maximum => FrictionType.Maximum,
+            FrictionMix.Product => FrictionType.Product,
+            _ => FrictionType.Average,
+        };
         set => World.Settings.FrictionMix = value switch
         {
             FrictionType.Average => FrictionMix.Average,
             FrictionType.Minimum => FrictionMix.Minimum,
+            FrictionType.GeometricMean => FrictionMix.GeometricMean,
+            FrictionType.Maximum => FrictionMix.Maximum,
+            FrictionType.Product => FrictionMix.Product,
             _ => throw Require.Range(nameof(FrictionType), value, "must be a member of the enum FrictionType"),
+        };
+    }
+
+    /// <summary>How the restitution coefficients of a pair combine. Default <see cref="RestitutionType.Average"/>. (An addition to the original.)</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not a member of the enum.</exception>
+    public RestitutionType RestitutionType
+    {
+        get => World.Settings.RestitutionMix switch
+        {
+            RestitutionMix.Minimum => RestitutionType.Minimum,
+            RestitutionMix.Maximum => RestitutionType.Maximum,
+            RestitutionMix.Product => RestitutionType.Product,
+            _ => RestitutionType.Average,
+        };
+        set => World.Settings.RestitutionMix = value switch
+        {
+            RestitutionType.Average => RestitutionMix.Average,
+            RestitutionType.Minimum => RestitutionMix.Minimum,
+            RestitutionType.Maximum => RestitutionMix.Maximum,
+            RestitutionType.Product => RestitutionMix.Product,
+            _ => throw Require.Range(nameof(RestitutionType), value, "must be a member of the enum RestitutionType"),
         };
     }
 

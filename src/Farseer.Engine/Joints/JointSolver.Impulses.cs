@@ -7,6 +7,21 @@ namespace Farseer.Engine.Joints;
 /// <content>What contacts with trees give: see <see cref="ContactImpulses"/>.</content>
 internal sealed unsafe partial class JointSolver
 {
+    /// <summary>The contact with a tree that was taken out of a lane; null: it was not.</summary>
+    public TreeContact* FindContact(ContactBundle* row, int lane)
+    {
+        for (int i = 0; i < _contactCount; i++)
+        {
+            TreeContact* contact = _contacts.Pointer + i;
+            if (contact->Bundle == row && contact->Lane == lane)
+            {
+                return contact;
+            }
+        }
+
+        return null;
+    }
+
     /// <summary>Adds what the contacts with trees hold.</summary>
     /// <param name="impulses">The sums.</param>
     /// <param name="sign">1, or -1 to take it off again.</param>

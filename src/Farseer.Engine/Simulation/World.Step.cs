@@ -44,6 +44,7 @@ internal sealed partial class World
         ForgetMoves();
         _boxes.Update(this, _runner, dt);
         FindPairs();
+        RefreshSurfaces();
         Profile.End(StepStage.BroadPhase);
 
         SortRows();
@@ -326,6 +327,7 @@ internal sealed partial class World
         Queries.PosesChange = anyUserJoints;
         input.Audit = Audit;
         input.Impulses = Impulses;
+        input.Surfaces = _contacts.Surfaces.AnySpecial ? _contacts.Surfaces : null;
         if (input.PaddedCount > 0)
         {
             AuditSolve(input);

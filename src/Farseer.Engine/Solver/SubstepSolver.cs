@@ -67,6 +67,9 @@ internal unsafe ref struct SolverInput
 
     /// <summary>Sums what contacts give, if somebody reads it.</summary>
     public ContactImpulses? Impulses;
+
+    /// <summary>Surfaces that run past their bodies or resist rolling, if there are any.</summary>
+    public PairSurfaces? Surfaces;
 }
 
 /// <summary>
@@ -93,6 +96,7 @@ internal sealed unsafe class SubstepSolver
     private readonly UserJointPass _userJoints = new UserJointPass();
     private readonly ImpactPass _impacts = new ImpactPass();
     private readonly FreeImpacts _free = new FreeImpacts();
+    private SurfacePass? _surfaces;
 
     /// <summary>Makes room ahead for so many bundles of rows.</summary>
     public void Reserve(int bundles) => _passes.ReserveBundles(bundles);
@@ -111,6 +115,7 @@ internal sealed unsafe class SubstepSolver
         }
 
         bool impacts = FindImpacts(input);
+        SurfacePass? surfaces = BeginSurfaces(input);
 
         _passes.Begin(input.Runner, input.Bodies, coefficients, input.Colors, input.BundleRoom, input.MiddleBody > 0);
 
@@ -139,6 +144,7 @@ internal sealed unsafe class SubstepSolver
             input.Joints?.Enter();
             input.Audit?.Book(SolverPart.Joints);
             _passes.WarmStart(colors);
+            surfaces?.WarmStart();
             input.Audit?.Book(SolverPart.Contacts);
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
@@ -197,6 +203,7 @@ internal sealed unsafe class SubstepSolver
                 _impacts.Run(input, _passes);
             }
 
+            surfaces?.Solve();
             input.Joints?.NoteLoads();
             if (impacts)
             {
@@ -217,6 +224,18 @@ internal sealed unsafe class SubstepSolver
         }
 
         input.Joints?.Finish();
+    }
+
+    private SurfacePass? BeginSurfaces(in SolverInput input)
+    {
+        if (input.Surfaces == null)
+        {
+            return null;
+        }
+
+        _surfaces ??= new SurfacePass();
+        _surfaces.Begin(input);
+        return _surfaces;
     }
 
     /// <summary>Adds what all rows hold to the sums of the step.</summary>

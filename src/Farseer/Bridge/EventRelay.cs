@@ -28,6 +28,9 @@ internal sealed class EventRelay : IStepHooks
     /// <summary>Keeps events for those who read them after the update.</summary>
     public StepRecorder Recorder { get; } = new StepRecorder();
 
+    /// <summary>Pairs that pass through one-way surfaces.</summary>
+    public OneWayPairs OneWay { get; } = new OneWayPairs();
+
     /// <summary>True while a collider is being taken out: the engine then ends its contacts.</summary>
     public bool IsRemoving { get; set; }
 
@@ -67,6 +70,12 @@ internal sealed class EventRelay : IStepHooks
             Recorder.Begin(a, b);
         }
 
+        if ((a.OneWayDirection != System.Numerics.Vector2.Zero || b.OneWayDirection != System.Numerics.Vector2.Zero)
+            && !OneWay.Accepts(a, b, points, flip, began, _simulator.AllowedPenetration))
+        {
+            return false;
+        }
+
         if (a.OnCollision is null && b.OnCollision is null)
         {
             return true;
@@ -96,6 +105,7 @@ internal sealed class EventRelay : IStepHooks
         if (a is not null && b is not null)
         {
             Recorder.End(a, b);
+            OneWay.End(a, b);
         }
 
         if (IsRemoving && (_simulator.Quirks & Farseer201Quirks.NoSeparationOnRemoval) != 0)

@@ -98,6 +98,11 @@ internal struct GeomLink
     {
         Handle = world.CreateCollider(geom.Body.Link.Handle, geom.Form!.Shape, Describe(geom));
         world.Collider(Handle).Order = geom.Id;
+        if (geom.HasSurface)
+        {
+            world.UseSurfaces();
+        }
+
         AttachedBody = geom.Body;
         _world = world;
     }
@@ -135,6 +140,8 @@ internal struct GeomLink
         flags |= ResponseEnabled && !IsSensor ? ColliderFlags.ResponseEnabled : ColliderFlags.None;
         flags |= geom.OnCollision is not null ? ColliderFlags.WantsContact : ColliderFlags.None;
         flags |= geom.OnSeparation is not null ? ColliderFlags.WantsSeparation : ColliderFlags.None;
+        flags |= geom.OneWayDirection != System.Numerics.Vector2.Zero ? ColliderFlags.WantsContact | ColliderFlags.WantsSeparation : ColliderFlags.None;
+        flags |= geom.HasSurface ? ColliderFlags.OwnSurface : ColliderFlags.None;
         return flags | (geom.Simulator is { } simulator ? simulator.Relay.Recorder.WantedOf(IsSensor) : ColliderFlags.None);
     }
 

@@ -136,7 +136,7 @@ internal sealed class QueryLink
         if (AnyWaits && _coming.Queries.FindNearest(point.X, point.Y, most, _coming.Translate(filter, null), out near))
         {
             ClosestPointHit other = _coming.HitOf(near);
-            if (!found || other.Distance < hit.Distance || (other.Distance == hit.Distance && other.Geom.Id < hit.Geom.Id))
+            if (!found || other.Distance < hit.Distance || (other.Distance == hit.Distance && IsOlder(other.Geom, hit.Geom)))
             {
                 hit = other;
                 found = true;
@@ -148,6 +148,8 @@ internal sealed class QueryLink
 
     /// <summary>Geoms wait; their world then is up to date.</summary>
     private bool AnyWaits => _waiting.Refresh(_simulator);
+
+    private static bool IsOlder(Geom? geom, Geom? than) => geom is not null && than is not null && geom.Id < than.Id;
 
     private static RayInput Way(Vector2 start, Vector2 end) => new RayInput
     {
@@ -161,7 +163,7 @@ internal sealed class QueryLink
     private static bool Better(bool found, in RayCastHit other, ref RayCastHit hit)
     {
         bool before = !found || other.Fraction < hit.Fraction
-            || (other.Fraction == hit.Fraction && (other.StartsInside == hit.StartsInside ? other.Geom.Id < hit.Geom.Id : other.StartsInside));
+            || (other.Fraction == hit.Fraction && (other.StartsInside == hit.StartsInside ? IsOlder(other.Geom, hit.Geom) : other.StartsInside));
         hit = before ? other : hit;
         return true;
     }
@@ -174,7 +176,7 @@ internal sealed class QueryLink
             RayCastHit hit = target.HitOf(target.Queries.Hit(i));
             int place = hits.Count;
             while (place > 0 && target.Waits && (hits[place - 1].Fraction > hit.Fraction
-                || (hits[place - 1].Fraction == hit.Fraction && hits[place - 1].Geom.Id > hit.Geom.Id)))
+                || (hits[place - 1].Fraction == hit.Fraction && IsOlder(hit.Geom, hits[place - 1].Geom))))
             {
                 place--;
             }

@@ -241,6 +241,9 @@ public partial class Geom
         public string? Name;
         public Grid? Grid;
         public Frame? Frame;
+        public SurfaceMaterial Surface;
+        public SurfaceMaterial?[]? Segments;
+        public Vector2 OneWay;
     }
 
     /// <summary>The geom at its body's place.</summary>

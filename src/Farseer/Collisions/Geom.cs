@@ -92,6 +92,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         _form = geometry._form;
         _localVertices = geometry._localVertices is null ? null : new Vertices(geometry._localVertices);
         Link.CopyFrom(geometry.Link);
+        CopySurface(geometry);
         Join(body);
     }
 
@@ -366,6 +367,11 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         _form = form;
         _localVertices = form.Kind == FormKind.Box ? null : localVertices;
         KeptGrid = null;
+        if (_extras is not null)
+        {
+            _extras.Segments = null;
+        }
+
         ForgetFrame();
     }
 }

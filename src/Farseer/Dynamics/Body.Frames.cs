@@ -323,6 +323,10 @@ public partial class Body
         if (Simulator is { } simulator && Link.World is not null)
         {
             simulator.Poses.Put(Link.Handle.Index, Link.PoseRef);
+            if (IsRailed)
+            {
+                simulator.NoteRails(this);
+            }
         }
     }
 

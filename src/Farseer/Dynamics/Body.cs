@@ -120,15 +120,15 @@ public partial class Body : IDisposable
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
     public float MomentOfInertia
     {
-        get => Link.MassRef.Inertia;
+        get => _extras is { FixedInertia: > 0 } ? _extras.FixedInertia : Link.MassRef.Inertia;
         set => SetMass(Mass, Require.Invertible(value, nameof(MomentOfInertia)));
     }
 
     /// <summary>1 / <see cref="Mass"/>, or 0 for a static or kinematic body.</summary>
     public float InverseMass => HasInfiniteMass && !IsStaticBySensor ? 0 : 1 / Mass;
 
-    /// <summary>1 / <see cref="MomentOfInertia"/>, or 0 for a static or kinematic body.</summary>
-    public float InverseMomentOfInertia => HasInfiniteMass && !IsStaticBySensor ? 0 : 1 / MomentOfInertia;
+    /// <summary>1 / <see cref="MomentOfInertia"/>, or 0 for a static or kinematic body and one of <see cref="FixedRotation"/>.</summary>
+    public float InverseMomentOfInertia => (HasInfiniteMass && !IsStaticBySensor) || FixedRotation ? 0 : 1 / MomentOfInertia;
 
     /// <summary>False takes the body and its geoms out of motion and collision until it is true again. Default true.</summary>
     public bool Enabled
@@ -469,6 +469,12 @@ public partial class Body : IDisposable
     {
         ThrowIfDisposed();
         Note("Mass or MomentOfInertia");
+        if (FixedRotation)
+        {
+            _extras!.FixedInertia = inertia;
+            inertia = float.PositiveInfinity;
+        }
+
         Link.SetMass(mass, inertia);
     }
 
@@ -476,23 +482,5 @@ public partial class Body : IDisposable
     {
         ThrowIfDisposed();
         Link.SetUserFlags(on ? Link.UserFlags | flag : Link.UserFlags & ~flag);
-    }
-
-    /// <summary>What nearly no body has.</summary>
-    private sealed class BodyExtras
-    {
-        public const float UsualMinimumVelocity = 55;
-
-        public EventHandler<EventArgs>? Disposed;
-        public UpdatedEventHandler? Updated;
-        public object? Tag;
-        public string? Name;
-        public float IdleTime;
-        public float MinimumVelocity = UsualMinimumVelocity;
-
-        // What the handlers of moves heard last.
-        public double ToldX;
-        public double ToldY;
-        public double ToldAngle;
     }
 }

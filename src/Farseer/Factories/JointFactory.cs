@@ -9,7 +9,7 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// Makes joints. Each method exists with and without a simulator as its first argument; one that is given adds the new joint to
 /// it. Not every property of a joint is a parameter: set the others on the joint.
 /// </summary>
-public class JointFactory
+public partial class JointFactory
 {
     private JointFactory()
     {
