@@ -91,6 +91,21 @@ public partial class PhysicsSimulator
         }
     }
 
+    /// <summary>
+    /// Looks over the scene for what is seldom meant so: geoms whose bodies are not in, overlaps, stacks without friction, filters that exclude each other, thin walls, joints without length. It reads only, and takes
+    /// time and memory: for tests and for debugging, not for each update. (An addition to the original.)
+    /// </summary>
+    /// <returns>A new list, by the numbers of the kinds; empty if nothing was found. docs/Games.md has the kinds.</returns>
+    /// <exception cref="System.ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="System.InvalidOperationException">The call comes from a handler of an update.</exception>
+    public System.Collections.Generic.List<InspectionFinding> Inspect()
+    {
+        ThrowIfDisposed();
+        return _isUpdating
+            ? throw new System.InvalidOperationException("Inspect must not be called from a handler of an update.")
+            : new SceneInspector(this).Run();
+    }
+
     internal PoseMemory Poses => _poses;
 
     /// <summary>

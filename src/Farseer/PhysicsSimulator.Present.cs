@@ -104,7 +104,21 @@ public partial class PhysicsSimulator
         }
     }
 
+    internal QueryLink Asking => _queries;
+
     internal void ListPresent(List<Joint> joints) => _joints.ListPresent(joints);
 
     internal void ListPresent(List<Spring> springs) => _springs.ListPresent(springs);
+
+    /// <summary>How many of what is in it, for a debugger.</summary>
+    /// <returns>A line of text.</returns>
+    public override string ToString() => string.Format(
+        System.Globalization.CultureInfo.InvariantCulture,
+        "PhysicsSimulator after {0} updates: {1} bodies ({2} asleep), {3} geoms, {4} joints, {5} springs",
+        StepCount,
+        BodyList.Count,
+        SleepingBodyCount,
+        GeomList.Count,
+        JointList.Count,
+        SpringList.Count);
 }

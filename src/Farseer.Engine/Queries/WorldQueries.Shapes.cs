@@ -28,6 +28,17 @@ internal sealed unsafe partial class WorldQueries
         _shapeRadius = radius;
     }
 
+    /// <summary>Sets the shape of the next query: all points within a radius of the way between two world points, which differ.</summary>
+    public void SetCapsule(double x0, double y0, double x1, double y1, double radius)
+    {
+        _shapeCount = 2;
+        _shape[0] = x0;
+        _shape[1] = y0;
+        _shape[2] = x1;
+        _shape[3] = y1;
+        _shapeRadius = radius;
+    }
+
     /// <summary>Sets the shape of the next query: a piece where it is.</summary>
     public void SetPiece(int piece)
     {

@@ -110,7 +110,15 @@ internal sealed class QueryLink
     {
         hit = default;
         _here.Queries.SetDisc(center.X, center.Y, radius);
-        return CastShape(translation, filter, null, false, ref hit);
+        return CastShape(translation.X, translation.Y, filter, null, false, ref hit);
+    }
+
+    /// <summary>A capsule on its way, in double precision.</summary>
+    public bool CastCapsule(in CapsuleWay way, QueryFilter? filter, out RayCastHit hit)
+    {
+        hit = default;
+        _here.Queries.SetCapsule(way.X, way.Y, way.X + way.AxisX, way.Y + way.AxisY, way.Radius);
+        return CastShape(way.WayX, way.WayY, filter, null, false, ref hit);
     }
 
     public bool CastGeom(Geom geom, Vector2 translation, QueryFilter? filter, out RayCastHit hit)
@@ -122,7 +130,7 @@ internal sealed class QueryLink
         for (; piece >= 0; piece = shapes.NextPiece[piece])
         {
             SetPiece(own, piece);
-            found = CastShape(translation, filter, geom, found, ref hit);
+            found = CastShape(translation.X, translation.Y, filter, geom, found, ref hit);
         }
 
         return found;
@@ -220,9 +228,9 @@ internal sealed class QueryLink
         }
     }
 
-    private bool CastShape(Vector2 translation, QueryFilter? filter, Geom? self, bool found, ref RayCastHit hit)
+    private bool CastShape(double x, double y, QueryFilter? filter, Geom? self, bool found, ref RayCastHit hit)
     {
-        if (_here.Queries.CastShape(translation.X, translation.Y, _here.Translate(filter, self), out RayHit next))
+        if (_here.Queries.CastShape(x, y, _here.Translate(filter, self), out RayHit next))
         {
             found = Better(found, _here.HitOf(next), ref hit);
         }
@@ -230,7 +238,7 @@ internal sealed class QueryLink
         if (AnyWaits)
         {
             _coming.Queries.SetShape(_here.Queries);
-            if (_coming.Queries.CastShape(translation.X, translation.Y, _coming.Translate(filter, self), out next))
+            if (_coming.Queries.CastShape(x, y, _coming.Translate(filter, self), out next))
             {
                 found = Better(found, _coming.HitOf(next), ref hit);
             }

@@ -129,6 +129,17 @@ public partial class Geom
         return geoms.Count;
     }
 
+    /// <summary>Name, shape, place and state, for a debugger.</summary>
+    /// <returns>A line of text.</returns>
+    public override string ToString() => string.Format(
+        System.Globalization.CultureInfo.InvariantCulture,
+        "Geom {0}{1} at ({2:G5}, {3:G5}){4}",
+        Name ?? Tag ?? _id,
+        _form is null ? "" : " " + _form.Kind.ToString().ToLowerInvariant(),
+        Position.X,
+        Position.Y,
+        IsDisposed ? ", disposed" : Simulator is null ? ", in no simulator" : IsSensor ? ", sensor" : "");
+
     /// <summary>The material of a piece, by its place.</summary>
     internal SurfaceMaterial MaterialOf(int segment)
     {

@@ -87,6 +87,22 @@ public partial class Body
         }
     }
 
+    /// <summary>Name, place, speed and state, for a debugger.</summary>
+    /// <returns>A line of text.</returns>
+    public override string ToString() => string.Format(
+        System.Globalization.CultureInfo.InvariantCulture,
+        "Body {0}at ({1:G5}, {2:G5}) turned {3:G4}, {4}, mass {5:G4}, velocity ({6:G4}, {7:G4}), spin {8:G4}{9}",
+        (Name ?? Tag) is { } name ? name + " " : "",
+        PositionX,
+        PositionY,
+        TotalRotation,
+        IsStatic ? "static" : IsKinematic ? "kinematic" : Awake ? "dynamic" : "asleep",
+        Mass,
+        Link.StateRef.LinearVelocity.X,
+        Link.StateRef.LinearVelocity.Y,
+        Link.StateRef.AngularVelocity,
+        IsDisposed ? ", disposed" : !Enabled ? ", disabled" : Simulator is null ? ", in no simulator" : "");
+
     /// <summary>A rail keeps its x or its y.</summary>
     internal bool IsRailed => (MotionLocks & (MotionLocks.X | MotionLocks.Y)) != 0;
 

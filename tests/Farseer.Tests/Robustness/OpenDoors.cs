@@ -90,6 +90,8 @@ internal static class OpenDoors
         ["QueryFilter.Accept"] = NoFilter,
         ["RayCastHit.Equals*"] = Comparison,
         ["Pose.Equals*"] = Comparison,
+        ["SurfaceMaterial.Equals*"] = Comparison,
+        ["PhysicsSimulator.MixMaterials"] = "null leaves all to the rules",
         ["ItemList.get_Item*"] = "an indexer names its index or its value",
         ["ItemList.Item"] = "an indexer names its index or its value",
         ["BodyGeoms.Equals*"] = Comparison,

@@ -264,6 +264,12 @@ public abstract class Joint : IDisposable, IItem
         return value;
     }
 
+    /// <summary>Kind, bodies and state, for a debugger.</summary>
+    /// <returns>A line of text.</returns>
+    public override string ToString() => GetType().Name + (Tag is null ? "" : " " + Tag)
+        + (FirstBody is null ? "" : " of [" + FirstBody + "]") + (SecondBody is null ? "" : (FirstBody is null ? " of [" : " and [") + SecondBody + "]")
+        + (IsDisposed ? ", disposed" : !Enabled ? ", off" : "");
+
     /// <summary>Keeps the error that the engine last found while the joint is out of it.</summary>
     internal void KeepError(float error) => _jointError = error;
 
