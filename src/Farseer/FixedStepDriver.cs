@@ -4,7 +4,7 @@ namespace FarseerGames.FarseerPhysics;
 
 /// <summary>
 /// Updates a simulator with steps of one length, however long the frames of the program are: results then do not depend on the frame rate. What
-/// is left of a frame is kept for the next one, and <see cref="Alpha"/> says how far along it is, for drawing with <see cref="Dynamics.Body.GetPose"/>. (An addition to the original.)
+/// is left of a frame is kept for the next one, and <see cref="Alpha"/> says how far along it is, for drawing with <see cref="Dynamics.Body.GetPose(float)"/>. (An addition to the original.)
 /// </summary>
 /// <remarks>The driver switches <see cref="PhysicsSimulator.KeepsPoses"/> on. It reads no clock: it is told how much time has passed.</remarks>
 /// <example>
@@ -65,7 +65,7 @@ public sealed class FixedStepDriver
         set => _timeScale = Require.NotNegative(value, nameof(TimeScale));
     }
 
-    /// <summary>How much of the next step has passed, from 0 to below 1: what to give to <see cref="Dynamics.Body.GetPose"/>.</summary>
+    /// <summary>How much of the next step has passed, from 0 to below 1: what to give to <see cref="Dynamics.Body.GetPose(float)"/>.</summary>
     public float Alpha => Math.Min((float)(_left / _step), 0.99999994f);
 
     /// <summary>Steps made so far.</summary>

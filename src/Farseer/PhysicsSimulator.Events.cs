@@ -75,7 +75,7 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
-    /// True keeps where bodies were when the last update began, so that <see cref="Body.GetPose"/> can say where they are between updates; <see cref="FixedStepDriver"/>
+    /// True keeps where bodies were when the last update began, so that <see cref="Body.GetPose(float)"/> can say where they are between updates; <see cref="FixedStepDriver"/>
     /// sets it. False, the default, costs nothing. No bit of the motion changes by it. (An addition to the original.)
     /// </summary>
     public bool KeepsPoses

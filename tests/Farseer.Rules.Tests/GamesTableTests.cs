@@ -26,7 +26,7 @@ public sealed class GamesTableTests
         }
 
         Assert.True(named.Count >= 40);
-        Assert.Empty(named.Where(n => !existing.Contains(n)));
+        Assert.All(named, n => Assert.Contains(n, existing));
         Assert.Equal(named.Count, named.Distinct().Count());
     }
 }

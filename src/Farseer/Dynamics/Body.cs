@@ -330,7 +330,7 @@ public partial class Body : IDisposable
     /// </summary>
     public BodyGeoms Geoms => new BodyGeoms(this);
 
-    /// <summary>What an inactivity controller knows of the body.
+    /// <summary>What an inactivity controller knows of the body.</summary>
     internal IdleState Idle { get; set; }
 
     /// <summary>Made static by a sensor quirk, which in the original left the inverse mass as it was.</summary>

@@ -4,7 +4,7 @@ using System.Numerics;
 
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
-/// <summary>Where a body is and how far it is turned, in full precision: see <see cref="Body.GetPose"/>. (An addition to the original.)</summary>
+/// <summary>Where a body is and how far it is turned, in full precision: see <see cref="Body.GetPose(float)"/>. (An addition to the original.)</summary>
 public readonly struct Pose : IEquatable<Pose>
 {
     /// <summary>Makes a pose.</summary>

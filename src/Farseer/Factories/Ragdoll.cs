@@ -40,7 +40,7 @@ public sealed class Ragdoll
     /// <summary>All limbs, from the chest outwards.</summary>
     public IReadOnlyList<Body> Bodies => _bodies;
 
-    /// <summary>All hinges. Their limits are on; set <see cref="DrivenPairJoint.MaxMotorTorque"/> or springs of your own to make it stiff.</summary>
+    /// <summary>All hinges. Their limits are on; set <see cref="RevoluteJoint.MaxMotorTorque"/> or springs of your own to make it stiff.</summary>
     public IReadOnlyList<RevoluteJoint> Joints => _joints;
 
     /// <summary>The chest, the heaviest limb.</summary>
