@@ -1,8 +1,4 @@
 using System.Collections.Generic;
-using System.Numerics;
-using Farseer.Engine.Bodies;
-using Farseer.Engine.Joints;
-using Farseer.Engine.Simulation;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -66,39 +62,10 @@ public partial class PhysicsSimulator
             body.IsRailNoted = false;
             if (ReferenceEquals(body.Simulator, this) && body.Link.World is not null)
             {
-                LayRail(body);
+                RailLink.Lay(World, body);
             }
         }
 
         _railed.Clear();
-    }
-
-    private void LayRail(Body body)
-    {
-        if (!body.Link.Rail.IsNull)
-        {
-            World.DestroyJoint(body.Link.Rail);
-            body.Link.Rail = default;
-        }
-
-        MotionLocks locks = body.MotionLocks & (MotionLocks.X | MotionLocks.Y);
-        if (locks == MotionLocks.None)
-        {
-            return;
-        }
-
-        ref BodyPose pose = ref body.Link.PoseRef;
-        JointSettings settings = default;
-        settings.AnchorAX = pose.X;
-        settings.AnchorAY = pose.Y;
-        settings.AxisX = locks == MotionLocks.Y ? 1 : 0;
-        settings.AxisY = locks == MotionLocks.Y ? 0 : 1;
-        settings.BiasFactor = 1;
-        settings.MaxImpulse = double.PositiveInfinity;
-        settings.Breakpoint = double.PositiveInfinity;
-        settings.BreakForce = double.PositiveInfinity;
-        bool both = locks == (MotionLocks.X | MotionLocks.Y);
-        body.Link.Rail = World.CreateJoint(
-            both ? JointKind.Revolute : JointKind.Wheel, World.WorldFrame, body.Link.Handle, settings, JointFlags.Enabled | JointFlags.CollideConnected);
     }
 }

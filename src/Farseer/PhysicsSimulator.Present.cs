@@ -106,6 +106,8 @@ public partial class PhysicsSimulator
 
     internal QueryLink Asking => _queries;
 
+    internal void UseSurfaces() => World.UseSurfaces();
+
     internal void ListPresent(List<Joint> joints) => _joints.ListPresent(joints);
 
     internal void ListPresent(List<Spring> springs) => _springs.ListPresent(springs);

@@ -125,11 +125,7 @@ internal sealed unsafe class SubstepSolver
         int jointSweeps = sweeps > 1 && input.Joints != null && IsApart(colors, input.Joints) ? 1 : sweeps;
         for (int substep = 0; substep < input.Substeps; substep++)
         {
-            if (input.Impulses != null)
-            {
-                WatchApproaches(input, input.Impulses);
-            }
-
+            WatchApproaches(input);
             if (impacts)
             {
                 PrepareImpacts(input);
@@ -214,16 +210,20 @@ internal sealed unsafe class SubstepSolver
                 input.Audit?.Book(SolverPart.Joints);
             }
 
-            if (input.Impulses != null)
-            {
-                AddImpulses(input.Colors, input.Impulses, 1);
-                input.Joints?.AddImpulses(input.Impulses, 1);
-            }
-
+            SumImpulses(input);
             input.Audit?.EndSubstep();
         }
 
         input.Joints?.Finish();
+    }
+
+    private static void SumImpulses(in SolverInput input)
+    {
+        if (input.Impulses != null)
+        {
+            AddImpulses(input.Colors, input.Impulses, 1);
+            input.Joints?.AddImpulses(input.Impulses, 1);
+        }
     }
 
     private SurfacePass? BeginSurfaces(in SolverInput input)
@@ -254,8 +254,13 @@ internal sealed unsafe class SubstepSolver
     }
 
     /// <summary>Before impacts are held back, which hides their points.</summary>
-    private static void WatchApproaches(in SolverInput input, ContactImpulses impulses)
+    private static void WatchApproaches(in SolverInput input)
     {
+        if (input.Impulses is not { } impulses)
+        {
+            return;
+        }
+
         for (int i = 0; i < input.Colors.Length; i++)
         {
             foreach (ContactBundle* row in input.Colors[i].Bundles)

@@ -55,6 +55,12 @@ internal struct BodyLink
 
     public World? World => _world;
 
+    /// <summary>It has a place in a world.</summary>
+    public bool IsAttached => _world is not null;
+
+    /// <summary>That place.</summary>
+    public int Place => _handle.Index;
+
     public Handle Handle => _handle;
 
     /// <summary>State outside of a world; of an obstacle that nothing moves, that to which it comes back.</summary>

@@ -164,7 +164,7 @@ public partial class Geom
 
     private void SurfaceChanged()
     {
-        Simulator?.World.UseSurfaces();
+        Simulator?.UseSurfaces();
         Link.PushFlags(this);
     }
 }

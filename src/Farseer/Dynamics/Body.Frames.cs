@@ -174,7 +174,7 @@ public partial class Body
         }
 
         BodyPose now = Link.PoseRef;
-        BodyPose before = Simulator is { } simulator && Link.World is not null ? simulator.Poses.Before(Link.Handle.Index, now) : now;
+        BodyPose before = Simulator is { } simulator && Link.IsAttached ? simulator.Poses.Before(Link.Place, now) : now;
         double rest = 1.0 - alpha;
         return new Pose(now.X + ((before.X - now.X) * rest), now.Y + ((before.Y - now.Y) * rest), now.Angle + ((before.Angle - now.Angle) * rest));
     }
@@ -320,9 +320,9 @@ public partial class Body
 
     private void NotePut()
     {
-        if (Simulator is { } simulator && Link.World is not null)
+        if (Simulator is { } simulator && Link.IsAttached)
         {
-            simulator.Poses.Put(Link.Handle.Index, Link.PoseRef);
+            simulator.Poses.Put(Link.Place, Link.PoseRef);
             if (IsRailed)
             {
                 simulator.NoteRails(this);
