@@ -106,6 +106,12 @@ public enum Farseer201Quirks
     /// </summary>
     UprightPathsLieAcross = 131072,
 
+    /// <summary>
+    /// The normals that an <see cref="Collisions.Geom.OnCollision"/> handler gets point from the geom created first to the other, whichever of
+    /// them is the handler's first argument. By default they point from the first argument to the second.
+    /// </summary>
+    NormalsFromOlderGeom = 262144,
+
     /// <summary>All quirks.</summary>
-    All = 262143,
+    All = 524287,
 }

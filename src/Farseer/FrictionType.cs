@@ -8,4 +8,13 @@ public enum FrictionType
 
     /// <summary>The smaller of the two coefficients.</summary>
     Minimum = 1,
+
+    /// <summary>The root of their product: ice is slippery for all. (An addition to the original.)</summary>
+    GeometricMean = 2,
+
+    /// <summary>The larger of the two coefficients. (An addition to the original.)</summary>
+    Maximum = 3,
+
+    /// <summary>Their product. (An addition to the original.)</summary>
+    Product = 4,
 }

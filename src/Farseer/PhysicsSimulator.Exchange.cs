@@ -67,6 +67,8 @@ public partial class PhysicsSimulator
 
             _geomsChanged.RemoveRange(0, count);
         }
+
+        LayRails();
     }
 
     private void RemoveWaiting()
@@ -79,7 +81,7 @@ public partial class PhysicsSimulator
         bool unlist = GeomList.Removed is not null || !ListRoom.AreMany(geoms + lost);
         if (!unlist)
         {
-            GeomList.RemoveAll(static geom => geom.IsLeaving);
+            ((List<Geom>)GeomList).RemoveAll(static geom => geom.IsLeaving);
         }
 
         TakeOut(_geomsOut, geoms, unlist);
@@ -201,7 +203,7 @@ public partial class PhysicsSimulator
         bodies.RemoveRange(0, count);
         if (!unlist)
         {
-            BodyList.RemoveAll(static body => body.Membership == Membership.None);
+            ((List<Body>)BodyList).RemoveAll(static body => body.Membership == Membership.None);
         }
     }
 
@@ -235,6 +237,7 @@ public partial class PhysicsSimulator
     /// <summary>A geom got another body or outline: its collider is made anew.</summary>
     private void Remake(Geom geom)
     {
+        geom.WaitsForRemake = false;
         if (!geom.Link.IsAttached || !ReferenceEquals(geom.Simulator, this))
         {
             return;
@@ -257,13 +260,25 @@ public partial class PhysicsSimulator
         {
             body.Link.Attach(World, isSimulated);
             _table.SetBody(body.Link.Handle.Index, body);
+            _relay.Recorder.Take(body);
+            _poses.Put(body.Link.Handle.Index, body.Link.PoseRef);
         }
         else
         {
             body.Link.SetSimulated(isSimulated);
         }
 
-        if (body.Impulse != System.Numerics.Vector2.Zero || body.Swing != 0)
+        if (body.GravityScale != 1)
+        {
+            NoteGravity(body);
+        }
+
+        if (body.IsRailed)
+        {
+            NoteRails(body);
+        }
+
+        if (body.Impulse != System.Numerics.Vector2.Zero || body.AngularImpulse != 0 || body.Swing != 0)
         {
             NotePending(body);
         }

@@ -90,7 +90,10 @@ public partial class PhysicsSimulator
         }
     }
 
-    /// <summary>Removes a body at the next update. Its geoms stay: without it they are obstacles that nothing moves.</summary>
+    /// <summary>
+    /// Removes a body at the next update. As in the original its geoms stay: without it they are obstacles that nothing moves, for a level is often made of geoms
+    /// whose bodies are in no simulator. <see cref="RemoveWithParts"/> takes them out too.
+    /// </summary>
     /// <param name="body">The body; one that is in no simulator is ignored.</param>
     /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
     /// <exception cref="ArgumentException">The body belongs to another simulator.</exception>
@@ -114,6 +117,29 @@ public partial class PhysicsSimulator
             body.Membership = Membership.RemoveQueued;
             _bodiesOut.Add(body);
         }
+    }
+
+    /// <summary>
+    /// Removes a body at the next update, and with it its geoms and the joints and springs of the library that hold it. None of them is disposed. (An addition to the original.)
+    /// </summary>
+    /// <param name="body">The body; one that is in no simulator is ignored, and its parts go.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
+    /// <exception cref="ArgumentException">The body belongs to another simulator.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    public void RemoveWithParts(Body body)
+    {
+        Remove(body);
+        for (int i = 0; i < body.GeomCount; i++)
+        {
+            Geom geom = body.GeomAt(i);
+            if (ReferenceEquals(geom.Simulator, this))
+            {
+                Remove(geom);
+            }
+        }
+
+        _joints.RemoveWhere(j => ReferenceEquals(j.FirstBody, body) || ReferenceEquals(j.SecondBody, body));
+        _springs.RemoveWhere(s => ReferenceEquals(s.FirstBody, body) || ReferenceEquals(s.SecondBody, body));
     }
 
     /// <summary>Removes a geom at the next update.</summary>
@@ -190,6 +216,8 @@ public partial class PhysicsSimulator
         }
 
         ForgetPending();
+        _relay.Recorder.Clear();
+        _relay.OneWay.Clear();
         _arbiters.Clear();
         _arbiters.IsStale = false;
 
@@ -216,6 +244,7 @@ public partial class PhysicsSimulator
         if (geom.Membership == Membership.Added || geom.Membership == Membership.RemoveQueued)
         {
             _geomsChanged.Add(geom);
+            geom.WaitsForRemake = true;
         }
 
         // A body that still carries colliders is let go when these are made anew.
@@ -286,6 +315,11 @@ public partial class PhysicsSimulator
         _bodiesOut.Clear();
         _geomsDisposed.Clear();
         _bodiesDisposed.Clear();
+        foreach (Geom geom in _geomsChanged)
+        {
+            geom.WaitsForRemake = false;
+        }
+
         _geomsChanged.Clear();
         _geomsWaiting = 0;
     }

@@ -8,8 +8,8 @@ using FarseerGames.FarseerPhysics.Collisions;
 namespace FarseerGames.FarseerPhysics;
 
 /// <content>
-/// Rays, boxes, points and shapes against the geoms where they are now: those that the last update has taken in. They may be asked at any
-/// time, also from handlers. What is found comes in the order in which the geoms were made, if not said otherwise. Without a list that must grow, nothing is
+/// Rays, boxes, points and shapes against the geoms where they are now: also those that wait for the next update, and not those that wait to
+/// leave. They may be asked at any time, also from handlers, and change nothing. What is found comes in the order in which the geoms were made, if not said otherwise. Without a list that must grow, nothing is
 /// allocated. (Additions to the original.)
 /// </content>
 public partial class PhysicsSimulator
@@ -108,7 +108,7 @@ public partial class PhysicsSimulator
     /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
     /// <returns>Number of geoms.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="geometry"/> or <paramref name="geoms"/> is null.</exception>
-    /// <exception cref="ArgumentException"><paramref name="geometry"/> is not in the simulator, or no update has taken it in yet.</exception>
+    /// <exception cref="ArgumentException"><paramref name="geometry"/> was not added to the simulator, or was removed.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
     /// <exception cref="InvalidOperationException">The call comes from the filter of another query.</exception>
     public int QueryGeom(Geom geometry, List<Geom> geoms, QueryFilter? filter = null)
@@ -148,7 +148,7 @@ public partial class PhysicsSimulator
     /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
     /// <returns>True if a geom is met.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="geometry"/> is null.</exception>
-    /// <exception cref="ArgumentException"><paramref name="geometry"/> is not in the simulator, or no update has taken it in yet.</exception>
+    /// <exception cref="ArgumentException"><paramref name="geometry"/> was not added to the simulator, or was removed.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="translation"/> is not finite or too long.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
     /// <exception cref="InvalidOperationException">The call comes from the filter of another query.</exception>
@@ -180,9 +180,9 @@ public partial class PhysicsSimulator
     private void RequireInside(Geom geometry)
     {
         Require.NotNull(geometry, nameof(geometry)).ThrowIfDisposed();
-        if (!ReferenceEquals(geometry.Simulator, this) || !geometry.Link.IsAttached)
+        if (!ReferenceEquals(geometry.Simulator, this) || geometry.Membership == Membership.RemoveQueued)
         {
-            throw new ArgumentException("The geom is not in this simulator, or no update has taken it in yet.", nameof(geometry));
+            throw new ArgumentException("The geom is not in this simulator.", nameof(geometry));
         }
     }
 }

@@ -16,7 +16,7 @@ namespace FarseerGames.FarseerPhysics;
 public partial class PhysicsSimulator
 {
     [NotState(Why.OfOneStep)]
-    private StateRoster? _present;
+    private StateRoster? _roster;
 
     /// <summary>Captures the state into a new object: see <see cref="Capture(PhysicsSimulatorState)"/>.</summary>
     /// <returns>The state.</returns>
@@ -51,7 +51,7 @@ public partial class PhysicsSimulator
         ThrowIfDisposed();
         Require.NotNull(state, nameof(state));
         RequireOutside(nameof(Capture));
-        StateRoster present = _present ??= new StateRoster();
+        StateRoster present = _roster ??= new StateRoster();
         Gather(present);
         CheckSavers(present);
         StateStream s = state.Stream;
@@ -91,7 +91,7 @@ public partial class PhysicsSimulator
         }
 
         StateRoster roster = state.Roster;
-        StateRoster present = _present ??= new StateRoster();
+        StateRoster present = _roster ??= new StateRoster();
         Gather(present);
         if (!present.IsSameAs(roster))
         {

@@ -49,14 +49,14 @@ public partial class PhysicsSimulator
     public float UpdatePositionsTime { get; private set; } = -1;
 
     /// <summary>Advances the simulation.</summary>
-    /// <param name="dt">Time to advance, seconds; finite and at least 0. Zero does nothing at all.</param>
+    /// <param name="dt">Time to advance, seconds; finite and at least 0. Zero takes in what was added, and out what was removed, and does nothing else.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is negative or not finite.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
     /// <exception cref="InvalidOperationException">The call comes from a handler of an update under way.</exception>
     public void Update(float dt) => Update(dt, dt);
 
     /// <summary>Advances the simulation.</summary>
-    /// <param name="dt">Time to advance, seconds; finite and at least 0. Zero does nothing at all.</param>
+    /// <param name="dt">Time to advance, seconds; finite and at least 0. Zero takes in what was added, and out what was removed, and does nothing else.</param>
     /// <param name="dtReal">Time that really passed, seconds; finite and at least 0. <see cref="Scaling"/> goes by it.</param>
     /// <exception cref="ArgumentOutOfRangeException">A time is negative or not finite.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
@@ -72,7 +72,7 @@ public partial class PhysicsSimulator
         }
 
         float step = ScaledTime(dt, dtReal);
-        if (step == 0)
+        if (step == 0 && dt > 0)
         {
             return;
         }
@@ -83,7 +83,12 @@ public partial class PhysicsSimulator
             long start = EnableDiagnostics ? Stopwatch.GetTimestamp() : 0;
             TakeInAndOut();
             long taken = EnableDiagnostics ? Stopwatch.GetTimestamp() : 0;
-            if (Enabled)
+            if (step > 0)
+            {
+                _poses.Keep(World);
+            }
+
+            if (step > 0 && Enabled)
             {
                 World.Profile.Enabled = EnableDiagnostics;
                 _arbiters.IsStale = true;
@@ -108,12 +113,12 @@ public partial class PhysicsSimulator
 
                 TellListeners();
             }
-            else
+            else if (step > 0)
             {
                 Pause();
             }
 
-            if (EnableDiagnostics)
+            if (EnableDiagnostics && step > 0)
             {
                 Measure(start, taken);
             }
@@ -123,6 +128,7 @@ public partial class PhysicsSimulator
             _isUpdating = false;
         }
 
+        _relay.Recorder.Publish(BodyList);
         if (_clearWaits)
         {
             Clear();
@@ -182,6 +188,8 @@ public partial class PhysicsSimulator
                 BodyList[i].UseForces(dt);
             }
         }
+
+        PullScaled();
     }
 
     /// <summary>Runs a user's own broad phase on the arbiter list.</summary>

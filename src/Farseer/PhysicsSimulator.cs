@@ -24,6 +24,7 @@ public partial class PhysicsSimulator : IDisposable
     private readonly ObjectTable _table = new ObjectTable();
     private readonly EventRelay _relay;
     private readonly ArbiterView _arbiters;
+    private readonly SurfaceRelay _surfaces;
     private float _biasFactor = 0.8f;
     private int _maxContactsToDetect = 10;
     private int _maxContactsToResolve = 4;
@@ -48,7 +49,9 @@ public partial class PhysicsSimulator : IDisposable
     {
         _relay = new EventRelay(this, _table);
         _arbiters = new ArbiterView(this, _table);
-        _queries = new QueryLink(World, _table);
+        _queries = new QueryLink(this, World, _table);
+        _surfaces = new SurfaceRelay(this, _table);
+        World.Surfaces = _surfaces;
         BodyList = new BodyList { Owner = this };
         GeomList = new GeomList { Owner = this };
         JointList = new JointList { Owner = this };
@@ -155,12 +158,43 @@ public partial class PhysicsSimulator : IDisposable
     /// <exception cref="ArgumentOutOfRangeException">The value is not a member of the enum.</exception>
     public FrictionType FrictionType
     {
-        get => World.Settings.FrictionMix == FrictionMix.Minimum ? FrictionType.Minimum : FrictionType.Average;
+        get => World.Settings.FrictionMix switch
+        {
+            FrictionMix.Minimum => FrictionType.Minimum,
+            FrictionMix.GeometricMean => FrictionType.GeometricMean,
+            FrictionMix.Maximum => FrictionType.Maximum,
+            FrictionMix.Product => FrictionType.Product,
+            _ => FrictionType.Average,
+        };
         set => World.Settings.FrictionMix = value switch
         {
             FrictionType.Average => FrictionMix.Average,
             FrictionType.Minimum => FrictionMix.Minimum,
+            FrictionType.GeometricMean => FrictionMix.GeometricMean,
+            FrictionType.Maximum => FrictionMix.Maximum,
+            FrictionType.Product => FrictionMix.Product,
             _ => throw Require.Range(nameof(FrictionType), value, "must be a member of the enum FrictionType"),
+        };
+    }
+
+    /// <summary>How the restitution coefficients of a pair combine. Default <see cref="RestitutionType.Average"/>. (An addition to the original.)</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not a member of the enum.</exception>
+    public RestitutionType RestitutionType
+    {
+        get => World.Settings.RestitutionMix switch
+        {
+            RestitutionMix.Minimum => RestitutionType.Minimum,
+            RestitutionMix.Maximum => RestitutionType.Maximum,
+            RestitutionMix.Product => RestitutionType.Product,
+            _ => RestitutionType.Average,
+        };
+        set => World.Settings.RestitutionMix = value switch
+        {
+            RestitutionType.Average => RestitutionMix.Average,
+            RestitutionType.Minimum => RestitutionMix.Minimum,
+            RestitutionType.Maximum => RestitutionMix.Maximum,
+            RestitutionType.Product => RestitutionMix.Product,
+            _ => throw Require.Range(nameof(RestitutionType), value, "must be a member of the enum RestitutionType"),
         };
     }
 
@@ -316,22 +350,23 @@ public partial class PhysicsSimulator : IDisposable
         GC.SuppressFinalize(this);
     }
 
-    /// <summary>The first geom, in the order of <see cref="GeomList"/>, that a world point is in.</summary>
+    /// <summary>The first geom, in the order of <see cref="GeomList"/> and then of those that wait for the next update, that a world point is in.</summary>
     /// <param name="x">x of the point.</param>
     /// <param name="y">y of the point.</param>
     /// <returns>The geom, or null.</returns>
     public Geom? Collide(float x, float y) => Collide(new Vector2(x, y));
 
-    /// <summary>The first geom, in the order of <see cref="GeomList"/>, that a world point is in.</summary>
+    /// <summary>The first geom, in the order of <see cref="GeomList"/> and then of those that wait for the next update, that a world point is in.</summary>
     /// <param name="point">The point.</param>
     /// <returns>The geom, or null.</returns>
     public Geom? Collide(Vector2 point)
     {
-        for (int i = 0; i < GeomList.Count; i++)
+        List<Geom> present = ListPresent();
+        for (int i = 0; i < present.Count; i++)
         {
-            if (!GeomList[i].IsDisposed && GeomList[i].Collide(point))
+            if (present[i].Collide(point))
             {
-                return GeomList[i];
+                return present[i];
             }
         }
 
@@ -341,20 +376,21 @@ public partial class PhysicsSimulator : IDisposable
     /// <summary>All geoms that a world point is in.</summary>
     /// <param name="x">x of the point.</param>
     /// <param name="y">y of the point.</param>
-    /// <returns>A new list, in the order of <see cref="GeomList"/>.</returns>
+    /// <returns>A new list, in the order of <see cref="GeomList"/> and then of those that wait for the next update.</returns>
     public List<Geom> CollideAll(float x, float y) => CollideAll(new Vector2(x, y));
 
     /// <summary>All geoms that a world point is in.</summary>
     /// <param name="point">The point.</param>
-    /// <returns>A new list, in the order of <see cref="GeomList"/>.</returns>
+    /// <returns>A new list, in the order of <see cref="GeomList"/> and then of those that wait for the next update.</returns>
     public List<Geom> CollideAll(Vector2 point)
     {
         var found = new List<Geom>();
-        for (int i = 0; i < GeomList.Count; i++)
+        List<Geom> present = ListPresent();
+        for (int i = 0; i < present.Count; i++)
         {
-            if (!GeomList[i].IsDisposed && GeomList[i].Collide(point))
+            if (present[i].Collide(point))
             {
-                found.Add(GeomList[i]);
+                found.Add(present[i]);
             }
         }
 

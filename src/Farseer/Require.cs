@@ -67,6 +67,15 @@ internal static class Require
     public static float NotNegative(float value, string name) =>
         value >= 0 && FloatBits.IsFinite(value) ? value : throw Range(name, value, "must be a finite number, 0 or more");
 
+    public static double NotNegative(double value, string name) =>
+        value >= 0 && value <= float.MaxValue ? value : throw Range(name, value, "must be a finite number, 0 or more, within the range of a float");
+
+    /// <summary>An upper bound that must not be below the lower one.</summary>
+    public static float NotBelow(float value, float least, string name, string nameOfLeast) =>
+        value >= least
+            ? value
+            : throw Range(name, value, "must not be below " + nameOfLeast + ", which is " + least.ToString(CultureInfo.InvariantCulture));
+
     /// <summary>A length that may be 0.</summary>
     public static float Depth(float value, string name) =>
         value >= 0 && value <= StateRange.Limit ? value : throw Range(name, value, "must be a finite number, from 0 to 9.2E18");

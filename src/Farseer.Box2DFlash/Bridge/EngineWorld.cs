@@ -340,7 +340,7 @@ internal sealed class EngineWorld : IStepHooks
         return known.IsAccepted;
     }
 
-    bool IStepHooks.OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points)
+    bool IStepHooks.OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points, bool began)
     {
         b2Contact? contact = Contacts.Find(colliderA, colliderB);
         if (contact is not null)
@@ -358,6 +358,10 @@ internal sealed class EngineWorld : IStepHooks
     }
 
     void IStepHooks.OnSeparation(int colliderA, int colliderB)
+    {
+    }
+
+    void IStepHooks.OnPush(int colliderA, int colliderB, in PushRecord push)
     {
     }
 

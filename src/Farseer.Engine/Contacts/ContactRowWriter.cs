@@ -77,6 +77,11 @@ internal static unsafe class ContactRowWriter
         {
             FreezeFriction(input, row);
         }
+
+        if (input.Contacts.Surfaces.IsOn)
+        {
+            TakeSurfaces(input.Contacts.Surfaces, row);
+        }
     }
 
     /// <summary>What the bodies answer, anew: their masses in the row have changed.</summary>
@@ -309,14 +314,20 @@ internal static unsafe class ContactRowWriter
         {
             FrictionMix.Minimum => Wide.Min(frictionA, frictionB),
             FrictionMix.GeometricMean => Wide.Sqrt(frictionA * frictionB),
+            FrictionMix.Maximum => Wide.Max(frictionA, frictionB),
+            FrictionMix.Product => frictionA * frictionB,
             _ => (frictionA + frictionB) * half,
         };
         friction.Store(row->Friction + lane);
         Wide restitutionA = Wide.Load(pairs->A.Restitution + lane);
         Wide restitutionB = Wide.Load(pairs->B.Restitution + lane);
-        Wide restitution = input.Settings.RestitutionMix == RestitutionMix.Maximum
-            ? Wide.Max(restitutionA, restitutionB)
-            : (restitutionA + restitutionB) * half;
+        Wide restitution = input.Settings.RestitutionMix switch
+        {
+            RestitutionMix.Maximum => Wide.Max(restitutionA, restitutionB),
+            RestitutionMix.Minimum => Wide.Min(restitutionA, restitutionB),
+            RestitutionMix.Product => restitutionA * restitutionB,
+            _ => (restitutionA + restitutionB) * half,
+        };
         restitution.Store(row->Restitution + lane);
     }
 
@@ -352,6 +363,21 @@ internal static unsafe class ContactRowWriter
         }
 
         ContactBundle.Mark(row, lane, one & (deep | still), ContactBundle.DeepMark);
+    }
+
+    /// <summary>Coefficients of pairs that have surfaces of their own.</summary>
+    private static void TakeSurfaces(PairSurfaces surfaces, ContactBundle* row)
+    {
+        for (int lane = 0; lane < ContactBundle.Lanes; lane++)
+        {
+            int contact = row->Contact[lane];
+            if (contact >= 0 && surfaces[contact].IsSet != 0)
+            {
+                // What a pass of its own rubs, the row must not.
+                row->Friction[lane] = surfaces[contact].IsSpecial ? 0 : surfaces[contact].Friction;
+                row->Restitution[lane] = surfaces[contact].Restitution;
+            }
+        }
     }
 
     /// <summary>A quirk of the original: the friction of a pair stays what it was when the pair was made.</summary>

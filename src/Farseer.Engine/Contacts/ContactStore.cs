@@ -167,6 +167,9 @@ internal sealed class ContactStore
     /// <summary>Friction when the pair was made, in worlds that freeze it; empty in others.</summary>
     public Column<float> FirstFriction { get; } = new Column<float>();
 
+    /// <summary>Of pairs whose surfaces are not what their colliders say.</summary>
+    public PairSurfaces Surfaces { get; } = new PairSurfaces();
+
     public PairMap Map { get; } = new PairMap();
 
     /// <summary>How many records there are of a pair of colliders of which one has several pieces.</summary>

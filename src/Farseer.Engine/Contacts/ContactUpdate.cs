@@ -234,6 +234,8 @@ internal static unsafe class ContactUpdate
         {
             FrictionMix.Minimum => Math.Min(a, b),
             FrictionMix.GeometricMean => (float)Math.Sqrt(a * b),
+            FrictionMix.Maximum => Math.Max(a, b),
+            FrictionMix.Product => a * b,
             _ => (a + b) * 0.5f,
         };
     }
@@ -242,7 +244,13 @@ internal static unsafe class ContactUpdate
     {
         double a = shapes.ColliderAt(record.PieceA).Restitution;
         double b = shapes.ColliderAt(record.PieceB).Restitution;
-        return mix == RestitutionMix.Maximum ? Math.Max(a, b) : 0.5 * (a + b);
+        return mix switch
+        {
+            RestitutionMix.Maximum => Math.Max(a, b),
+            RestitutionMix.Minimum => Math.Min(a, b),
+            RestitutionMix.Product => a * b,
+            _ => 0.5 * (a + b),
+        };
     }
 
     /// <summary>The narrow phase of the pairs of a bundle.</summary>

@@ -48,6 +48,7 @@ internal sealed partial class FastBodySweep
         bool accepted = input.Listener.OnImpact(candidate.Contact, met.Manifold);
         if (accepted)
         {
+            met.Contact = candidate.Contact;
             surfaces[count++] = met;
         }
 
@@ -64,6 +65,7 @@ internal sealed partial class FastBodySweep
             {
                 other.Mode = input.Listener.OnImpact(other.Contact, beside.Manifold) ? SweepMode.Met : SweepMode.Passed;
                 other.Target = beside.Target;
+                beside.Contact = other.Contact;
                 surfaces[count] = beside;
                 count += other.Mode == SweepMode.Met ? 1 : 0;
             }
@@ -82,6 +84,11 @@ internal sealed partial class FastBodySweep
         }
 
         Resolve(ref after, surfaces.Slice(0, count));
+        if (input.Impulses != null)
+        {
+            NoteImpulses(input, leg, surfaces.Slice(0, count), time);
+        }
+
         ref BodyState now = ref input.Bodies.State[leg.Body];
         now.LinearVelocity = new Vector2((float)after.VelocityX, (float)after.VelocityY);
         now.AngularVelocity = (float)after.Spin;
@@ -98,9 +105,16 @@ internal sealed partial class FastBodySweep
 
     private static void Resolve(ref Mover mover, Span<Surface> surfaces)
     {
+        Mover before = mover;
+        for (int i = 0; i < surfaces.Length; i++)
+        {
+            surfaces[i].Approach = Impact.Approach(mover, surfaces[i].Obstacle, surfaces[i].Own);
+        }
+
         if (surfaces.Length == 1)
         {
             Impact.Resolve(ref mover, ref surfaces[0].Obstacle, surfaces[0].Own);
+            surfaces[0].NoteGiven(before, mover);
             return;
         }
 
@@ -122,7 +136,31 @@ internal sealed partial class FastBodySweep
 
         for (int i = 0; i < surfaces.Length; i++)
         {
+            before = mover;
             surfaces[i].Impact.Rub(ref mover, ref surfaces[i].Obstacle, surfaces[i].Own);
+            surfaces[i].NoteGiven(before, mover);
+            surfaces[i].Normal += surfaces[i].Impact.Given;
+        }
+    }
+
+    /// <summary>Adds what the surfaces gave to the sums of the step.</summary>
+    private static void NoteImpulses(in SweepInput input, in FreeLeg leg, Span<Surface> surfaces, double time)
+    {
+        for (int i = 0; i < surfaces.Length; i++)
+        {
+            ref Surface surface = ref surfaces[i];
+            ContactRecord record = input.Contacts.Records[surface.Contact];
+            bool isA = record.BodyA == leg.Body;
+            Vector2 point = surface.Own.Point0.Anchor;
+            point = surface.Own.Count > 1 ? (point + surface.Own.Point1.Anchor) / 2 : point;
+            ContactImpulse given = default;
+            given.Normal0 = surface.Normal;
+            given.Tangent0 = surface.Tangent;
+            given.Approach = (float)surface.Approach;
+            given.X = leg.Path.XAt(time) + point.X;
+            given.Y = leg.Path.YAt(time) + point.Y;
+            given.Axis = isA ? -surface.Own.Normal : surface.Own.Normal;
+            input.Impulses!.AddOnWay(surface.Contact, given);
         }
     }
 
@@ -167,6 +205,12 @@ internal sealed partial class FastBodySweep
         public Manifold Own;
         public Obstacle Obstacle;
         public ImpactInTurns Impact;
+        public int Contact;
+
+        /// <summary>How fast the body came nearer, and what it was given along the normal that points at it, and across.</summary>
+        public double Approach;
+        public double Normal;
+        public double Tangent;
         public double Depth;
         public double Tolerance;
 
@@ -175,5 +219,17 @@ internal sealed partial class FastBodySweep
 
         /// <summary>How deep it may come before it is met again.</summary>
         public double Target;
+
+        /// <summary>Notes what changed the body's velocity. The tangent turns with the normal, so its part is the same for both bodies.</summary>
+        public void NoteGiven(in Mover before, in Mover after)
+        {
+            if (after.InverseMass > 0)
+            {
+                double x = (after.VelocityX - before.VelocityX) / after.InverseMass;
+                double y = (after.VelocityY - before.VelocityY) / after.InverseMass;
+                Normal += (x * Own.Normal.X) + (y * Own.Normal.Y);
+                Tangent += (x * Own.Normal.Y) - (y * Own.Normal.X);
+            }
+        }
     }
 }

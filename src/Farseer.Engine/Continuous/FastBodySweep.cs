@@ -142,6 +142,13 @@ internal sealed partial class FastBodySweep
         obstacle.Friction = input.Settings.FreezePairFriction
             ? input.Contacts.FirstFriction[contact]
             : ContactUpdate.MixFriction(input.Shapes, input.Settings.FrictionMix, record);
+        if (input.Contacts.Surfaces.IsOn && input.Contacts.Surfaces[contact].IsSet != 0)
+        {
+            ref PairSurface surface = ref input.Contacts.Surfaces[contact];
+            obstacle.Restitution = surface.Restitution;
+            obstacle.Friction = surface.IsSpecial ? 0 : surface.Friction;
+        }
+
         return obstacle;
     }
 

@@ -258,6 +258,9 @@ internal struct ImpactInTurns
         return (mover.InverseMass * Math.Abs(sum)) + (Math.Abs(spin) * mover.Reach) > LeastChange * mover.Speed;
     }
 
+    /// <summary>What it pushed with.</summary>
+    public readonly double Given => _x0 + _x1;
+
     /// <summary>Friction, within the cones of what was found.</summary>
     public readonly void Rub(ref Mover mover, ref Obstacle other, in Manifold own)
     {

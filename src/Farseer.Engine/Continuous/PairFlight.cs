@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.NarrowPhase;
@@ -245,6 +246,7 @@ internal sealed class PairFlight
                 other.Slowest = 0;
             }
 
+            double approach = Impact.Approach(mover, other, own);
             Mover before = mover;
             if (!Impact.Resolve(ref mover, ref other, own))
             {
@@ -258,7 +260,14 @@ internal sealed class PairFlight
 
             _from = 0;
             _impacts++;
-            Note(before, mover, manifold, ref given);
+            PairImpulse here = Given(before, mover, manifold);
+            given.Normal += here.Normal;
+            given.Tangent += here.Tangent;
+            if (input.Impulses != null)
+            {
+                NoteOnWay(input.Impulses, a, time, manifold, here, approach);
+            }
+
             left *= 1 - time;
             Pace(left);
             _flown = 0;
@@ -296,18 +305,33 @@ internal sealed class PairFlight
             return other;
         }
 
-        /// <summary>Adds what B was given.</summary>
-        private static void Note(in Mover before, in Mover after, in Manifold manifold, ref PairImpulse given)
+        /// <summary>What B was given.</summary>
+        private static PairImpulse Given(in Mover before, in Mover after, in Manifold manifold)
         {
-            if (!(after.InverseMass > 0))
+            PairImpulse given = default;
+            if (after.InverseMass > 0)
             {
-                return;
+                double x = (after.VelocityX - before.VelocityX) / after.InverseMass;
+                double y = (after.VelocityY - before.VelocityY) / after.InverseMass;
+                given.Normal = (x * manifold.Normal.X) + (y * manifold.Normal.Y);
+                given.Tangent = (x * manifold.Normal.Y) - (y * manifold.Normal.X);
             }
 
-            double x = (after.VelocityX - before.VelocityX) / after.InverseMass;
-            double y = (after.VelocityY - before.VelocityY) / after.InverseMass;
-            given.Normal += (x * manifold.Normal.X) + (y * manifold.Normal.Y);
-            given.Tangent += (x * manifold.Normal.Y) - (y * manifold.Normal.X);
+            return given;
+        }
+
+        private readonly void NoteOnWay(ContactImpulses impulses, in FreeLeg a, double time, in Manifold manifold, in PairImpulse given, double approach)
+        {
+            Vector2 point = manifold.Point0.Anchor;
+            point = manifold.Count > 1 ? (point + manifold.Point1.Anchor) / 2 : point;
+            ContactImpulse impact = default;
+            impact.Normal0 = given.Normal;
+            impact.Tangent0 = given.Tangent;
+            impact.Approach = (float)approach;
+            impact.X = a.Path.XAt(time) + point.X;
+            impact.Y = a.Path.YAt(time) + point.Y;
+            impact.Axis = manifold.Normal;
+            impulses.AddOnWay(_contact, impact);
         }
 
         private static float ExtentOf(in SweepInput input, in ContactRecord record) =>

@@ -35,6 +35,9 @@ internal ref struct SweepInput
     public JointStore Joints;
     public WorldSettings Settings;
     public IImpactListener Listener;
+
+    /// <summary>Sums what contacts give, if somebody reads it.</summary>
+    public ContactImpulses? Impulses;
     public DrivenBound Driven;
     public float Dt;
     public float Substep;

@@ -70,12 +70,31 @@ internal sealed unsafe partial class JointSolver
             Factor();
         }
 
-        for (int i = 0; _anyHeld && i < _contactCount; i++)
+        if (_anyHeld)
+        {
+            FinishImpacts();
+        }
+
+        StoreVelocities();
+    }
+
+    /// <summary>What the impacts gave is let go, and stays in the sums of the step.</summary>
+    private void FinishImpacts()
+    {
+        if (_step.Impulses != null)
+        {
+            AddImpulses(_step.Impulses, 1);
+        }
+
+        for (int i = 0; i < _contactCount; i++)
         {
             TreeContactPass.FinishImpact(_contacts.Pointer + i);
         }
 
-        StoreVelocities();
+        if (_step.Impulses != null)
+        {
+            AddImpulses(_step.Impulses, -1);
+        }
     }
 
     /// <summary>After impacts that do not see the trees: what they took out of joint is put right.</summary>

@@ -2,7 +2,7 @@ using Farseer.Engine.Joints.Trees;
 
 namespace Farseer.Engine.Joints;
 
-/// <content>Limits that joints from outside push open.</content>
+/// <content>Limits that are let go before they would pull: those that joints from outside push open, and those that the move left open.</content>
 internal sealed unsafe partial class JointSolver
 {
     /// <summary>
@@ -55,4 +55,55 @@ internal sealed unsafe partial class JointSolver
             _forest.Trees[_forest.Nodes[node].Tree].Joined = true;
         }
     }
+
+    /// <summary>
+    /// After the move: limits that are open again have nothing to hold. Kept as rows that close at gap over h, what else pushes at the tree would
+    /// find them as drives: limbs that lay on each other at the end of a long substep were turned at forty radians a second.
+    /// </summary>
+    private void LetGoOfOpenLimits()
+    {
+        for (int at = 0; at < _treeCount && _anyLimits; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            for (int i = tree->First + 1; i < tree->End && tree->HasLimits; i++)
+            {
+                TreeNode* node = _forest.Nodes + i;
+                int kept = node->HardRows;
+                for (int r = node->HardRows; r < node->Rows; r++)
+                {
+                    if (!LetGoIfOpen(node->RowJoint[r], node->RowIndex[r]))
+                    {
+                        node->RowJoint[kept] = node->RowJoint[r];
+                        node->RowIndex[kept++] = node->RowIndex[r];
+                    }
+                }
+
+                node->Rows = kept;
+            }
+
+            for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
+            {
+                TreeAnchor* anchor = _forest.Anchors + i;
+                int kept = 0;
+                for (int r = 0; r < anchor->Rows; r++)
+                {
+                    if (anchor->RowIndex[r] < _rows[anchor->Active].Hard || !LetGoIfOpen(anchor->Active, anchor->RowIndex[r]))
+                    {
+                        anchor->RowIndex[kept++] = anchor->RowIndex[r];
+                    }
+                }
+
+                anchor->Rows = kept;
+            }
+        }
+    }
+
+    private bool LetGoIfOpen(int joint, int row)
+    {
+        bool open = IsOpen(_rows.Pointer + joint, row);
+        _active[joint].Lambda[row] = open ? 0 : _active[joint].Lambda[row];
+        return open;
+    }
+
+    private static bool IsOpen(JointRows* rows, int row) => rows->Error[row] > Small * rows->SizeOf(row);
 }

@@ -37,8 +37,11 @@ internal unsafe struct JointStep
     /// <summary>Errors stay: joints only stop what would make them larger.</summary>
     public bool Drifts;
 
-    /// <summary>Somebody asks for the work of motors and springs.</summary>
+    /// <summary>Somebody asks for the work of motors and springs, or for what contacts give.</summary>
     public bool Audited;
+
+    /// <summary>Sums what contacts give, if somebody reads it.</summary>
+    public ContactImpulses? Impulses;
 
     /// <summary>Others look at velocities between the passes, or change them: springs, joints that a user wrote, accounts.</summary>
     public bool Watched;

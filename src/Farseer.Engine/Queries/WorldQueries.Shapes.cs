@@ -33,6 +33,17 @@ internal sealed unsafe partial class WorldQueries
         _shapeRadius = radius;
     }
 
+    /// <summary>Sets the shape of the next query: all points within a radius of the way between two world points, which differ.</summary>
+    public void SetCapsule(double x0, double y0, double x1, double y1, double radius)
+    {
+        _shapeCount = 2;
+        _shape[0] = x0;
+        _shape[1] = y0;
+        _shape[2] = x1;
+        _shape[3] = y1;
+        _shapeRadius = radius;
+    }
+
     /// <summary>Sets the shape of the next query: a piece where it is.</summary>
     public void SetPiece(int piece)
     {
@@ -46,6 +57,18 @@ internal sealed unsafe partial class WorldQueries
         {
             _shape[2 * i] = pose.X + ((double)pose.Cos * v[i].X) - ((double)pose.Sin * v[i].Y);
             _shape[(2 * i) + 1] = pose.Y + ((double)pose.Sin * v[i].X) + ((double)pose.Cos * v[i].Y);
+        }
+    }
+
+    /// <summary>Sets the shape of the next query: that of another world's.</summary>
+    public void SetShape(WorldQueries other)
+    {
+        _shapeCount = other._shapeCount;
+        _shapeRadius = other._shapeRadius;
+        _shape.EnsureCapacity(2 * _shapeCount);
+        for (int i = 0; i < 2 * _shapeCount; i++)
+        {
+            _shape[i] = other._shape[i];
         }
     }
 

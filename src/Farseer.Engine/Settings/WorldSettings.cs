@@ -11,6 +11,8 @@ internal enum FrictionMix
 
     /// <summary>The square root of the product.</summary>
     GeometricMean,
+    Maximum,
+    Product,
 }
 
 /// <summary>How the restitution coefficients of two colliders combine.</summary>
@@ -18,6 +20,8 @@ internal enum RestitutionMix
 {
     Average,
     Maximum,
+    Minimum,
+    Product,
 }
 
 /// <summary>The dials of one world. No dial carries a hidden unit of length: a scene scaled by a power of two gives scaled bits.</summary>

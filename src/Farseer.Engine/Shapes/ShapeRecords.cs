@@ -85,6 +85,9 @@ internal enum ColliderFlags : uint
 
     /// <summary>The facade wants <c>OnSeparation</c> for this collider.</summary>
     WantsSeparation = 16,
+
+    /// <summary>Its pairs are asked about: see <c>IPairSurfaces</c>.</summary>
+    OwnSurface = 32,
 }
 
 /// <summary>A collider (the facade's Geom): filter, material and the pieces it is made of.</summary>

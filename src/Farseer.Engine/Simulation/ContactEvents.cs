@@ -43,6 +43,7 @@ internal sealed unsafe class ContactEvents
         int count = Gather(world, contacts);
         _count = 0;
         int i = 0;
+        int old = 0;
         while (i < count)
         {
             int end = i + 1;
@@ -56,7 +57,13 @@ internal sealed unsafe class ContactEvents
             int position = _count++;
             _keys[position] = _keys[i];
             _pairs[position] = pair;
-            if (!RaiseContact(world, contacts, graph, hooks, i, end, pair) && world.Settings.SeparateUntouchedPairs)
+            while (old < _oldCount && _oldKeys[old] < _keys[i])
+            {
+                old++;
+            }
+
+            bool began = old == _oldCount || _oldKeys[old] != _keys[i] || _oldPairs[old].Gone;
+            if (!RaiseContact(world, contacts, graph, hooks, i, end, pair, began) && world.Settings.SeparateUntouchedPairs)
             {
                 _pairs[position].Gone = true;
                 _pairs[position].Refused = true;
@@ -220,7 +227,7 @@ internal sealed unsafe class ContactEvents
 
         _points.EnsureCapacity(2);
         int points = WritePoints(world, record, manifold, _points.Pointer);
-        bool accepted = hooks.OnContact(pair.A, pair.B, new ReadOnlySpan<ContactPoint>(_points.Pointer, points));
+        bool accepted = hooks.OnContact(pair.A, pair.B, new ReadOnlySpan<ContactPoint>(_points.Pointer, points), began: true);
         contacts.Records[contact].Flags = accepted
             ? contacts.Records[contact].Flags & ~ContactFlags.Vetoed
             : contacts.Records[contact].Flags | ContactFlags.Vetoed;
@@ -324,7 +331,7 @@ internal sealed unsafe class ContactEvents
 
     /// <returns>False if the pair gives no response in this step.</returns>
     private bool RaiseContact(
-        World world, ContactStore contacts, ConstraintGraph graph, IStepHooks hooks, int start, int end, in PairOfColliders pair)
+        World world, ContactStore contacts, ConstraintGraph graph, IStepHooks hooks, int start, int end, in PairOfColliders pair, bool began)
     {
         _points.EnsureCapacity(2 * (end - start));
         int points = 0;
@@ -345,7 +352,7 @@ internal sealed unsafe class ContactEvents
         bool accepted = points > 0;
         if (points > 0 && Wants(world, pair, ColliderFlags.WantsContact))
         {
-            accepted = hooks.OnContact(pair.A, pair.B, new ReadOnlySpan<ContactPoint>(_points.Pointer, points));
+            accepted = hooks.OnContact(pair.A, pair.B, new ReadOnlySpan<ContactPoint>(_points.Pointer, points), began);
         }
 
         for (int i = start; i < end; i++)

@@ -17,13 +17,45 @@ internal interface IStepHooks
     bool AcceptPair(int colliderA, int colliderB);
 
     /// <summary>A pair in contact, each step, if a collider of it asked for it. False cancels the response in this step.</summary>
-    bool OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points);
+    /// <param name="colliderA">The one created first.</param>
+    /// <param name="colliderB">The other.</param>
+    /// <param name="points">Where they touch.</param>
+    /// <param name="began">They did not touch in the step before.</param>
+    bool OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points, bool began);
 
     /// <summary>A pair that touched no longer does.</summary>
     void OnSeparation(int colliderA, int colliderB);
 
+    /// <summary>A pair pushed each other in this step, if that is asked for; after all that moves has moved.</summary>
+    void OnPush(int colliderA, int colliderB, in PushRecord push);
+
     /// <summary>Forces act now: controllers, springs, user code.</summary>
     void ApplyForces(float dt);
+}
+
+/// <summary>How two colliders pushed each other in a step.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal struct PushRecord
+{
+    public double X;
+    public double Y;
+
+    /// <summary>What collider B's body was given.</summary>
+    public double PushX;
+    public double PushY;
+
+    /// <summary>Unit normal from collider A to collider B.</summary>
+    public Vector2 Normal;
+
+    /// <summary>How fast the surfaces came together while they did not push; 0 or less: they did not.</summary>
+    public float Approach;
+
+    /// <summary>That was faster than what is rest.</summary>
+    public bool IsHit;
+
+    /// <summary>Impulses of the whole step, of all points together.</summary>
+    public float NormalImpulse;
+    public float TangentImpulse;
 }
 
 /// <summary>One contact point as readers see it.</summary>
@@ -40,7 +72,7 @@ internal struct ContactPoint
     /// <summary>Distance of the surfaces; negative when they overlap.</summary>
     public float Separation;
 
-    /// <summary>Impulses of the last substep times the number of substeps: what the contact gave in the step.</summary>
+    /// <summary>What the contact gave in the step: the sum, if there is one, else the impulses of the last substep times the number of substeps.</summary>
     public float NormalImpulse;
     public float TangentImpulse;
 

@@ -197,6 +197,7 @@ internal sealed partial class World : IImpactListener
         input.Joints = Joints;
         input.Settings = Settings;
         input.Listener = this;
+        input.Impulses = Impulses;
         input.Dt = dt;
         input.Substep = substep;
         return input;

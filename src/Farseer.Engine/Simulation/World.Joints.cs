@@ -182,8 +182,9 @@ internal sealed partial class World
         step.Touches = _graph.Degrees;
         step.Dt = dt;
         step.Substep = substep;
-        step.Audited = Audit != null;
-        step.Watched = Audit != null || (UserJoints != null && UserJoints.Any) || _springs.Count > 0;
+        step.Audited = Audit != null || Impulses != null || _contacts.Surfaces.AnySpecial;
+        step.Impulses = Impulses;
+        step.Watched = Audit != null || Impulses != null || _contacts.Surfaces.AnySpecial || (UserJoints != null && UserJoints.Any) || _springs.Count > 0;
         step.BreaksLate = Settings.JointsBreakLate;
         step.ImpulseScale = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? (double)substep / _lastSubstep : 1;
         step.Drifts = !Settings.CorrectPositions;

@@ -306,6 +306,11 @@ internal sealed partial class World
         {
             FreezeFriction(index);
         }
+
+        if (_contacts.Surfaces.IsOn)
+        {
+            BeginSurface(index);
+        }
     }
 
     private void FreezeFriction(int index) =>

@@ -73,7 +73,7 @@ internal sealed partial class World
                 ref ContactRecord record = ref _contacts.Records[_visitContacts[end]];
                 Manifold manifold = CollideNow(record);
                 points += ContactEvents.WritePoints(this, record, manifold, _visitPoints.Pointer + points);
-                AddImpulses(record, points - manifold.Count, manifold.Count);
+                AddImpulses(_visitContacts[end], record, points - manifold.Count, manifold.Count);
                 end++;
             }
 
@@ -196,8 +196,15 @@ internal sealed partial class World
         return manifold;
     }
 
-    private unsafe void AddImpulses(in ContactRecord record, int from, int count)
+    private unsafe void AddImpulses(int contact, in ContactRecord record, int from, int count)
     {
+        // What sleeps bears what it bore when it fell asleep.
+        if (HasSums && !record.IsDormant)
+        {
+            AddSums(contact, record, from, count);
+            return;
+        }
+
         if (record.Color < 0)
         {
             return;

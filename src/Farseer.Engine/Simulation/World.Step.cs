@@ -32,6 +32,7 @@ internal sealed partial class World
         Profile.Begin();
         PurgeNow();
         BeginAccuracy();
+        BeginImpulses();
         WakeWhatChanged(dt);
         CollectBodies();
         _bodiesSwitched = false;
@@ -43,6 +44,7 @@ internal sealed partial class World
         ForgetMoves();
         _boxes.Update(this, _runner, dt);
         FindPairs();
+        RefreshSurfaces();
         Profile.End(StepStage.BroadPhase);
 
         SortRows();
@@ -53,6 +55,7 @@ internal sealed partial class World
         _contactStage.Update(_runner, this, contacts, _graph, Joints, UserJoints != null && UserJoints.Any);
         _events.Raise(this, _contacts, _graph, _contactStage.AnyHeard);
         MakeRoomAhead();
+        MakeRoomForImpulses();
         Profile.End(StepStage.NarrowPhase);
 
         bool anyDeep = UpdateIslands(dt, contacts.Coefficients, SortSwitched(dt));
@@ -104,6 +107,7 @@ internal sealed partial class World
 
         StopSwitched();
         EndAccuracy(dt);
+        RaisePushes(substep);
         Profile.End(StepStage.Finish);
 
         FallAsleep(dt);
@@ -322,6 +326,8 @@ internal sealed partial class World
         joints?.Select(0, substep, 1);
         Queries.PosesChange = anyUserJoints;
         input.Audit = Audit;
+        input.Impulses = Impulses;
+        input.Surfaces = _contacts.Surfaces.AnySpecial ? _contacts.Surfaces : null;
         if (input.PaddedCount > 0)
         {
             AuditSolve(input);

@@ -209,6 +209,8 @@ internal sealed unsafe partial class ImpactPass
             return;
         }
 
+        _island.Impulses = input.Impulses;
+
         BodyStore bodies = input.Bodies;
         ListMet();
         HoldAll(false);
@@ -251,6 +253,11 @@ internal sealed unsafe partial class ImpactPass
     /// </summary>
     public void Finish(in SolverInput input, ContactPasses passes)
     {
+        if (_any && input.Impulses != null)
+        {
+            SubstepSolver.AddImpulses(input.Colors, input.Impulses, 1);
+        }
+
         for (int i = 0; _any && i < _count; i++)
         {
             BounceKernel.Finish(_bounces.Pointer + i);
@@ -259,6 +266,11 @@ internal sealed unsafe partial class ImpactPass
         if (_any && _small != null)
         {
             FinishSmall(input);
+        }
+
+        if (_any && input.Impulses != null)
+        {
+            SubstepSolver.AddImpulses(input.Colors, input.Impulses, -1);
         }
 
         for (int turn = 0; _any && _goesOn && turn < (_visits < MostVisits ? Turns : LeastTurns); turn++)

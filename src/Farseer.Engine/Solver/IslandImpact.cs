@@ -35,6 +35,9 @@ internal sealed unsafe partial class IslandImpact
     /// <summary>Some point is to part.</summary>
     private bool _bounces;
 
+    /// <summary>Sums what contacts give, if somebody reads it.</summary>
+    public ContactImpulses? Impulses { get; set; }
+
     /// <summary>The bodies of the island of the last impact, those that can move.</summary>
     public IndexList Bodies => _bodies;
 
@@ -94,7 +97,7 @@ internal sealed unsafe partial class IslandImpact
 
         for (int i = 0; i < _system.Count; i++)
         {
-            Note(_system[i], _sides[i].Bounce);
+            Note(_system[i], _sides[i]);
         }
 
         for (int i = 0; i < _bodies.Count; i++)
@@ -325,9 +328,11 @@ internal sealed unsafe partial class IslandImpact
         Apply(row->BodyB[lane], row->MassB[lane] * px, row->MassB[lane] * py, row->InertiaB[lane] * point.ArmB * x);
     }
 
-    private static void Note(in SystemPoint point, BounceLanes* bounce)
+    private void Note(in SystemPoint point, in Side side)
     {
         float x = (float)point.Impulse;
+        BounceLanes* bounce = side.Bounce;
+        Impulses?.AddBeside(point.Bundle, point.Lane, point.Second, bounce == null ? point.Impulse : 0, side.Rub);
         if (bounce == null)
         {
             point.Bundle->Struck[point.Lane] += x;

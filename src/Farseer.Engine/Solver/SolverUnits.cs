@@ -44,6 +44,8 @@ internal sealed unsafe class SolverUnits : IStageWork
     private int* _degrees;
     private IslandStore _islands = null!;
     private Vector2 _gravity;
+    private ContactImpulses? _impulses;
+    private PairSurfaces? _surfaces;
 
     /// <summary>Places that so many bodies may take, each group filled up to whole bundles.</summary>
     public static int MostListed(int bodies, int groups) => bodies + (groups * WideLanes.BundleLanes);
@@ -96,6 +98,8 @@ internal sealed unsafe class SolverUnits : IStageWork
         _degrees = input.Degrees;
         _islands = input.Islands;
         _gravity = input.GravityVector;
+        _impulses = input.Impulses;
+        _surfaces = input.Surfaces;
         input.Runner.RunEach(this, _count);
     }
 
@@ -128,6 +132,8 @@ internal sealed unsafe class SolverUnits : IStageWork
             input.Degrees = _degrees;
             input.Islands = _islands;
             input.GravityVector = _gravity;
+            input.Impulses = _impulses;
+            input.Surfaces = _surfaces;
             _solvers[worker].Solve(input);
         }
     }

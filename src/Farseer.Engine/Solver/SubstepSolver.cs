@@ -64,6 +64,12 @@ internal unsafe ref struct SolverInput
 
     /// <summary>Keeps accounts of the substeps, if somebody wants them.</summary>
     public ISolverAudit? Audit;
+
+    /// <summary>Sums what contacts give, if somebody reads it.</summary>
+    public ContactImpulses? Impulses;
+
+    /// <summary>Surfaces that run past their bodies or resist rolling, if there are any.</summary>
+    public PairSurfaces? Surfaces;
 }
 
 /// <summary>
@@ -91,6 +97,7 @@ internal sealed unsafe class SubstepSolver
     private readonly UserJointPass _userJoints = new UserJointPass();
     private readonly ImpactPass _impacts = new ImpactPass();
     private readonly FreeImpacts _free = new FreeImpacts();
+    private SurfacePass? _surfaces;
 
     /// <summary>Makes room ahead for so many bundles of rows.</summary>
     public void Reserve(int bundles) => _passes.ReserveBundles(bundles);
@@ -109,6 +116,7 @@ internal sealed unsafe class SubstepSolver
         }
 
         bool impacts = FindImpacts(input);
+        SurfacePass? surfaces = BeginSurfaces(input);
 
         _passes.Begin(input.Runner, input.Bodies, coefficients, input.Colors, input.BundleRoom, input.MiddleBody > 0);
 
@@ -118,6 +126,7 @@ internal sealed unsafe class SubstepSolver
         int jointSweeps = sweeps > 1 && input.Joints != null && IsApart(colors, input.Joints) ? 1 : sweeps;
         for (int substep = 0; substep < input.Substeps; substep++)
         {
+            WatchApproaches(input);
             if (impacts)
             {
                 PrepareImpacts(input);
@@ -132,6 +141,7 @@ internal sealed unsafe class SubstepSolver
             input.Joints?.Enter();
             input.Audit?.Book(SolverPart.Joints);
             _passes.WarmStart(colors);
+            surfaces?.WarmStart();
             input.Audit?.Book(SolverPart.Contacts);
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
@@ -190,6 +200,7 @@ internal sealed unsafe class SubstepSolver
                 _impacts.Run(input, _passes);
             }
 
+            surfaces?.Solve();
             input.Joints?.NoteLoads();
             if (impacts)
             {
@@ -200,10 +211,66 @@ internal sealed unsafe class SubstepSolver
                 input.Audit?.Book(SolverPart.Joints);
             }
 
+            SumImpulses(input);
             input.Audit?.EndSubstep();
         }
 
         input.Joints?.Finish();
+    }
+
+    private static void SumImpulses(in SolverInput input)
+    {
+        if (input.Impulses != null)
+        {
+            AddImpulses(input.Colors, input.Impulses, 1);
+            input.Joints?.AddImpulses(input.Impulses, 1);
+        }
+    }
+
+    private SurfacePass? BeginSurfaces(in SolverInput input)
+    {
+        if (input.Surfaces == null)
+        {
+            return null;
+        }
+
+        _surfaces ??= new SurfacePass();
+        _surfaces.Begin(input);
+        return _surfaces;
+    }
+
+    /// <summary>Adds what all rows hold to the sums of the step.</summary>
+    /// <param name="colors">The rows.</param>
+    /// <param name="impulses">The sums.</param>
+    /// <param name="sign">1, or -1 to take it off again.</param>
+    internal static void AddImpulses(ReadOnlySpan<GraphColor> colors, ContactImpulses impulses, double sign)
+    {
+        for (int i = 0; i < colors.Length; i++)
+        {
+            foreach (ContactBundle* row in colors[i].Bundles)
+            {
+                impulses.Add(row, sign);
+            }
+        }
+    }
+
+    /// <summary>Before impacts are held back, which hides their points.</summary>
+    private static void WatchApproaches(in SolverInput input)
+    {
+        if (input.Impulses is not { } impulses)
+        {
+            return;
+        }
+
+        for (int i = 0; i < input.Colors.Length; i++)
+        {
+            foreach (ContactBundle* row in input.Colors[i].Bundles)
+            {
+                impulses.Watch(row, input.Bodies.State.Pointer);
+            }
+        }
+
+        input.Joints?.WatchApproaches(impulses);
     }
 
     /// <summary>Positions by the joints; bodies that only they moved may be for all to move from here on.</summary>

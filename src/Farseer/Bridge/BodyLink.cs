@@ -47,10 +47,19 @@ internal struct BodyLink
     /// <summary>How many joints hold the body in the world.</summary>
     public int Joints { get; set; }
 
+    /// <summary>The engine's joint that keeps the body on a line or at a point; none: the default.</summary>
+    public Handle Rail { get; set; }
+
     /// <summary>Something in the world needs the body.</summary>
     public bool IsUsed => Colliders > 0 || Joints > 0;
 
     public World? World => _world;
+
+    /// <summary>It has a place in a world.</summary>
+    public bool IsAttached => _world is not null;
+
+    /// <summary>That place.</summary>
+    public int Place => _handle.Index;
 
     public Handle Handle => _handle;
 
@@ -75,7 +84,10 @@ internal struct BodyLink
 
     public ref BodyDrag DragRef => ref (_world is null ? ref Drag : ref _world.Bodies.Drag[_handle.Index]);
 
-    private BodyFlags EngineFlags => IsSimulated ? UserFlags : UserFlags | BodyFlags.Static;
+    /// <summary>Gravity pulls otherwise at the body: by a force, and not by itself.</summary>
+    public bool IsPulledApart { get; set; }
+
+    private BodyFlags EngineFlags => (IsSimulated ? UserFlags : UserFlags | BodyFlags.Static) | (IsPulledApart ? BodyFlags.IgnoreGravity : BodyFlags.None);
 
     /// <summary>Moves the state into the columns of <paramref name="world"/>.</summary>
     public void Attach(World world, bool isSimulated)
@@ -276,6 +288,7 @@ internal struct BodyLink
             Drag = DragRef;
         }
 
+        Rail = default;
         _world = null;
         _handle = default;
         IsSimulated = false;

@@ -29,6 +29,12 @@ internal sealed class EventRelay : IStepHooks
     /// <summary>The collider in use, whose handlers may refuse a pair; null for a user's own, which asks by itself.</summary>
     public EngineCollider? Collider { get; set; }
 
+    /// <summary>Keeps events for those who read them after the update.</summary>
+    public StepRecorder Recorder { get; } = new StepRecorder();
+
+    /// <summary>Pairs that pass through one-way surfaces.</summary>
+    public OneWayPairs OneWay { get; } = new OneWayPairs();
+
     /// <summary>True while a collider is being taken out: the engine then ends its contacts.</summary>
     [NotState(Why.Calm)]
     public bool IsRemoving { get; set; }
@@ -58,18 +64,34 @@ internal sealed class EventRelay : IStepHooks
         }
     }
 
-    public bool OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points)
+    public bool OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points, bool began)
     {
         if (!Find(colliderA, colliderB, out Geom a, out Geom b, out bool flip))
         {
             return false;
         }
 
+        if (began)
+        {
+            Recorder.Begin(a, b);
+        }
+
+        if ((a.OneWayDirection != System.Numerics.Vector2.Zero || b.OneWayDirection != System.Numerics.Vector2.Zero)
+            && !OneWay.Accepts(a, b, points, flip, began, _simulator.AllowedPenetration))
+        {
+            return false;
+        }
+
+        if (a.OnCollision is null && b.OnCollision is null)
+        {
+            return true;
+        }
+
         int most = Math.Min(_simulator.MaxContactsToDetect, _simulator.MaxContactsToResolve);
         ContactCopy.Fill(_contacts, points, a, b, flip, most);
         try
         {
-            return Ask(a, b) && Ask(b, a);
+            return Ask(a, b) && AskSecond(b, a);
         }
         catch (Exception exception)
         {
@@ -80,14 +102,34 @@ internal sealed class EventRelay : IStepHooks
 
     public void OnSeparation(int colliderA, int colliderB)
     {
-        if ((IsRemoving && (_simulator.Quirks & Farseer201Quirks.NoSeparationOnRemoval) != 0) || IsClearing)
+        if (IsClearing)
         {
             return;
         }
 
-        if (Find(colliderA, colliderB, out Geom a, out Geom b, out _) || (IsRemoving && a is not null && b is not null))
+        bool found = Find(colliderA, colliderB, out Geom a, out Geom b, out _);
+        if (a is not null && b is not null)
         {
-            Separate(a, b);
+            Recorder.End(a, b);
+            OneWay.End(a, b);
+        }
+
+        if (IsRemoving && (_simulator.Quirks & Farseer201Quirks.NoSeparationOnRemoval) != 0)
+        {
+            return;
+        }
+
+        if (found || (IsRemoving && a is not null && b is not null))
+        {
+            Separate(a!, b!);
+        }
+    }
+
+    public void OnPush(int colliderA, int colliderB, in PushRecord push)
+    {
+        if (Find(colliderA, colliderB, out Geom a, out Geom b, out bool flip))
+        {
+            Recorder.Push(a, b, push, flip);
         }
     }
 
@@ -115,6 +157,25 @@ internal sealed class EventRelay : IStepHooks
         {
             Keep(exception);
         }
+    }
+
+    /// <summary>The handler of the younger geom sees the normals from itself to the other.</summary>
+    private bool AskSecond(Geom geom, Geom other)
+    {
+        if (geom.OnCollision is null)
+        {
+            return true;
+        }
+
+        bool turn = (_simulator.Quirks & Farseer201Quirks.NormalsFromOlderGeom) == 0;
+        for (int i = 0; turn && i < _contacts.Count; i++)
+        {
+            Contact contact = _contacts[i];
+            contact.Normal = -contact.Normal;
+            _contacts[i] = contact;
+        }
+
+        return Ask(geom, other);
     }
 
     /// <summary>A handler that empties the list leaves nothing to respond to, which is the same as returning false.</summary>

@@ -96,20 +96,32 @@ internal struct GeomLink
 
     public void Attach(Geom geom, World world)
     {
-        Handle = world.CreateCollider(geom.Body.Link.Handle, geom.Form!.Shape, new ColliderDef
-        {
-            Flags = Flags(geom),
-            Friction = Friction,
-            Restitution = Restitution,
-            Group = Group,
-            Categories = (uint)Categories,
-            CollidesWith = (uint)CollidesWith,
-            Offset = geom.EffectiveOffset,
-            RotationOffset = geom.RotationOffset,
-        });
+        Handle = world.CreateCollider(geom.Body.Link.Handle, geom.Form!.Shape, Describe(geom));
         world.Collider(Handle).Order = geom.Id;
+        if (geom.HasSurface)
+        {
+            world.UseSurfaces();
+        }
+
         AttachedBody = geom.Body;
         _world = world;
+    }
+
+    /// <summary>What a collider of a geom is made from.</summary>
+    public static ColliderDef Describe(Geom geom)
+    {
+        ref GeomLink link = ref geom.Link;
+        return new ColliderDef
+        {
+            Flags = link.Flags(geom),
+            Friction = link.Friction,
+            Restitution = link.Restitution,
+            Group = link.Group,
+            Categories = (uint)link.Categories,
+            CollidesWith = (uint)link.CollidesWith,
+            Offset = geom.EffectiveOffset,
+            RotationOffset = geom.RotationOffset,
+        };
     }
 
     public void Detach()
@@ -128,7 +140,9 @@ internal struct GeomLink
         flags |= ResponseEnabled && !IsSensor ? ColliderFlags.ResponseEnabled : ColliderFlags.None;
         flags |= geom.OnCollision is not null ? ColliderFlags.WantsContact : ColliderFlags.None;
         flags |= geom.OnSeparation is not null ? ColliderFlags.WantsSeparation : ColliderFlags.None;
-        return flags;
+        flags |= geom.OneWayDirection != System.Numerics.Vector2.Zero ? ColliderFlags.WantsContact | ColliderFlags.WantsSeparation : ColliderFlags.None;
+        flags |= geom.HasSurface ? ColliderFlags.OwnSurface : ColliderFlags.None;
+        return flags | (geom.Simulator is { } simulator ? simulator.Relay.Recorder.WantedOf(IsSensor) : ColliderFlags.None);
     }
 
     private readonly void PushFilter(Geom geom)

@@ -85,6 +85,41 @@ internal sealed class ItemQueue<T>
         }
     }
 
+    /// <summary>Removes all that match, of those in the list and those that wait.</summary>
+    public void RemoveWhere(Predicate<T> match)
+    {
+        for (int i = 0; i < _list.Count + _in.Count; i++)
+        {
+            T item = i < _list.Count ? _list[i] : _in[i - _list.Count];
+            if (ReferenceEquals(item.Simulator, _owner) && match(item))
+            {
+                Remove(item, nameof(match));
+            }
+        }
+    }
+
+    /// <summary>Lists what is there: in the list and not about to leave, or waiting to be taken in.</summary>
+    public void ListPresent(List<T> items)
+    {
+        for (int i = 0; i < _list.Count; i++)
+        {
+            if (!_list[i].IsDisposed && _list[i].Membership != Membership.RemoveQueued)
+            {
+                items.Add(_list[i]);
+            }
+        }
+
+        int listed = items.Count;
+        for (int i = 0; i < _in.Count; i++)
+        {
+            T item = _in[i];
+            if (item.Membership == Membership.AddQueued && ReferenceEquals(item.Simulator, _owner) && !item.IsDisposed && items.IndexOf(item, listed) < 0)
+            {
+                items.Add(item);
+            }
+        }
+    }
+
     /// <summary>Takes in what waited when the update began.</summary>
     public void TakeIn()
     {

@@ -27,8 +27,6 @@ public struct Contact : IEquatable<Contact>
     public float Separation;
 
     internal ContactId ContactId;
-    internal float NormalImpulse;
-    internal float TangentImpulse;
     internal float MassNormal;
     internal float MassTangent;
     internal float Bias;
@@ -50,6 +48,20 @@ public struct Contact : IEquatable<Contact>
         MassTangent = 0f;
         Bias = 0f;
     }
+
+    /// <summary>
+    /// The impulse along the normal that the contact gave in the last update, mass times length/s; at least 0. It pushed the second geom along
+    /// <see cref="Normal"/> and the first one the other way. At rest it is the load times the time of the update. With
+    /// <see cref="PhysicsSimulator.SumImpulses"/> it is the sum over the whole update, else that of its last substep as if all had been like it, which
+    /// is the same for what presses evenly. Default 0. (An addition to the original.)
+    /// </summary>
+    public float NormalImpulse { readonly get; private set; }
+
+    /// <summary>
+    /// The impulse of friction, as <see cref="NormalImpulse"/>: on the second geom along (<see cref="Normal"/>.Y, -<see cref="Normal"/>.X),
+    /// on the first one the other way; either sign. Default 0. (An addition to the original.)
+    /// </summary>
+    public float TangentImpulse { readonly get; private set; }
 
     /// <summary>Tells whether two contacts are the same one.</summary>
     /// <param name="contact1">One contact.</param>

@@ -245,6 +245,9 @@ public partial class Geom
         public Grid? Grid;
         [NotState(Why.Derived)]
         public Frame? Frame;
+        public SurfaceMaterial Surface;
+        public SurfaceMaterial?[]? Segments;
+        public Vector2 OneWay;
     }
 
     /// <summary>The geom at its body's place.</summary>

@@ -92,6 +92,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         _form = geometry._form;
         _localVertices = geometry._localVertices is null ? null : new Vertices(geometry._localVertices);
         Link.CopyFrom(geometry.Link);
+        CopySurface(geometry);
         Join(body);
     }
 
@@ -109,9 +110,9 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     /// <param name="geometry1">The geom whose handler is called.</param>
     /// <param name="geometry2">The geom that it touches.</param>
     /// <param name="contactList">
-    /// The contacts, deepest first. Positions are world coordinates, normals point from the geom created first to the other,
-    /// whichever of them is <paramref name="geometry1"/>; separations are negative where they overlap and positive where they are
-    /// about to meet within this step. The list is used again: copy what you want to keep.
+    /// The contacts, deepest first. Positions are world coordinates, normals point from <paramref name="geometry1"/> to
+    /// <paramref name="geometry2"/> (see <see cref="Farseer201Quirks.NormalsFromOlderGeom"/>); separations are negative where they overlap and
+    /// positive where they are about to meet within this step; impulses are 0, for nothing has pushed yet. The list is used again: copy what you want to keep.
     /// </param>
     /// <returns>False to cancel the response in this step.</returns>
     public delegate bool CollisionEventHandler(Geom geometry1, Geom geometry2, ContactList contactList);
@@ -220,6 +221,12 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     /// <summary>The next number of the order of creation, which decides which geom of a pair is "A".</summary>
     /// <returns>A number that was not given out before in this process.</returns>
     public static int GetNextId() => Interlocked.Increment(ref s_lastId);
+
+    /// <summary>True while its collider is that of an outline or a body that it no longer has.</summary>
+    internal bool WaitsForRemake { get; set; }
+
+    /// <summary>True while a list of geoms is being made that it is in.</summary>
+    internal bool IsListed { get; set; }
 
     /// <summary>Moves the geom to another body. In a simulator it takes effect at the next update.</summary>
     /// <param name="bodyToSet">The new body.</param>
@@ -363,6 +370,11 @@ public partial class Geom : IDisposable, IEquatable<Geom>
         _form = form;
         _localVertices = form.Kind == FormKind.Box ? null : localVertices;
         KeptGrid = null;
+        if (_extras is not null)
+        {
+            _extras.Segments = null;
+        }
+
         ForgetFrame();
     }
 }

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using Farseer.Engine.Storage;
-using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
 
@@ -9,7 +6,7 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// A list of geoms that tells of additions and removals. That of a simulator is a view of what it simulates:
 /// <see cref="Add"/> and <see cref="Remove"/> then stand for those of the simulator, which take effect at the next update.
 /// </summary>
-public class GeomList : List<Geom>
+public class GeomList : ItemList<Geom>
 {
     /// <summary>Handles a change of the list.</summary>
     /// <param name="geom">The geom added or removed.</param>
@@ -21,103 +18,34 @@ public class GeomList : List<Geom>
     /// <summary>Called when a geom has been removed. Use with +=. Default null.</summary>
     public ContentsChangedEventHandler? Removed { get; set; }
 
-    [NotState(Why.Fixed)]
-    internal PhysicsSimulator? Owner { get; set; }
+    private protected override bool IsHeard => Removed is not null;
 
     /// <summary>Adds a geom.</summary>
     /// <param name="geom">The geom.</param>
-    /// <exception cref="ArgumentNullException"><paramref name="geom"/> is null.</exception>
-    public new void Add(Geom geom)
-    {
-        Require.NotNull(geom, nameof(geom));
-        if (Owner is null)
-        {
-            TakeIn(geom);
-        }
-        else
-        {
-            Owner.Add(geom);
-        }
-    }
+    /// <exception cref="System.ArgumentNullException"><paramref name="geom"/> is null.</exception>
+    public new void Add(Geom geom) => AddItem(geom, nameof(geom));
 
     /// <summary>Removes a geom; one that is not in the list is ignored.</summary>
     /// <param name="geom">The geom.</param>
-    /// <exception cref="ArgumentNullException"><paramref name="geom"/> is null.</exception>
-    public new void Remove(Geom geom)
-    {
-        Require.NotNull(geom, nameof(geom));
-        if (Owner is null)
-        {
-            TakeOut(geom);
-        }
-        else
-        {
-            Owner.Remove(geom);
-        }
-    }
+    /// <exception cref="System.ArgumentNullException"><paramref name="geom"/> is null.</exception>
+    public new void Remove(Geom geom) => RemoveItem(geom, nameof(geom));
 
     /// <summary>Takes disposed geoms out of the list. A simulator does it by itself at each update.</summary>
     /// <returns>How many there were.</returns>
-    public int RemoveDisposed()
-    {
-        int count = 0;
-        for (int i = Count - 1; i >= 0; i--)
-        {
-            if (this[i].IsDisposed)
-            {
-                Geom removed = this[i];
-                RemoveAt(i);
-                Removed?.Invoke(removed);
-                count++;
-            }
-        }
+    public int RemoveDisposed() => DropDisposed();
 
-        return count;
-    }
+    private protected override bool IsDisposed(Geom item) => item.IsDisposed;
 
-    internal void TakeIn(Geom geom)
-    {
-        base.Add(geom);
-        Added?.Invoke(geom);
-    }
+    private protected override void TellAdded(Geom item) => Added?.Invoke(item);
 
-    internal void TakeOut(Geom geom)
-    {
-        if (base.Remove(geom))
-        {
-            Removed?.Invoke(geom);
-        }
-    }
+    private protected override void TellRemoved(Geom item) => Removed?.Invoke(item);
 
-    /// <summary>Takes all out at once: one after the other, each would move all those behind it.</summary>
-    /// <returns>Those of whom <see cref="Tell"/> is to tell.</returns>
-    internal Geom[] Empty()
-    {
-        Geom[] removed = Removed is null ? [] : ToArray();
-        Clear();
-        return removed;
-    }
+    private protected override void OwnerAdd(Geom item) => Owner!.Add(item);
 
-    /// <summary>Tells of removals, of all of them even if a handler throws.</summary>
-    internal void Tell(Geom[] removed, EventRelay relay)
-    {
-        foreach (Geom geom in removed)
-        {
-            try
-            {
-                Removed?.Invoke(geom);
-            }
-            catch (Exception exception)
-            {
-                relay.Keep(exception);
-            }
-        }
-    }
+    private protected override void OwnerRemove(Geom item) => Owner!.Remove(item);
 
-    /// <summary>Writes, or reads, what is in it and who hears of it.</summary>
-    internal void Visit(StateStream s)
+    private protected override void VisitHandlers(StateStream s)
     {
-        s.References(this);
         Added = s.Reference(Added);
         Removed = s.Reference(Removed);
     }

@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using Farseer.Engine.Storage;
-using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Controllers;
 
@@ -8,7 +6,7 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// A list of controllers that tells of additions and removals. That of a simulator is a view of what it simulates:
 /// <see cref="Add"/> and <see cref="Remove"/> then stand for those of the simulator, which take effect at the next update.
 /// </summary>
-public class ControllerList : List<Controller>
+public class ControllerList : ItemList<Controller>
 {
     /// <summary>Handles a change of the list.</summary>
     /// <param name="controller">The controller added or removed.</param>
@@ -20,73 +18,33 @@ public class ControllerList : List<Controller>
     /// <summary>Called when a controller has been removed. Use with +=. Default null.</summary>
     public ContentsChangedEventHandler? Removed { get; set; }
 
-    [NotState(Why.Fixed)]
-    internal PhysicsSimulator? Owner { get; set; }
+    private protected override bool IsHeard => Removed is not null;
 
     /// <summary>Adds a controller.</summary>
     /// <param name="controller">The controller.</param>
     /// <exception cref="System.ArgumentNullException"><paramref name="controller"/> is null.</exception>
-    public new void Add(Controller controller)
-    {
-        Require.NotNull(controller, nameof(controller));
-        if (Owner is null)
-        {
-            TakeIn(controller);
-        }
-        else
-        {
-            Owner.Add(controller);
-        }
-    }
+    public new void Add(Controller controller) => AddItem(controller, nameof(controller));
 
     /// <summary>Removes a controller; one that is not in the list is ignored.</summary>
     /// <param name="controller">The controller.</param>
     /// <exception cref="System.ArgumentNullException"><paramref name="controller"/> is null.</exception>
-    public new void Remove(Controller controller)
-    {
-        Require.NotNull(controller, nameof(controller));
-        if (Owner is null)
-        {
-            TakeOut(controller);
-        }
-        else
-        {
-            Owner.Remove(controller);
-        }
-    }
+    public new void Remove(Controller controller) => RemoveItem(controller, nameof(controller));
 
     /// <summary>Takes disposed controllers out of the list. A simulator does it by itself at each update.</summary>
-    public void RemoveDisposed()
-    {
-        for (int i = Count - 1; i >= 0; i--)
-        {
-            if (this[i].IsDisposed)
-            {
-                Controller removed = this[i];
-                RemoveAt(i);
-                Removed?.Invoke(removed);
-            }
-        }
-    }
+    public void RemoveDisposed() => DropDisposed();
 
-    internal void TakeIn(Controller controller)
-    {
-        base.Add(controller);
-        Added?.Invoke(controller);
-    }
+    private protected override bool IsDisposed(Controller item) => item.IsDisposed;
 
-    internal void TakeOut(Controller controller)
-    {
-        if (base.Remove(controller))
-        {
-            Removed?.Invoke(controller);
-        }
-    }
+    private protected override void TellAdded(Controller item) => Added?.Invoke(item);
 
-    /// <summary>Writes, or reads, what is in it and who hears of it.</summary>
-    internal void Visit(StateStream s)
+    private protected override void TellRemoved(Controller item) => Removed?.Invoke(item);
+
+    private protected override void OwnerAdd(Controller item) => Owner!.Add(item);
+
+    private protected override void OwnerRemove(Controller item) => Owner!.Remove(item);
+
+    private protected override void VisitHandlers(StateStream s)
     {
-        s.References(this);
         Added = s.Reference(Added);
         Removed = s.Reference(Removed);
     }

@@ -24,6 +24,9 @@ public partial class Body
 
     internal Vector2 Impulse { get; private set; }
 
+    /// <summary>Stored angular impulse of impulses at points.</summary>
+    internal float AngularImpulse { get; private set; }
+
     /// <summary>Sum of offset · force of the forces at local points: how their torque changes as the body turns.</summary>
     internal float Swing { get; private set; }
 
@@ -133,8 +136,39 @@ public partial class Body
         Simulator?.NotePending(this);
     }
 
-    /// <summary>Drops the impulse stored since the last update.</summary>
-    public void ClearImpulse() => Impulse = Vector2.Zero;
+    /// <summary>
+    /// Stores an impulse that acts at a point of the world; at the next update it changes the velocity by amount / mass (see
+    /// <see cref="Farseer201Quirks.ImpulseDividedByMassTwice"/>) and the angular velocity by its moment about the body / moment of inertia. (An addition to the original.)
+    /// </summary>
+    /// <param name="amount">Impulse in world axes, mass times velocity; finite.</param>
+    /// <param name="point">Point in world coordinates; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A value is not finite.</exception>
+    public void ApplyImpulseAtWorldPoint(Vector2 amount, Vector2 point)
+    {
+        Require.Finite(amount, nameof(amount));
+        Require.Finite(point, nameof(point));
+        ApplyImpulse(ref amount);
+        AddMoment(amount, OffsetOf(point));
+    }
+
+    /// <summary>Stores an impulse that acts at a point of the body: see <see cref="ApplyImpulseAtWorldPoint"/>. (An addition to the original.)</summary>
+    /// <param name="amount">Impulse in world axes, mass times velocity; finite.</param>
+    /// <param name="point">Point in body coordinates; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A value is not finite.</exception>
+    public void ApplyImpulseAtLocalPoint(Vector2 amount, Vector2 point)
+    {
+        Require.Finite(amount, nameof(amount));
+        Require.Finite(point, nameof(point));
+        ApplyImpulse(ref amount);
+        AddMoment(amount, Turned(in Link.PoseRef, point));
+    }
+
+    /// <summary>Drops the impulse stored since the last update, with its moment.</summary>
+    public void ClearImpulse()
+    {
+        Impulse = Vector2.Zero;
+        AngularImpulse = 0;
+    }
 
     /// <summary>Changes the angular velocity at once by amount / moment of inertia.</summary>
     /// <param name="amount">Angular impulse; finite.</param>
@@ -160,7 +194,7 @@ public partial class Body
         AngularVelocity = 0;
         Link.ForceRef = default;
         Swing = 0;
-        Impulse = Vector2.Zero;
+        ClearImpulse();
     }
 
     /// <summary>Forgets how the torque changes, for an update in which no force acts.</summary>
@@ -183,7 +217,8 @@ public partial class Body
 
         float inverseMass = InverseMass;
         LinearVelocity += Impulse * (dividedTwice ? inverseMass * inverseMass : inverseMass);
-        Impulse = Vector2.Zero;
+        AngularVelocity += AngularImpulse * InverseMomentOfInertia;
+        ClearImpulse();
     }
 
     /// <summary>Turns the gathered force and torque into velocity.</summary>
@@ -205,6 +240,8 @@ public partial class Body
             Link.WakeUp();
         }
     }
+
+    private void AddMoment(Vector2 impulse, Vector2 offset) => AngularImpulse += (offset.X * impulse.Y) - (offset.Y * impulse.X);
 
     private void AddForceAt(Vector2 force, Vector2 offset)
     {

@@ -66,6 +66,7 @@ public partial class Body
 
             Note(nameof(Rotation));
             Link.SetAngle(angle);
+            NotePut();
             RaiseUpdated();
         }
     }
@@ -107,6 +108,7 @@ public partial class Body
         Require.Place(y, nameof(y));
         Note(nameof(Position));
         Link.SetPosition(x, y);
+        NotePut();
         RaiseUpdated();
     }
 
@@ -123,6 +125,59 @@ public partial class Body
     /// <summary>The total rotation in full precision. (An addition to the original.)</summary>
     /// <param name="totalRotation">The rotation with whole turns, radians.</param>
     public void GetTotalRotation(out double totalRotation) => totalRotation = Link.PoseRef.Angle;
+
+    /// <summary>Sets the total rotation in full precision. (An addition to the original.)</summary>
+    /// <param name="totalRotation">The rotation with whole turns, radians; finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite or beyond 9.2·10¹⁸.</exception>
+    public void SetTotalRotation(double totalRotation)
+    {
+        ThrowIfDisposed();
+        Require.Place(totalRotation, nameof(totalRotation));
+        Note(nameof(Rotation));
+        Link.SetAngle(totalRotation);
+        NotePut();
+        RaiseUpdated();
+    }
+
+    /// <summary>Sets place and total rotation at once, in full precision. (An addition to the original.)</summary>
+    /// <param name="pose">The new pose.</param>
+    public void SetPose(Pose pose)
+    {
+        ThrowIfDisposed();
+        Note(nameof(Position));
+        Link.SetPosition(pose.X, pose.Y);
+        Link.SetAngle(pose.TotalRotation);
+        NotePut();
+        RaiseUpdated();
+    }
+
+    /// <summary>The pose now, in full precision. (An addition to the original.)</summary>
+    /// <returns>Place and total rotation.</returns>
+    public Pose GetPose()
+    {
+        ref BodyPose pose = ref Link.PoseRef;
+        return new Pose(pose.X, pose.Y, pose.Angle);
+    }
+
+    /// <summary>
+    /// The pose between the last update and the one before, for drawing: what was set by hand since is not smeared over the way there. While
+    /// <see cref="PhysicsSimulator.KeepsPoses"/> is false it is the pose now. (An addition to the original.)
+    /// </summary>
+    /// <param name="alpha">0: as the last update found it; 1: as it is; between: in proportion. From 0 to 1: see <see cref="FixedStepDriver.Alpha"/>.</param>
+    /// <returns>Place and total rotation.</returns>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="alpha"/> is not from 0 to 1.</exception>
+    public Pose GetPose(float alpha)
+    {
+        if (!(alpha >= 0 && alpha <= 1))
+        {
+            throw Require.Range(nameof(alpha), alpha, "must be from 0 to 1");
+        }
+
+        BodyPose now = Link.PoseRef;
+        BodyPose before = Simulator is { } simulator && Link.IsAttached ? simulator.Poses.Before(Link.Place, now) : now;
+        double rest = 1.0 - alpha;
+        return new Pose(now.X + ((before.X - now.X) * rest), now.Y + ((before.Y - now.Y) * rest), now.Angle + ((before.Angle - now.Angle) * rest));
+    }
 
     /// <summary>Turns and moves a local point into the world.</summary>
     /// <param name="localPosition">Point in body coordinates.</param>
@@ -261,6 +316,18 @@ public partial class Body
         }
 
         return turns > int.MaxValue ? int.MaxValue : turns < int.MinValue ? int.MinValue : (int)turns;
+    }
+
+    private void NotePut()
+    {
+        if (Simulator is { } simulator && Link.IsAttached)
+        {
+            simulator.Poses.Put(Link.Place, Link.PoseRef);
+            if (IsRailed)
+            {
+                simulator.NoteRails(this);
+            }
+        }
     }
 
     private Vector2 OffsetOf(Vector2 worldPoint)

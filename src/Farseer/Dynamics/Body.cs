@@ -121,15 +121,15 @@ public partial class Body : IDisposable
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
     public float MomentOfInertia
     {
-        get => Link.MassRef.Inertia;
+        get => _extras is { FixedInertia: > 0 } ? _extras.FixedInertia : Link.MassRef.Inertia;
         set => SetMass(Mass, Require.Invertible(value, nameof(MomentOfInertia)));
     }
 
     /// <summary>1 / <see cref="Mass"/>, or 0 for a static or kinematic body.</summary>
     public float InverseMass => HasInfiniteMass && !IsStaticBySensor ? 0 : 1 / Mass;
 
-    /// <summary>1 / <see cref="MomentOfInertia"/>, or 0 for a static or kinematic body.</summary>
-    public float InverseMomentOfInertia => HasInfiniteMass && !IsStaticBySensor ? 0 : 1 / MomentOfInertia;
+    /// <summary>1 / <see cref="MomentOfInertia"/>, or 0 for a static or kinematic body and one of <see cref="FixedRotation"/>.</summary>
+    public float InverseMomentOfInertia => (HasInfiniteMass && !IsStaticBySensor) || FixedRotation ? 0 : 1 / MomentOfInertia;
 
     /// <summary>False takes the body and its geoms out of motion and collision until it is true again. Default true.</summary>
     public bool Enabled
@@ -325,6 +325,12 @@ public partial class Body : IDisposable
     /// <summary>True if the speed of the body is at least <see cref="MinimumVelocity"/>.</summary>
     public bool Moves => LinearVelocity.LengthSquared() >= MinimumVelocity * MinimumVelocity;
 
+    /// <summary>
+    /// The geoms that were made for the body, in the order of their making, whether they are in a simulator or not; disposed ones are not among them. (An addition to the
+    /// original.)
+    /// </summary>
+    public BodyGeoms Geoms => new BodyGeoms(this);
+
     /// <summary>What an inactivity controller knows of the body.</summary>
     internal IdleState Idle { get; set; }
 
@@ -464,6 +470,12 @@ public partial class Body : IDisposable
     {
         ThrowIfDisposed();
         Note("Mass or MomentOfInertia");
+        if (FixedRotation)
+        {
+            _extras!.FixedInertia = inertia;
+            inertia = float.PositiveInfinity;
+        }
+
         Link.SetMass(mass, inertia);
     }
 
@@ -471,25 +483,5 @@ public partial class Body : IDisposable
     {
         ThrowIfDisposed();
         Link.SetUserFlags(on ? Link.UserFlags | flag : Link.UserFlags & ~flag);
-    }
-
-    /// <summary>What nearly no body has.</summary>
-    private sealed class BodyExtras
-    {
-        public const float UsualMinimumVelocity = 55;
-
-        public EventHandler<EventArgs>? Disposed;
-        public UpdatedEventHandler? Updated;
-        [NotState(Why.Users)]
-        public object? Tag;
-        [NotState(Why.Users)]
-        public string? Name;
-        public float IdleTime;
-        public float MinimumVelocity = UsualMinimumVelocity;
-
-        // What the handlers of moves heard last.
-        public double ToldX;
-        public double ToldY;
-        public double ToldAngle;
     }
 }

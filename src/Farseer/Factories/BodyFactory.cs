@@ -115,6 +115,56 @@ public class BodyFactory
     /// <exception cref="ArgumentException">The outline has fewer than three vertices, no area, or crosses itself.</exception>
     public Body CreatePolygonBody(Vertices vertices, float mass) => Polygon(vertices, mass, Farseer201Quirks.None);
 
+    /// <summary>Makes a body with the inertia of a capsule about its middle, and adds it: see <see cref="GeomFactory.CreateCapsuleGeom(PhysicsSimulator, Body, System.Numerics.Vector2, System.Numerics.Vector2, float)"/>. (An addition to the original.)</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="length">Length of the axis, without the round ends; finite and above 0.</param>
+    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
+    public Body CreateCapsuleBody(PhysicsSimulator physicsSimulator, float length, float radius, float mass) =>
+        Added(Ready(physicsSimulator), CreateCapsuleBody(length, radius, mass));
+
+    /// <summary>Makes a body with the inertia of a capsule about its middle. (An addition to the original.)</summary>
+    /// <param name="length">Length of the axis, without the round ends; finite and above 0.</param>
+    /// <param name="radius">Radius; finite and above 0.</param>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
+    public Body CreateCapsuleBody(float length, float radius, float mass)
+    {
+        Require.Positive(length, nameof(length));
+        Require.Positive(radius, nameof(radius));
+        return Make(mass, GeomArea.CapsuleInertia(length, radius) / GeomArea.CapsuleArea(length, radius));
+    }
+
+    /// <summary>Makes a body with the inertia of a rounded rectangle about its middle, and adds it: see <see cref="GeomFactory.CreateRoundedRectangleGeom(PhysicsSimulator, Body, float, float, float)"/>. (An addition to the original.)</summary>
+    /// <param name="physicsSimulator">The simulator to add it to.</param>
+    /// <param name="width">Width of the rectangle within; finite and above 0.</param>
+    /// <param name="height">Height of the rectangle within; finite and above 0.</param>
+    /// <param name="radius">Radius of the corners; finite and above 0.</param>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
+    public Body CreateRoundedRectangleBody(PhysicsSimulator physicsSimulator, float width, float height, float radius, float mass) =>
+        Added(Ready(physicsSimulator), CreateRoundedRectangleBody(width, height, radius, mass));
+
+    /// <summary>Makes a body with the inertia of a rounded rectangle about its middle. (An addition to the original.)</summary>
+    /// <param name="width">Width of the rectangle within; finite and above 0.</param>
+    /// <param name="height">Height of the rectangle within; finite and above 0.</param>
+    /// <param name="radius">Radius of the corners; finite and above 0.</param>
+    /// <param name="mass">Mass; finite and above 0.</param>
+    /// <returns>The body.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or not above 0.</exception>
+    public Body CreateRoundedRectangleBody(float width, float height, float radius, float mass)
+    {
+        var size = new System.Numerics.Vector2(Require.Positive(width, nameof(width)), Require.Positive(height, nameof(height)));
+        Require.Positive(radius, nameof(radius));
+        return Make(mass, GeomArea.RoundedInertia(size, radius) / GeomArea.RoundedArea(size, radius));
+    }
+
     /// <summary>Makes a plain body with a given moment of inertia and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="mass">Mass; finite and above 0.</param>

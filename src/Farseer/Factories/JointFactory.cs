@@ -9,7 +9,7 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// Makes joints. Each method exists with and without a simulator as its first argument; one that is given adds the new joint to
 /// it. Not every property of a joint is a parameter: set the others on the joint.
 /// </summary>
-public class JointFactory
+public partial class JointFactory
 {
     private JointFactory()
     {
@@ -195,7 +195,7 @@ public class JointFactory
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public AngleLimitJoint CreateAngleLimitJoint(Body body1, Body body2, float min, float max) =>
-        new AngleLimitJoint(body1, body2, Require.Finite(min, nameof(min)), Require.Finite(max, nameof(max)));
+        new AngleLimitJoint(body1, body2, Require.Finite(min, nameof(min)), Require.NotBelow(Require.Finite(max, nameof(max)), min, nameof(max), nameof(min)));
 
     /// <summary>Makes a joint that keeps the angle of a body between limits, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
@@ -216,7 +216,7 @@ public class JointFactory
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public FixedAngleLimitJoint CreateFixedAngleLimitJoint(Body body, float min, float max) =>
-        new FixedAngleLimitJoint(body, Require.Finite(min, nameof(min)), Require.Finite(max, nameof(max)));
+        new FixedAngleLimitJoint(body, Require.Finite(min, nameof(min)), Require.NotBelow(Require.Finite(max, nameof(max)), min, nameof(max), nameof(min)));
 
     /// <summary>Makes a gear between two bodies, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>

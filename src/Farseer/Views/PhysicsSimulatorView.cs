@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Numerics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Joints;
 using FarseerGames.FarseerPhysics.Dynamics.Springs;
 
 namespace FarseerGames.FarseerPhysics.Views;
@@ -17,6 +18,9 @@ public partial class PhysicsSimulatorView
     private readonly IDebugDraw _draw;
     private readonly HashSet<Body> _touching = new HashSet<Body>();
     private readonly Vertices _corners = new Vertices();
+    private readonly List<Body> _bodies = new List<Body>();
+    private readonly List<Joint> _joints = new List<Joint>();
+    private readonly List<Spring> _springs = new List<Spring>();
 
     /// <summary>Makes a view.</summary>
     /// <param name="physicsSimulator">The simulator to draw.</param>
@@ -116,7 +120,9 @@ public partial class PhysicsSimulatorView
     /// <summary>Colour of the axes of bodies; the y axis is half as opaque. Default (60, 60, 60).</summary>
     public DebugColor AxisColor { get; set; } = new DebugColor(60, 60, 60);
 
-    /// <summary>Draws everything that is switched on, as it is after the last update.</summary>
+    /// <summary>
+    /// Draws everything that is switched on, as it is now: also what waits for the next update, and not what waits to leave. Contacts are those of the last update.
+    /// </summary>
     public void Draw()
     {
         CollectTouching();
@@ -128,33 +134,30 @@ public partial class PhysicsSimulatorView
             }
         }
 
-        for (int i = 0; i < _simulator.GeomList.Count; i++)
+        foreach (Geom geom in _simulator.ListPresent())
         {
-            DrawGeom(_simulator.GeomList[i]);
+            DrawGeom(geom);
         }
 
         if (EnableCoordinateAxisView)
         {
-            for (int i = 0; i < _simulator.BodyList.Count; i++)
-            {
-                DrawAxes(_simulator.BodyList[i]);
-            }
+            _bodies.Clear();
+            _simulator.ListPresent(_bodies);
+            _bodies.ForEach(DrawAxes);
         }
 
         if (EnableJointView)
         {
-            for (int i = 0; i < _simulator.JointList.Count; i++)
-            {
-                DrawJoint(_simulator.JointList[i]);
-            }
+            _joints.Clear();
+            _simulator.ListPresent(_joints);
+            _joints.ForEach(DrawJoint);
         }
 
         if (EnableSpringView)
         {
-            for (int i = 0; i < _simulator.SpringList.Count; i++)
-            {
-                DrawSpring(_simulator.SpringList[i]);
-            }
+            _springs.Clear();
+            _simulator.ListPresent(_springs);
+            _springs.ForEach(DrawSpring);
         }
 
         if (EnableContactView)

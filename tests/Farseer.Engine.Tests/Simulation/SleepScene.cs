@@ -133,13 +133,17 @@ internal sealed class SleepScene : IStepHooks
 
     public bool AcceptPair(int colliderA, int colliderB) => true;
 
-    public bool OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points)
+    public bool OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points, bool began)
     {
         Events.Add($"touch {colliderA} {colliderB}");
         return true;
     }
 
     public void OnSeparation(int colliderA, int colliderB) => Events.Add($"part {colliderA} {colliderB}");
+
+    public void OnPush(int colliderA, int colliderB, in PushRecord push)
+    {
+    }
 
     public void ApplyForces(float dt)
     {

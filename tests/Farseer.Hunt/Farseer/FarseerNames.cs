@@ -84,6 +84,7 @@ internal sealed class FarseerNames : Names
         ["Geom.GetNextId"] = "shared by all worlds",
         ["PhysicsSimulator.WarmUp"] = "makes worlds of its own",
         ["PhysicsSimulator.Update"] = "the step",
+        ["PhysicsSimulator.MixMaterials"] = "asks a delegate of the user's",
         ["PhysicsSimulator.EnableDiagnostics"] = "measures time, which is never the same",
         ["ErrorBudget.WithTimeLimit"] = "measures time, which is never the same",
         ["InactivityController.new"] = "the simulator has its own",
@@ -113,14 +114,14 @@ internal sealed class FarseerNames : Names
         (_place, "position positionX positionY x y anchor anchorPosition initialAnchorPosition worldAnchor1 worldAnchor2 groundAnchor1 groundAnchor2 target start end center point "
             + "worldPoint worldPosition worldAttachPoint initialAnchor worldOffset min max translation vector controlPoint location "
             + "worldVector fixedPoint from to intersectPoint contact epicenter"),
-        (_speed, "linearVelocity velocity motorSpeed angularVelocity impulse angularImpulse axis amount normal uvector localNormal"),
-        (_angle, "rotation rotationOffset angle targetAngle"),
+        (_speed, "linearVelocity velocity motorSpeed angularVelocity impulse angularImpulse axis amount normal uvector localNormal surfaceSpeed oneWayDirection"),
+        (_angle, "rotation rotationOffset angle targetAngle totalRotation"),
         (_mass, "mass momentOfInertia"),
-        (_share, "restitutionCoefficient biasFactor softness coefficient dampingCoefficient dampingRatio sleepTolerance minimumVelocity allowedPenetration slop jointError springError share"),
-        (new Span(0, 2, 1e-6f, 1e3f), "frictionCoefficient ratio"),
+        (_share, "restitutionCoefficient biasFactor softness coefficient dampingCoefficient dampingRatio sleepTolerance minimumVelocity allowedPenetration slop jointError springError share alpha rollingResistance"),
+        (new Span(0, 2, 1e-6f, 1e3f), "frictionCoefficient ratio gravityScale"),
         (_force, "force torque"),
         (_strength, "maxForce maxTorque maxMotorForce maxMotorTorque maxImpulse breakForce breakpoint springConstant dampingConstant dampningConstant strength torqueMultiplier "
-            + "maxLinearVelocity maxAngularVelocity"),
+            + "maxLinearVelocity maxAngularVelocity hitSpeed"),
         (new Span(0.5f, 8, 1e-6f, 1e6f), "frequency"),
         (_drag, "linearDragCoefficient rotationalDragCoefficient quadraticDragCoefficient density fluidDensity"),
         (_time, "idleTime maxIdleTime timeToSleep updateInterval maximumUpdateInterval preferredUpdateInterval dt dtReal"),
@@ -152,6 +153,8 @@ internal sealed class FarseerNames : Names
         ["nodeCount"] = (2, 20, -1, 200),
         ["links"] = (2, 8, -1, 20),
         ["index"] = (0, 4, -1, 20),
+        ["count"] = (0, 2, -1, 20),
+        ["segment"] = (0, 2, -1, 20),
         ["node"] = (0, 10, -1, 200),
     };
 
@@ -163,6 +166,9 @@ internal sealed class FarseerNames : Names
             => $"new Vertices(new Vector2[] {{ {points} }})", points => new Vertices(points))
         : type == typeof(List<Geom>) ? new FreshKind("new List<Geom>()", () => new List<Geom>())
         : type == typeof(List<RayCastHit>) ? new FreshKind("new List<RayCastHit>()", () => new List<RayCastHit>())
+        : type == typeof(List<Arbiter>) ? new FreshKind("new List<Arbiter>()", () => new List<Arbiter>())
+        : type == typeof(SurfaceMaterial) ? new FreshKind("new SurfaceMaterial { Friction = 0.3f, Speed = 1 }", () => new SurfaceMaterial { Friction = 0.3f, Speed = 1 })
+        : type == typeof(Pose) ? new FreshKind("new Pose(1, 2, 3)", () => new Pose(1, 2, 3))
         : type == typeof(Matrix4x4) ? new FreshKind("Matrix4x4.Identity", () => Matrix4x4.Identity)
         : null;
 

@@ -31,10 +31,10 @@ public class CollisionEventTests
             Assert.Equal(2, contacts.Count);
             foreach (Contact contact in contacts)
             {
-                // The corners of the box on the surface at y = 0; the normal from the floor, which was created first, to the box.
+                // The corners of the box on the surface at y = 0; the normal from the box, whose handler it is, to the floor.
                 Assert.Equal(0, contact.Position.Y, 0);
                 Assert.Equal(10, Math.Abs(contact.Position.X - 3), 2);
-                Assert.Equal(-1, contact.Normal.Y, 4);
+                Assert.Equal(1, contact.Normal.Y, 4);
             }
 
             calls++;

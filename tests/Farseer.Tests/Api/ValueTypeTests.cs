@@ -52,8 +52,8 @@ public class ValueTypeTests
             Assert.Equal(i % 2 == 0 ? 2 : 1, told.Count);
             foreach (Contact contact in told)
             {
-                // From the geom made first, the floor, to the other, up; midway between the surfaces.
-                Assert.Equal(new Vector2(0, -1), contact.Normal, (a, b) => Vector2.Distance(a, b) < 1e-5f);
+                // From the geom whose handler it is to the floor, down; midway between the surfaces.
+                Assert.Equal(new Vector2(0, 1), contact.Normal, (a, b) => Vector2.Distance(a, b) < 1e-5f);
                 Assert.Equal(-depth, contact.Separation, 1e-4f);
                 Assert.Equal(depth / 2, contact.Position.Y, 1e-3f);
                 Assert.Equal(i % 2 == 0 ? 10 : 0, Math.Abs(contact.Position.X - (3 * i)), 1e-3f);

@@ -65,6 +65,9 @@ public class QuirkTests
         // Straight down is a quarter of a turn; more than a turn is 7.
         [Farseer201Quirks.UprightPathsLieAcross] = new(RotationInARopeStraightDown, Math.PI / 2, 0, 1e-6),
         [Farseer201Quirks.AngleSpringTargetLimited] = new(TargetOfAnAngleSpring, 7, 5.5, 0),
+
+        // y down: from the box to the floor below it, or from the floor, which was made first, to the box.
+        [Farseer201Quirks.NormalsFromOlderGeom] = new(NormalThatABoxOnAFloorHears, 1, -1, 1e-6),
     };
 
     public static TheoryData<Farseer201Quirks> Flags => new(Enum.GetValues<Farseer201Quirks>()
@@ -102,6 +105,20 @@ public class QuirkTests
         PhysicsSimulator simulator = Falling();
         simulator.Quirks = flags;
         return simulator;
+    }
+
+    private static double NormalThatABoxOnAFloorHears(PhysicsSimulator simulator)
+    {
+        Floor(simulator);
+        Geom box = Box(simulator, new Vector2(0, -9.9f));
+        double heard = 0;
+        box.OnCollision += (_, _, contacts) =>
+        {
+            heard = contacts[0].Normal.Y;
+            return true;
+        };
+        simulator.Update(Step);
+        return heard;
     }
 
     private static double RotationInARopeStraightDown(PhysicsSimulator simulator) => ComplexFactory.Instance

@@ -47,7 +47,7 @@ public class SimulatorSmokeTests
         {
             log.Add("box");
             Assert.Same(geom, a);
-            Assert.True(contacts[0].Normal.Y < -0.9f);
+            Assert.True(contacts[0].Normal.Y > 0.9f);
             return true;
         };
         geom.OnSeparation += (a, b) => log.Add("part");

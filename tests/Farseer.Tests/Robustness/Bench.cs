@@ -115,6 +115,7 @@ internal sealed class Bench
             nameof(BodyList) => Simulator.BodyList,
             nameof(GeomList) => Simulator.GeomList,
             nameof(JointList) => Simulator.JointList,
+            "ItemList`1" => OwnList(),
             nameof(ArbiterList) => Simulator.ArbiterList,
             nameof(Arbiter) => Simulator.ArbiterList[0],
             nameof(BodyFactory) => BodyFactory.Instance,
@@ -185,6 +186,12 @@ internal sealed class Bench
             nameof(Spring) => new FixedLinearSpring(),
             nameof(Path) => Chain(),
             nameof(CurveKey) => new CurveKey(1, 2),
+            nameof(FixedStepDriver) => new FixedStepDriver(Simulator),
+            nameof(CharacterMover) => new CharacterMover(new PhysicsSimulator(), Vector2.Zero, 4, 1),
+            nameof(Vehicle) => Vehicle.Create(new PhysicsSimulator(), Vector2.Zero, 4, 10),
+            nameof(Ragdoll) => Ragdoll.Create(new PhysicsSimulator(), Vector2.Zero, 4, 10),
+            nameof(InspectionFinding) => null,
+            nameof(StepEvents) => Simulator.Events,
             nameof(IStepScheduler) => new Behavior.HostThreads(0),
             nameof(IDebugDraw) => Picture(),
             nameof(Controller) => new ExplosionController(),
@@ -196,6 +203,7 @@ internal sealed class Bench
             : type == typeof(Action<Arbiter>) ? (Action<Arbiter>)(_ => { })
             : type == typeof(Func<PhysicsSimulator>) ? (Func<PhysicsSimulator>)(() => new PhysicsSimulator())
             : type == typeof(Action<PhysicsSimulator, int, float>) ? (Action<PhysicsSimulator, int, float>)((_, _, _) => { })
+            : type == typeof(IEnumerable<Body>) ? Array.Empty<Body>()
             : type == typeof(IProgress<double>) ? new Progress<double>()
             : type == typeof(Predicate<Arbiter>) ? (Predicate<Arbiter>)(_ => false)
             : type.GetConstructor(new[] { typeof(PhysicsSimulator) }) is { } forSimulator ? forSimulator.Invoke(new object[] { Simulator })
@@ -204,6 +212,8 @@ internal sealed class Bench
             : typeof(Delegate).IsAssignableFrom(type) ? null
             : throw new NotSupportedException("No valid " + type + " for " + name + ": add one."));
     }
+
+    private static BodyList OwnList() => new BodyList { new Body(), new Body(), new Body(), new Body(), new Body(), new Body(), new Body(), new Body() };
 
     private object NewJoint(Type type)
     {

@@ -5,6 +5,7 @@ using System.Numerics;
 using System.Reflection;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
 
 namespace Farseer.Tests.Robustness;
 
@@ -123,7 +124,7 @@ internal sealed class Door
                 continue;
             }
 
-            Type type = exported.IsGenericTypeDefinition ? exported.MakeGenericType(typeof(object)) : exported;
+            Type type = exported.IsGenericTypeDefinition ? exported.MakeGenericType(exported == typeof(ItemList<>) ? typeof(Body) : typeof(object)) : exported;
             IEnumerable<MethodBase> members = type.GetConstructors(Declared);
             members = members.Concat(type.GetMethods(Declared).Where(m => !m.IsGenericMethod && !IsAccessorOfEvent(m)));
             foreach (MethodBase member in members)

@@ -27,12 +27,12 @@ public class AngleLimitJoint : PairJoint
     /// <param name="upperLimit">Largest angle, radians; finite.</param>
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A limit is not finite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A limit is not finite, or the upper one is below the lower one.</exception>
     public AngleLimitJoint(Body body1, Body body2, float lowerLimit, float upperLimit)
         : base(body1, body2)
     {
         _lowerLimit = Require.Finite(lowerLimit, nameof(lowerLimit));
-        _upperLimit = Require.Finite(upperLimit, nameof(upperLimit));
+        _upperLimit = Require.NotBelow(Require.Finite(upperLimit, nameof(upperLimit)), lowerLimit, nameof(upperLimit), nameof(lowerLimit));
     }
 
     /// <summary>Smallest angle, radians; finite. Default 0.</summary>

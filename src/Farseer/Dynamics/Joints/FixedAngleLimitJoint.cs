@@ -25,12 +25,12 @@ public class FixedAngleLimitJoint : WorldJoint
     /// <param name="lowerLimit">Smallest angle, radians; finite.</param>
     /// <param name="upperLimit">Largest angle, radians; finite.</param>
     /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A limit is not finite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A limit is not finite, or the upper one is below the lower one.</exception>
     public FixedAngleLimitJoint(Body body, float lowerLimit, float upperLimit)
         : base(body)
     {
         _lowerLimit = Require.Finite(lowerLimit, nameof(lowerLimit));
-        _upperLimit = Require.Finite(upperLimit, nameof(upperLimit));
+        _upperLimit = Require.NotBelow(Require.Finite(upperLimit, nameof(upperLimit)), lowerLimit, nameof(upperLimit), nameof(lowerLimit));
     }
 
     /// <summary>Smallest angle, radians; finite. Default 0.</summary>

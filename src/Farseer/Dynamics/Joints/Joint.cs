@@ -266,13 +266,23 @@ public abstract class Joint : IDisposable, IItem
         return value;
     }
 
+    /// <summary>Kind, bodies and state, for a debugger.</summary>
+    /// <returns>A line of text.</returns>
+    public override string ToString() => GetType().Name + (Tag is null ? "" : " " + Tag)
+        + (FirstBody is null ? "" : " of [" + FirstBody + "]") + (SecondBody is null ? "" : (FirstBody is null ? " of [" : " and [") + SecondBody + "]")
+        + (IsDisposed ? ", disposed" : !Enabled ? ", off" : "");
+
     /// <summary>Keeps the error that the engine last found while the joint is out of it.</summary>
     internal void KeepError(float error) => _jointError = error;
 
     /// <summary>The largest float, and infinity, stand for no bound.</summary>
     internal static double Bound(float value) => value >= float.MaxValue ? double.PositiveInfinity : value;
 
-    private void RaiseBroke() => Broke?.Invoke(this, EventArgs.Empty);
+    private void RaiseBroke()
+    {
+        Simulator?.Relay.Recorder.Broke(this);
+        Broke?.Invoke(this, EventArgs.Empty);
+    }
 
     /// <summary>Writes, or reads, what later updates read of it.</summary>
     internal virtual void Visit(StateStream s)

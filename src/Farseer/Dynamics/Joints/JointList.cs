@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using Farseer.Engine.Storage;
-using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
@@ -8,7 +6,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A list of joints that tells of additions and removals. That of a simulator is a view of what it simulates:
 /// <see cref="Add"/> and <see cref="Remove"/> then stand for those of the simulator, which take effect at the next update.
 /// </summary>
-public class JointList : List<Joint>
+public class JointList : ItemList<Joint>
 {
     /// <summary>Handles a change of the list.</summary>
     /// <param name="joint">The joint added or removed.</param>
@@ -20,73 +18,33 @@ public class JointList : List<Joint>
     /// <summary>Called when a joint has been removed. Use with +=. Default null.</summary>
     public ContentsChangedEventHandler? Removed { get; set; }
 
-    [NotState(Why.Fixed)]
-    internal PhysicsSimulator? Owner { get; set; }
+    private protected override bool IsHeard => Removed is not null;
 
     /// <summary>Adds a joint.</summary>
     /// <param name="joint">The joint.</param>
     /// <exception cref="System.ArgumentNullException"><paramref name="joint"/> is null.</exception>
-    public new void Add(Joint joint)
-    {
-        Require.NotNull(joint, nameof(joint));
-        if (Owner is null)
-        {
-            TakeIn(joint);
-        }
-        else
-        {
-            Owner.Add(joint);
-        }
-    }
+    public new void Add(Joint joint) => AddItem(joint, nameof(joint));
 
     /// <summary>Removes a joint; one that is not in the list is ignored.</summary>
     /// <param name="joint">The joint.</param>
     /// <exception cref="System.ArgumentNullException"><paramref name="joint"/> is null.</exception>
-    public new void Remove(Joint joint)
-    {
-        Require.NotNull(joint, nameof(joint));
-        if (Owner is null)
-        {
-            TakeOut(joint);
-        }
-        else
-        {
-            Owner.Remove(joint);
-        }
-    }
+    public new void Remove(Joint joint) => RemoveItem(joint, nameof(joint));
 
     /// <summary>Takes disposed joints out of the list. A simulator does it by itself at each update.</summary>
-    public void RemoveDisposed()
-    {
-        for (int i = Count - 1; i >= 0; i--)
-        {
-            if (this[i].IsDisposed)
-            {
-                Joint removed = this[i];
-                RemoveAt(i);
-                Removed?.Invoke(removed);
-            }
-        }
-    }
+    public void RemoveDisposed() => DropDisposed();
 
-    internal void TakeIn(Joint joint)
-    {
-        base.Add(joint);
-        Added?.Invoke(joint);
-    }
+    private protected override bool IsDisposed(Joint item) => item.IsDisposed;
 
-    internal void TakeOut(Joint joint)
-    {
-        if (base.Remove(joint))
-        {
-            Removed?.Invoke(joint);
-        }
-    }
+    private protected override void TellAdded(Joint item) => Added?.Invoke(item);
 
-    /// <summary>Writes, or reads, what is in it and who hears of it.</summary>
-    internal void Visit(StateStream s)
+    private protected override void TellRemoved(Joint item) => Removed?.Invoke(item);
+
+    private protected override void OwnerAdd(Joint item) => Owner!.Add(item);
+
+    private protected override void OwnerRemove(Joint item) => Owner!.Remove(item);
+
+    private protected override void VisitHandlers(StateStream s)
     {
-        s.References(this);
         Added = s.Reference(Added);
         Removed = s.Reference(Removed);
     }

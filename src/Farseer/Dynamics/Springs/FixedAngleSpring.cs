@@ -41,6 +41,8 @@ public class FixedAngleSpring : Spring
         set => _body = Require.NotNull(value, nameof(Body));
     }
 
+    internal override Body? SecondBody => Body;
+
     /// <summary>Angle without force, radians; finite. More than a turn is allowed. Default that when it was made, or 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float TargetAngle

@@ -47,6 +47,8 @@ public class FixedLinearSpring : Spring
         set => _body = Require.NotNull(value, nameof(Body));
     }
 
+    internal override Body? SecondBody => Body;
+
     /// <summary>Attach point of <see cref="Body"/>, in its coordinates. Default (0, 0).</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public Vector2 BodyAttachPoint

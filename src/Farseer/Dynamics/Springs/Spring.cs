@@ -155,6 +155,7 @@ public abstract class Spring : IDisposable, IItem
         if (Enabled && Math.Abs(SpringError) > Breakpoint)
         {
             Enabled = false;
+            Simulator?.Relay.Recorder.Broke(this);
             Broke?.Invoke(this, EventArgs.Empty);
         }
     }

@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using Farseer.Engine.Storage;
-using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
 
@@ -8,7 +6,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
 /// A list of springs that tells of additions and removals. That of a simulator is a view of what it simulates:
 /// <see cref="Add"/> and <see cref="Remove"/> then stand for those of the simulator, which take effect at the next update.
 /// </summary>
-public class SpringList : List<Spring>
+public class SpringList : ItemList<Spring>
 {
     /// <summary>Handles a change of the list.</summary>
     /// <param name="spring">The spring added or removed.</param>
@@ -20,73 +18,33 @@ public class SpringList : List<Spring>
     /// <summary>Called when a spring has been removed. Use with +=. Default null.</summary>
     public ContentsChangedEventHandler? Removed { get; set; }
 
-    [NotState(Why.Fixed)]
-    internal PhysicsSimulator? Owner { get; set; }
+    private protected override bool IsHeard => Removed is not null;
 
     /// <summary>Adds a spring.</summary>
     /// <param name="spring">The spring.</param>
     /// <exception cref="System.ArgumentNullException"><paramref name="spring"/> is null.</exception>
-    public new void Add(Spring spring)
-    {
-        Require.NotNull(spring, nameof(spring));
-        if (Owner is null)
-        {
-            TakeIn(spring);
-        }
-        else
-        {
-            Owner.Add(spring);
-        }
-    }
+    public new void Add(Spring spring) => AddItem(spring, nameof(spring));
 
     /// <summary>Removes a spring; one that is not in the list is ignored.</summary>
     /// <param name="spring">The spring.</param>
     /// <exception cref="System.ArgumentNullException"><paramref name="spring"/> is null.</exception>
-    public new void Remove(Spring spring)
-    {
-        Require.NotNull(spring, nameof(spring));
-        if (Owner is null)
-        {
-            TakeOut(spring);
-        }
-        else
-        {
-            Owner.Remove(spring);
-        }
-    }
+    public new void Remove(Spring spring) => RemoveItem(spring, nameof(spring));
 
     /// <summary>Takes disposed springs out of the list. A simulator does it by itself at each update.</summary>
-    public void RemoveDisposed()
-    {
-        for (int i = Count - 1; i >= 0; i--)
-        {
-            if (this[i].IsDisposed)
-            {
-                Spring removed = this[i];
-                RemoveAt(i);
-                Removed?.Invoke(removed);
-            }
-        }
-    }
+    public void RemoveDisposed() => DropDisposed();
 
-    internal void TakeIn(Spring spring)
-    {
-        base.Add(spring);
-        Added?.Invoke(spring);
-    }
+    private protected override bool IsDisposed(Spring item) => item.IsDisposed;
 
-    internal void TakeOut(Spring spring)
-    {
-        if (base.Remove(spring))
-        {
-            Removed?.Invoke(spring);
-        }
-    }
+    private protected override void TellAdded(Spring item) => Added?.Invoke(item);
 
-    /// <summary>Writes, or reads, what is in it and who hears of it.</summary>
-    internal void Visit(StateStream s)
+    private protected override void TellRemoved(Spring item) => Removed?.Invoke(item);
+
+    private protected override void OwnerAdd(Spring item) => Owner!.Add(item);
+
+    private protected override void OwnerRemove(Spring item) => Owner!.Remove(item);
+
+    private protected override void VisitHandlers(StateStream s)
     {
-        s.References(this);
         Added = s.Reference(Added);
         Removed = s.Reference(Removed);
     }

@@ -1,0 +1,30 @@
+using System;
+
+namespace FarseerGames.FarseerPhysics.Dynamics;
+
+/// <content>What a body keeps that nearly none has.</content>
+public partial class Body
+{
+    /// <summary>What nearly no body has.</summary>
+    private sealed class BodyExtras
+    {
+        public const float UsualMinimumVelocity = 55;
+
+        public EventHandler<EventArgs>? Disposed;
+        public UpdatedEventHandler? Updated;
+        public object? Tag;
+        public string? Name;
+        public float IdleTime;
+        public float MinimumVelocity = UsualMinimumVelocity;
+        public float GravityScale = 1;
+        public MotionLocks Locks;
+
+        /// <summary>The moment of inertia while the body may not turn; 0: it may.</summary>
+        public float FixedInertia;
+
+        // What the handlers of moves heard last.
+        public double ToldX;
+        public double ToldY;
+        public double ToldAngle;
+    }
+}

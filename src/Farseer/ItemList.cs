@@ -1,0 +1,310 @@
+using System;
+using System.Collections.Generic;
+using Farseer.Engine.Storage;
+using FarseerGames.FarseerPhysics.Bridge;
+
+namespace FarseerGames.FarseerPhysics;
+
+/// <summary>
+/// What the lists of bodies, geoms, joints, springs and controllers have in common. A list of a simulator is a view of what it simulates: what
+/// adds and removes stands for the methods of the simulator, which take effect at the next update, and its order is that in which items were added, so
+/// what would change the order alone is refused. A list of your own changes at once. (An addition to the original, where clearing the list of a simulator
+/// left everything in it.)
+/// </summary>
+/// <typeparam name="T">The kind of item.</typeparam>
+public abstract class ItemList<T> : List<T>
+    where T : class
+{
+    private protected ItemList()
+    {
+    }
+
+    /// <summary>An item by its place. Only a list of your own lets you set it.</summary>
+    /// <param name="index">From 0 to below <see cref="List{T}.Count"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such place.</exception>
+    /// <exception cref="InvalidOperationException">It is set, and the list is that of a simulator.</exception>
+    public new T this[int index]
+    {
+        get => base[index];
+        set
+        {
+            Require.NotNull(value, nameof(value));
+            RequireOwnOrder();
+            T before = base[index];
+            base[index] = value;
+            TellRemoved(before);
+            TellAdded(value);
+        }
+    }
+
+    [NotState(Why.Fixed)]
+    internal PhysicsSimulator? Owner { get; set; }
+
+    /// <summary>Removes all items: from a simulator at its next update.</summary>
+    public new void Clear()
+    {
+        if (Owner is null)
+        {
+            Array.ForEach(Empty(), TellRemoved);
+            return;
+        }
+
+        for (int i = 0; i < Count; i++)
+        {
+            OwnerRemove(base[i]);
+        }
+    }
+
+    /// <summary>Adds several items.</summary>
+    /// <param name="collection">The items.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="collection"/> or an item of it is null.</exception>
+    public new void AddRange(IEnumerable<T> collection)
+    {
+        foreach (T item in Require.NotNull(collection, nameof(collection)))
+        {
+            AddItem(item, nameof(collection));
+        }
+    }
+
+    /// <summary>Puts an item at a place.</summary>
+    /// <param name="index">The place.</param>
+    /// <param name="item">The item.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="item"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such place.</exception>
+    /// <exception cref="InvalidOperationException">The list is that of a simulator.</exception>
+    public new void Insert(int index, T item)
+    {
+        Require.NotNull(item, nameof(item));
+        RequireOwnOrder();
+        Require.Within(index, 0, Count, nameof(index));
+        base.Insert(index, item);
+        TellAdded(item);
+    }
+
+    /// <summary>Puts several items at a place.</summary>
+    /// <param name="index">The place.</param>
+    /// <param name="collection">The items.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="collection"/> or an item of it is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such place.</exception>
+    /// <exception cref="InvalidOperationException">The list is that of a simulator.</exception>
+    public new void InsertRange(int index, IEnumerable<T> collection)
+    {
+        RequireOwnOrder();
+        Require.Within(index, 0, Count, nameof(index));
+        foreach (T item in Require.NotNull(collection, nameof(collection)))
+        {
+            Insert(index++, item);
+        }
+    }
+
+    /// <summary>Removes the item at a place: from a simulator at its next update.</summary>
+    /// <param name="index">The place.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such place.</exception>
+    public new void RemoveAt(int index)
+    {
+        T item = base[Require.Within(index, 0, Count - 1, nameof(index))];
+        if (Owner is null)
+        {
+            base.RemoveAt(index);
+            TellRemoved(item);
+        }
+        else
+        {
+            OwnerRemove(item);
+        }
+    }
+
+    /// <summary>Removes the items that match: from a simulator at its next update.</summary>
+    /// <param name="match">Tells which.</param>
+    /// <returns>How many there are.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="match"/> is null.</exception>
+    public new int RemoveAll(Predicate<T> match)
+    {
+        Require.NotNull(match, nameof(match));
+        int count = 0;
+        for (int i = Count - 1; i >= 0; i--)
+        {
+            if (match(base[i]))
+            {
+                RemoveAt(i);
+                count++;
+            }
+        }
+
+        return count;
+    }
+
+    /// <summary>Removes the items at some places: from a simulator at its next update.</summary>
+    /// <param name="index">The first place.</param>
+    /// <param name="count">How many.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There are no such places.</exception>
+    public new void RemoveRange(int index, int count)
+    {
+        RequireRange(index, count);
+        for (int i = index + count - 1; i >= index; i--)
+        {
+            RemoveAt(i);
+        }
+    }
+
+    /// <summary>Turns the order round.</summary>
+    /// <exception cref="InvalidOperationException">The list is that of a simulator.</exception>
+    public new void Reverse()
+    {
+        RequireOwnOrder();
+        base.Reverse();
+    }
+
+    /// <summary>Turns the order of some items round.</summary>
+    /// <param name="index">The first place.</param>
+    /// <param name="count">How many.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There are no such places.</exception>
+    /// <exception cref="InvalidOperationException">The list is that of a simulator.</exception>
+    public new void Reverse(int index, int count)
+    {
+        RequireOwnOrder();
+        RequireRange(index, count);
+        base.Reverse(index, count);
+    }
+
+    /// <summary>Sorts the items.</summary>
+    /// <param name="comparison">Compares two of them.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="comparison"/> is null.</exception>
+    /// <exception cref="InvalidOperationException">The list is that of a simulator.</exception>
+    public new void Sort(Comparison<T> comparison)
+    {
+        Require.NotNull(comparison, nameof(comparison));
+        RequireOwnOrder();
+        base.Sort(comparison);
+    }
+
+    /// <summary>Sorts the items.</summary>
+    /// <param name="comparer">Compares two of them.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="comparer"/> is null.</exception>
+    /// <exception cref="InvalidOperationException">The list is that of a simulator.</exception>
+    public new void Sort(IComparer<T> comparer)
+    {
+        Require.NotNull(comparer, nameof(comparer));
+        RequireOwnOrder();
+        base.Sort(comparer);
+    }
+
+    internal void TakeIn(T item)
+    {
+        base.Add(item);
+        TellAdded(item);
+    }
+
+    internal void TakeOut(T item)
+    {
+        if (base.Remove(item))
+        {
+            TellRemoved(item);
+        }
+    }
+
+    /// <summary>Takes all out at once: one after the other, each would move all those behind it.</summary>
+    /// <returns>Those of whom somebody is to be told.</returns>
+    internal T[] Empty()
+    {
+        T[] removed = IsHeard ? ToArray() : [];
+        base.Clear();
+        return removed;
+    }
+
+    /// <summary>Tells of removals, of all of them even if a handler throws.</summary>
+    internal void Tell(T[] removed, EventRelay relay)
+    {
+        foreach (T item in removed)
+        {
+            try
+            {
+                TellRemoved(item);
+            }
+            catch (Exception exception)
+            {
+                relay.Keep(exception);
+            }
+        }
+    }
+
+    /// <summary>Writes, or reads, what is in it and who hears of it.</summary>
+    internal void Visit(StateStream s)
+    {
+        s.References(this);
+        VisitHandlers(s);
+    }
+
+    private protected abstract void VisitHandlers(StateStream s);
+
+    /// <summary>Somebody is told of what leaves.</summary>
+    private protected abstract bool IsHeard { get; }
+
+    private protected abstract bool IsDisposed(T item);
+
+    private protected abstract void TellAdded(T item);
+
+    private protected abstract void TellRemoved(T item);
+
+    private protected abstract void OwnerAdd(T item);
+
+    private protected abstract void OwnerRemove(T item);
+
+    private protected void AddItem(T item, string name)
+    {
+        Require.NotNull(item, name);
+        if (Owner is null)
+        {
+            TakeIn(item);
+        }
+        else
+        {
+            OwnerAdd(item);
+        }
+    }
+
+    private protected void RemoveItem(T item, string name)
+    {
+        Require.NotNull(item, name);
+        if (Owner is null)
+        {
+            TakeOut(item);
+        }
+        else
+        {
+            OwnerRemove(item);
+        }
+    }
+
+    /// <summary>Takes disposed items out of the list at once.</summary>
+    private protected int DropDisposed()
+    {
+        int count = 0;
+        for (int i = Count - 1; i >= 0; i--)
+        {
+            T item = base[i];
+            if (IsDisposed(item))
+            {
+                base.RemoveAt(i);
+                TellRemoved(item);
+                count++;
+            }
+        }
+
+        return count;
+    }
+
+    private void RequireRange(int index, int count)
+    {
+        Require.Within(index, 0, Count, nameof(index));
+        Require.Within(count, 0, Count - index, nameof(count));
+    }
+
+    private void RequireOwnOrder()
+    {
+        if (Owner is not null)
+        {
+            throw new InvalidOperationException("The list is that of a simulator: its order is that in which the items were added.");
+        }
+    }
+}

@@ -1,0 +1,121 @@
+using FarseerGames.FarseerPhysics.Bridge;
+using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Dynamics;
+
+namespace FarseerGames.FarseerPhysics;
+
+/// <content>Events that are read after an update, and what contacts gave. (Additions to the original.)</content>
+public partial class PhysicsSimulator
+{
+    private readonly PoseMemory _poses = new PoseMemory();
+    private StepEvents? _events;
+
+    /// <summary>
+    /// The kinds of events that updates record; what is not recorded costs nothing. Setting it looks at all geoms and wakes what sleeps, so do it
+    /// when the scene is made; pairs that touch by then count as beginning, and places and sleep count from then on. Default
+    /// <see cref="StepEventKinds.None"/>. (An addition to the original.)
+    /// </summary>
+    /// <exception cref="System.ArgumentOutOfRangeException">The value has a bit that is no member of the enum.</exception>
+    public StepEventKinds RecordedEvents
+    {
+        get => _relay.Recorder.Kinds;
+        set
+        {
+            if ((value & ~StepEventKinds.All) != 0)
+            {
+                throw Require.Range(nameof(RecordedEvents), value, "must be made of members of the enum StepEventKinds");
+            }
+
+            _relay.Recorder.Kinds = value;
+            World.TellsPushes = (value & (StepEventKinds.Hits | StepEventKinds.Pushes)) != 0;
+            for (int i = 0; i < _table.GeomEnd; i++)
+            {
+                _table.Geom(i)?.Link.PushFlags(_table.Geom(i)!);
+            }
+
+            for (int i = 0; i < _table.BodyEnd; i++)
+            {
+                if (_table.Body(i) is { } body)
+                {
+                    _relay.Recorder.Take(body);
+                }
+            }
+        }
+    }
+
+    /// <summary>What the last update recorded: a view, valid until the next update. (An addition to the original.)</summary>
+    public StepEvents Events => _events ??= new StepEvents(_relay.Recorder);
+
+    /// <summary>
+    /// The approach speed above which a meeting is in <see cref="StepEvents.Hits"/>, length/s; at least 0. What comes together more slowly than gravity
+    /// accelerates a body in four substeps is at rest and no hit in any case. Default 0. (An addition to the original.)
+    /// </summary>
+    /// <exception cref="System.ArgumentOutOfRangeException">The value is negative or not finite.</exception>
+    public float HitSpeed
+    {
+        get => World.HitSpeed;
+        set => World.HitSpeed = Require.NotNegative(value, nameof(HitSpeed));
+    }
+
+    /// <summary>
+    /// Says what the surfaces of a pair are together, where the rules of <see cref="FrictionType"/> and <see cref="RestitutionType"/> do not do. It is
+    /// asked in each update for each pair of geoms that are near each other, on the calling thread, in an order that the scene alone decides; null, the default, costs nothing. (An addition to the original.)
+    /// </summary>
+    public MaterialMixer? MixMaterials
+    {
+        get => _surfaces.Mixer;
+        set
+        {
+            _surfaces.Mixer = value;
+            if (value is not null)
+            {
+                World.UseSurfaces();
+            }
+        }
+    }
+
+    /// <summary>
+    /// True keeps where bodies were when the last update began, so that <see cref="Body.GetPose(float)"/> can say where they are between updates; <see cref="FixedStepDriver"/>
+    /// sets it. False, the default, costs nothing. No bit of the motion changes by it. (An addition to the original.)
+    /// </summary>
+    public bool KeepsPoses
+    {
+        get => _poses.IsOn;
+        set
+        {
+            if (value != _poses.IsOn)
+            {
+                _poses.IsOn = value;
+                _poses.Keep(World);
+            }
+        }
+    }
+
+    /// <summary>
+    /// Looks over the scene for what is seldom meant so: geoms whose bodies are not in, overlaps, stacks without friction, filters that exclude each other, thin walls, joints without length. It reads only, and takes
+    /// time and memory: for tests and for debugging, not for each update. (An addition to the original.)
+    /// </summary>
+    /// <returns>A new list, by the numbers of the kinds; empty if nothing was found. docs/Games.md has the kinds.</returns>
+    /// <exception cref="System.ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="System.InvalidOperationException">The call comes from a handler of an update.</exception>
+    public System.Collections.Generic.List<InspectionFinding> Inspect()
+    {
+        ThrowIfDisposed();
+        return _isUpdating
+            ? throw new System.InvalidOperationException("Inspect must not be called from a handler of an update.")
+            : new SceneInspector(this).Run();
+    }
+
+    internal PoseMemory Poses => _poses;
+
+    /// <summary>
+    /// True lets updates add up what each contact gives, so that <see cref="Contact.NormalImpulse"/> and <see cref="Contact.TangentImpulse"/> are exact:
+    /// their sum over a body's contacts is its change of momentum, less that of gravity, forces, drag and joints. False takes the last substep for all of them. Recording
+    /// <see cref="StepEventKinds.Hits"/> or <see cref="StepEventKinds.Pushes"/> adds them up too. No bit of the motion changes by it. Default false. (An addition to the original.)
+    /// </summary>
+    public bool SumImpulses
+    {
+        get => World.SumsImpulses;
+        set => World.SumsImpulses = value;
+    }
+}

@@ -1,0 +1,32 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using Xunit;
+
+namespace Farseer.Rules.Tests;
+
+/// <summary>The table of docs/Games.md names tests: each is there.</summary>
+public sealed class GamesTableTests
+{
+    [Fact]
+    public void Test_NamedInTheTable_Exists_AndEachTestOfTheFolderIsOfAClassThatIsNamed()
+    {
+        string page = File.ReadAllText(Path.Combine(Repository.Root, "docs", "Games.md"));
+        List<string> named = [.. Regex.Matches(page, @"\| `(\w+Tests\.\w+)` \|").Select(m => m.Groups[1].Value)];
+        var existing = new HashSet<string>(StringComparer.Ordinal);
+        foreach (string file in Directory.GetFiles(Path.Combine(Repository.Root, "tests", "Farseer.Tests", "Games"), "*Tests.cs"))
+        {
+            string type = Path.GetFileNameWithoutExtension(file);
+            foreach (Match method in Regex.Matches(File.ReadAllText(file), @"\[(?:Fact|Theory|MemberData\(\w+\(\w+\)\)|InlineData\([^\n]*\))\]\s+public void (\w+)\("))
+            {
+                existing.Add(type + "." + method.Groups[1].Value);
+            }
+        }
+
+        Assert.True(named.Count >= 40);
+        Assert.All(named, n => Assert.Contains(n, existing));
+        Assert.Equal(named.Count, named.Distinct().Count());
+    }
+}
