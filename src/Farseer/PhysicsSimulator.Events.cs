@@ -1,3 +1,4 @@
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
@@ -8,6 +9,7 @@ namespace FarseerGames.FarseerPhysics;
 public partial class PhysicsSimulator
 {
     private readonly PoseMemory _poses = new PoseMemory();
+    [NotState(Why.Fixed)]
     private StepEvents? _events;
 
     /// <summary>

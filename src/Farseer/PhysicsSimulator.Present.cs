@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
@@ -10,6 +11,7 @@ namespace FarseerGames.FarseerPhysics;
 /// <content>What is there for those who look between updates: what the last one took in, and what waits for the next.</content>
 public partial class PhysicsSimulator
 {
+    [NotState(Why.OfOneStep)]
     private readonly List<Geom> _present = new List<Geom>();
 
     /// <summary>Lists the geoms that wait for the next update, or for another outline or body in it, each once.</summary>

@@ -283,6 +283,10 @@ public partial class PhysicsSimulator
         _broadPhaseCollider = s.Reference(_broadPhaseCollider)!;
         _relay.Collider = s.Reference(_relay.Collider);
         _relay.Collider?.Visit(s);
+        _relay.Recorder.Visit(s);
+        _relay.OneWay.Visit(s);
+        _surfaces.Visit(s);
+        _poses.Visit(s);
         Report = StepReport.Visit(s, Report);
         if (s.IsReading)
         {
@@ -304,6 +308,8 @@ public partial class PhysicsSimulator
         s.References(_bodiesOut);
         s.References(_bodiesDisposed);
         s.References(_pending);
+        s.References(_scaled);
+        s.References(_railed);
         s.References(_listeners);
         s.References(_geomsIn);
         s.References(_geomsOut);

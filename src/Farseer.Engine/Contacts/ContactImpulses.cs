@@ -60,6 +60,8 @@ internal sealed unsafe class ContactImpulses
 {
     private readonly Column<ContactImpulse> _given = new Column<ContactImpulse>();
 
+    public void Visit(StateStream s) => s.Column(_given);
+
     /// <summary>Makes room for so many contacts, and forgets the last step.</summary>
     public void Begin(int contacts)
     {

@@ -457,6 +457,7 @@ internal sealed class ContactStore
         End = s.Value(End);
         IdleCount = s.Value(IdleCount);
         Steps.Visit(s);
+        Surfaces.Visit(s);
         KeepsGaps = s.Value(KeepsGaps);
     }
 }

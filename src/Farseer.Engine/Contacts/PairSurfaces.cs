@@ -56,6 +56,7 @@ internal sealed class PairSurfaces
     public bool IsOn { get; private set; }
 
     /// <summary>Some pair needs the pass.</summary>
+    [NotState(Why.OfOneStep)]
     public bool AnySpecial { get; set; }
 
     public ref PairSurface this[int contact] => ref _surfaces[contact];
@@ -64,4 +65,10 @@ internal sealed class PairSurfaces
     public void TurnOn() => IsOn = true;
 
     public void EnsureCapacity(int contacts) => _surfaces.EnsureCapacity(contacts);
+
+    public void Visit(StateStream s)
+    {
+        s.Column(_surfaces);
+        IsOn = s.Value(IsOn);
+    }
 }

@@ -90,4 +90,18 @@ internal sealed unsafe partial class JointSolver
         v[1] = 0;
         v[2] = 0;
     }
+
+    /// <summary>The elimination of a tree and, with it, its loops.</summary>
+    private void Factor(JointTree* tree)
+    {
+        TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
+        _loops.Factor(tree);
+    }
+
+    /// <summary>Adds what a solution gave to the joints of a tree.</summary>
+    private void Give(JointTree* tree)
+    {
+        TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
+        _loops.Give(tree);
+    }
 }

@@ -475,20 +475,6 @@ internal sealed unsafe partial class JointSolver : IStageWork
         PrepareFrom(0);
     }
 
-    /// <summary>The elimination of a tree and, with it, its loops.</summary>
-    private void Factor(JointTree* tree)
-    {
-        TreeFactor.Run(_forest, tree, _active.Pointer, _rows.Pointer);
-        _loops.Factor(tree);
-    }
-
-    /// <summary>Adds what a solution gave to the joints of a tree.</summary>
-    private void Give(JointTree* tree)
-    {
-        TreeReactions.Give(_forest, tree, _active.Pointer, _rows.Pointer);
-        _loops.Give(tree);
-    }
-
     private void Prepare(int item)
     {
         if (item < 0)

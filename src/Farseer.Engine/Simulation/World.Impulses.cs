@@ -14,10 +14,13 @@ internal sealed partial class World
     /// <summary>Substeps of gravity up to whose speed an approach is rest, as for a bounce.</summary>
     private const float RestSubsteps = BounceKernel.RestSubsteps;
 
+    [NotState(Why.OfOneStep)]
     private readonly Column<ulong> _hitKeys = new Column<ulong>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<int> _hitContacts = new Column<int>();
 
     // Where bodies were when the step began, of steps that tell.
+    [NotState(Why.OfOneStep)]
     private readonly Column<BodyPose> _hitStarts = new Column<BodyPose>();
     private ContactImpulses? _impulses;
     private bool _sums;

@@ -34,6 +34,7 @@ internal sealed partial class World
         VisitItems(s);
         VisitSleep(s);
         VisitAccuracy(s);
+        VisitImpulses(s);
         BroadPhase = s.Reference(BroadPhase)!;
         BroadPhase.Visit(s);
         Queries.Visit(s);
@@ -103,6 +104,18 @@ internal sealed partial class World
         s.Value(ref _groupsChanged);
         s.Value(ref _gravityAsleep);
         AsleepCount = s.Value(AsleepCount);
+    }
+
+    /// <summary>What readers of contacts see, and what is to be summed.</summary>
+    private void VisitImpulses(StateStream s)
+    {
+        SumsImpulses = s.Value(SumsImpulses);
+        TellsPushes = s.Value(TellsPushes);
+        HitSpeed = s.Value(HitSpeed);
+        s.Value(ref _sums);
+        s.Value(ref _tellsPushes);
+        s.Reference(ref _impulses);
+        _impulses?.Visit(s);
     }
 
     private void VisitAccuracy(StateStream s)

@@ -1,5 +1,6 @@
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
@@ -7,6 +8,7 @@ namespace Farseer.Engine.Simulation;
 internal sealed partial class World
 {
     /// <summary>Says what surfaces are; null: all are what their colliders say.</summary>
+    [NotState(Why.Elsewhere)]
     public IPairSurfaces? Surfaces { get; set; }
 
     /// <summary>From now on some collider has a surface of its own, or all pairs are judged.</summary>

@@ -195,6 +195,19 @@ internal sealed unsafe class StateStream
         }
     }
 
+    /// <summary>An array that is replaced by a longer one as need be.</summary>
+    public void Sized<T>(ref T[] items, [CallerArgumentExpression(nameof(items))] string name = "")
+        where T : unmanaged
+    {
+        int count = Value(items.Length, name);
+        if (items.Length != count)
+        {
+            items = new T[count];
+        }
+
+        Array(items, name);
+    }
+
     public void List<T>(List<T> items, [CallerArgumentExpression(nameof(items))] string name = "")
         where T : unmanaged
     {

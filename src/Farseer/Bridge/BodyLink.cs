@@ -250,6 +250,8 @@ internal struct BodyLink
         IsSimulated = s.Value(IsSimulated);
         Colliders = s.Value(Colliders);
         Joints = s.Value(Joints);
+        Rail = s.Value(Rail);
+        IsPulledApart = s.Value(IsPulledApart);
         if (!s.Value(_loose is not null))
         {
             _loose = null;

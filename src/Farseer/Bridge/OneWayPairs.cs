@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -20,6 +21,9 @@ internal sealed class OneWayPairs
     private const float DeepShare = 1f / 16;
 
     private readonly HashSet<ulong> _passing = new HashSet<ulong>();
+
+    [NotState(Why.OfOneStep)]
+    private readonly List<ulong> _sorted = new List<ulong>();
 
     /// <summary>Pairs that pass now, by <see cref="PairOrder"/>.</summary>
     public IReadOnlyCollection<ulong> Passing => _passing;
@@ -55,6 +59,23 @@ internal sealed class OneWayPairs
     public void End(Geom a, Geom b) => _passing.Remove(PairOrder.Of(a, b));
 
     public void Clear() => _passing.Clear();
+
+    /// <summary>In one order, or two states of the same would differ.</summary>
+    public void Visit(StateStream s)
+    {
+        _sorted.Clear();
+        _sorted.AddRange(_passing);
+        _sorted.Sort();
+        s.List(_sorted);
+        if (s.IsReading)
+        {
+            _passing.Clear();
+            foreach (ulong pair in _sorted)
+            {
+                _passing.Add(pair);
+            }
+        }
+    }
 
     /// <summary>Whether the other passes through a one-way geom.</summary>
     private static bool Passes(Geom way, Geom other, ReadOnlySpan<ContactPoint> points, float sign, float depth)

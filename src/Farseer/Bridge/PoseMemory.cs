@@ -1,6 +1,7 @@
 using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
@@ -10,6 +11,12 @@ internal sealed class PoseMemory
     private BodyPose[] _before = [];
 
     public bool IsOn { get; set; }
+
+    public void Visit(StateStream s)
+    {
+        IsOn = s.Value(IsOn);
+        s.Sized(ref _before);
+    }
 
     /// <summary>Keeps the poses of all bodies.</summary>
     public unsafe void Keep(World world)

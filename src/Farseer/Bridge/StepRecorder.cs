@@ -3,6 +3,7 @@ using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Simulation;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -17,29 +18,52 @@ internal sealed class StepRecorder
     private BodyPose[] _told = [];
     private bool[] _slept = [];
 
+    [NotState(Why.Calm)]
     public PairEventBuffer<ContactEvent> Begun { get; } = new PairEventBuffer<ContactEvent>();
 
+    [NotState(Why.Calm)]
     public PairEventBuffer<ContactEvent> Ended { get; } = new PairEventBuffer<ContactEvent>();
 
+    [NotState(Why.Calm)]
     public PairEventBuffer<HitEvent> Hits { get; } = new PairEventBuffer<HitEvent>();
 
+    [NotState(Why.Calm)]
     public PairEventBuffer<PushEvent> Pushes { get; } = new PairEventBuffer<PushEvent>();
 
+    [NotState(Why.Calm)]
     public PairEventBuffer<SensorEvent> Entered { get; } = new PairEventBuffer<SensorEvent>();
 
+    [NotState(Why.Calm)]
     public PairEventBuffer<SensorEvent> Left { get; } = new PairEventBuffer<SensorEvent>();
 
+    [NotState(Why.Calm)]
     public EventBuffer<Joint> Joints { get; } = new EventBuffer<Joint>();
 
+    [NotState(Why.Calm)]
     public EventBuffer<Spring> Springs { get; } = new EventBuffer<Spring>();
 
+    [NotState(Why.Calm)]
     public EventBuffer<Body> Asleep { get; } = new EventBuffer<Body>();
 
+    [NotState(Why.Calm)]
     public EventBuffer<Body> Awake { get; } = new EventBuffer<Body>();
 
+    [NotState(Why.Calm)]
     public EventBuffer<Body> Moved { get; } = new EventBuffer<Body>();
 
     public StepEventKinds Kinds { get; set; }
+
+    /// <summary>Of an update that went back in time there is nothing to read.</summary>
+    public void Visit(StateStream s)
+    {
+        Kinds = s.Value(Kinds);
+        s.Sized(ref _told);
+        s.Sized(ref _slept);
+        if (s.IsReading)
+        {
+            Clear();
+        }
+    }
 
     /// <summary>What the engine is to tell of a geom.</summary>
     public ColliderFlags WantedOf(bool isSensor)

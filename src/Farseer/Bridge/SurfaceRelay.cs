@@ -1,5 +1,6 @@
 using System;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
@@ -8,6 +9,7 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 internal sealed class SurfaceRelay : IPairSurfaces
 {
     private readonly PhysicsSimulator _simulator;
+    [NotState(Why.Elsewhere)]
     private readonly ObjectTable _table;
 
     public SurfaceRelay(PhysicsSimulator simulator, ObjectTable table)
@@ -19,6 +21,8 @@ internal sealed class SurfaceRelay : IPairSurfaces
     public MaterialMixer? Mixer { get; set; }
 
     public bool JudgesAll => Mixer is not null;
+
+    public void Visit(StateStream s) => Mixer = s.Reference(Mixer);
 
     public void Describe(int colliderA, int colliderB, ref PairSurface surface)
     {

@@ -22,6 +22,7 @@ public partial class Geom
         Simulator = s.Reference(Simulator);
         Membership = s.Value(Membership);
         IsLeaving = s.Value(IsLeaving);
+        WaitsForRemake = s.Value(WaitsForRemake);
         if (!s.Value(_extras is not null))
         {
             if (_extras is not null)
@@ -29,6 +30,9 @@ public partial class Geom
                 _extras.OnCollision = null;
                 _extras.OnSeparation = null;
                 _extras.Grid = null;
+                _extras.Surface = default;
+                _extras.Segments = null;
+                _extras.OneWay = default;
             }
         }
         else
@@ -37,11 +41,36 @@ public partial class Geom
             s.Reference(ref extras.OnCollision);
             s.Reference(ref extras.OnSeparation);
             s.Reference(ref extras.Grid);
+            s.Value(ref extras.Surface);
+            s.Value(ref extras.OneWay);
+            VisitSegments(s, extras);
         }
 
         if (s.IsReading)
         {
             ForgetFrame();
+        }
+    }
+
+    private static void VisitSegments(StateStream s, GeomExtras extras)
+    {
+        int count = s.Value(extras.Segments is null ? -1 : extras.Segments.Length);
+        if (count < 0)
+        {
+            extras.Segments = null;
+            return;
+        }
+
+        if (extras.Segments is null || extras.Segments.Length != count)
+        {
+            extras.Segments = new SurfaceMaterial?[count];
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            bool own = s.Value(extras.Segments[i].HasValue);
+            SurfaceMaterial material = s.Value(extras.Segments[i].GetValueOrDefault());
+            extras.Segments[i] = own ? material : null;
         }
     }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using System.Threading;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Factories;
@@ -226,6 +227,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
     internal bool WaitsForRemake { get; set; }
 
     /// <summary>True while a list of geoms is being made that it is in.</summary>
+    [NotState(Why.OfOneStep)]
     internal bool IsListed { get; set; }
 
     /// <summary>Moves the geom to another body. In a simulator it takes effect at the next update.</summary>

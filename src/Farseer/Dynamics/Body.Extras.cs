@@ -1,4 +1,5 @@
 using System;
+using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
@@ -12,7 +13,9 @@ public partial class Body
 
         public EventHandler<EventArgs>? Disposed;
         public UpdatedEventHandler? Updated;
+        [NotState(Why.Users)]
         public object? Tag;
+        [NotState(Why.Users)]
         public string? Name;
         public float IdleTime;
         public float MinimumVelocity = UsualMinimumVelocity;

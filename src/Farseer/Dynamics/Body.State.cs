@@ -25,7 +25,10 @@ public partial class Body
         Membership = s.Value(Membership);
         IsPendingNoted = s.Value(IsPendingNoted);
         IsListenerNoted = s.Value(IsListenerNoted);
+        IsGravityNoted = s.Value(IsGravityNoted);
+        IsRailNoted = s.Value(IsRailNoted);
         Impulse = s.Value(Impulse);
+        AngularImpulse = s.Value(AngularImpulse);
         Swing = s.Value(Swing);
         VisitExtras(s);
     }
@@ -39,6 +42,8 @@ public partial class Body
         Membership = Membership.None;
         IsPendingNoted = false;
         IsListenerNoted = false;
+        IsGravityNoted = false;
+        IsRailNoted = false;
     }
 
     private void VisitGeoms(StateStream s)
@@ -79,6 +84,9 @@ public partial class Body
                 _extras.Updated = null;
                 _extras.IdleTime = 0;
                 _extras.MinimumVelocity = BodyExtras.UsualMinimumVelocity;
+                _extras.GravityScale = 1;
+                _extras.Locks = MotionLocks.None;
+                _extras.FixedInertia = 0;
                 _extras.ToldX = 0;
                 _extras.ToldY = 0;
                 _extras.ToldAngle = 0;
@@ -92,6 +100,9 @@ public partial class Body
         s.Reference(ref extras.Updated);
         s.Value(ref extras.IdleTime);
         s.Value(ref extras.MinimumVelocity);
+        s.Value(ref extras.GravityScale);
+        s.Value(ref extras.Locks);
+        s.Value(ref extras.FixedInertia);
         s.Value(ref extras.ToldX);
         s.Value(ref extras.ToldY);
         s.Value(ref extras.ToldAngle);
