@@ -76,10 +76,16 @@ internal sealed class EventRelay : IStepHooks
             Recorder.Begin(a, b);
         }
 
-        if ((a.OneWayDirection != System.Numerics.Vector2.Zero || b.OneWayDirection != System.Numerics.Vector2.Zero)
-            && !OneWay.Accepts(a, b, points, flip, began, _simulator.AllowedPenetration))
+        if (a.OneWayDirection != System.Numerics.Vector2.Zero || b.OneWayDirection != System.Numerics.Vector2.Zero)
         {
-            return false;
+            if (!OneWay.Accepts(a, b, points, flip, began, _simulator.AllowedPenetration))
+            {
+                return false;
+            }
+        }
+        else
+        {
+            OneWay.End(a, b);
         }
 
         if (a.OnCollision is null && b.OnCollision is null)
@@ -108,10 +114,17 @@ internal sealed class EventRelay : IStepHooks
         }
 
         bool found = Find(colliderA, colliderB, out Geom a, out Geom b, out _);
+        bool passed = false;
         if (a is not null && b is not null)
         {
             Recorder.End(a, b);
-            OneWay.End(a, b);
+            passed = OneWay.End(a, b);
+        }
+
+        // Of a pair that passed nobody was asked.
+        if (passed)
+        {
+            return;
         }
 
         if (IsRemoving && (_simulator.Quirks & Farseer201Quirks.NoSeparationOnRemoval) != 0)

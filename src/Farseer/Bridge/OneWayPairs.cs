@@ -56,7 +56,9 @@ internal sealed class OneWayPairs
         return !_passing.Contains(key);
     }
 
-    public void End(Geom a, Geom b) => _passing.Remove(PairOrder.Of(a, b));
+    /// <summary>The pair touches no more, or neither of it is one-way any more.</summary>
+    /// <returns>True if it passed.</returns>
+    public bool End(Geom a, Geom b) => _passing.Count > 0 && _passing.Remove(PairOrder.Of(a, b));
 
     public void Clear() => _passing.Clear();
 
