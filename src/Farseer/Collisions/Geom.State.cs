@@ -23,7 +23,7 @@ public partial class Geom
         Membership = s.Value(Membership);
         IsLeaving = s.Value(IsLeaving);
         WaitsForRemake = s.Value(WaitsForRemake);
-        if (!s.Value(_extras is not null))
+        if (!s.Value(_extras is not null && !_extras.IsUsual))
         {
             if (_extras is not null)
             {

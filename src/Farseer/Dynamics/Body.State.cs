@@ -75,7 +75,7 @@ public partial class Body
 
     private void VisitExtras(StateStream s)
     {
-        if (!s.Value(_extras is not null))
+        if (!s.Value(_extras is not null && !_extras.IsUsual))
         {
             if (_extras is not null)
             {
