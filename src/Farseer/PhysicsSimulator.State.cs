@@ -21,9 +21,11 @@ public partial class PhysicsSimulator
     [NotState(Why.OfOneStep)]
     private StateRoster? _former;
 
-    private StateRoster Present => _present ??= new StateRoster();
+    /// <summary>For <see cref="Write"/> and <see cref="Read"/> to fill: empty between calls.</summary>
+    internal StateRoster Present => _present ??= new StateRoster();
 
-    private StateRoster Former => _former ??= new StateRoster();
+    /// <summary>For <see cref="Read"/> to fill: empty between calls.</summary>
+    internal StateRoster Former => _former ??= new StateRoster();
 
     /// <summary>Captures the state into a new object: see <see cref="Capture(PhysicsSimulatorState)"/>.</summary>
     /// <returns>The state.</returns>
@@ -59,7 +61,7 @@ public partial class PhysicsSimulator
         Require.NotNull(state, nameof(state));
         RequireOutside(nameof(Capture));
         state.Owner = null;
-        Write(state.Stream);
+        Write(state.Stream, Present);
         state.Owner = this;
     }
 
@@ -90,15 +92,14 @@ public partial class PhysicsSimulator
                 state.Owner is null ? "The state holds nothing." : "The state is of another simulator.", nameof(state));
         }
 
-        Read(state.Stream)?.Throw();
+        Read(state.Stream, Present, Former)?.Throw();
     }
 
     /// <summary>Captures into a stream; the simulator is not in an update.</summary>
-    internal void Write(StateStream s)
+    internal void Write(StateStream s, StateRoster present)
     {
         ThrowIfDisposed();
         RequireOutside(nameof(Capture));
-        StateRoster present = Present;
         Gather(present);
         try
         {
@@ -116,12 +117,10 @@ public partial class PhysicsSimulator
 
     /// <summary>Restores from a stream. What is refused is thrown, and changes nothing.</summary>
     /// <returns>What an item of the user's own threw; everything else is restored then.</returns>
-    internal ExceptionDispatchInfo? Read(StateStream s)
+    internal ExceptionDispatchInfo? Read(StateStream s, StateRoster present, StateRoster former)
     {
         ThrowIfDisposed();
         RequireOutside(nameof(Restore));
-        StateRoster present = Present;
-        StateRoster former = Former;
         try
         {
             s.BeginReading();

@@ -108,7 +108,7 @@ public sealed class RollbackBuffer
     /// </exception>
     public long Push()
     {
-        Simulator.Write(_ring.Next);
+        Simulator.Write(_ring.Next, Simulator.Present);
         return _ring.Push();
     }
 
@@ -134,7 +134,7 @@ public sealed class RollbackBuffer
         }
 
         StateStream state = _ring.Find(frame);
-        ExceptionDispatchInfo? failure = Simulator.Read(state);
+        ExceptionDispatchInfo? failure = Simulator.Read(state, Simulator.Present, Simulator.Former);
         _ring.CutAfter(frame, state);
         failure?.Throw();
     }

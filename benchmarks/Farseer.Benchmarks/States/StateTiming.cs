@@ -30,9 +30,9 @@ internal static class StateTiming
             }
         }
 
-        output.WriteLine($"one worker, after {WarmSteps} updates (half of a shorter scene), the least of {Turns} turns; shares are of an update;");
+        output.WriteLine($"one worker, after {WarmSteps} updates (half of a shorter scene), medians of {Turns} turns; shares are of the update of the same turn;");
         output.WriteLine($"rewind is by {Back} frames; bytes a frame are the mean of the frames but the newest, which is whole");
-        output.WriteLine("| scene | bodies | asleep | bytes a body | an update | capture | restore | push | rewind | bytes a body and frame |");
+        output.WriteLine("| scene | bodies | asleep | bytes a body | an update | bytes a body and frame | capture | restore | push | rewind |");
         output.WriteLine("|---|---|---|---|---|---|---|---|---|---|");
         foreach (PerformanceScene scene in PerformanceScenes.All)
         {
@@ -72,19 +72,20 @@ internal static class StateTiming
 
         var state = new PhysicsSimulatorState();
         var buffer = new RollbackBuffer(simulator, (2 * Turns) + Back);
-        double update = double.MaxValue;
-        double capture = double.MaxValue;
-        double restore = double.MaxValue;
-        double push = double.MaxValue;
-        double rewind = double.MaxValue;
+        var update = new double[Turns];
+        var capture = new double[Turns];
+        var restore = new double[Turns];
+        var push = new double[Turns];
+        var rewind = new double[Turns];
         for (int turn = 0; turn < Turns; turn++)
         {
-            capture = Least(capture, () => simulator.Capture(state));
-            update = Least(update, Step);
-            restore = Least(restore, () => simulator.Restore(state));
+            capture[turn] = Time(() => simulator.Capture(state));
+            update[turn] = Time(Step);
+            restore[turn] = Time(() => simulator.Restore(state)) / update[turn];
+            capture[turn] /= update[turn];
             step--;
             Step();
-            push = Least(push, () => buffer.Push());
+            push[turn] = Time(() => buffer.Push()) / update[turn];
         }
 
         buffer.Clear();
@@ -102,8 +103,10 @@ internal static class StateTiming
         int newest = step;
         for (int turn = 0; turn < Turns; turn++)
         {
-            rewind = Least(rewind, () => buffer.Rewind(buffer.NewestFrame - Back));
+            rewind[turn] = Time(() => buffer.Rewind(buffer.NewestFrame - Back));
             step = newest - Back;
+            rewind[turn] /= Time(Step);
+            buffer.Push();
             while (step < newest)
             {
                 Step();
@@ -112,9 +115,9 @@ internal static class StateTiming
         }
 
         return FormattableString.Invariant(
-            $"| {scene.Name} | {bodies:n0} | {sleepers:n0} | {(double)state.ByteCount / bodies:n0} | {update:f3} ms ")
+            $"| {scene.Name} | {bodies:n0} | {sleepers:n0} | {(double)state.ByteCount / bodies:n0} | {Median(update):f3} ms | {frame:n1} ")
             + FormattableString.Invariant(
-                $"| {capture / update:p0} | {restore / update:p0} | {push / update:p0} | {rewind / update:p0} | {frame:n1} |");
+                $"| {Median(capture):p0} | {Median(restore):p0} | {Median(push):p0} | {Median(rewind):p0} |");
 
         void Step()
         {
@@ -123,10 +126,16 @@ internal static class StateTiming
         }
     }
 
-    private static double Least(double least, Action action)
+    private static double Median(double[] values)
+    {
+        Array.Sort(values);
+        return values[values.Length / 2];
+    }
+
+    private static double Time(Action action)
     {
         long start = Stopwatch.GetTimestamp();
         action();
-        return Math.Min(least, Stopwatch.GetElapsedTime(start).TotalMilliseconds);
+        return Stopwatch.GetElapsedTime(start).TotalMilliseconds;
     }
 }

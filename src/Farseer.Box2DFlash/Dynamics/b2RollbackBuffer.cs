@@ -103,7 +103,7 @@ public sealed class b2RollbackBuffer
     /// <exception cref="InvalidOperationException">A step runs. The buffer stays as it was.</exception>
     public long Push()
     {
-        World.Write(_ring.Next);
+        World.Write(_ring.Next, World.Roster);
         return _ring.Push();
     }
 
@@ -125,7 +125,7 @@ public sealed class b2RollbackBuffer
         }
 
         StateStream state = _ring.Find(frame);
-        World.Read(state);
+        World.Read(state, World.Roster);
         _ring.CutAfter(frame, state);
     }
 

@@ -12,7 +12,8 @@ public partial class b2World
     [NotState(Why.OfOneStep)]
     private Bridge.StateRoster? _roster;
 
-    private Bridge.StateRoster Roster => _roster ??= new Bridge.StateRoster();
+    /// <summary>For <see cref="Write"/> and <see cref="Read"/> to fill: empty between calls.</summary>
+    internal Bridge.StateRoster Roster => _roster ??= new Bridge.StateRoster();
 
     /// <summary>Captures the state into a new object: see <see cref="Capture(b2WorldState)"/>.</summary>
     /// <returns>The state.</returns>
@@ -37,7 +38,7 @@ public partial class b2World
         Bridge.Require.NotNull(state, nameof(state));
         RequireOutside(nameof(Capture));
         state.Owner = null;
-        Write(state.Stream);
+        Write(state.Stream, Roster);
         state.Owner = this;
     }
 
@@ -58,14 +59,13 @@ public partial class b2World
             throw new ArgumentException(state.Owner is null ? "The state holds nothing." : "The state is of another world.", nameof(state));
         }
 
-        Read(state.Stream);
+        Read(state.Stream, Roster);
     }
 
     /// <summary>Captures into a stream.</summary>
-    internal void Write(StateStream s)
+    internal void Write(StateStream s, Bridge.StateRoster roster)
     {
         RequireOutside(nameof(Capture));
-        Bridge.StateRoster roster = Roster;
         Gather(roster);
         s.BeginWriting();
         Visit(s, roster);
@@ -74,10 +74,9 @@ public partial class b2World
     }
 
     /// <summary>Restores from a stream.</summary>
-    internal void Read(StateStream s)
+    internal void Read(StateStream s, Bridge.StateRoster roster)
     {
         RequireOutside(nameof(Restore));
-        Bridge.StateRoster roster = Roster;
         TakeOutAll();
         s.BeginReading();
         Visit(s, roster);
