@@ -4,6 +4,7 @@ using Farseer.Benchmarks.Pairs;
 using Farseer.Benchmarks.Queries;
 using Farseer.Benchmarks.Scenes;
 using Farseer.Benchmarks.Sleeping;
+using Farseer.Benchmarks.States;
 using Farseer.Benchmarks.Suites;
 using Farseer.Benchmarks.Trees;
 using Farseer.Benchmarks.Unused;
@@ -32,6 +33,8 @@ switch (args.Length > 0 ? args[0] : "")
         return MemoryCommand.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "allocation":
         return AllocationCommand.Run(args.AsSpan(1), Console.Out, Console.Error);
+    case "rollback":
+        return StateTiming.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "unused":
         return UnusedFeatures.Run(Console.Out);
     default:
@@ -55,6 +58,8 @@ switch (args.Length > 0 ? args[0] : "")
         Console.WriteLine("          what a scene keeps in memory, bytes a body by store");
         Console.WriteLine($"  {AllocationCommand.Usage}");
         Console.WriteLine("          what scenes allocate after their first second, by store");
+        Console.WriteLine($"  {StateTiming.Usage}");
+        Console.WriteLine("          what states and frames of a rollback buffer take, as shares of an update");
         Console.WriteLine("  unused  time and bits of features that have nothing to do");
         return 0;
 }

@@ -104,17 +104,25 @@ public partial class PhysicsSimulator
 
     private void GatherItems(StateRoster r)
     {
-        Gather(r.Joints, JointList);
+        GatherListed(r.Joints, JointList);
         Gather(r.Joints, _joints.Waiting);
         Gather(r.Joints, _jointsDisposed);
-        Gather(r.Springs, SpringList);
+        GatherListed(r.Springs, SpringList);
         Gather(r.Springs, _springs.Waiting);
-        Gather(r.Controllers, ControllerList);
+        GatherListed(r.Controllers, ControllerList);
         Gather(r.Controllers, _controllers.Waiting);
-        r.Enter(r.Controllers, InactivityController);
+        if (!IsListed(InactivityController))
+        {
+            r.Enter(r.Controllers, InactivityController);
+        }
+
         foreach ((Joint joint, Body taken) in _jointsChanged)
         {
-            r.Enter(r.Joints, joint);
+            if (!IsListed(joint))
+            {
+                r.Enter(r.Joints, joint);
+            }
+
             Enter(r, taken);
         }
 
@@ -131,12 +139,32 @@ public partial class PhysicsSimulator
         {
             foreach (T item in items)
             {
-                if (item.Simulator is null || ReferenceEquals(item.Simulator, this))
+                if (!IsListed(item) && (item.Simulator is null || ReferenceEquals(item.Simulator, this)))
                 {
                     r.Enter(list, item);
                 }
             }
         }
+
+        void GatherListed<T>(List<T> list, List<T> items)
+            where T : class, IItem
+        {
+            foreach (T item in items)
+            {
+                if (IsListed(item))
+                {
+                    r.EnterOnce(list, item);
+                }
+                else if (item.Simulator is null || ReferenceEquals(item.Simulator, this))
+                {
+                    r.Enter(list, item);
+                }
+            }
+        }
+
+        // Each of those stands once in the simulator's list, and is entered from there.
+        bool IsListed(IItem item) =>
+            item.Membership is Membership.Added or Membership.RemoveQueued && ReferenceEquals(item.Simulator, this);
     }
 
     /// <summary>The bodies of geoms and the geoms of bodies, until there are no more.</summary>

@@ -15,8 +15,17 @@ namespace FarseerGames.FarseerPhysics;
 /// <content>Saving and restoring in place.</content>
 public partial class PhysicsSimulator
 {
+    // Who is here now, and who was in the state that is gone back to.
     [NotState(Why.OfOneStep)]
     private StateRoster? _roster;
+    [NotState(Why.OfOneStep)]
+    private StateRoster? _former;
+
+    /// <summary>For <see cref="Write"/> and <see cref="Read"/> to fill: empty between calls.</summary>
+    internal StateRoster Present => _roster ??= new StateRoster();
+
+    /// <summary>For <see cref="Read"/> to fill: empty between calls.</summary>
+    internal StateRoster Former => _former ??= new StateRoster();
 
     /// <summary>Captures the state into a new object: see <see cref="Capture(PhysicsSimulatorState)"/>.</summary>
     /// <returns>The state.</returns>
@@ -51,15 +60,8 @@ public partial class PhysicsSimulator
         ThrowIfDisposed();
         Require.NotNull(state, nameof(state));
         RequireOutside(nameof(Capture));
-        StateRoster present = _roster ??= new StateRoster();
-        Gather(present);
-        CheckSavers(present);
-        StateStream s = state.Stream;
         state.Owner = null;
-        Gather(state.Roster);
-        s.BeginWriting();
-        Visit(s, state.Roster);
-        s.EndWriting();
+        Write(state.Stream, Present);
         state.Owner = this;
     }
 
@@ -90,22 +92,56 @@ public partial class PhysicsSimulator
                 state.Owner is null ? "The state holds nothing." : "The state is of another simulator.", nameof(state));
         }
 
-        StateRoster roster = state.Roster;
-        StateRoster present = _roster ??= new StateRoster();
-        Gather(present);
-        if (!present.IsSameAs(roster))
-        {
-            RequireFree(roster);
-            roster.Index();
-            TakeOutNew(present, roster);
-        }
+        Read(state.Stream, Present, Former)?.Throw();
+    }
 
-        present.Clear();
-        StateStream s = state.Stream;
-        s.BeginReading();
-        ExceptionDispatchInfo? failure = Visit(s, roster);
-        s.EndReading();
-        failure?.Throw();
+    /// <summary>Captures into a stream; the simulator is not in an update.</summary>
+    internal void Write(StateStream s, StateRoster present)
+    {
+        ThrowIfDisposed();
+        RequireOutside(nameof(Capture));
+        Gather(present);
+        try
+        {
+            CheckSavers(present);
+            s.BeginWriting();
+            present.Visit(s);
+            Visit(s, present);
+            s.EndWriting();
+        }
+        finally
+        {
+            present.Clear();
+        }
+    }
+
+    /// <summary>Restores from a stream. What is refused is thrown, and changes nothing.</summary>
+    /// <returns>What an item of the user's own threw; everything else is restored then.</returns>
+    internal ExceptionDispatchInfo? Read(StateStream s, StateRoster present, StateRoster former)
+    {
+        ThrowIfDisposed();
+        RequireOutside(nameof(Restore));
+        try
+        {
+            s.BeginReading();
+            former.Visit(s);
+            Gather(present);
+            if (!present.IsSameAs(former))
+            {
+                RequireFree(former);
+                former.Index();
+                TakeOutNew(present, former);
+            }
+
+            ExceptionDispatchInfo? failure = Visit(s, former);
+            s.EndReading();
+            return failure;
+        }
+        finally
+        {
+            present.Clear();
+            former.Clear();
+        }
     }
 
     private static bool IsUsersOwn(object item) => item.GetType().Assembly != typeof(PhysicsSimulator).Assembly;
@@ -121,7 +157,7 @@ public partial class PhysicsSimulator
 
     private static void VisitOwn(StateStream s, object item, ref ExceptionDispatchInfo? failure)
     {
-        if (!IsUsersOwn(item) || item is not ISavedState own)
+        if (item is not ISavedState own || !IsUsersOwn(item))
         {
             return;
         }
@@ -198,19 +234,22 @@ public partial class PhysicsSimulator
     private void CheckSavers(StateRoster roster)
     {
         CheckSaver(_broadPhaseCollider);
-        foreach (Joint joint in roster.Joints)
-        {
-            CheckSaver(joint);
-        }
+        CheckSavers(roster.Joints);
+        CheckSavers(roster.Springs);
+        CheckSavers(roster.Controllers);
+    }
 
-        foreach (Spring spring in roster.Springs)
+    private static void CheckSavers<T>(List<T> items)
+        where T : class
+    {
+        Type? checkedBefore = null;
+        foreach (T item in items)
         {
-            CheckSaver(spring);
-        }
-
-        foreach (Controller controller in roster.Controllers)
-        {
-            CheckSaver(controller);
+            if (item.GetType() != checkedBefore)
+            {
+                CheckSaver(item);
+                checkedBefore = item.GetType();
+            }
         }
     }
 
@@ -218,28 +257,34 @@ public partial class PhysicsSimulator
     private ExceptionDispatchInfo? Visit(StateStream s, StateRoster roster)
     {
         World.Visit(s);
+        s.Section();
         VisitSettings(s);
         VisitLists(s);
+        s.Section();
         foreach (Body body in roster.Bodies)
         {
             body.Visit(s);
         }
 
+        s.Section();
         foreach (Geom geom in roster.Geoms)
         {
             geom.Visit(s);
         }
 
+        s.Section();
         foreach (Joint joint in roster.Joints)
         {
             joint.Visit(s);
         }
 
+        s.Section();
         foreach (Spring spring in roster.Springs)
         {
             spring.Visit(s);
         }
 
+        s.Section();
         foreach (Controller controller in roster.Controllers)
         {
             controller.Visit(s);
@@ -251,6 +296,7 @@ public partial class PhysicsSimulator
         }
 
         ExceptionDispatchInfo? failure = null;
+        s.Section();
         VisitOwn(s, _broadPhaseCollider, ref failure);
         VisitOwn(s, roster.Joints, ref failure);
         VisitOwn(s, roster.Springs, ref failure);

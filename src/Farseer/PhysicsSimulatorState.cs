@@ -1,5 +1,4 @@
 using Farseer.Engine.Storage;
-using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics;
 
@@ -44,6 +43,4 @@ public sealed class PhysicsSimulatorState
     internal PhysicsSimulator? Owner { get; set; }
 
     internal StateStream Stream { get; } = new StateStream();
-
-    internal StateRoster Roster { get; } = new StateRoster();
 }

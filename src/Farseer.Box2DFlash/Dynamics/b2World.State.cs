@@ -8,6 +8,13 @@ namespace Box2D.Dynamics;
 /// <content>Saving and restoring in place.</content>
 public partial class b2World
 {
+    // Only while a state is written or read.
+    [NotState(Why.OfOneStep)]
+    private Bridge.StateRoster? _roster;
+
+    /// <summary>For <see cref="Write"/> and <see cref="Read"/> to fill: empty between calls.</summary>
+    internal Bridge.StateRoster Roster => _roster ??= new Bridge.StateRoster();
+
     /// <summary>Captures the state into a new object: see <see cref="Capture(b2WorldState)"/>.</summary>
     /// <returns>The state.</returns>
     /// <exception cref="InvalidOperationException">A step runs.</exception>
@@ -31,11 +38,7 @@ public partial class b2World
         Bridge.Require.NotNull(state, nameof(state));
         RequireOutside(nameof(Capture));
         state.Owner = null;
-        Gather(state);
-        StateStream s = state.Stream;
-        s.BeginWriting();
-        Visit(s, state);
-        s.EndWriting();
+        Write(state.Stream, Roster);
         state.Owner = this;
     }
 
@@ -56,11 +59,29 @@ public partial class b2World
             throw new ArgumentException(state.Owner is null ? "The state holds nothing." : "The state is of another world.", nameof(state));
         }
 
+        Read(state.Stream, Roster);
+    }
+
+    /// <summary>Captures into a stream.</summary>
+    internal void Write(StateStream s, Bridge.StateRoster roster)
+    {
+        RequireOutside(nameof(Capture));
+        Gather(roster);
+        s.BeginWriting();
+        Visit(s, roster);
+        s.EndWriting();
+        roster.Clear();
+    }
+
+    /// <summary>Restores from a stream.</summary>
+    internal void Read(StateStream s, Bridge.StateRoster roster)
+    {
+        RequireOutside(nameof(Restore));
         TakeOutAll();
-        StateStream s = state.Stream;
         s.BeginReading();
-        Visit(s, state);
+        Visit(s, roster);
         s.EndReading();
+        roster.Clear();
     }
 
     private void RequireOutside(string call)
@@ -98,29 +119,29 @@ public partial class b2World
         }
     }
 
-    private void Gather(b2WorldState state)
+    private void Gather(Bridge.StateRoster roster)
     {
-        state.Bodies.Clear();
-        state.Shapes.Clear();
-        state.Joints.Clear();
+        roster.Clear();
         for (b2Body? body = _bodies; body is not null; body = body.Next)
         {
-            state.Bodies.Add(body);
+            roster.Bodies.Add(body);
             for (b2Shape? shape = body.Shapes; shape is not null; shape = shape.Next)
             {
-                state.Shapes.Add(shape);
+                roster.Shapes.Add(shape);
             }
         }
 
         for (b2Joint? joint = _joints; joint is not null; joint = joint.Next)
         {
-            state.Joints.Add(joint);
+            roster.Joints.Add(joint);
         }
     }
 
-    private void Visit(StateStream s, b2WorldState state)
+    private void Visit(StateStream s, Bridge.StateRoster roster)
     {
+        roster.Visit(s);
         Engine.Visit(s);
+        s.Section();
         s.Reference(ref _bodies);
         s.Reference(ref _joints);
         s.Value(ref _bodyCount);
@@ -130,17 +151,20 @@ public partial class b2World
         ContactListener = s.Reference(ContactListener);
         DestructionListener = s.Reference(DestructionListener);
         BoundaryListener = s.Reference(BoundaryListener);
-        foreach (b2Body body in state.Bodies)
+        s.Section();
+        foreach (b2Body body in roster.Bodies)
         {
             body.Visit(s);
         }
 
-        foreach (b2Shape shape in state.Shapes)
+        s.Section();
+        foreach (b2Shape shape in roster.Shapes)
         {
             shape.Visit(s);
         }
 
-        foreach (b2Joint joint in state.Joints)
+        s.Section();
+        foreach (b2Joint joint in roster.Joints)
         {
             joint.Visit(s);
         }
@@ -148,7 +172,7 @@ public partial class b2World
         if (s.IsReading)
         {
             Engine.ClearShapes();
-            foreach (b2Shape shape in state.Shapes)
+            foreach (b2Shape shape in roster.Shapes)
             {
                 Engine.Enter(shape);
             }

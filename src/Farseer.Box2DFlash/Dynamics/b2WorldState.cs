@@ -1,6 +1,4 @@
 using System.Collections.Generic;
-using Box2D.Collision.Shapes;
-using Box2D.Dynamics.Joints;
 using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics;
@@ -32,12 +30,6 @@ public sealed class b2WorldState
     internal b2World? Owner { get; set; }
 
     internal StateStream Stream { get; } = new StateStream();
-
-    internal List<b2Body> Bodies { get; } = new List<b2Body>();
-
-    internal List<b2Shape> Shapes { get; } = new List<b2Shape>();
-
-    internal List<b2Joint> Joints { get; } = new List<b2Joint>();
 
     /// <summary>Whether two captures are of the same state, bit for bit and with the same objects.</summary>
     /// <param name="other">Another one.</param>

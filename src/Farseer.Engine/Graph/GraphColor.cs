@@ -205,6 +205,7 @@ internal sealed unsafe class GraphColor
     /// </summary>
     public void Visit(StateStream s)
     {
+        s.Section();
         s.Value(ref _first);
         s.Value(ref _last);
         s.Value(ref _inLast);

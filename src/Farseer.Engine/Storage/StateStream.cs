@@ -1,6 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.Runtime.CompilerServices;
+#if NET8_0_OR_GREATER
+using System.Runtime.InteropServices;
+#endif
 
 namespace Farseer.Engine.Storage;
 
@@ -11,10 +14,18 @@ namespace Farseer.Engine.Storage;
 /// </summary>
 internal sealed unsafe class StateStream
 {
-    private byte[] _bytes = new byte[1 << 12];
+    /// <summary>Sections begin at multiples of it.</summary>
+    public const int Alignment = 8;
+
+    private readonly Column<byte> _bytes = new Column<byte>(1 << 12);
+    private readonly Column<StatePlace> _sections = new Column<StatePlace>(16);
     private object?[] _objects = new object?[16];
     private int _at;
     private int _objectAt;
+
+    // Where the bytes are, and where the room ends, or what was written: fields are visited by the hundred thousand.
+    private byte* _start;
+    private int _end;
 
     /// <summary>Names of the fields and where each begins, for those who look for a difference; null: nobody does.</summary>
     public List<(int At, int ObjectAt, string Name)>? Trace { get; set; }
@@ -29,7 +40,16 @@ internal sealed unsafe class StateStream
     public int ObjectCount { get; private set; }
 
     /// <summary>What was written, until it is written anew.</summary>
-    public ReadOnlySpan<byte> Bytes => new ReadOnlySpan<byte>(_bytes, 0, Length);
+    public ReadOnlySpan<byte> Bytes => new ReadOnlySpan<byte>(_bytes.Pointer, Length);
+
+    /// <summary>Words of what was written.</summary>
+    public uint* Words => (uint*)_bytes.Pointer;
+
+    /// <summary>References of what was written; behind them unused room.</summary>
+    public object?[] Objects => _objects;
+
+    /// <summary>Sections written.</summary>
+    public int SectionCount { get; private set; }
 
     public bool IsSameAs(StateStream other)
     {
@@ -58,8 +78,8 @@ internal sealed unsafe class StateStream
         {
             int end = i + 1 < Trace.Count ? Trace[i + 1].At : Length;
             int otherEnd = i + 1 < other.Trace.Count ? other.Trace[i + 1].At : other.Length;
-            ReadOnlySpan<byte> mine = new ReadOnlySpan<byte>(_bytes, Trace[i].At, end - Trace[i].At);
-            if (!mine.SequenceEqual(new ReadOnlySpan<byte>(other._bytes, other.Trace[i].At, otherEnd - other.Trace[i].At)))
+            ReadOnlySpan<byte> mine = Bytes.Slice(Trace[i].At, end - Trace[i].At);
+            if (!mine.SequenceEqual(other.Bytes.Slice(other.Trace[i].At, otherEnd - other.Trace[i].At)))
             {
                 names.Add(Trace[i].Name);
             }
@@ -97,34 +117,29 @@ internal sealed unsafe class StateStream
     public void BeginWriting()
     {
         IsReading = false;
-        _at = 0;
-        _objectAt = 0;
+        SectionCount = 0;
+        Begin(_bytes.Capacity);
         Trace?.Clear();
     }
 
     public void EndWriting()
     {
+        Align();
         Length = _at;
-        if (ObjectCount > _objectAt)
-        {
-            // Nothing is kept alive that is not part of the state.
-            System.Array.Clear(_objects, _objectAt, ObjectCount - _objectAt);
-        }
-
-        ObjectCount = _objectAt;
+        CutObjects(_objectAt);
     }
 
     /// <summary>Reads what was written, from its start.</summary>
     public void BeginReading()
     {
         IsReading = true;
-        _at = 0;
-        _objectAt = 0;
+        Begin(Length);
     }
 
     /// <summary>All that was written must have been read: the owners are the same ones then.</summary>
     public void EndReading()
     {
+        Align();
         IsReading = false;
         if (_at != Length || _objectAt != ObjectCount)
         {
@@ -133,24 +148,69 @@ internal sealed unsafe class StateStream
         }
     }
 
+    /// <summary>
+    /// Something begins whose size may differ from state to state: two of them are compared section by section, so that one that is
+    /// longer by a record does not make all behind it different.
+    /// </summary>
+    public void Section()
+    {
+        Align();
+        if (!IsReading)
+        {
+            _sections.EnsureCapacity(SectionCount + 1);
+            _sections[SectionCount++] = new StatePlace { At = _at, ObjectAt = _objectAt };
+        }
+    }
+
+    /// <summary>Where a section begins; the one behind the last is where all ends.</summary>
+    public StatePlace Place(int section) =>
+        section < SectionCount ? _sections[section] : new StatePlace { At = Length, ObjectAt = ObjectCount };
+
+    /// <summary>Has so many sections, bytes and references from now on; their content is left open.</summary>
+    public void Shape(ReadOnlySpan<StatePlace> sections, StatePlace end)
+    {
+        _sections.EnsureCapacity(sections.Length);
+        sections.CopyTo(new Span<StatePlace>(_sections.Pointer, sections.Length));
+        SectionCount = sections.Length;
+        _bytes.EnsureCapacity(end.At);
+        Length = end.At;
+        EnsureObjects(end.ObjectAt);
+        CutObjects(end.ObjectAt);
+    }
+
+    /// <summary>The sections as they lie in memory.</summary>
+    public ReadOnlySpan<StatePlace> Sections => new ReadOnlySpan<StatePlace>(_sections.Pointer, SectionCount);
+
+    /// <summary>Becomes the same as another one.</summary>
+    public void CopyFrom(StateStream other)
+    {
+        Shape(other.Sections, other.Place(other.SectionCount));
+        other.Bytes.CopyTo(new Span<byte>(_bytes.Pointer, Length));
+        System.Array.Copy(other._objects, _objects, ObjectCount);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Value<T>(ref T value, [CallerArgumentExpression(nameof(value))] string name = "")
         where T : unmanaged
     {
-        Trace?.Add((_at, _objectAt, name));
-        byte* place = stackalloc byte[sizeof(T)];
+        if (Trace is not null)
+        {
+            Note(name);
+        }
+
+        byte* place = Advance(sizeof(T));
         if (IsReading)
         {
-            Raw(place, sizeof(T));
             value = Unsafe.ReadUnaligned<T>(place);
         }
         else
         {
             Unsafe.WriteUnaligned(place, value);
-            Raw(place, sizeof(T));
         }
     }
 
     /// <summary>For properties: <c>Count = stream.Value(Count)</c>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public T Value<T>(T value, [CallerArgumentExpression(nameof(value))] string name = "")
         where T : unmanaged
     {
@@ -164,6 +224,7 @@ internal sealed unsafe class StateStream
     public void Column<T>(Column<T> column, [CallerArgumentExpression(nameof(column))] string name = "")
         where T : unmanaged
     {
+        Section();
         int count = IsReading ? 0 : Used((byte*)column.Pointer, (long)column.Capacity * sizeof(T), sizeof(T));
         Value(ref count, name);
         Records(column, count);
@@ -177,6 +238,7 @@ internal sealed unsafe class StateStream
     public void Column<T>(Column<T> column, int count, [CallerArgumentExpression(nameof(column))] string name = "")
         where T : unmanaged
     {
+        Section();
         Trace?.Add((_at, _objectAt, name));
         Records(column, count);
     }
@@ -212,6 +274,17 @@ internal sealed unsafe class StateStream
         where T : unmanaged
     {
         int count = Value(items.Count, name);
+#if NET8_0_OR_GREATER
+        if (IsReading)
+        {
+            CollectionsMarshal.SetCount(items, count);
+        }
+
+        fixed (T* first = CollectionsMarshal.AsSpan(items))
+        {
+            Raw(first, (long)count * sizeof(T));
+        }
+#else
         if (!IsReading)
         {
             for (int i = 0; i < count; i++)
@@ -227,6 +300,7 @@ internal sealed unsafe class StateStream
         {
             items.Add(Value(default(T)));
         }
+#endif
     }
 
     public void References<T>(List<T> items, [CallerArgumentExpression(nameof(items))] string name = "")
@@ -256,69 +330,43 @@ internal sealed unsafe class StateStream
     public T? Reference<T>(T? item, [CallerArgumentExpression(nameof(item))] string name = "")
         where T : class
     {
-        Trace?.Add((_at, _objectAt, name));
+        if (Trace is not null)
+        {
+            Note(name);
+        }
+
+        int at = _objectAt++;
         if (IsReading)
         {
-            return (T?)_objects[_objectAt++];
+            return (T?)_objects[at];
         }
 
-        if (_objectAt == _objects.Length)
+        EnsureObjects(at + 1);
+
+        // Mostly it is the same as in the state before: to write it again costs more than to look.
+        if (!ReferenceEquals(_objects[at], item))
         {
-            System.Array.Resize(ref _objects, _objects.Length * 2);
+            _objects[at] = item;
         }
 
-        _objects[_objectAt++] = item;
         return item;
     }
 
     /// <summary>Bytes that somebody else writes or reads at once; the span holds until anything else is asked of the stream.</summary>
-    public Span<byte> Take(int bytes)
-    {
-        if (IsReading ? bytes > Length - _at : _at + (long)bytes > _bytes.Length)
-        {
-            if (IsReading)
-            {
-                throw new InvalidOperationException($"{bytes} bytes were to be read, and {Length - _at} are left.");
-            }
-
-            Grow(_at + (long)bytes);
-        }
-
-        _at += bytes;
-        return new Span<byte>(_bytes, _at - bytes, bytes);
-    }
+    public Span<byte> Take(int bytes) => new Span<byte>(Advance(bytes), bytes);
 
     /// <summary>Memory of a length that both sides know.</summary>
     public void Raw(void* start, long bytes)
     {
+        byte* place = Advance(bytes);
         if (IsReading)
         {
-            if (bytes > Length - _at)
-            {
-                throw new InvalidOperationException($"{bytes} bytes were to be read, and {Length - _at} are left.");
-            }
-
-            fixed (byte* from = _bytes)
-            {
-                Buffer.MemoryCopy(from + _at, start, bytes, bytes);
-            }
-
-            _at += (int)bytes;
-            return;
+            Buffer.MemoryCopy(place, start, bytes, bytes);
         }
-
-        long end = _at + bytes;
-        if (end > _bytes.Length)
+        else
         {
-            Grow(end);
+            Buffer.MemoryCopy(start, place, bytes, bytes);
         }
-
-        fixed (byte* to = _bytes)
-        {
-            Buffer.MemoryCopy(start, to + _at, bytes, bytes);
-        }
-
-        _at = (int)end;
     }
 
     private static int Used(byte* start, long bytes, int size)
@@ -348,13 +396,76 @@ internal sealed unsafe class StateStream
         Raw(column.Pointer, (long)count * sizeof(T));
     }
 
-    private void Grow(long needed)
+    /// <summary>The place of so many bytes; what comes next lies behind them.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private byte* Advance(long bytes)
     {
-        if (needed > int.MaxValue)
+        int at = _at;
+        if (bytes > _end - at)
         {
-            throw new OutOfMemoryException($"A state of {needed} bytes exceeds 2 GiB.");
+            Grow(bytes);
         }
 
-        System.Array.Resize(ref _bytes, (int)Math.Min(int.MaxValue, Math.Max(needed, _bytes.Length * 2L)));
+        _at = at + (int)bytes;
+        return _start + at;
     }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Grow(long bytes)
+    {
+        if (IsReading)
+        {
+            throw new InvalidOperationException($"{bytes} bytes were to be read, and {Length - _at} are left.");
+        }
+
+        if (_at + bytes > int.MaxValue)
+        {
+            throw new OutOfMemoryException($"A state of {_at + bytes} bytes exceeds 2 GiB.");
+        }
+
+        _bytes.EnsureCapacity((int)(_at + bytes));
+        _start = _bytes.Pointer;
+        _end = _bytes.Capacity;
+    }
+
+    private void Begin(int end)
+    {
+        _at = 0;
+        _objectAt = 0;
+        _start = _bytes.Pointer;
+        _end = end;
+    }
+
+    /// <summary>Goes on at the next multiple; what lies between is zero.</summary>
+    private void Align()
+    {
+        int bytes = -_at & (Alignment - 1);
+        byte* place = Advance(bytes);
+        for (int i = 0; i < bytes && !IsReading; i++)
+        {
+            place[i] = 0;
+        }
+    }
+
+    private void EnsureObjects(int count)
+    {
+        if (count > _objects.Length)
+        {
+            System.Array.Resize(ref _objects, Math.Max(count, _objects.Length * 2));
+        }
+    }
+
+    /// <summary>Nothing is kept alive that is not part of the state.</summary>
+    private void CutObjects(int count)
+    {
+        if (ObjectCount > count)
+        {
+            System.Array.Clear(_objects, count, ObjectCount - count);
+        }
+
+        ObjectCount = count;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Note(string name) => Trace!.Add((_at, _objectAt, name));
 }

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Controllers;
 using FarseerGames.FarseerPhysics.Dynamics;
@@ -66,6 +67,21 @@ internal sealed class StateRoster
 
     /// <summary>Whether somebody is there; <see cref="Index()"/> comes before.</summary>
     public bool Has(object item) => _seen.Contains(item);
+
+    /// <summary>Writes, or reads, who is in it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Section();
+        s.References(Bodies);
+        s.Section();
+        s.References(Geoms);
+        s.Section();
+        s.References(Joints);
+        s.Section();
+        s.References(Springs);
+        s.Section();
+        s.References(Controllers);
+    }
 
     private static bool AreSame<T>(List<T> one, List<T> other)
         where T : class

@@ -30,6 +30,55 @@ public sealed class StateTests(ITestOutputHelper output)
     }
 
     [Fact]
+    public void RollbackBuffer_RewoundToAnyFrame_StepsAgainToTheSameHashes()
+    {
+        b2World world = World();
+        var floor = new b2BodyDef();
+        floor.position.Set(0, -1);
+        var box = new b2PolygonDef();
+        box.SetAsBox(50, 0.5f);
+        world.CreateBody(floor)!.CreateShape(box);
+        var buffer = new b2RollbackBuffer(world, 90);
+        var random = new Random(1);
+        var hashes = new List<ulong>();
+        for (int round = 0; round < 20; round++)
+        {
+            for (int i = random.Next(1, 90); i > 0; i--)
+            {
+                long frame = buffer.Push();
+                if (frame == hashes.Count)
+                {
+                    hashes.Add(world.StateHash());
+                }
+
+                Assert.Equal(hashes[(int)frame], world.StateHash());
+                Play(frame);
+            }
+
+            long back = random.NextInt64(buffer.OldestFrame, buffer.NewestFrame + 1);
+            buffer.Rewind(back);
+            Assert.Equal(hashes[(int)back], world.StateHash());
+            Play(back);
+        }
+
+        Assert.Throws<ArgumentOutOfRangeException>(() => buffer.Rewind(buffer.NewestFrame + 1));
+        Assert.Throws<ArgumentNullException>(() => new b2RollbackBuffer(null!, 1));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new b2RollbackBuffer(world, 0));
+        Assert.Throws<ArgumentOutOfRangeException>(() => b2RollbackBuffer.WithBudget(world, 0));
+
+        // What is done depends on the frame alone.
+        void Play(long frame)
+        {
+            if (frame % 9 == 0)
+            {
+                Box(world, (int)(frame / 9 % 12));
+            }
+
+            world.Step(1f / 60, 10);
+        }
+    }
+
+    [Fact]
     public void Restore_AfterStepsUnderAnotherGravity_GoesOnAsWithout()
     {
         ulong undisturbed = Pile(detour: false);

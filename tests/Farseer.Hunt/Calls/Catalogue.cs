@@ -196,7 +196,7 @@ internal abstract class Names
             return SpanOf(owner, name) is { } span ? new NumberKind(span, type == typeof(double)) : null;
         }
 
-        if (type == typeof(int) || type == typeof(uint) || type == typeof(byte))
+        if (type == typeof(int) || type == typeof(uint) || type == typeof(byte) || type == typeof(long))
         {
             return Integers.TryGetValue(owner.Name + "." + name, out (int Low, int High, int Least, int Most) own)
                 || Integers.TryGetValue(name, out own)

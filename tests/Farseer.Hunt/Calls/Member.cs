@@ -26,7 +26,8 @@ internal abstract class Member
     public abstract string Code(IReadOnlyList<string> arguments);
 
     public static string NameOf(Type type) => type.IsNested ? NameOf(type.DeclaringType!) + "." + type.Name
-        : type == typeof(float) ? "float" : type == typeof(int) ? "int" : type == typeof(bool) ? "bool" : type.Name;
+        : type == typeof(float) ? "float" : type == typeof(int) ? "int" : type == typeof(bool) ? "bool"
+        : type == typeof(long) ? "long" : type.Name;
 }
 
 /// <summary>A constructor, method, property that is set, or property that leads to an item.</summary>

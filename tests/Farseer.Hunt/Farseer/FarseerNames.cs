@@ -39,7 +39,7 @@ internal sealed class FarseerNames : Names
             || typeof(LibraryCollider).IsAssignableFrom(t) || t.Name.EndsWith("List", StringComparison.Ordinal)))
         .Concat(new[]
         {
-            typeof(PhysicsSimulator), typeof(PhysicsSimulatorState), typeof(Body), typeof(Geom),
+            typeof(PhysicsSimulator), typeof(PhysicsSimulatorState), typeof(RollbackBuffer), typeof(Body), typeof(Geom),
                 typeof(BodyFactory), typeof(GeomFactory), typeof(JointFactory),
                 typeof(SpringFactory),
             typeof(ComplexFactory), typeof(Path), typeof(QueryFilter), typeof(AABB), typeof(AABBFluidContainer), typeof(Scaling),
@@ -156,6 +156,9 @@ internal sealed class FarseerNames : Names
         ["count"] = (0, 2, -1, 20),
         ["segment"] = (0, 2, -1, 20),
         ["node"] = (0, 10, -1, 200),
+        ["frames"] = (1, 20, -1, 100),
+        ["frame"] = (0, 4, -1, 200),
+        ["bytes"] = (1, 1_000_000, -1, 10_000_000),
     };
 
     protected override bool IsOptional(Type owner, string name) => name is "ignoredBody" or "area";

@@ -36,7 +36,7 @@ internal sealed class FlashNames : Names
             || typeof(b2JointDef).IsAssignableFrom(t) || typeof(b2ShapeDef).IsAssignableFrom(t))
         .Concat(new[]
         {
-            typeof(b2World), typeof(b2WorldState),
+            typeof(b2World), typeof(b2WorldState), typeof(b2RollbackBuffer),
             typeof(b2Body), typeof(b2BodyDef), typeof(b2FilterData), typeof(b2MassData), typeof(b2AABB), typeof(b2OBB),
                 typeof(b2Segment), typeof(b2XForm),
             typeof(b2ContactListener), typeof(b2ContactFilter), typeof(b2DestructionListener), typeof(b2BoundaryListener),
@@ -111,6 +111,9 @@ internal sealed class FlashNames : Names
         ["categoryBits"] = (0, 15, 0, 65535),
         ["maskBits"] = (0, 65535, 0, 65535),
         ["vertexCount"] = (3, 8, -1, 10),
+        ["frames"] = (1, 20, -1, 100),
+        ["frame"] = (0, 4, -1, 200),
+        ["bytes"] = (1, 1_000_000, -1, 10_000_000),
     };
 
     public override Func<IReadOnlyList<object>, Func<int, Type?>, Type?>? ResultOf(MethodBase method) =>

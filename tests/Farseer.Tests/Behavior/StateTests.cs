@@ -273,7 +273,7 @@ public sealed class StateTests(ITestOutputHelper output)
         Assert.True(refused > 0);
     }
 
-    private static PhysicsSimulator Pyramid(int rows, out Body top)
+    internal static PhysicsSimulator Pyramid(int rows, out Body top)
     {
         var simulator = new PhysicsSimulator(new Vector2(0, -10));
         Body floor = BodyFactory.Instance.CreateRectangleBody(simulator, 200, 2, 1);
@@ -295,7 +295,7 @@ public sealed class StateTests(ITestOutputHelper output)
         return simulator;
     }
 
-    private sealed class Silent : Joint
+    internal sealed class Silent : Joint
     {
         public override void Validate()
         {

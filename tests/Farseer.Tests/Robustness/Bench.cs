@@ -75,6 +75,13 @@ internal sealed class Bench
         return wave;
     }
 
+    private RollbackBuffer Frames()
+    {
+        var buffer = new RollbackBuffer(Simulator, 4);
+        buffer.Push();
+        return buffer;
+    }
+
     public void Step(int count)
     {
         for (int i = 0; i < count; i++)
@@ -135,6 +142,7 @@ internal sealed class Bench
             nameof(CurveKey) => new CurveKey(1, 2),
             nameof(SvgDebugDraw) => Picture(),
             nameof(PhysicsSimulatorView) => new PhysicsSimulatorView(Simulator, Picture()),
+            nameof(RollbackBuffer) => Frames(),
             nameof(Grid) => BoxGeom.Grid,
             nameof(BilinearInterpolator) => new BilinearInterpolator(Vector2.Zero, Vector2.One),
             nameof(CircularInterpolator) => new CircularInterpolator(1, 2, 3, 4, 0, 5),
@@ -158,6 +166,11 @@ internal sealed class Bench
         if (type == typeof(int))
         {
             return name == "index" ? 1 : 4;
+        }
+
+        if (type == typeof(long))
+        {
+            return 4L;
         }
 
         if (type.IsValueType)

@@ -68,6 +68,11 @@ internal sealed class Door
             return new object?[] { -1, int.MinValue };
         }
 
+        if (Type == typeof(long))
+        {
+            return new object?[] { -1L, long.MinValue };
+        }
+
         if (Type.IsEnum)
         {
             return new[] { Enum.ToObject(Type, 1 << 30) };

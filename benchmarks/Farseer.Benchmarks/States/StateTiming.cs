@@ -1,0 +1,141 @@
+using System;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using Farseer.Scenes.Performance;
+using FarseerGames.FarseerPhysics;
+
+namespace Farseer.Benchmarks.States;
+
+/// <summary>
+/// The verb <c>rollback</c>: what states and frames of a <see cref="RollbackBuffer"/> take, as shares of an update of the same run.
+/// </summary>
+internal static class StateTiming
+{
+    public const string Usage = "rollback [SCENE …]";
+
+    private const int WarmSteps = 60;
+    private const int Turns = 30;
+    private const int Back = 8;
+
+    public static int Run(ReadOnlySpan<string> args, TextWriter output, TextWriter error)
+    {
+        string[] names = args.ToArray();
+        foreach (string name in names)
+        {
+            if (PerformanceScenes.All.All(s => s.Name != name))
+            {
+                error.WriteLine($"unknown scene '{name}'");
+                return 1;
+            }
+        }
+
+        output.WriteLine($"one worker, after {WarmSteps} updates (half of a shorter scene), medians of {Turns} turns; shares are of the update of the same turn;");
+        output.WriteLine($"rewind is by {Back} frames; bytes a frame are the mean of the frames but the newest, which is whole");
+        output.WriteLine("| scene | bodies | asleep | bytes a body | an update | bytes a body and frame | capture | restore | push | rewind |");
+        output.WriteLine("|---|---|---|---|---|---|---|---|---|---|");
+        foreach (PerformanceScene scene in PerformanceScenes.All)
+        {
+            if (names.Length == 0 || names.Contains(scene.Name))
+            {
+                output.WriteLine(Measure(scene, false));
+            }
+        }
+
+        PerformanceScene pyramid = PerformanceScenes.All.First(s => s.Name == "large_pyramid");
+        if (names.Length == 0 || names.Contains(pyramid.Name))
+        {
+            output.WriteLine(Measure(pyramid, true));
+        }
+
+        return 0;
+    }
+
+    private static string Measure(PerformanceScene scene, bool asleep)
+    {
+        using var simulator = new PhysicsSimulator();
+        scene.Build(simulator, scene.DefaultSize);
+        int step = 0;
+        for (; step < Math.Min(WarmSteps, scene.Steps / 2); step++)
+        {
+            Step();
+        }
+
+        if (asleep)
+        {
+            simulator.AllowSleep = true;
+            foreach (var body in simulator.BodyList)
+            {
+                body.Awake = false;
+            }
+        }
+
+        var state = new PhysicsSimulatorState();
+        var buffer = new RollbackBuffer(simulator, (2 * Turns) + Back);
+        var update = new double[Turns];
+        var capture = new double[Turns];
+        var restore = new double[Turns];
+        var push = new double[Turns];
+        var rewind = new double[Turns];
+        for (int turn = 0; turn < Turns; turn++)
+        {
+            capture[turn] = Time(() => simulator.Capture(state));
+            update[turn] = Time(Step);
+            restore[turn] = Time(() => simulator.Restore(state)) / update[turn];
+            capture[turn] /= update[turn];
+            step--;
+            Step();
+            push[turn] = Time(() => buffer.Push()) / update[turn];
+        }
+
+        buffer.Clear();
+        buffer.Push();
+        long whole = buffer.ByteCount;
+        for (int i = 0; i < Turns; i++)
+        {
+            Step();
+            buffer.Push();
+        }
+
+        int bodies = simulator.BodyList.Count;
+        double frame = (double)(buffer.ByteCount - whole) / Turns / bodies;
+        int sleepers = simulator.BodyList.Count(b => !b.Awake);
+        int newest = step;
+        for (int turn = 0; turn < Turns; turn++)
+        {
+            rewind[turn] = Time(() => buffer.Rewind(buffer.NewestFrame - Back));
+            step = newest - Back;
+            rewind[turn] /= Time(Step);
+            buffer.Push();
+            while (step < newest)
+            {
+                Step();
+                buffer.Push();
+            }
+        }
+
+        return FormattableString.Invariant(
+            $"| {scene.Name} | {bodies:n0} | {sleepers:n0} | {(double)state.ByteCount / bodies:n0} | {Median(update):f3} ms | {frame:n1} ")
+            + FormattableString.Invariant(
+                $"| {Median(capture):p0} | {Median(restore):p0} | {Median(push):p0} | {Median(rewind):p0} |");
+
+        void Step()
+        {
+            scene.Drive(step++);
+            simulator.Update(scene.Dt);
+        }
+    }
+
+    private static double Median(double[] values)
+    {
+        Array.Sort(values);
+        return values[values.Length / 2];
+    }
+
+    private static double Time(Action action)
+    {
+        long start = Stopwatch.GetTimestamp();
+        action();
+        return Stopwatch.GetElapsedTime(start).TotalMilliseconds;
+    }
+}

@@ -1,0 +1,134 @@
+using System;
+using Farseer.Engine.Storage;
+
+namespace Box2D.Dynamics;
+
+/// <summary>
+/// The last frames of a <see cref="b2World"/>, for rollback: <see cref="Push"/> keeps the state of now as a frame,
+/// <see cref="Rewind"/> goes back to one that is held. A frame takes what changed since the one before; the oldest fall out.
+/// </summary>
+/// <remarks>
+/// What a state holds, what it asks of items of your own and what is guaranteed after going back is said at
+/// <see cref="b2World.Capture(b2WorldState)"/>. Its memory is kept: once it has grown, nothing is allocated. Beside the frames
+/// it has room for three whole states to work with. Like the world it is to be used by one thread at a time.
+/// </remarks>
+/// <example>
+/// <code>
+/// var buffer = new b2RollbackBuffer(world, 120);
+/// buffer.Push();
+/// for (int i = 0; i &lt; 100; i++)
+/// {
+///     world.Step(1f / 60, 10);
+///     buffer.Push();
+/// }
+///
+/// buffer.Rewind(95); // as it was after 95 of them
+/// for (int i = 95; i &lt; 100; i++)
+/// {
+///     world.Step(1f / 60, 10);
+///     buffer.Push();
+/// }
+/// </code>
+/// </example>
+public sealed class b2RollbackBuffer
+{
+    private readonly StateRing _ring;
+
+    /// <summary>Makes a buffer of so many frames, empty at first.</summary>
+    /// <param name="world">Whose states are kept.</param>
+    /// <param name="frames">Most frames held, 1 or more; a second at 60 Hz is 60.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="world"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="frames"/> is less than 1.</exception>
+    public b2RollbackBuffer(b2World world, int frames)
+        : this(world, frames, long.MaxValue)
+    {
+        if (frames < 1)
+        {
+            throw new ArgumentOutOfRangeException(nameof(frames), frames, "frames must be at least 1.");
+        }
+    }
+
+    private b2RollbackBuffer(b2World world, int frames, long bytes)
+    {
+        World = Bridge.Require.NotNull(world, nameof(world));
+        _ring = new StateRing(frames, bytes);
+        FrameLimit = frames;
+        ByteBudget = bytes;
+    }
+
+    /// <summary>Makes a buffer that holds as many frames as fit into so many bytes, empty at first.</summary>
+    /// <param name="world">Whose states are kept.</param>
+    /// <param name="bytes">
+    /// Most bytes of all frames together, as <see cref="ByteCount"/> counts them, 1 or more. The newest frame is held in any case.
+    /// </param>
+    /// <returns>The buffer.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="world"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="bytes"/> is less than 1.</exception>
+    public static b2RollbackBuffer WithBudget(b2World world, long bytes)
+    {
+        Bridge.Require.NotNull(world, nameof(world));
+        if (bytes < 1)
+        {
+            throw new ArgumentOutOfRangeException(nameof(bytes), bytes, "bytes must be at least 1.");
+        }
+
+        return new b2RollbackBuffer(world, int.MaxValue, bytes);
+    }
+
+    /// <summary>Whose states are kept.</summary>
+    public b2World World { get; }
+
+    /// <summary>Most frames held; <see cref="int.MaxValue"/> of a buffer with a budget.</summary>
+    public int FrameLimit { get; }
+
+    /// <summary>Most bytes held; <see cref="long.MaxValue"/> of a buffer with a number of frames.</summary>
+    public long ByteBudget { get; }
+
+    /// <summary>Frames held, 0 or more.</summary>
+    public int Count => _ring.Count;
+
+    /// <summary>Number of the oldest frame held; −1 if there is none.</summary>
+    public long OldestFrame => _ring.Oldest;
+
+    /// <summary>Number of the newest frame, that pushed or rewound to last; −1 if there is none.</summary>
+    public long NewestFrame => _ring.Newest;
+
+    /// <summary>Bytes that the frames take, references to objects included and unused room left out.</summary>
+    public long ByteCount => _ring.ByteCount;
+
+    /// <summary>
+    /// Keeps the state of now as the newest frame. If there are too many then, or they take too much, the oldest fall out.
+    /// </summary>
+    /// <returns>The frame's number: 0 the first time, then one more than <see cref="NewestFrame"/> was.</returns>
+    /// <exception cref="InvalidOperationException">A step runs. The buffer stays as it was.</exception>
+    public long Push()
+    {
+        World.Write(_ring.Next, World.Roster);
+        return _ring.Push();
+    }
+
+    /// <summary>
+    /// Goes back to a frame, as <see cref="b2World.Restore"/> does. It is the newest one then: those after it are dropped, and the
+    /// next <see cref="Push"/> gives the number after it again.
+    /// </summary>
+    /// <param name="frame">Its number, from <see cref="OldestFrame"/> to <see cref="NewestFrame"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="frame"/> is not held.</exception>
+    /// <exception cref="InvalidOperationException">A step runs. Nothing is changed then.</exception>
+    public void Rewind(long frame)
+    {
+        if (Count == 0 || frame < OldestFrame || frame > NewestFrame)
+        {
+            throw new ArgumentOutOfRangeException(
+                nameof(frame),
+                frame,
+                Count == 0 ? "The buffer holds no frame." : $"Frames {OldestFrame} to {NewestFrame} are held.");
+        }
+
+        StateStream state = _ring.Find(frame);
+        World.Read(state, World.Roster);
+        _ring.CutAfter(frame, state);
+    }
+
+    /// <summary>Drops all frames, and every reference to what was in them. The next one goes on with the numbers.</summary>
+    public void Clear() => _ring.Clear();
+}

@@ -1,0 +1,11 @@
+namespace Farseer.Engine.Storage;
+
+/// <summary>A place in a <see cref="StateStream"/>.</summary>
+internal struct StatePlace
+{
+    /// <summary>Bytes before it.</summary>
+    public int At;
+
+    /// <summary>References before it.</summary>
+    public int ObjectAt;
+}
