@@ -35,7 +35,7 @@ internal sealed unsafe partial class JointSolver
         for (int at = 0; at < _treeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];
-            bool holds = tree->HasRows && HoldsLimit(tree, !tree->Joined);
+            bool holds = (tree->Joined || tree->Pressed) && tree->HasRows && HoldsLimit(tree, !tree->Joined);
             _forest.Trees[tree->Group].Kept |= holds;
             any |= holds;
         }
