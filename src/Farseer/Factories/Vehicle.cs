@@ -100,7 +100,7 @@ public sealed class Vehicle
     }
 
     /// <summary>Drives or brakes: the motors turn the wheels towards a speed.</summary>
-    /// <param name="speed">Speed over ground, length/s: above 0 forwards, 0 brakes; finite.</param>
+    /// <param name="speed">Speed over ground, length/s; finite. Forwards if positive, backwards if negative; 0 brakes.</param>
     /// <param name="torque">Largest torque of each wheel, force times length; finite and at least 0. 0 lets them roll.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of the range given above.</exception>
     public void Drive(float speed, float torque)
