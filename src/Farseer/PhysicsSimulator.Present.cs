@@ -17,14 +17,7 @@ public partial class PhysicsSimulator
     /// <summary>Lists the geoms that wait for the next update, or for another outline or body in it, each once.</summary>
     internal void ListWaiting(List<Geom> geoms)
     {
-        for (int i = 0; i < _geomsIn.Count; i++)
-        {
-            Geom geom = _geomsIn[i];
-            if (geom.Membership == Membership.AddQueued && !geom.IsDisposed && ReferenceEquals(geom.Simulator, this))
-            {
-                ListOnce(geom, geoms);
-            }
-        }
+        ListQueued(geoms);
 
         for (int i = 0; i < _geomsChanged.Count; i++)
         {
@@ -45,14 +38,7 @@ public partial class PhysicsSimulator
     internal List<Geom> ListPresent()
     {
         _present.Clear();
-        for (int i = 0; i < _geomsIn.Count; i++)
-        {
-            Geom geom = _geomsIn[i];
-            if (geom.Membership == Membership.AddQueued && !geom.IsDisposed && ReferenceEquals(geom.Simulator, this))
-            {
-                ListOnce(geom, _present);
-            }
-        }
+        ListQueued(_present);
 
         // Those in the list come first, and have no place among those that wait.
         int waiting = _present.Count;
@@ -72,6 +58,18 @@ public partial class PhysicsSimulator
 
         _present.RemoveRange(0, waiting);
         return _present;
+    }
+
+    private void ListQueued(List<Geom> geoms)
+    {
+        for (int i = 0; i < _geomsIn.Count; i++)
+        {
+            Geom geom = _geomsIn[i];
+            if (geom.Membership == Membership.AddQueued && !geom.IsDisposed && ReferenceEquals(geom.Simulator, this))
+            {
+                ListOnce(geom, geoms);
+            }
+        }
     }
 
     // What was added, removed and added again stands in the queue twice.

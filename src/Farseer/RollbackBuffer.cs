@@ -41,20 +41,15 @@ public sealed class RollbackBuffer
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frames"/> is less than 1.</exception>
     public RollbackBuffer(PhysicsSimulator simulator, int frames)
-        : this(simulator, frames, long.MaxValue)
-    {
-        if (frames < 1)
-        {
-            throw new ArgumentOutOfRangeException(nameof(frames), frames, "frames must be at least 1.");
-        }
-    }
-
-    private RollbackBuffer(PhysicsSimulator simulator, int frames, long bytes)
     {
         Simulator = Require.NotNull(simulator, nameof(simulator));
-        _ring = new StateRing(frames, bytes);
-        FrameLimit = frames;
-        ByteBudget = bytes;
+        _ring = StateRing.OfFrames(frames);
+    }
+
+    private RollbackBuffer(PhysicsSimulator simulator, long bytes)
+    {
+        Simulator = Require.NotNull(simulator, nameof(simulator));
+        _ring = StateRing.OfBytes(bytes);
     }
 
     /// <summary>Makes a buffer that holds as many frames as fit into so many bytes, empty at first.</summary>
@@ -65,25 +60,16 @@ public sealed class RollbackBuffer
     /// <returns>The buffer.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="bytes"/> is less than 1.</exception>
-    public static RollbackBuffer WithBudget(PhysicsSimulator simulator, long bytes)
-    {
-        Require.NotNull(simulator, nameof(simulator));
-        if (bytes < 1)
-        {
-            throw new ArgumentOutOfRangeException(nameof(bytes), bytes, "bytes must be at least 1.");
-        }
-
-        return new RollbackBuffer(simulator, int.MaxValue, bytes);
-    }
+    public static RollbackBuffer WithBudget(PhysicsSimulator simulator, long bytes) => new RollbackBuffer(simulator, bytes);
 
     /// <summary>Whose states are kept.</summary>
     public PhysicsSimulator Simulator { get; }
 
     /// <summary>Most frames held; <see cref="int.MaxValue"/> of a buffer with a budget.</summary>
-    public int FrameLimit { get; }
+    public int FrameLimit => _ring.MostFrames;
 
     /// <summary>Most bytes held; <see cref="long.MaxValue"/> of a buffer with a number of frames.</summary>
-    public long ByteBudget { get; }
+    public long ByteBudget => _ring.MostBytes;
 
     /// <summary>Frames held, 0 or more.</summary>
     public int Count => _ring.Count;
@@ -125,14 +111,6 @@ public sealed class RollbackBuffer
     /// </exception>
     public void Rewind(long frame)
     {
-        if (Count == 0 || frame < OldestFrame || frame > NewestFrame)
-        {
-            throw new ArgumentOutOfRangeException(
-                nameof(frame),
-                frame,
-                Count == 0 ? "The buffer holds no frame." : $"Frames {OldestFrame} to {NewestFrame} are held.");
-        }
-
         StateStream state = _ring.Find(frame);
         ExceptionDispatchInfo? failure = Simulator.Read(state, Simulator.Present, Simulator.Former);
         _ring.CutAfter(frame, state);

@@ -40,20 +40,15 @@ public sealed class b2RollbackBuffer
     /// <exception cref="ArgumentNullException"><paramref name="world"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frames"/> is less than 1.</exception>
     public b2RollbackBuffer(b2World world, int frames)
-        : this(world, frames, long.MaxValue)
-    {
-        if (frames < 1)
-        {
-            throw new ArgumentOutOfRangeException(nameof(frames), frames, "frames must be at least 1.");
-        }
-    }
-
-    private b2RollbackBuffer(b2World world, int frames, long bytes)
     {
         World = Bridge.Require.NotNull(world, nameof(world));
-        _ring = new StateRing(frames, bytes);
-        FrameLimit = frames;
-        ByteBudget = bytes;
+        _ring = StateRing.OfFrames(frames);
+    }
+
+    private b2RollbackBuffer(b2World world, long bytes)
+    {
+        World = Bridge.Require.NotNull(world, nameof(world));
+        _ring = StateRing.OfBytes(bytes);
     }
 
     /// <summary>Makes a buffer that holds as many frames as fit into so many bytes, empty at first.</summary>
@@ -64,25 +59,16 @@ public sealed class b2RollbackBuffer
     /// <returns>The buffer.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="world"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="bytes"/> is less than 1.</exception>
-    public static b2RollbackBuffer WithBudget(b2World world, long bytes)
-    {
-        Bridge.Require.NotNull(world, nameof(world));
-        if (bytes < 1)
-        {
-            throw new ArgumentOutOfRangeException(nameof(bytes), bytes, "bytes must be at least 1.");
-        }
-
-        return new b2RollbackBuffer(world, int.MaxValue, bytes);
-    }
+    public static b2RollbackBuffer WithBudget(b2World world, long bytes) => new b2RollbackBuffer(world, bytes);
 
     /// <summary>Whose states are kept.</summary>
     public b2World World { get; }
 
     /// <summary>Most frames held; <see cref="int.MaxValue"/> of a buffer with a budget.</summary>
-    public int FrameLimit { get; }
+    public int FrameLimit => _ring.MostFrames;
 
     /// <summary>Most bytes held; <see cref="long.MaxValue"/> of a buffer with a number of frames.</summary>
-    public long ByteBudget { get; }
+    public long ByteBudget => _ring.MostBytes;
 
     /// <summary>Frames held, 0 or more.</summary>
     public int Count => _ring.Count;
@@ -116,14 +102,6 @@ public sealed class b2RollbackBuffer
     /// <exception cref="InvalidOperationException">A step runs. Nothing is changed then.</exception>
     public void Rewind(long frame)
     {
-        if (Count == 0 || frame < OldestFrame || frame > NewestFrame)
-        {
-            throw new ArgumentOutOfRangeException(
-                nameof(frame),
-                frame,
-                Count == 0 ? "The buffer holds no frame." : $"Frames {OldestFrame} to {NewestFrame} are held.");
-        }
-
         StateStream state = _ring.Find(frame);
         World.Read(state, World.Roster);
         _ring.CutAfter(frame, state);

@@ -27,6 +27,9 @@ internal unsafe struct ActiveJoint
     public RowEnds Ends;
     public JointRole Role;
 
+    /// <summary>Its hard rows are an edge or an anchor of a tree.</summary>
+    public readonly bool IsEliminated => Role == JointRole.Edge || Role == JointRole.Anchor;
+
     /// <summary>The first of the joints that close the loops of its tree.</summary>
     public bool LeadsLoops;
 

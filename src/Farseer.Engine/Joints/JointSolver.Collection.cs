@@ -282,7 +282,7 @@ internal sealed unsafe partial class JointSolver
         _loops.Build(_count);
         for (int i = 0; i < _count; i++)
         {
-            _active[i].BlockLimits = _active[i].Limited && IsEliminated(_active.Pointer + i) && HasRoom(i);
+            _active[i].BlockLimits = _active[i].Limited && _active[i].IsEliminated && HasRoom(i);
         }
 
         CountSprings();
@@ -292,8 +292,6 @@ internal sealed unsafe partial class JointSolver
         _loose.Begin(_forest, _active.Pointer, _rows.Pointer, _step);
         _loose.Reserve(_count);
     }
-
-    private static bool IsEliminated(ActiveJoint* joint) => joint->Role == JointRole.Edge || joint->Role == JointRole.Anchor;
 
     private void CountSprings()
     {

@@ -7,20 +7,11 @@ namespace Farseer.Engine.Joints;
 /// <content>What contacts with trees give: see <see cref="ContactImpulses"/>.</content>
 internal sealed unsafe partial class JointSolver
 {
-    /// <summary>The contact with a tree that was taken out of a lane; null: it was not.</summary>
-    public TreeContact* FindContact(ContactBundle* row, int lane)
-    {
-        for (int i = 0; i < _contactCount; i++)
-        {
-            TreeContact* contact = _contacts.Pointer + i;
-            if (contact->Bundle == row && contact->Lane == lane)
-            {
-                return contact;
-            }
-        }
+    /// <summary>Contacts that trees took out of their lanes.</summary>
+    public int TakenCount => _contactCount;
 
-        return null;
-    }
+    /// <summary>One of them.</summary>
+    public TreeContact* Taken(int index) => _contacts.Pointer + index;
 
     /// <summary>Adds what the contacts with trees hold.</summary>
     /// <param name="impulses">The sums.</param>

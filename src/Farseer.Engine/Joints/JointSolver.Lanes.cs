@@ -126,7 +126,7 @@ internal sealed unsafe partial class JointSolver
             {
                 _forest.Trees[TreeOf(_contacts[~item].Ends)].Touched = true;
             }
-            else if (item < 0 || !IsEliminated(_active.Pointer + item))
+            else if (item < 0 || !_active[item].IsEliminated)
             {
                 ref RowEnds ends = ref EndsOf(item);
                 Tie(ends.NodeA);

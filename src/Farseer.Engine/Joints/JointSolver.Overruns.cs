@@ -325,6 +325,6 @@ internal sealed unsafe partial class JointSolver
 
         range.Known = true;
         joint->Overrun = false;
-        joint->BlockLimits = IsEliminated(joint) && HasRoom(index);
+        joint->BlockLimits = joint->IsEliminated && HasRoom(index);
     }
 }

@@ -184,7 +184,7 @@ internal sealed partial class World
         step.Substep = substep;
         step.Audited = Audit != null || Impulses != null || _contacts.Surfaces.AnySpecial;
         step.Impulses = Impulses;
-        step.Watched = Audit != null || Impulses != null || _contacts.Surfaces.AnySpecial || (UserJoints != null && UserJoints.Any) || _springs.Count > 0;
+        step.Watched = step.Audited || (UserJoints != null && UserJoints.Any) || _springs.Count > 0;
         step.BreaksLate = Settings.JointsBreakLate;
         step.ImpulseScale = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? (double)substep / _lastSubstep : 1;
         step.Drifts = !Settings.CorrectPositions;

@@ -43,7 +43,7 @@ internal sealed unsafe class SurfacePass
                     int contact = row->Contact[lane];
                     if (contact >= 0 && _surfaces[contact].IsSpecial)
                     {
-                        List(row, lane, contact, input.Joints);
+                        List(row, lane, contact);
                     }
                 }
             }
@@ -51,6 +51,15 @@ internal sealed unsafe class SurfacePass
 
         _sort.Reserve(Math.Max(1, _count));
         _sort.Sort(_keys.Pointer, _order.Pointer, _count);
+        for (int i = 0; input.Joints != null && i < input.Joints.TakenCount; i++)
+        {
+            TreeContact* taken = input.Joints.Taken(i);
+            int place = new ReadOnlySpan<ulong>(_keys.Pointer, _count).BinarySearch((ulong)(uint)taken->Bundle->Contact[taken->Lane]);
+            if (place >= 0)
+            {
+                _entries[_order[place]].Held = taken;
+            }
+        }
     }
 
     /// <summary>As a substep begins: the forces of the last one go on.</summary>
@@ -79,7 +88,7 @@ internal sealed unsafe class SurfacePass
         }
     }
 
-    private void List(ContactBundle* row, int lane, int contact, JointSolver? joints)
+    private void List(ContactBundle* row, int lane, int contact)
     {
         _entries.EnsureCapacity(_count + 1);
         _keys.EnsureCapacity(_count + 1);
@@ -89,7 +98,6 @@ internal sealed unsafe class SurfacePass
         e.Row = row;
         e.Lane = lane;
         e.Contact = contact;
-        e.Held = joints == null ? null : joints.FindContact(row, lane);
         _keys[_count] = (ulong)(uint)contact;
         _order[_count] = _count;
         _count++;

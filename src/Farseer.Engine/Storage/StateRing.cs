@@ -16,19 +16,21 @@ internal sealed class StateRing
     private readonly Ring<Frame> _frames = new Ring<Frame>();
     private readonly StateDelta _delta = new StateDelta();
     private readonly StateStream _nothing = new StateStream();
-    private readonly int _mostFrames;
-    private readonly long _mostBytes;
     private StateStream _newest = new StateStream();
     private StateStream _next = new StateStream();
     private StateStream _spare = new StateStream();
 
-    /// <param name="mostFrames">The oldest frame falls out when there are more.</param>
-    /// <param name="mostBytes">And when they take more bytes; the newest stays in any case.</param>
-    public StateRing(int mostFrames, long mostBytes)
+    private StateRing(int mostFrames, long mostBytes)
     {
-        _mostFrames = mostFrames;
-        _mostBytes = mostBytes;
+        MostFrames = mostFrames;
+        MostBytes = mostBytes;
     }
+
+    /// <summary>The oldest frame falls out when there are more.</summary>
+    public int MostFrames { get; }
+
+    /// <summary>And when they take more bytes; the newest stays in any case.</summary>
+    public long MostBytes { get; }
 
     /// <summary>What the next frame is to be written to, before <see cref="Push"/>.</summary>
     public StateStream Next => _next;
@@ -44,13 +46,25 @@ internal sealed class StateRing
     public unsafe long ByteCount => Count == 0 ? 0 : Bytes(_newest)
         + ((_words.End - _words.Begin) * sizeof(uint)) + ((_objects.End - _objects.Begin) * IntPtr.Size) + ((long)Count * sizeof(Frame));
 
+    /// <summary>A ring of so many frames.</summary>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="frames"/> is less than 1.</exception>
+    public static StateRing OfFrames(int frames) => frames >= 1
+        ? new StateRing(frames, long.MaxValue)
+        : throw new ArgumentOutOfRangeException(nameof(frames), frames, "frames must be at least 1.");
+
+    /// <summary>A ring of as many frames as so many bytes hold.</summary>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="bytes"/> is less than 1.</exception>
+    public static StateRing OfBytes(long bytes) => bytes >= 1
+        ? new StateRing(int.MaxValue, bytes)
+        : throw new ArgumentOutOfRangeException(nameof(bytes), bytes, "bytes must be at least 1.");
+
     /// <summary>Takes <see cref="Next"/> in as the newest frame.</summary>
     /// <returns>Its number.</returns>
     public long Push()
     {
         if (Count > 0)
         {
-            if (Count == _mostFrames)
+            if (Count == MostFrames)
             {
                 DropOldest();
             }
@@ -64,13 +78,13 @@ internal sealed class StateRing
 
         (_newest, _next) = (_next, _newest);
         _frames.Append(new Frame { WordAt = _words.End, ObjectAt = _objects.End });
-        if (_mostFrames > KeyInterval && Newest % KeyInterval == 0)
+        if (MostFrames > KeyInterval && Newest % KeyInterval == 0)
         {
             _delta.Find(_nothing, _newest);
             Store(out _frames[Newest].Key);
         }
 
-        while (ByteCount > _mostBytes && Count > 1)
+        while (ByteCount > MostBytes && Count > 1)
         {
             DropOldest();
         }
@@ -78,9 +92,16 @@ internal sealed class StateRing
         return Newest;
     }
 
-    /// <summary>The state of a frame that is held; it lasts until anything else is asked of the ring.</summary>
+    /// <summary>The state of a frame; it lasts until anything else is asked of the ring.</summary>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="frame"/> is not held.</exception>
     public StateStream Find(long frame)
     {
+        if (Count == 0 || frame < Oldest || frame > Newest)
+        {
+            throw new ArgumentOutOfRangeException(
+                nameof(frame), frame, Count == 0 ? "The buffer holds no frame." : $"Frames {Oldest} to {Newest} are held.");
+        }
+
         long at = Newest;
         StateStream state = _newest;
         for (long key = frame; at - frame > KeyInterval; key++)

@@ -59,12 +59,12 @@ public class ClosedChainTests
             float apothem = 0.25f / MathF.Tan(MathF.PI / 6);
             Body[] links = AddRing(simulator, hinges, apothem * new Vector2(MathF.Sin(turn), -MathF.Cos(turn)), 6, 0.5f, 0.05f, turn + MathF.PI, false);
             hinges.Add(JointFactory.Instance.CreateRevoluteJoint(simulator, Nail(simulator), links[0], Vector2.Zero));
-            double start = Energy(links);
+            double start = Energies.Whole(links, 10);
             double change = 0;
             for (int step = 0; step < 1200; step++)
             {
                 simulator.Update(Dt);
-                change = Math.Max(change, Math.Abs(Energy(links) - start));
+                change = Math.Max(change, Math.Abs(Energies.Whole(links, 10) - start));
 
                 // A correction may leave 10⁻⁴ of a link's length.
                 Assert.All(hinges, hinge => Assert.InRange(Math.Abs(hinge.JointError), 0, 1e-4));
@@ -188,9 +188,4 @@ public class ClosedChainTests
     }
 
     private static Vector2 Turned(Vector2 v, float angle) => Vector2.Transform(v, Matrix3x2.CreateRotation(angle));
-
-    private static double Energy(Body[] bodies) => bodies.Sum(body =>
-        (0.5 * body.Mass * body.LinearVelocity.LengthSquared())
-        + (0.5 * body.MomentOfInertia * body.AngularVelocity * body.AngularVelocity)
-        + (body.Mass * 10 * body.Position.Y));
 }

@@ -26,7 +26,7 @@ public class UnevenRagdollTests
             floor.FrictionCoefficient = 0.6f;
             var puppet = new Puppet(simulator, new Vector2(0, 0.3f + (5 * random.NextSingle())));
             Turn(puppet, (10 * random.NextSingle()) - 5);
-            double mass = puppet.Geoms.Sum(geom => (double)geom.Body.Mass);
+            Body[] bodies = puppet.Geoms.Select(geom => geom.Body).ToArray();
             double least = double.PositiveInfinity;
             double rise = 0;
             for (double time = 0; time < 6;)
@@ -34,7 +34,7 @@ public class UnevenRagdollTests
                 float dt = random.Next(50) == 0 ? 0.2f : (1 / 120f) + (random.NextSingle() * ((1 / 30f) - (1 / 120f)));
                 simulator.Update(dt);
                 time += dt;
-                double energy = puppet.Geoms.Sum(geom => Energy(geom.Body)) / (10 * mass);
+                double energy = Energies.AsHeight(bodies, 10);
                 least = Math.Min(least, energy);
                 rise = Math.Max(rise, energy - least);
             }
@@ -54,9 +54,4 @@ public class UnevenRagdollTests
             geom.Body.AngularVelocity = spin;
         }
     }
-
-    private static double Energy(Body body) =>
-        (0.5 * body.Mass * body.LinearVelocity.LengthSquared())
-        + (0.5 * body.MomentOfInertia * body.AngularVelocity * body.AngularVelocity)
-        + (body.Mass * 10 * body.Position.Y);
 }

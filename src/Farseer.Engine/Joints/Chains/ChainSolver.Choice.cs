@@ -31,7 +31,7 @@ internal sealed unsafe partial class ChainSolver
         // Iterated rows are for the general passes.
         for (int i = 0; i < count; i++)
         {
-            if (active[i].Role == JointRole.Iterated || active[i].Role == JointRole.Loop)
+            if (!active[i].IsEliminated)
             {
                 Exclude(active[i].Ends.NodeA);
                 Exclude(active[i].Ends.NodeB);

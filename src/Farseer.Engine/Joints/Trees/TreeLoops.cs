@@ -185,9 +185,12 @@ internal sealed unsafe class TreeLoops
 
         Keep(tree);
         TreeSolve.Run(_forest, tree);
-        double* lambda = _lambda.Pointer + tree->LoopRow;
-        Clear(lambda, tree->LoopRows);
-        AddImpulses(tree, lambda);
+        for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
+        {
+            FindResidual(at);
+        }
+
+        FindImpulses(tree);
         Recall(tree);
         for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
         {
@@ -205,7 +208,7 @@ internal sealed unsafe class TreeLoops
     {
         for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
         {
-            Give(at, _lambda.Pointer + _rowOf[at]);
+            Give(at);
         }
     }
 
@@ -219,8 +222,7 @@ internal sealed unsafe class TreeLoops
             FindResidual(at);
         }
 
-        double* lambda = _lambda.Pointer + tree->LoopRow;
-        TreeSolve.Multiply(_inverse.Pointer + tree->LoopSquare, _residual.Pointer + tree->LoopRow, tree->LoopRows, lambda);
+        FindImpulses(tree);
         double* a = stackalloc double[3];
         double* b = stackalloc double[3];
         for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
@@ -237,28 +239,13 @@ internal sealed unsafe class TreeLoops
             }
 
             RowEnds.Apply(view, &joint->Ends, a, b);
-            Give(at, _lambda.Pointer + _rowOf[at]);
+            Give(at);
         }
     }
 
-    private void AddImpulses(JointTree* tree, double* lambda)
-    {
-        for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
-        {
-            FindResidual(at);
-        }
-
-        int n = tree->LoopRows;
-        double* inverse = _inverse.Pointer + tree->LoopSquare;
-        double* residual = _residual.Pointer + tree->LoopRow;
-        for (int i = 0; i < n; i++)
-        {
-            for (int k = 0; k < n; k++)
-            {
-                lambda[i] += inverse[(i * n) + k] * residual[k];
-            }
-        }
-    }
+    /// <summary>λ from the residuals.</summary>
+    private void FindImpulses(JointTree* tree) => TreeSolve.Multiply(
+        _inverse.Pointer + tree->LoopSquare, _residual.Pointer + tree->LoopRow, tree->LoopRows, _lambda.Pointer + tree->LoopRow);
 
     private void FindResidual(int at)
     {
@@ -269,12 +256,12 @@ internal sealed unsafe class TreeLoops
         }
     }
 
-    private void Give(int at, double* lambda)
+    private void Give(int at)
     {
         ActiveJoint* joint = _active.Pointer + _joints[at];
         for (int r = 0; r < joint->BuiltHard; r++)
         {
-            AddScaled(_rows.Pointer[_joints[at]].B + (r * 3), lambda[r], joint->Given);
+            AddScaled(_rows.Pointer[_joints[at]].B + (r * 3), _lambda[_rowOf[at] + r], joint->Given);
         }
     }
 
