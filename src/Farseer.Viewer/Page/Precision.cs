@@ -9,51 +9,66 @@ internal sealed class Precision
     /// <summary>All bits.</summary>
     public const int Exact = 0;
 
-    private const int MostDigits = 7;
-    private const int LeastDigits = 3;
+    // From the finest to the coarsest, and of the impulses of contacts, which take most room; 0 leaves contacts out.
+    private static readonly (int Digits, int ContactDigits)[] _steps =
+    {
+        (7, 6), (6, 5), (6, 4), (5, 4), (5, 3), (5, 2), (4, 2), (3, 2), (5, 0), (4, 0), (3, 0),
+    };
 
     // Four letters stand for three bytes.
     private const double BytesPerByte = 4.0 / 3;
 
-    private Precision(int digits, bool hasContacts, double sceneSize)
+    private Precision(int digits, int contactDigits, double sceneSize)
     {
         Digits = digits;
-        HasContacts = hasContacts;
+        ContactDigits = contactDigits;
         SceneSize = sceneSize;
     }
 
     /// <summary>Decimal digits of what is as large as the scene, or of the largest; <see cref="Exact"/>: all bits.</summary>
     public int Digits { get; }
 
-    public bool HasContacts { get; }
+    /// <summary>The same of the impulses of contacts.</summary>
+    public int ContactDigits { get; }
+
+    public bool HasContacts => Digits == Exact || ContactDigits > 0;
 
     public double SceneSize { get; }
 
+    /// <summary>The finest that fits, by search: each step takes less room than the one before.</summary>
     public static Precision Fitting(RunData run, long mostBytes, double sceneSize)
     {
         double room = mostBytes / BytesPerByte;
         if (ExactBytes(run) <= room)
         {
-            return new Precision(Exact, true, sceneSize);
+            return new Precision(Exact, Exact, sceneSize);
         }
 
-        foreach (bool hasContacts in new[] { true, false })
+        int low = 0;
+        int high = _steps.Length - 1;
+        while (low < high)
         {
-            for (int digits = MostDigits; digits >= LeastDigits; digits--)
+            int middle = (low + high) / 2;
+            if (At(middle, sceneSize).Estimate(run) <= room)
             {
-                Precision precision = new Precision(digits, hasContacts, sceneSize);
-                if (precision.Estimate(run) <= room)
-                {
-                    return precision;
-                }
+                high = middle;
+            }
+            else
+            {
+                low = middle + 1;
             }
         }
 
-        return new Precision(LeastDigits, false, sceneSize);
+        return At(high, sceneSize);
     }
 
-    public byte[] Packed(PackedChunk chunk, int column) =>
-        Digits == Exact ? chunk.Packed(column) : chunk.Rounded(column, Digits, SceneSize);
+    public int DigitsOf(Track track, in ColumnSpec column) =>
+        track.Name == ContactTrack.Name && column.Digits == Recording.Digits.Size ? ContactDigits : Digits;
+
+    public byte[] Packed(Track track, PackedChunk chunk, int column) =>
+        Digits == Exact ? chunk.Packed(column) : chunk.Rounded(column, DigitsOf(track, track.Columns[column]), SceneSize);
+
+    private static Precision At(int step, double sceneSize) => new Precision(_steps[step].Digits, _steps[step].ContactDigits, sceneSize);
 
     private static double ExactBytes(RunData run)
     {
@@ -101,7 +116,7 @@ internal sealed class Precision
         double bytes = 0;
         double frames = 0;
         double all = 0;
-        int stride = Math.Max(1, count / 4);
+        int stride = Math.Max(1, count / 3);
         for (int i = 0; i < count; i++)
         {
             all += track.Chunks[i].Frames;
@@ -113,7 +128,7 @@ internal sealed class Precision
             frames += track.Chunks[i].Frames;
             for (int c = 0; c < track.Columns.Length; c++)
             {
-                bytes += Packed(track.Chunks[i], c).Length;
+                bytes += Packed(track, track.Chunks[i], c).Length;
             }
         }
 

@@ -45,6 +45,7 @@ internal sealed class RunText
         Json.Name("yUp").Value(_recorder.IsYUp);
         Json.Name("frames").Value(_run.FrameCount);
         Json.Name("digits").Value(_precision.Digits);
+        Json.Name("contactDigits").Value(_precision.ContactDigits);
         Json.Name("hasContacts").Value(_recorder.Options.Contacts && _precision.HasContacts);
         Json.Name("hasEvents").Value(_recorder.Options.Events);
         Json.Name("view").Open('[').Value(_min.X).Value(_min.Y).Value(_max.X).Value(_max.Y).Close(']');
@@ -82,7 +83,7 @@ internal sealed class RunText
                 Json.Open('[').Value(chunk.First).Value(chunk.Frames).Value(chunk.Slots).Value(_blocks.Count).Close(']');
                 for (int c = 0; c < track.Columns.Length; c++)
                 {
-                    _blocks.Add(_precision.Packed(chunk, c));
+                    _blocks.Add(_precision.Packed(track, chunk, c));
                 }
             }
 
@@ -108,7 +109,7 @@ internal sealed class RunText
         }
         else
         {
-            ColumnCodec.Rounding rounding = PackedChunk.RoundingOf(track, column, _precision.Digits, _precision.SceneSize);
+            ColumnCodec.Rounding rounding = PackedChunk.RoundingOf(track, column, _precision.DigitsOf(track, spec), _precision.SceneSize);
             Json.Value("decimal").Name("decimals").Value(rounding.Decimals).Name("base").Value(rounding.Base);
             Json.Name("steady").Value(PackedChunk.IsSteady(spec));
         }

@@ -34,9 +34,9 @@ internal sealed class BodyTrack
         new ColumnSpec("x", ColumnKind.Double, Digits.Place),
         new ColumnSpec("y", ColumnKind.Double, Digits.Place),
         new ColumnSpec("angle", ColumnKind.Double, Digits.Angle),
-        new ColumnSpec("vx", ColumnKind.Single, Digits.Size),
-        new ColumnSpec("vy", ColumnKind.Single, Digits.Size),
-        new ColumnSpec("spin", ColumnKind.Single, Digits.Size),
+        new ColumnSpec("vx", ColumnKind.Single, Digits.Length),
+        new ColumnSpec("vy", ColumnKind.Single, Digits.Length),
+        new ColumnSpec("spin", ColumnKind.Single, Digits.Spin),
         new ColumnSpec("mass", ColumnKind.Single),
         new ColumnSpec("inertia", ColumnKind.Single),
         new ColumnSpec("flags", ColumnKind.Byte));

@@ -23,7 +23,8 @@ internal static class ColumnCodec
             Scatter(planes, i, values.Length, width, Bits(kind, values[i]) ^ before);
         }
 
-        return Deflate(planes);
+        // All bits are mostly noise, on which more effort is lost.
+        return Deflate(planes, CompressionLevel.Fastest);
     }
 
     /// <summary>What <see cref="Encode"/> packed.</summary>
@@ -65,7 +66,7 @@ internal static class ColumnCodec
             Scatter(planes, i, values.Length, 4, unchecked((uint)((rest << 1) ^ (rest >> 31))));
         }
 
-        return Deflate(planes);
+        return Deflate(planes, CompressionLevel.Optimal);
     }
 
     private static int Width(ColumnKind kind) => kind switch
@@ -110,10 +111,10 @@ internal static class ColumnCodec
     private static float BitsSingle(uint bits) => BitConverter.ToSingle(BitConverter.GetBytes(bits), 0);
 #endif
 
-    private static byte[] Deflate(byte[] bytes)
+    private static byte[] Deflate(byte[] bytes, CompressionLevel level)
     {
         using MemoryStream packed = new MemoryStream();
-        using (DeflateStream deflate = new DeflateStream(packed, CompressionLevel.Optimal, leaveOpen: true))
+        using (DeflateStream deflate = new DeflateStream(packed, level, leaveOpen: true))
         {
             deflate.Write(bytes, 0, bytes.Length);
         }

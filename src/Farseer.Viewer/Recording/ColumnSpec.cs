@@ -9,16 +9,19 @@ internal enum Digits
     /// <summary>Places: of the size of the scene.</summary>
     Place,
 
-    /// <summary>Depths: the same, but without a steady motion.</summary>
-    Depth,
+    /// <summary>Depths and speeds: the same, a second for speeds, but without a steady motion.</summary>
+    Length,
 
     /// <summary>Angles in radians: decimals.</summary>
     Angle,
 
+    /// <summary>Angles a second: decimals.</summary>
+    Spin,
+
     /// <summary>Parts of unit vectors: fewer decimals.</summary>
     Direction,
 
-    /// <summary>Speeds, impulses and errors: of the largest.</summary>
+    /// <summary>Impulses and forces: of the largest.</summary>
     Size,
 }
 

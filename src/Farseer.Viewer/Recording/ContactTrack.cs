@@ -6,9 +6,14 @@ using FarseerGames.FarseerPhysics.Dynamics;
 
 namespace FarseerGames.FarseerPhysics.Viewer.Recording;
 
-/// <summary>The contacts of each frame. A contact keeps its slot within a chunk, so that one that rests costs nothing.</summary>
+/// <summary>
+/// The contacts of each frame. A contact keeps its slot within a chunk, and its place and normal are taken in the coordinates of a body that
+/// moves, so that one that rests on it costs nothing.
+/// </summary>
 internal sealed class ContactTrack
 {
+    public const string Name = "contact";
+
     private const int X = 0;
     private const int Y = 1;
     private const int NormalX = 2;
@@ -28,12 +33,12 @@ internal sealed class ContactTrack
     public ContactTrack() => _alongSurface = static (a, b) => Along(a).CompareTo(Along(b));
 
     public Track Track { get; } = new Track(
-        "contact",
-        new ColumnSpec("x", ColumnKind.Single, Digits.Place),
-        new ColumnSpec("y", ColumnKind.Single, Digits.Place),
+        Name,
+        new ColumnSpec("x", ColumnKind.Single, Digits.Length),
+        new ColumnSpec("y", ColumnKind.Single, Digits.Length),
         new ColumnSpec("nx", ColumnKind.Single, Digits.Direction),
         new ColumnSpec("ny", ColumnKind.Single, Digits.Direction),
-        new ColumnSpec("separation", ColumnKind.Single, Digits.Depth),
+        new ColumnSpec("separation", ColumnKind.Single, Digits.Length),
         new ColumnSpec("push", ColumnKind.Single, Digits.Size),
         new ColumnSpec("friction", ColumnKind.Single, Digits.Size),
         new ColumnSpec("there", ColumnKind.Byte),
@@ -61,9 +66,12 @@ internal sealed class ContactTrack
                 _sorted.Sort(_alongSurface);
             }
 
+            // The page makes the same choice.
+            Body body = arbiter.GeomA.Body.IsStatic ? arbiter.GeomB.Body : arbiter.GeomA.Body;
+            Frame frame = new Frame(body);
             for (int k = 0; k < _sorted.Count && k < MostOfAPair; k++)
             {
-                Take(a, b, k, _sorted[k]);
+                Take(a, b, k, _sorted[k], frame);
             }
         }
     }
@@ -74,7 +82,7 @@ internal sealed class ContactTrack
     // The list is deepest first, which changes from step to step; the order along the surface does not.
     private static float Along(in Contact contact) => Vector2.Dot(contact.Position, new Vector2(contact.Normal.Y, -contact.Normal.X));
 
-    private void Take(int a, int b, int index, in Contact contact)
+    private void Take(int a, int b, int index, in Contact contact, in Frame frame)
     {
         long key = unchecked((((long)a << 28) ^ ((long)b << 6)) | (uint)index);
         if (!_slots.TryGetValue(key, out int slot))
@@ -86,13 +94,42 @@ internal sealed class ContactTrack
             Track.Set(slot, GeomB, b);
         }
 
-        Track.Set(slot, X, contact.Position.X);
-        Track.Set(slot, Y, contact.Position.Y);
-        Track.Set(slot, NormalX, contact.Normal.X);
-        Track.Set(slot, NormalY, contact.Normal.Y);
+        frame.Turn(contact.Position.X - frame.X, contact.Position.Y - frame.Y, out double x, out double y);
+        Track.Set(slot, X, x);
+        Track.Set(slot, Y, y);
+        frame.Turn(contact.Normal.X, contact.Normal.Y, out x, out y);
+        Track.Set(slot, NormalX, x);
+        Track.Set(slot, NormalY, y);
         Track.Set(slot, Separation, contact.Separation);
         Track.Set(slot, NormalImpulse, contact.NormalImpulse);
         Track.Set(slot, TangentImpulse, contact.TangentImpulse);
         Track.Set(slot, IsThere, 1);
+    }
+
+    /// <summary>The coordinates of a body.</summary>
+    private readonly struct Frame
+    {
+        private readonly double _cos;
+        private readonly double _sin;
+
+        public Frame(Body body)
+        {
+            body.GetPosition(out double x, out double y);
+            body.GetTotalRotation(out double angle);
+            X = x;
+            Y = y;
+            _cos = Math.Cos(angle);
+            _sin = Math.Sin(angle);
+        }
+
+        public double X { get; }
+
+        public double Y { get; }
+
+        public void Turn(double x, double y, out double localX, out double localY)
+        {
+            localX = (_cos * x) + (_sin * y);
+            localY = (_cos * y) - (_sin * x);
+        }
     }
 }

@@ -25,7 +25,7 @@ internal sealed class LinkTrack
 
     public Track Track { get; } = new Track(
         "link",
-        new ColumnSpec("error", ColumnKind.Single, Digits.Depth),
+        new ColumnSpec("error", ColumnKind.Single, Digits.Length),
         new ColumnSpec("fx", ColumnKind.Single, Digits.Size),
         new ColumnSpec("fy", ColumnKind.Single, Digits.Size),
         new ColumnSpec("torque", ColumnKind.Single, Digits.Size),

@@ -59,8 +59,9 @@ internal sealed class PackedChunk
         double most = track.Most(column);
         double size = track.Columns[column].Digits switch
         {
-            Digits.Place or Digits.Depth => sceneSize / 10,
+            Digits.Place or Digits.Length => sceneSize / 10,
             Digits.Angle => 1,
+            Digits.Spin => 10,
             Digits.Direction => 100,
             _ => Math.Max(Math.Abs(least), Math.Abs(most)),
         };

@@ -200,7 +200,10 @@ class Inspector {
 }
 
 function precisionText(recording) {
-  const { digits, hasContacts } = recording.meta;
-  const text = digits === 0 ? 'all bits' : `${digits} digits of the largest`;
-  return hasContacts ? text : `${text}, without contacts`;
+  const { digits, contactDigits, hasContacts } = recording.meta;
+  if (digits === 0) {
+    return hasContacts ? 'all bits' : 'all bits, without contacts';
+  }
+
+  return hasContacts ? `${digits} digits, of impulses ${contactDigits}` : `${digits} digits, without contacts`;
 }

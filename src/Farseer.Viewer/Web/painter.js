@@ -10,6 +10,9 @@ const Colors = [
 const IslandHues = ['#0072b2', '#e69f00', '#009e73', '#cc79a7', '#56b4e9', '#d55e00', '#b8a900', '#7a68c8'];
 const SpeedRamp = ['#440154', '#482878', '#3e4a89', '#31688e', '#26828e', '#1f9e89', '#35b779', '#6ece58', '#b5de2b', '#fde725'];
 
+// Outlines in a path: one each is slow for the calls, all in one for the browser, which looks for what crosses what.
+const BatchSize = 32;
+
 const palette = {};
 
 function readPalette() {
@@ -73,7 +76,7 @@ class Painter {
     }
 
     if (view.contacts) {
-      this.drawContacts(rows.contact);
+      drawContacts(this, rows.contact);
     }
 
     if (view.difference && frame >= view.difference.frame && this.recording.has(view.difference)) {
@@ -127,7 +130,7 @@ class Painter {
     }
   }
 
-  // Geoms of one look are drawn at once: that is what makes thousands fast.
+  // Geoms of one look are drawn together: that is what makes thousands fast.
   drawGeoms(rows, view) {
     const { geoms, geomCount } = this.recording;
     const looks = this.looks(rows, view);
@@ -207,26 +210,29 @@ class Painter {
 
   drawBucket(bucket, style) {
     const { context } = this;
-    context.beginPath();
-    let large = false;
-    for (const geom of bucket) {
-      large = this.traceGeom(geom) || large;
+    context.fillStyle = style.fill ?? 'transparent';
+    context.strokeStyle = style.line;
+    context.lineWidth = bucket.length > 3000 ? 0.75 : 1.25;
+    context.setLineDash(style.dash && bucket.length < 3000 ? [4, 3] : []);
+    for (let from = 0; from < bucket.length; from += BatchSize) {
+      context.beginPath();
+      let isLarge = false;
+      for (let i = from; i < Math.min(bucket.length, from + BatchSize); i++) {
+        isLarge = this.traceGeom(bucket[i]) || isLarge;
+      }
+
+      if (style.fill) {
+        context.globalAlpha = style.alpha;
+        context.fill();
+        context.globalAlpha = 1;
+      }
+
+      if (isLarge || !style.fill) {
+        context.stroke();
+      }
     }
 
-    if (style.fill) {
-      context.globalAlpha = style.alpha;
-      context.fillStyle = style.fill;
-      context.fill();
-      context.globalAlpha = 1;
-    }
-
-    if (large || !style.fill) {
-      context.lineWidth = bucket.length > 3000 ? 0.75 : 1.25;
-      context.strokeStyle = style.line;
-      context.setLineDash(style.dash && bucket.length < 3000 ? [4, 3] : []);
-      context.stroke();
-      context.setLineDash([]);
-    }
+    context.setLineDash([]);
   }
 
   // Adds the outline of a geom to the path; true if it is large enough for a line around it.
@@ -356,22 +362,29 @@ class Painter {
   }
 
   drawLinks(rows) {
+    const { context } = this;
     const { links } = this.recording.meta;
+    context.lineWidth = links.length > 2000 ? 1 : 1.75;
     for (const spring of [false, true]) {
-      this.context.beginPath();
+      context.strokeStyle = spring ? palette.spring : palette.joint;
+      context.setLineDash(spring ? [2, 3] : []);
+      context.beginPath();
+      let traced = 0;
       for (let i = 0; i < Math.min(links.length, rows.link.slots); i++) {
         const flags = rows.link.flags[rows.link.at + i];
         if ((flags & There) && (flags & LinkEnabled) && links[i].spring === spring) {
           this.tracePoints(this.linkPoints(i, rows));
+          if (++traced % BatchSize === 0) {
+            context.stroke();
+            context.beginPath();
+          }
         }
       }
 
-      this.context.lineWidth = links.length > 2000 ? 1 : 1.75;
-      this.context.strokeStyle = spring ? palette.spring : palette.joint;
-      this.context.setLineDash(spring ? [2, 3] : []);
-      this.context.stroke();
-      this.context.setLineDash([]);
+      context.stroke();
     }
+
+    context.setLineDash([]);
   }
 
   tracePoints(points) {
@@ -383,44 +396,6 @@ class Painter {
         this.context.arc(x, y, radius, 0, 2 * Math.PI);
       }
     }
-  }
-
-  drawContacts(row) {
-    const { context, camera, width, height } = this;
-    const end = row.at + row.slots;
-    let strongest = 0;
-    for (let i = row.at; i < end; i++) {
-      if (row.there[i]) {
-        strongest = Math.max(strongest, row.push[i]);
-      }
-    }
-
-    this.strongest = strongest;
-    const longest = 46;
-    const dot = camera.scale * this.smallestReach() < 10 ? 1 : 2;
-    context.beginPath();
-    for (let i = row.at; i < end; i++) {
-      if (!row.there[i]) {
-        continue;
-      }
-
-      const px = width / 2 + (row.x[i] - camera.x) * camera.scale;
-      const py = height / 2 + (row.y[i] - camera.y) * camera.scale * camera.up;
-      if (px < -longest || py < -longest || px > width + longest || py > height + longest) {
-        continue;
-      }
-
-      const share = strongest > 0 ? Math.sqrt(row.push[i] / strongest) * longest : 0;
-      context.rect(px - dot, py - dot, 2 * dot, 2 * dot);
-      if (share > 2) {
-        context.moveTo(px, py);
-        context.lineTo(px + row.nx[i] * share, py + row.ny[i] * share * camera.up);
-      }
-    }
-
-    context.lineWidth = dot === 1 ? 0.75 : 1.25;
-    context.strokeStyle = palette.contact;
-    context.stroke();
   }
 
   smallestReach() {
