@@ -7,7 +7,9 @@ using FarseerGames.FarseerPhysics.Factories;
 
 namespace Farseer.Rollback;
 
-/// <summary>Two players on a pitch, seen from above, a ball, and crates in the way. Who brings the ball behind the other's line scores.</summary>
+/// <summary>
+/// Two players on a pitch, seen from above, a ball, and crates in the way. Who brings the ball behind the other's line scores.
+/// </summary>
 internal sealed class BallGame : IRollbackGame
 {
     public const float Dt = 1f / 60;
@@ -66,7 +68,8 @@ internal sealed class BallGame : IRollbackGame
 
     public int RightGoals => _score.Right;
 
-    public ulong Checksum => _simulator.StateHash() ^ ((ulong)(uint)_score.Left << 48) ^ ((ulong)(uint)_score.Right << 32) ^ (uint)_score.PauseLeft
+    public ulong Checksum => _simulator.StateHash() ^ ((ulong)(uint)_score.Left << 48) ^ ((ulong)(uint)_score.Right << 32)
+        ^ (uint)_score.PauseLeft
         ^ ((ulong)(uint)_score.PauseRight << 8) ^ ((ulong)(uint)_score.Still << 16);
 
     public Vector2 Ball => _ball.Position;

@@ -3,8 +3,8 @@ using System;
 namespace Farseer.Rollback;
 
 /// <summary>
-/// What a rollback library asks of a game: keep the state of a frame, go back to one, and go on by one frame. A frame is the state before its
-/// inputs: frame 0 is the beginning, and <see cref="Advance"/> makes frame n + 1 of frame n.
+/// What a rollback library asks of a game: keep the state of a frame, go back to one, and go on by one frame. A frame is the state
+/// before its inputs: frame 0 is the beginning, and <see cref="Advance"/> makes frame n + 1 of frame n.
 /// </summary>
 internal interface IRollbackGame
 {

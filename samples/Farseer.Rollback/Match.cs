@@ -24,7 +24,8 @@ internal sealed class Match : IDisposable
         {
             BallGame game = _games[i] = new BallGame(options.MostAhead + 2);
             Bot bot = new(i, options.Seed);
-            RollbackPeer peer = _peers[i] = new RollbackPeer(game, i, () => bot.Choose(game), options.InputDelay, options.MostAhead, options.Frames);
+            RollbackPeer peer = _peers[i] = new RollbackPeer(game, i, () => bot.Choose(game), options.InputDelay, options.MostAhead,
+                options.Frames);
             _links[i].Received += bytes => peer.Receive(bytes);
             _lines[i] = new PoorLine(options.Quality, options.Seed + (1000 * (i + 1)), _links[i].Send);
         }

@@ -3,7 +3,9 @@ using System.Collections.Generic;
 
 namespace Farseer.Rollback;
 
-/// <summary>Makes a good line poor: what is sent is lost, or arrives later, and not in order. The same seed loses the same packets.</summary>
+/// <summary>
+/// Makes a good line poor: what is sent is lost, or arrives later, and not in order. The same seed loses the same packets.
+/// </summary>
 internal sealed class PoorLine
 {
     private readonly PriorityQueue<byte[], (double Due, int Number)> _underWay = new();

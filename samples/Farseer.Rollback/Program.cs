@@ -46,7 +46,8 @@ internal static class Program
             return 1;
         }
 
-        Write($"{options.Frames} frames; {options.Quality.Latency} to {options.Quality.Latency + options.Quality.Jitter} ms, {options.Quality.Loss} % lost; seed {options.Seed}");
+        LineQuality line = options.Quality;
+        Write($"{options.Frames} frames; {line.Latency} to {line.Latency + line.Jitter} ms, {line.Loss} % lost; seed {options.Seed}");
         for (int i = 0; i < BallGame.Players; i++)
         {
             Tell(match, i);
@@ -54,7 +55,8 @@ internal static class Program
 
         ulong straight = match.Straight();
         Write($"score {match.Game(0).LeftGoals} : {match.Game(0).RightGoals}");
-        Write($"checksums {match.Game(0).Checksum:x16} and {match.Game(1).Checksum:x16}; of the same inputs without rollback {straight:x16}");
+        Write($"checksums {match.Game(0).Checksum:x16} and {match.Game(1).Checksum:x16}");
+        Write($"of the same inputs without rollback {straight:x16}");
         bool isEqual = match.Game(0).Checksum == straight && match.Game(1).Checksum == straight
             && match.Peer(0).Figures.Unequal + match.Peer(1).Figures.Unequal == 0;
         Console.WriteLine(isEqual ? "both sides agree, bit for bit" : "THE SIDES DIFFER");
@@ -66,8 +68,11 @@ internal static class Program
         PeerFigures figures = match.Peer(number).Figures;
         double mean = figures.Rollbacks > 0 ? (double)figures.FramesAgain / figures.Rollbacks : 0;
         Write($"player {number + 1}: {match.Line(number).Lost} of {match.Line(number).Sent} packets lost, waited {figures.Waits} ticks");
-        Write($"  {figures.Rollbacks} rollbacks, {figures.FramesAgain} frames again; depth {mean:0.0} on average, {figures.Deepest} at most");
-        Write($"  a rollback {PerOne(figures.RollbackTime, figures.Rollbacks):0} us on average, {figures.LongestRollback.TotalMicroseconds:0} at most; a save {PerOne(figures.SaveTime, figures.Saves):0.0} us");
+        Write($"  {figures.Rollbacks} rollbacks, {figures.FramesAgain} frames again");
+        Write($"  depth {mean:0.0} on average, {figures.Deepest} at most");
+        double longest = figures.LongestRollback.TotalMicroseconds;
+        Write($"  a rollback {PerOne(figures.RollbackTime, figures.Rollbacks):0} us on average, {longest:0} at most");
+        Write($"  a save {PerOne(figures.SaveTime, figures.Saves):0.0} us");
         Write($"  depths {string.Join(", ", figures.Depths.Select(d => FormattableString.Invariant($"{d.Key}: {d.Value}")))}");
         Write($"  {figures.Checked} checksums of the other compared on the way, {figures.Unequal} unequal");
     }

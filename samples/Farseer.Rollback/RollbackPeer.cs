@@ -76,14 +76,17 @@ internal sealed class RollbackPeer
             }
         }
 
-        if (packet.CheckedFrame > 0 && packet.CheckedFrame <= Known && _checksums.TryGetValue(packet.CheckedFrame, out ulong own) && _wrongFrom > packet.CheckedFrame)
+        if (packet.CheckedFrame > 0 && packet.CheckedFrame <= Known && _checksums.TryGetValue(packet.CheckedFrame, out ulong own)
+            && _wrongFrom > packet.CheckedFrame)
         {
             Figures.Checked++;
             Figures.Unequal += own == packet.Checksum ? 0 : 1;
         }
     }
 
-    /// <summary>A frame of the clock: corrects what was predicted wrongly, then goes on by one frame if the other is not too far behind.</summary>
+    /// <summary>
+    /// A frame of the clock: corrects what was predicted wrongly, then goes on by one frame if the other is not too far behind.
+    /// </summary>
     public void Tick()
     {
         Correct();

@@ -11,8 +11,9 @@ namespace FarseerGames.FarseerPhysics.Viewer;
 /// error of each update. The file needs no server, no network and nothing else.
 /// </summary>
 /// <remarks>
-/// It takes memory for each frame and is meant for looking at runs, not for running games. It changes no bit of the motion, as long as it is made
-/// before the simulator's first update: to be told of events (<see cref="PhysicsSimulator.RecordedEvents"/>) wakes what sleeps.
+/// It takes memory for each frame and is meant for looking at runs, not for running games. It changes no bit of the motion, as long as
+/// it is made before the simulator's first update: to be told of events (<see cref="PhysicsSimulator.RecordedEvents"/>) wakes what
+/// sleeps.
 /// </remarks>
 /// <example>
 /// <code>

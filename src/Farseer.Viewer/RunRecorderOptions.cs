@@ -14,8 +14,9 @@ public sealed class RunRecorderOptions
     public string Title { get; set; } = "Farseer";
 
     /// <summary>
-    /// Largest size that the data of a recording should have in the file, bytes; above 0. Where all bits need more, as few digits as necessary
-    /// are left out, and the page says how many; the last resort is to leave out contacts. What is recorded in memory keeps all bits. Default 20,000,000.
+    /// Largest size that the data of a recording should have in the file, bytes; above 0. Where all bits need more, as few digits as
+    /// necessary are left out, and the page says how many; the last resort is to leave out contacts. What is recorded in memory keeps
+    /// all bits. Default 20,000,000.
     /// </summary>
     public long MostBytes { get; set; } = 20_000_000;
 
@@ -23,17 +24,22 @@ public sealed class RunRecorderOptions
     public bool Contacts { get; set; } = true;
 
     /// <summary>
-    /// True asks the simulator for events (<see cref="PhysicsSimulator.RecordedEvents"/>): contacts, hits, sensors, breaks and sleep. Default true.
+    /// True asks the simulator for events (<see cref="PhysicsSimulator.RecordedEvents"/>): contacts, hits, sensors, breaks and sleep.
+    /// Default true.
     /// </summary>
     public bool Events { get; set; } = true;
 
     /// <summary>True asks the simulator for its accuracy report (<see cref="PhysicsSimulator.EnableReport"/>). Default true.</summary>
     public bool Report { get; set; } = true;
 
-    /// <summary>True adds up impulses over whole updates (<see cref="PhysicsSimulator.SumImpulses"/>), so that they are exact. Default true.</summary>
+    /// <summary>
+    /// True adds up impulses over whole updates (<see cref="PhysicsSimulator.SumImpulses"/>), so that they are exact. Default true.
+    /// </summary>
     public bool SumImpulses { get; set; } = true;
 
-    /// <summary>Least corner of what the page shows at first, in the world. Default (0, 0); with <see cref="ViewMax"/> equal to it: what there is.</summary>
+    /// <summary>
+    /// Least corner of what the page shows at first, in the world. Default (0, 0); with <see cref="ViewMax"/> equal to it: what there is.
+    /// </summary>
     public Vector2 ViewMin { get; set; }
 
     /// <summary>The other corner. Default (0, 0).</summary>

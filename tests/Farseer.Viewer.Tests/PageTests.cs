@@ -11,7 +11,9 @@ using Xunit;
 
 namespace Farseer.Viewer.Tests;
 
-/// <summary>The page in a real browser. Each test also asks for no error in the console and no request (<see cref="ViewerPage"/>).</summary>
+/// <summary>
+/// The page in a real browser. Each test also asks for no error in the console and no request (<see cref="ViewerPage"/>).
+/// </summary>
 public sealed class PageTests
 {
     private const int Updates = 150;
@@ -203,16 +205,21 @@ public sealed class PageTests
         Assert.StartsWith("ball", await page.Page.Locator("#picked-name").InnerTextAsync(), StringComparison.Ordinal);
     }
 
-    private static async Task<double> Double(ViewerPage page, string key) => double.Parse(await page.Shown(key), CultureInfo.InvariantCulture);
+    private static async Task<double> Double(ViewerPage page, string key) =>
+        double.Parse(await page.Shown(key), CultureInfo.InvariantCulture);
 
-    private static async Task<float> Single(ViewerPage page, string key) => float.Parse(await page.Shown(key), CultureInfo.InvariantCulture);
+    private static async Task<float> Single(ViewerPage page, string key) =>
+        float.Parse(await page.Shown(key), CultureInfo.InvariantCulture);
 
     private static int Colors(PngPicture picture) =>
-        (from y in Enumerable.Range(0, picture.Height) from x in Enumerable.Range(0, picture.Width) select picture.At(x, y)).Distinct().Count();
+        (from y in Enumerable.Range(0, picture.Height) from x in Enumerable.Range(0, picture.Width) select picture.At(x,
+            y)).Distinct().Count();
 
     private static int Different(PngPicture one, PngPicture two) =>
-        (from y in Enumerable.Range(0, one.Height) from x in Enumerable.Range(0, one.Width) where one.At(x, y) != two.At(x, y) select x).Count();
+        (from y in Enumerable.Range(0, one.Height) from x in Enumerable.Range(0, one.Width) where one.At(x, y) != two.At(x,
+            y) select x).Count();
 
     private static double Brightness(PngPicture picture) =>
-        (from x in Enumerable.Range(0, picture.Width) let pixel = picture.At(x, 2) select (pixel.Red + pixel.Green + pixel.Blue) / 3.0).Average();
+        (from x in Enumerable.Range(0, picture.Width) let pixel = picture.At(x,
+            2) select (pixel.Red + pixel.Green + pixel.Blue) / 3.0).Average();
 }

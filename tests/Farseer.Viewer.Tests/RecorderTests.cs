@@ -127,7 +127,8 @@ public sealed class RecorderTests
     [Fact]
     public void Page_HoldsNothingThatAsksForTheNetwork()
     {
-        string page = Text(Worlds.Recorded(Worlds.Mixed(), 5, new RunRecorderOptions { Title = "</title><script>alert(1)</script> & \u2028" }));
+        string page = Text(Worlds.Recorded(Worlds.Mixed(), 5,
+            new RunRecorderOptions { Title = "</title><script>alert(1)</script> & \u2028" }));
 
         Assert.DoesNotMatch(new Regex(@"https?://|\bfetch\(|XMLHttpRequest|\bimport\(|<link\b|@import|url\("), page);
         Assert.DoesNotContain("<script>alert", page, StringComparison.Ordinal);
@@ -144,7 +145,8 @@ public sealed class RecorderTests
         RunRecorder recorder = Worlds.Recorded(simulator, 240, new RunRecorderOptions { MostBytes = mostBytes });
 
         string text = Text(recorder);
-        string data = Regex.Match(text, "<script type=\"text/plain\" id=\"data-0\">(.*?)</script>", RegexOptions.Singleline).Groups[1].Value;
+        string data = Regex.Match(text, "<script type=\"text/plain\" id=\"data-0\">(.*?)</script>",
+            RegexOptions.Singleline).Groups[1].Value;
         int digits = Json(recorder).GetProperty("digits").GetInt32();
 
         Assert.InRange(digits, mostDigits == 0 ? 0 : 1, mostDigits);
@@ -158,7 +160,8 @@ public sealed class RecorderTests
         RunRecorder recorder = new(simulator);
 
         Assert.Equal("simulator", Assert.Throws<ArgumentNullException>(() => new RunRecorder(null!)).ParamName);
-        Assert.Equal("options", Assert.Throws<ArgumentOutOfRangeException>(() => new RunRecorder(simulator, new RunRecorderOptions { MostBytes = 0 })).ParamName);
+        Assert.Equal("options", Assert.Throws<ArgumentOutOfRangeException>(() =>
+            new RunRecorder(simulator, new RunRecorderOptions { MostBytes = 0 })).ParamName);
         Assert.Equal("dt", Assert.Throws<ArgumentOutOfRangeException>(() => recorder.Record(float.NaN)).ParamName);
         Assert.Equal("dt", Assert.Throws<ArgumentOutOfRangeException>(() => recorder.Record(-1)).ParamName);
         Assert.Throws<InvalidOperationException>(() => recorder.Write(TextWriter.Null));
@@ -190,7 +193,8 @@ public sealed class RecorderTests
         ColumnCodec.Decode(kind, ColumnCodec.Encode(kind, values, 2), 2, values.Length);
 
     private static JsonElement Json(RunRecorder recorder) =>
-        JsonDocument.Parse(Regex.Match(Text(recorder), "<script type=\"application/json\" id=\"run-0\">(.*?)</script>", RegexOptions.Singleline).Groups[1].Value)
+        JsonDocument.Parse(Regex.Match(Text(recorder), "<script type=\"application/json\" id=\"run-0\">(.*?)</script>",
+            RegexOptions.Singleline).Groups[1].Value)
             .RootElement;
 
     private static string Text(RunRecorder recorder)

@@ -27,7 +27,8 @@ internal sealed class ViewerPage : IAsyncDisposable
 
     public long FileBytes { get; private set; }
 
-    public static async Task<ViewerPage> Open(RunRecorder run, RunRecorder? beside = null, int width = 1280, int height = 800, ColorScheme scheme = ColorScheme.Light)
+    public static async Task<ViewerPage> Open(RunRecorder run, RunRecorder? beside = null, int width = 1280, int height = 800,
+        ColorScheme scheme = ColorScheme.Light)
     {
         ViewerPage page = new();
         string file = Path.Combine(page._folder, "run.html");

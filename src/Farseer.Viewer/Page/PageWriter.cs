@@ -13,7 +13,8 @@ internal static class PageWriter
     // In the order in which they build on one another.
     private static readonly string[] _scripts =
     {
-        "numbers.js", "blocks.js", "recording.js", "camera.js", "islands.js", "contacts.js", "painter.js", "stage.js", "plots.js", "series.js", "timeline.js",
+        "numbers.js", "blocks.js", "recording.js", "camera.js", "islands.js", "contacts.js", "painter.js", "stage.js", "plots.js",
+            "series.js", "timeline.js",
         "inspector.js", "report.js", "search.js", "player.js", "input.js", "main.js",
     };
 

@@ -5,8 +5,8 @@ using System.IO.Compression;
 namespace FarseerGames.FarseerPhysics.Viewer.Recording;
 
 /// <summary>
-/// Packs the numbers of a column, frame after frame. Each is taken against the same slot in the frame before, so what did not change is zero;
-/// bytes of the same weight lie together, so that zeros and signs do; then the whole is deflated.
+/// Packs the numbers of a column, frame after frame. Each is taken against the same slot in the frame before, so what did not change
+/// is zero; bytes of the same weight lie together, so that zeros and signs do; then the whole is deflated.
 /// </summary>
 internal static class ColumnCodec
 {

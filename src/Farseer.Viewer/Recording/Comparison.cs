@@ -19,7 +19,8 @@ internal static class Comparison
         }
 
         return InTrack(first.Bodies.Track, second.Bodies.Track, frame, _ => "body", i => first.Bodies.Names[i])
-            ?? InTrack(first.Links.Track, second.Links.Track, frame, i => KindOf(first, i), i => first.Links.All[i].Name ?? first.Links.All[i].Kind)
+            ?? InTrack(first.Links.Track, second.Links.Track, frame, i => KindOf(first, i),
+                i => first.Links.All[i].Name ?? first.Links.All[i].Kind)
             ?? Hashes(first, second, frame);
     }
 

@@ -7,8 +7,8 @@ using FarseerGames.FarseerPhysics.Dynamics;
 namespace FarseerGames.FarseerPhysics.Viewer.Recording;
 
 /// <summary>
-/// The contacts of each frame. A contact keeps its slot within a chunk, and its place and normal are taken in the coordinates of a body that
-/// moves, so that one that rests on it costs nothing.
+/// The contacts of each frame. A contact keeps its slot within a chunk, and its place and normal are taken in the coordinates of a
+/// body that moves, so that one that rests on it costs nothing.
 /// </summary>
 internal sealed class ContactTrack
 {

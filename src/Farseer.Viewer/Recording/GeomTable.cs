@@ -121,6 +121,7 @@ internal sealed class GeomTable
         public string? Name { get; }
 
         public bool Is(GeomForm form, int body, Geom geom) =>
-            ReferenceEquals(form, _form) && body == Body && geom.Offset == Offset && geom.RotationOffset == Rotation && geom.IsSensor == IsSensor;
+            ReferenceEquals(form, _form) && body == Body && geom.Offset == Offset && geom.RotationOffset == Rotation
+                && geom.IsSensor == IsSensor;
     }
 }

@@ -81,7 +81,8 @@ function listenToKeys(app) {
 
     const isButton = target.matches('button') && (event.key === ' ' || event.key === 'Enter');
     const isTab = target.matches('[role="tab"]') && event.key.startsWith('Arrow');
-    const isToolbar = target.matches('#scrub') && (event.key.startsWith('Arrow') || event.key.startsWith('Page') || event.key === 'Home' || event.key === 'End');
+    const isToolbar = target.matches('#scrub') && (event.key.startsWith('Arrow') || event.key.startsWith('Page') || event.key === 'Home'
+      || event.key === 'End');
     const action = app.keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (action && !isButton && !isTab && !isToolbar) {
       event.preventDefault();

@@ -92,7 +92,8 @@ class Inspector {
     const frame = app.frame;
     const columns = (thing.type === 'body' ? BodyRows : LinkRows).map(([name]) => name);
     const rows = await Promise.all(app.recordings.map((r) => r.rowNow(thing.type, r.clamp(frame), [...columns, 'flags'])));
-    const contacts = thing.type === 'body' ? await Promise.all(app.recordings.map((r) => this.contactsOf(r, thing.index, r.clamp(frame)))) : [];
+    const contacts = thing.type === 'body' ? await Promise.all(app.recordings.map((r) => this.contactsOf(r, thing.index, r.clamp(frame))))
+      : [];
     this.isBusy = false;
     if (app.view.picked !== thing) {
       this.update();
@@ -174,16 +175,20 @@ class Inspector {
     const { app } = this;
     const recording = app.recordings[0];
     const parts = [];
-    const bodyLink = (body) => make('button', { class: 'link', text: recording.bodyName(body), onclick: () => app.pick({ type: 'body', index: body }) });
+    const bodyLink = (body) => make('button', { class: 'link', text: recording.bodyName(body),
+      onclick: () => app.pick({ type: 'body', index: body }) });
     if (thing.type === 'link' && recording.has(thing)) {
       const { a, b } = recording.meta.links[thing.index];
-      parts.push(make('h3', { text: 'Joins' }), make('div', {}, a >= 0 ? bodyLink(a) : 'the world', ' and ', b >= 0 ? bodyLink(b) : 'the world'));
+      parts.push(make('h3', { text: 'Joins' }), make('div', {}, a >= 0 ? bodyLink(a) : 'the world', ' and ',
+        b >= 0 ? bodyLink(b) : 'the world'));
     }
 
     if (contacts[0]?.length > 0) {
-      const head = make('tr', {}, make('th', { text: 'with' }), make('th', { text: 'impulse' }), make('th', { text: 'friction' }), make('th', { text: 'gap' }));
+      const head = make('tr', {}, make('th', { text: 'with' }), make('th', { text: 'impulse' }), make('th', { text: 'friction' }),
+        make('th', { text: 'gap' }));
       const lines = contacts[0].slice(0, 60).map(({ other, push, friction, separation }) =>
-        make('tr', {}, make('th', { scope: 'row' }, bodyLink(other)), make('td', { text: push }), make('td', { text: friction }), make('td', { text: separation })));
+        make('tr', {}, make('th', { scope: 'row' }, bodyLink(other)), make('td', { text: push }), make('td', { text: friction }),
+          make('td', { text: separation })));
       parts.push(make('h3', { text: `Contacts${contacts.length > 1 ? ' (first run)' : ''}` }));
       parts.push(make('table', { class: 'values', id: 'contacts' }, make('thead', {}, head), make('tbody', {}, ...lines)));
     }
@@ -192,7 +197,8 @@ class Inspector {
     if (links.length > 0) {
       parts.push(make('h3', { text: 'Joints and springs' }));
       parts.push(make('ul', { class: 'list' }, ...links.slice(0, 60).map((index) =>
-        make('li', {}, make('button', { class: 'link', text: recording.linkName(index), onclick: () => app.pick({ type: 'link', index }) })))));
+        make('li', {}, make('button', { class: 'link', text: recording.linkName(index),
+          onclick: () => app.pick({ type: 'link', index }) })))));
     }
 
     return parts;

@@ -66,16 +66,20 @@ class App {
     byId('speed').addEventListener('change', (event) => { player.speed = Number(event.target.value); });
     byId('coloring').addEventListener('change', (event) => this.setView({ coloring: event.target.value }));
     const click = {
-      first: () => this.seek(0), back: () => this.seek(this.frame - 1), play: () => player.toggle(), forward: () => this.seek(this.frame + 1),
-      last: () => this.seek(this.frames - 1), fit: () => this.fit(), theme: () => this.switchTheme(), 'help-open': () => byId('help').showModal(),
+      first: () => this.seek(0), back: () => this.seek(this.frame - 1), play: () => player.toggle(),
+        forward: () => this.seek(this.frame + 1),
+      last: () => this.seek(this.frames - 1), fit: () => this.fit(), theme: () => this.switchTheme(),
+        'help-open': () => byId('help').showModal(),
       'show-contacts': () => this.setView({ contacts: !this.view.contacts }), 'show-links': () => this.setView({ links: !this.view.links }),
     };
     Object.entries(click).forEach(([id, action]) => byId(id).addEventListener('click', action));
     const step = (by) => (event) => { player.pause(); this.seek(this.frame + (event.shiftKey ? 10 * by : by)); };
     this.keys = {
-      ' ': click.play, ArrowLeft: step(-1), ArrowRight: step(1), Home: click.first, End: click.last, '+': () => this.changeSpeed(1), '=': () => this.changeSpeed(1),
+      ' ': click.play, ArrowLeft: step(-1), ArrowRight: step(1), Home: click.first, End: click.last, '+': () => this.changeSpeed(1),
+        '=': () => this.changeSpeed(1),
       '-': () => this.changeSpeed(-1), n: () => this.seekEvent(1), p: () => this.seekEvent(-1), f: click.fit, z: () => this.center(),
-      '[': () => this.pickNext(-1), ']': () => this.pickNext(1), c: () => this.nextColoring(), k: click['show-contacts'], j: click['show-links'],
+      '[': () => this.pickNext(-1), ']': () => this.pickNext(1), c: () => this.nextColoring(), k: click['show-contacts'],
+        j: click['show-links'],
       x: () => this.goToDifference(), d: click.theme, '?': click['help-open'], Escape: () => this.pick(null),
       '/': () => { this.openTab('find'); byId('query').focus(); },
     };
@@ -279,7 +283,8 @@ class App {
       return;
     }
 
-    this.view.difference = { frame: found.frame, type: found.subject === 'body' ? 'body' : 'link', index: found.subject === 'run' ? -1 : found.index };
+    this.view.difference = { frame: found.frame, type: found.subject === 'body' ? 'body' : 'link',
+      index: found.subject === 'run' ? -1 : found.index };
     const thing = found.index < 0 ? found.subject : this.recordings[0].nameOf(this.view.difference);
     bar.append(
       make('strong', { text: `First difference in update ${found.frame + 1}` }),

@@ -165,7 +165,8 @@ class Painter {
     const { body } = rows;
     const state = (i) => {
       const flags = body.flags[body.at + i];
-      return flags & Lost ? 'lost' : flags & Static ? 'static' : flags & Kinematic ? 'kinematic' : flags & Awake && flags & Enabled ? 'awake' : 'asleep';
+      return flags & Lost ? 'lost' : flags & Static ? 'static' : flags & Kinematic ? 'kinematic' : flags & Awake && flags & Enabled
+        ? 'awake' : 'asleep';
     };
     if (view.coloring === 'island') {
       const roots = this.islands.find(this.frame, body, rows.contact, rows.link);

@@ -15,7 +15,8 @@ const MostUnpackedBytes = 400e6;
 class Track {
   constructor(meta, blocks) {
     this.columns = meta?.columns ?? [];
-    this.chunks = (meta?.chunks ?? []).map(([first, frames, slots, block]) => ({ first, frames, slots, block, used: 0, columns: new Map(), waiting: new Map() }));
+    this.chunks = (meta?.chunks ?? []).map(([first, frames, slots, block]) =>
+      ({ first, frames, slots, block, used: 0, columns: new Map(), waiting: new Map() }));
     this.blocks = blocks;
     this.index = new Map(this.columns.map((column, i) => [column.name, i]));
   }
@@ -201,7 +202,8 @@ class Recording {
   }
 
   makeRoom(keep) {
-    const chunks = ['body', 'contact', 'link', 'fluid'].flatMap((name) => this.tracks[name].chunks).filter((chunk) => chunk !== keep && chunk.columns.size > 0);
+    const chunks = ['body', 'contact', 'link', 'fluid'].flatMap((name) => this.tracks[name].chunks).filter((chunk) =>
+      chunk !== keep && chunk.columns.size > 0);
     chunks.sort((a, b) => a.used - b.used);
     while (this.unpacked > MostUnpackedBytes && chunks.length > 2) {
       const chunk = chunks.shift();

@@ -1,10 +1,13 @@
 // ---- report: what each update says of its own error ----
 
 const Figures = [
-  ['Errors', [['error', 'error'], ['constraintError', 'of the state'], ['motionError', 'of the motion'], ['errorShare', 'as a share'], ['budgetLoad', 'of the budget']]],
+  ['Errors', [['error', 'error'], ['constraintError', 'of the state'], ['motionError', 'of the motion'], ['errorShare', 'as a share'],
+    ['budgetLoad', 'of the budget']]],
   ['Contacts', [['contacts', 'contacts'], ['largestPenetration', 'deepest overlap'], ['rmsPenetration', 'rms overlap'],
-    ['residualContactSpeed', 'fastest approach'], ['largestSlip', 'slip'], ['largestCreep', 'creep'], ['largestImpactError', 'of an impact']]],
-  ['Joints', [['joints', 'joints'], ['largestSeparation', 'farthest apart'], ['rmsSeparation', 'rms apart'], ['largestTurn', 'turned off, rad'],
+    ['residualContactSpeed', 'fastest approach'], ['largestSlip', 'slip'], ['largestCreep', 'creep'],
+      ['largestImpactError', 'of an impact']]],
+  ['Joints', [['joints', 'joints'], ['largestSeparation', 'farthest apart'], ['rmsSeparation', 'rms apart'],
+    ['largestTurn', 'turned off, rad'],
     ['residualJointSpeed', 'speed apart']]],
   ['Energy and momentum', [['kineticEnergy', 'kinetic energy'], ['kineticEnergyChange', 'its change'], ['gravityWork', 'work of gravity'],
     ['contactWork', 'of contacts'], ['jointWork', 'of joints'], ['energyError', 'energy error'], ['impactEnergyError', 'of an impact'],

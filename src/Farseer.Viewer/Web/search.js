@@ -35,7 +35,8 @@ class EventList {
 
   item(recording, i) {
     const { kind, a, b, speed, impulse } = recording.events;
-    const pick = (thing, text) => make('button', { class: 'link', text, onclick: () => { this.app.pick(thing); this.app.openTab('inspect'); } });
+    const pick = (thing, text) => make('button', { class: 'link', text,
+      onclick: () => { this.app.pick(thing); this.app.openTab('inspect'); } });
     const geom = (index) => (index < 0 ? 'a geom' : pick({ type: 'body', index: recording.geoms.body[index] }, recording.geomName(index)));
     const li = make('li', {}, make('span', { class: 'kind', style: `--mark:${palette[EventColors[kind[i]]]}`, text: EventNames[kind[i]] }));
     if (kind[i] <= 4) {
@@ -57,7 +58,8 @@ class EventList {
 class Search {
   constructor(panel, app) {
     this.app = app;
-    this.query = make('input', { id: 'query', type: 'search', placeholder: 'Name, kind or number', 'aria-label': 'Find by name, kind or number', autocomplete: 'off' });
+    this.query = make('input', { id: 'query', type: 'search', placeholder: 'Name, kind or number',
+      'aria-label': 'Find by name, kind or number', autocomplete: 'off' });
     this.count = make('p', { class: 'hint', role: 'status' });
     this.list = make('ul', { class: 'list', id: 'found' });
     this.query.addEventListener('input', () => this.update());
@@ -83,7 +85,8 @@ class Search {
 
   update() {
     const words = this.query.value.toLowerCase().split(/\s+/).filter(Boolean);
-    const found = this.things.filter(({ lower }) => words.every((word) => (/^\d+$/.test(word) ? new RegExp(`\\b${word}\\b`).test(lower) : lower.includes(word))));
+    const found = this.things.filter(({ lower }) => words.every((word) =>
+      (/^\d+$/.test(word) ? new RegExp(`\\b${word}\\b`).test(lower) : lower.includes(word))));
     this.count.textContent = found.length > MostListed
       ? `${found.length.toLocaleString('en')} found; the first ${MostListed} are listed`
       : `${found.length} found`;

@@ -33,7 +33,8 @@ class Series {
   async addBody(chunk) {
     const { recording, thing, values } = this;
     const names = ['vx', 'vy', 'spin', 'mass', 'inertia', 'flags'];
-    const [vx, vy, spin, mass, inertia, flags] = await Promise.all(names.map((name) => recording.fetchColumn(recording.tracks.body, chunk, name)));
+    const [vx, vy, spin, mass, inertia, flags] = await Promise.all(names.map((name) =>
+      recording.fetchColumn(recording.tracks.body, chunk, name)));
     if (thing.index >= chunk.slots) {
       return;
     }
@@ -60,7 +61,8 @@ class Series {
       }
 
       const names = ['a', 'b', 'there', 'separation'];
-      const [a, b, there, separation] = await Promise.all(names.map((name) => recording.fetchColumn(recording.tracks.contact, chunk, name)));
+      const [a, b, there, separation] = await Promise.all(names.map((name) =>
+        recording.fetchColumn(recording.tracks.contact, chunk, name)));
       for (let i = 0; i < chunk.frames * chunk.slots; i++) {
         if (there[i] && (own.has(a[i]) || own.has(b[i]))) {
           const frame = chunk.first + Math.floor(i / chunk.slots);

@@ -117,7 +117,8 @@ class Stage {
 
   showLegend(view) {
     const entry = (color, text, dash) => {
-      const mark = make('i', { style: `color:${color};background:${dash ? 'transparent' : color};border-style:${dash ? 'dashed' : 'solid'}` });
+      const mark = make('i',
+        { style: `color:${color};background:${dash ? 'transparent' : color};border-style:${dash ? 'dashed' : 'solid'}` });
       return make('li', {}, mark, text);
     };
     const items = [];

@@ -10,7 +10,8 @@ const EventRows = [
 ];
 
 const EventNames = ['contact', 'parted', 'hit', 'entered', 'left', 'joint broke', 'spring broke', 'asleep', 'awake'];
-const EventColors = ['event-begin', 'event-end', 'event-hit', 'event-sensor', 'event-sensor', 'event-broke', 'event-broke', 'event-sleep', 'event-sleep'];
+const EventColors = ['event-begin', 'event-end', 'event-hit', 'event-sensor', 'event-sensor', 'event-broke', 'event-broke', 'event-sleep',
+  'event-sleep'];
 
 class Timeline {
   constructor(canvas, recording, onSeek) {
