@@ -11,7 +11,7 @@ internal static class Program
 {
     private const int Fine = 0;
     private const int WrongUse = 2;
-    private static readonly string[] _verbs = ["list", "run", "watch", "draw", "advise", "check", "help"];
+    private static readonly string[] _verbs = ["list", "run", "watch", "draw", "record", "advise", "check", "help"];
 
     private static bool HasTerminal => !Console.IsInputRedirected && !Console.IsOutputRedirected;
 
@@ -67,6 +67,8 @@ internal static class Program
                 return WatchCommand.Execute(CommandLine.Run("watch", rest), HasTerminal);
             case "draw":
                 return DrawCommand.Execute(CommandLine.Run("draw", rest));
+            case "record":
+                return RecordCommand.Execute(args);
             case "advise":
                 return AdviseCommand.Execute(CommandLine.Run("advise", rest));
             case "check":

@@ -32,15 +32,17 @@ public sealed class ContentTests(PackedLibrary library)
         Assert.Equal(expected.Order(StringComparer.Ordinal), present.Order(StringComparer.Ordinal));
     }
 
-    [Fact]
-    public void FlashPackage_HoldsItsAssemblyAlone_AndAsksForTheSameVersionOfFarseer()
+    [Theory]
+    [InlineData("Farseer.Box2DFlash")]
+    [InlineData("Farseer.Viewer")]
+    public void DependentPackage_HoldsItsAssemblyAlone_AndAsksForTheSameVersionOfFarseer(string name)
     {
-        using ZipArchive package = ZipFile.OpenRead(library.FlashPackage);
-        using Stream stream = package.GetEntry("Farseer.Box2DFlash.nuspec")!.Open();
+        using ZipArchive package = ZipFile.OpenRead(library.PackageOf(name));
+        using Stream stream = package.GetEntry(name + ".nuspec")!.Open();
         XElement metadata = XDocument.Load(stream).Root!.Elements().Single();
 
         Assert.Equal(
-            _frameworks.SelectMany(f => new[] { $"lib/{f}/Farseer.Box2DFlash.dll", $"lib/{f}/Farseer.Box2DFlash.xml" }).Order(StringComparer.Ordinal),
+            _frameworks.SelectMany(f => new[] { $"lib/{f}/{name}.dll", $"lib/{f}/{name}.xml" }).Order(StringComparer.Ordinal),
             package.Entries.Select(e => e.FullName).Where(n => n.StartsWith("lib/", StringComparison.Ordinal)).Order(StringComparer.Ordinal));
         XElement[] farseer = [.. metadata.Descendants().Where(e => e.Name.LocalName == "dependency" && e.Attribute("id")!.Value == "Farseer")];
         Assert.Equal(_frameworks.Length, farseer.Length);

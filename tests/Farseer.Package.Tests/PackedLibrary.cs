@@ -33,6 +33,7 @@ public sealed class PackedLibrary : IDisposable
         cache = cache[(cache.IndexOf(": ", StringComparison.Ordinal) + 2)..];
         Pack("Farseer");
         Pack("Farseer.Box2DFlash");
+        Pack("Farseer.Viewer");
         File.WriteAllText(Path.Combine(Folder, "NuGet.config"), $"""
             <?xml version="1.0" encoding="utf-8"?>
             <configuration>
@@ -49,9 +50,9 @@ public sealed class PackedLibrary : IDisposable
 
     public string Feed => Path.Combine(Folder, "feed");
 
-    public string Package => Path.Combine(Feed, $"Farseer.{Version}.nupkg");
+    public string Package => PackageOf("Farseer");
 
-    public string FlashPackage => Path.Combine(Feed, $"Farseer.Box2DFlash.{Version}.nupkg");
+    public string PackageOf(string project) => Path.Combine(Feed, $"{project}.{Version}.nupkg");
 
     public string Symbols => Path.Combine(Feed, $"Farseer.{Version}.snupkg");
 

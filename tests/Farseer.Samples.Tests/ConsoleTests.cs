@@ -51,6 +51,10 @@ public sealed class ConsoleTests : IDisposable
     [InlineData("draw pyramid --show grid", "--show needs vertices, grids, boxes, axes, joined by commas, or all, not 'grid'")]
     [InlineData("draw pyramid --steps 5", "has no option '--steps' (did you mean '--step'?")]
     [InlineData("draw pyramid --step 1 --out /no/such/folder/f.svg", "cannot write '/no/such/folder/f.svg'")]
+    [InlineData("record piramid", "there is no scene 'piramid' (did you mean 'pyramid'?")]
+    [InlineData("record pyramid --steps 0", "--steps needs a whole number of at least 1, not '0'")]
+    [InlineData("record pyramid --steps 1 --dt -1", "--dt needs a number of seconds above 0, not '-1'")]
+    [InlineData("record simple-body --steps 1 --html /no/such/folder/f.html", "cannot write '/no/such/folder/f.html'")]
     public async Task Console_WrongUse_SaysOneLineAndExitsWith2(string arguments, string expected) =>
         AssertRefused(await Run(arguments.Split(' ')), expected);
 
@@ -109,6 +113,22 @@ public sealed class ConsoleTests : IDisposable
         XElement picture = XDocument.Load(file).Root!;
         Assert.Equal("svg", picture.Name.LocalName);
         Assert.True(picture.Elements().Count(e => e.Name.LocalName == "polygon") > 2);
+    }
+
+    [Fact]
+    public async Task Console_Record_WritesAPageOfBothRuns_AndNamesTheirDifference()
+    {
+        string file = Path.Combine(_folder, "run.html");
+
+        (int code, string output, string error) = await Run("record", "pyramid", "--steps", "20", "--beside-iterations", "7", "--html", file);
+
+        Assert.Equal(string.Empty, error);
+        Assert.Equal(0, code);
+        Assert.Contains("20 updates", output, StringComparison.Ordinal);
+        Assert.Contains("first difference: update ", output, StringComparison.Ordinal);
+        string page = File.ReadAllText(file);
+        Assert.Contains("id=\"run-1\"", page, StringComparison.Ordinal);
+        Assert.Contains("id=\"difference\"", page, StringComparison.Ordinal);
     }
 
     [Fact]

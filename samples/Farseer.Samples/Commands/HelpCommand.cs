@@ -22,6 +22,12 @@ internal static class HelpCommand
               --out f.svg           the file (default: the scene's name)
               --show LIST           besides: vertices,grids,boxes,axes or all
               --iterations N, --dt S
+          record <scene|file.json>  the run as one HTML file to look at in a browser
+              --html f.html         the file (default: the scene's name)
+              --steps N, --iterations N, --dt S
+              --beside SCENE        a second run beside it, with the first difference
+              --beside-iterations N its dial
+              --most-megabytes N    more or fewer digits (default 20)
           advise <scene|file.json>  the cheapest setting for an error, with the curve
               --error E             the largest error (default: 1/10000 of the view)
               --steps N             how much of the scene (default: all, at most 10 s)

@@ -15,6 +15,9 @@ internal static class Browser
     /// <summary>Null: there is none.</summary>
     public static string? Program { get; } = Find();
 
+    /// <summary>Null: tests that need it run.</summary>
+    public static string? ReasonToSkip => Program is null ? "there is no Chromium on this machine to look at pages with" : null;
+
     /// <summary>Renders an SVG file of that size.</summary>
     public static PngPicture Render(string svg, int width, int height)
     {
@@ -74,15 +77,16 @@ internal static class Browser
     }
 }
 
-/// <summary>A test that needs a browser: skipped, and reported so, where there is none.</summary>
+/// <summary>Tests that need a browser: skipped, and reported so, where there is none.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class BrowserTheoryAttribute : TheoryAttribute
 {
-    public BrowserTheoryAttribute()
-    {
-        if (Browser.Program is null)
-        {
-            Skip = "there is no Chromium on this machine to render pictures with";
-        }
-    }
+    public BrowserTheoryAttribute() => Skip = Browser.ReasonToSkip!;
+}
+
+/// <summary>A test that needs a browser: skipped, and reported so, where there is none.</summary>
+[AttributeUsage(AttributeTargets.Method)]
+public sealed class BrowserFactAttribute : FactAttribute
+{
+    public BrowserFactAttribute() => Skip = Browser.ReasonToSkip!;
 }
