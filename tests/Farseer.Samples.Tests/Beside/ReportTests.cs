@@ -69,7 +69,7 @@ public sealed class ReportTests : IDisposable
         IEnumerable<Figure> before = Enumerable.Range(0, lost + gained).Select(i => new Figure($"{i}", i < lost ? 1 : 3, 2, false));
         IEnumerable<Figure> after = Enumerable.Range(0, lost + gained).Select(i => new Figure($"{i}", i < lost ? 3 : 1, 2, false));
 
-        Report report = Of(Result.Of(Part("energies"), new Reading<Figure>([.. before], string.Empty), new([.. after], string.Empty)));
+        Farseer.Beside.Report report = Of(Result.Of(Part("energies"), new Reading<Figure>([.. before], string.Empty), new([.. after], string.Empty)));
 
         Assert.Equal(code, report.ExitCode);
     }
@@ -88,7 +88,7 @@ public sealed class ReportTests : IDisposable
     {
         Figure[] before = [.. Enumerable.Range(0, 200).Select(i => new Figure($"figure {i}", 1, 2, false))];
         Figure[] after = [.. before.Select((figure, i) => figure with { Value = i < 100 ? 3 : 1.5 })];
-        Report report = Of(Result.Of(Part("surveys"), new Reading<Figure>(before, string.Empty), new(after, string.Empty)));
+        Farseer.Beside.Report report = Of(Result.Of(Part("surveys"), new Reading<Figure>(before, string.Empty), new(after, string.Empty)));
 
         string few = Written(report, isFull: false);
         string full = Written(report, isFull: true);
@@ -160,9 +160,9 @@ public sealed class ReportTests : IDisposable
 
     private static Part Part(string name) => Parts.Choose(Parts.All([], 1), [name])[0];
 
-    private static Report Of(Result result) => new("before", "after", [result], Limit);
+    private static Farseer.Beside.Report Of(Result result) => new("before", "after", [result], Limit);
 
-    private static string Written(Report report, bool isFull)
+    private static string Written(Farseer.Beside.Report report, bool isFull)
     {
         using var output = new StringWriter();
         report.Write(output, isFull);
