@@ -114,14 +114,14 @@ public sealed class ReportTests : IDisposable
     }
 
     [Theory]
-    [InlineData("before", "BEFORE and AFTER; 1 are named")]
-    [InlineData("before after more", "3 are named")]
+    [InlineData("before", "needs another one")]
+    [InlineData("before after more", "takes BEFORE and AFTER, not 'more' besides")]
     [InlineData("before after --only all", "'all' is none of accuracy, speed, goals, aims,")]
     [InlineData("before after --only goals,goals", "named twice")]
-    [InlineData("before after --turns 0", "--turns: '0' is not a whole number from 1 to 1000")]
-    [InlineData("before after --limit fast", "--limit: 'fast' is not a number above 0")]
-    [InlineData("before after --limit", "--limit needs a value")]
-    [InlineData("before after --worse 2", "unknown argument '--worse'")]
+    [InlineData("before after --turns 0", "--turns needs a whole number from 1 to 1000, not '0'")]
+    [InlineData("before after --limit fast", "--limit needs a number above 0, not 'fast'")]
+    [InlineData("before after --limit", "--limit needs a number above 0")]
+    [InlineData("before after --worse 2", "has no option '--worse'")]
     [InlineData("nowhere nowhere", "'nowhere' is no folder")]
     public void Command_Misused_SaysSo(string arguments, string expected)
     {
