@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using Farseer.Accuracy.Dials;
@@ -10,108 +11,104 @@ using Farseer.Accuracy.Reporting;
 using Farseer.Accuracy.Surveys;
 using Farseer.Accuracy.Sweeping;
 using Farseer.Accuracy.Truth;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy;
 
-/// <summary>The command line: runs scenes, lists them, or prints the table of goals.</summary>
+/// <summary>The command line: runs scenes by themselves, or one of the commands.</summary>
 internal static class Cli
 {
     private const int Failed = 1;
-    private const int Misused = 2;
 
-    private const string Help = """
-        Accuracy of the simulator against closed forms and exact statics.
+    private const string About = "Accuracy of the simulator against closed forms and exact statics.";
 
-          --scene NAME=P        a scene and its parameter; may be repeated
-          --iterations N[,N..]  values of PhysicsSimulator.Iterations (default 5)
-          --dt S[,S..]          step lengths, seconds or fractions such as 1/240 (default 1/60)
-          --penetration F       AllowedPenetration as a share of the smallest body extent, 0 to 1e-4 (default 0)
-          --runs N              runs for the clock: the first warms up, the least of the others counts (default 1)
-          --csv FILE            writes the rows to a file too
-          list                  the scenes, their parameters and metrics
-          sweep [--out FILE] [--runs N]
-                                the dials of ten scenes: error against cost, hypervolume, time to 1 %, floors
-          aims                  the figures that were aimed at, beside those reached and the best of other engines
-          costs                 nanoseconds a body-step of the aims' scenes at the default dial, beside another engine's
-          neighbours [SCENE..] [--seed N] [--count N]
-                                the aims at parameters that nobody published: ends of ranges and random values between
-          extremes [WORD..]     how far masses, sizes, steps, speeds can be driven until a scene stops holding
-          surveys [K1 K3 ..] [--seed N] [--count N] [--csv FILE]
-                                kinds of faults found before, each in a grid of variations and N random ones; exit code 1 if one fails
-          general [G01 ..] [--seed N] [--csv FILE] [--iterations N] [--dt S] [--full] [--each]
-                                scenes that must hold for a whole range of parameters, with parameters drawn by the seed
-                                (default 1): the worst of each figure beside its limit; exit code 1 if one is missed.
-                                --full runs G19 and G27 for their stated 10 minutes instead of 60 and 30 s; --each tells every sample
-          truth --csv FILE [goals aims general] [--seed N]
-                                writes every figure of goals, aims and general scenes with its limit, one a line
-          energies [--seeds N] [--seconds S] [--csv FILE]
-                                random worlds in which nothing drives: how far their energy rises again; exit code 1 if one exceeds the limit
-          truthful [--count N] [--seed N] [--csv FILE]
-                                whether reports and budgets tell the truth, on random scenes against 64 times the iterations
-          report [--plots] [--docs FOLDER]
-                                writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs; --plots:
-                                the plots alone
-          dials [--docs FOLDER] writes docs/Dials.md: what Iterations, 1/dt and other settings give and take in a dozen kinds of scene
-          goals [SCENE..]       the figures at the default dial beside their limits; exit code 1 if one fails
-        """;
+    private static readonly ValuesOption<SceneChoice> _scenes = new(
+        "--scene", "NAME=P", "a scene and its parameter; 'list' shows them", "a scene and its parameter; may be repeated", TryScene);
 
-    public static int Run(string[] args, TextWriter output, TextWriter errors)
+    private static readonly ValueOption<List<int>> _iterations = new(
+        "--iterations", "N,N,..", "whole numbers from 1 to 1000, joined by commas", "values of PhysicsSimulator.Iterations; 5 by default",
+        (string text, out List<int> values) => TryEach(text, Options.TryIterations, out values));
+
+    private static readonly ValueOption<List<double>> _dts = new(
+        "--dt", "S,S,..", Options.WantedDuration, "step lengths, seconds or fractions such as 1/240; 1/60 by default",
+        (string text, out List<double> values) => TryEach(text, Options.TryDuration, out values));
+
+    private static readonly ValueOption<double> _penetration = new(
+        "--penetration", "SHARE", "a share of the body size from 0 to 1e-4", "AllowedPenetration as a share of the smallest body extent; 0 by default",
+        (string text, out double value) => Values.TryNumber(text, out value) && value is >= 0 and <= Options.LargestPenetrationShare);
+
+    private static readonly Option<int> _runs = Values.Whole(
+        "--runs", "runs for the clock: the first warms up, the least of the others counts", 1, 1000, 1);
+
+    private static readonly ValueOption<string?> _csv = Values.File("--csv", "writes the rows to a file too");
+
+    public static int Run(string[] args, TextWriter output, TextWriter errors) => CommandLine.Run(Root(), args, output, errors);
+
+    /// <summary>A command that says by its exit code whether all was met.</summary>
+    public static Command Judged(string name, string description, Func<ParseResult, bool> run, params Symbol[] parts)
     {
-        try
+        var command = new Command(name, description);
+        foreach (Symbol part in parts)
         {
-            if (args.Length == 0 || args[0] is "--help" or "-h" or "help")
+            if (part is Option option)
             {
-                output.WriteLine(Help);
-                return 0;
+                command.Add(option);
+            }
+            else
+            {
+                command.Add((Argument)part);
+            }
+        }
+
+        command.SetAction(result => run(result) ? 0 : Failed);
+        return command;
+    }
+
+    /// <summary>A command that only measures.</summary>
+    public static Command Plain(string name, string description, Action<ParseResult> run, params Symbol[] parts) => Judged(
+        name,
+        description,
+        result =>
+        {
+            run(result);
+            return true;
+        },
+        parts);
+
+    /// <summary>Where a command writes.</summary>
+    public static TextWriter Output(this ParseResult result) => result.InvocationConfiguration.Output;
+
+    private static RootCommand Root()
+    {
+        RootCommand root = new(About)
+        {
+            _scenes, _iterations, _dts, _penetration, _runs, _csv,
+            Plain("list", "The scenes, their parameters and metrics.", result => List(result.Output())),
+            SweepCommand.Create(),
+            Plain("aims", "The figures that were aimed at, beside those reached and the best of other engines.", result => AimTable.Print(result.Output())),
+            Plain("costs", "Nanoseconds a body-step of the aims' scenes at the default dial, beside another engine's.", result => Costs.Print(result.Output())),
+            Neighbours.Create(),
+            ExtremesCommand.Create(),
+            SurveyCommand.Create(),
+            GeneralCommand.Create(),
+            TruthCommand.Create(),
+            EnergyCommand.Create(),
+            TruthfulCommand.Create(),
+            ReportCommand.Create(),
+            DialsCommand.Create(),
+            Goals.Create(),
+        };
+        root.SetAction(result =>
+        {
+            if (result.Tokens.Count == 0)
+            {
+                return root.Parse(["help"]).Invoke(result.InvocationConfiguration);
             }
 
-            switch (args[0])
-            {
-                case "list":
-                    List(output);
-                    return 0;
-                case "goals":
-                    return Goals.Print(args[1..], output) ? 0 : Failed;
-                case "aims":
-                    AimTable.Print(output);
-                    return 0;
-                case "costs":
-                    Costs.Print(output);
-                    return 0;
-                case "neighbours":
-                    return Neighbours.Run(args[1..], output) ? 0 : Failed;
-                case "extremes":
-                    return ExtremesCommand.Run(args[1..], output) ? 0 : Failed;
-                case "surveys":
-                    return SurveyCommand.Run(args[1..], output) ? 0 : Failed;
-                case "general":
-                    return GeneralCommand.Run(args[1..], output) ? 0 : Failed;
-                case "truth":
-                    TruthCommand.Run(args[1..], output);
-                    return 0;
-                case "energies":
-                    return EnergyCommand.Run(args[1..], output) ? 0 : Failed;
-                case "truthful":
-                    return TruthfulCommand.Run(args[1..], output) ? 0 : Failed;
-                case "report":
-                    ReportCommand.Run(args[1..], output);
-                    return 0;
-                case "dials":
-                    DialsCommand.Run(args[1..], output);
-                    return 0;
-                case "sweep":
-                    SweepCommand.Run(args[1..], output);
-                    return 0;
-                default:
-                    RunScenes(Options.Parse(args), output);
-                    return 0;
-            }
-        }
-        catch (UsageException mistake)
-        {
-            errors.WriteLine(mistake.Message);
-            return Misused;
-        }
+            RunScenes(result);
+            return 0;
+        });
+        return root;
     }
 
     /// <summary>What every run states before its figures.</summary>
@@ -130,19 +127,27 @@ internal static class Cli
         }
     }
 
-    private static void RunScenes(Options options, TextWriter output)
+    private static void RunScenes(ParseResult result)
     {
-        using StreamWriter? csv = OpenCsv(options.CsvPath);
-        csv?.WriteLine(Row.CsvHeader);
-        output.WriteLine(Settings(options.PenetrationShare));
-        output.WriteLine($"{"scene",-26} {"iterations",10} {"dt",10} {"metric",-27} {"value",13} {"ns/body-step",13}  note");
-        foreach (SceneChoice choice in options.Scenes)
+        SceneChoice[] scenes = result.GetRequiredValue(_scenes);
+        if (scenes.Length == 0)
         {
-            foreach (double dt in options.Dts)
+            throw new UsageException("name a scene: --scene NAME=P, or see 'list'.");
+        }
+
+        double penetration = result.GetValue(_penetration);
+        TextWriter output = result.Output();
+        using StreamWriter? csv = Values.Open(_csv.Name, result.GetValue(_csv));
+        csv?.WriteLine(Row.CsvHeader);
+        output.WriteLine(Settings(penetration));
+        output.WriteLine($"{"scene",-26} {"iterations",10} {"dt",10} {"metric",-27} {"value",13} {"ns/body-step",13}  note");
+        foreach (SceneChoice choice in scenes)
+        {
+            foreach (double dt in result.GetValue(_dts) ?? [Options.DefaultDt])
             {
-                foreach (int iterations in options.Iterations)
+                foreach (int iterations in result.GetValue(_iterations) ?? [Options.DefaultIterations])
                 {
-                    List<Row> rows = Runner.Run(choice, new Dial(iterations, dt, options.PenetrationShare), options.Runs);
+                    List<Row> rows = Runner.Run(choice, new Dial(iterations, dt, penetration), result.GetValue(_runs));
                     foreach (Row row in rows)
                     {
                         output.WriteLine(string.Create(
@@ -155,15 +160,25 @@ internal static class Cli
         }
     }
 
-    internal static StreamWriter? OpenCsv(string? path)
+    private static bool TryScene(string text, out SceneChoice choice)
     {
-        try
+        choice = Options.ParseScene(text);
+        return true;
+    }
+
+    private static bool TryEach<T>(string text, Reading<T> read, out List<T> values)
+    {
+        values = [];
+        foreach (string part in text.Split(','))
         {
-            return path is null ? null : new StreamWriter(path);
+            if (!read(part, out T value))
+            {
+                return false;
+            }
+
+            values.Add(value);
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
-        {
-            throw new UsageException($"--csv: {e.Message}");
-        }
+
+        return true;
     }
 }

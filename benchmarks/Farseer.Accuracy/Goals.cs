@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy;
 
@@ -130,11 +132,14 @@ internal static class Goals
         ("S17_mass_ratio=100", "height_error_mm"),
     ];
 
-    /// <summary>Prints the table; true if every row passes.</summary>
-    /// <param name="only">Names of scenes, full or short; empty for all.</param>
-    /// <param name="output">Where the table goes.</param>
-    public static bool Print(string[] only, TextWriter output)
+    private static readonly Argument<string[]> _only = new("scene") { Description = "names of scenes, full or short; none: all" };
+
+    public static Command Create() => Cli.Judged("goals", "The figures at the default dial beside their limits.", Print, _only);
+
+    private static bool Print(ParseResult result)
     {
+        TextWriter output = result.Output();
+        string[] only = result.GetValue(_only) ?? [];
         foreach (string name in only)
         {
             if (Catalogue.Find(name) is null)

@@ -1,58 +1,21 @@
 using System;
-using System.Collections.Generic;
-using System.Globalization;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy;
 
 /// <summary>A scene with its parameter, as asked for.</summary>
 internal sealed record SceneChoice(SceneInfo Scene, double Parameter, string Label);
 
-/// <summary>The command line of a run.</summary>
-internal sealed class Options
+/// <summary>What the options of several commands have in common.</summary>
+internal static class Options
 {
     public const int DefaultIterations = 5;
     public const double DefaultDt = 1.0 / 60;
-    private const double LargestPenetrationShare = 1e-4;
+    public const double LargestPenetrationShare = 1e-4;
+    public const int MostIterations = 1000;
+    public const string WantedDuration = "step lengths from 1e-5 to 0.5 seconds";
 
-    public List<SceneChoice> Scenes { get; } = [];
-
-    public List<int> Iterations { get; private set; } = [DefaultIterations];
-
-    public List<double> Dts { get; private set; } = [DefaultDt];
-
-    public double PenetrationShare { get; private set; }
-
-    public int Runs { get; private set; } = 1;
-
-    public string? CsvPath { get; private set; }
-
-    public static Options Parse(string[] args)
-    {
-        var options = new Options();
-        for (int i = 0; i < args.Length; i += 2)
-        {
-            string name = args[i];
-            if (name is not ("--scene" or "--iterations" or "--dt" or "--penetration" or "--runs" or "--csv"))
-            {
-                throw new UsageException($"unknown argument '{name}'; see --help.");
-            }
-
-            if (i + 1 == args.Length)
-            {
-                throw new UsageException($"{name} needs a value.");
-            }
-
-            options.Set(name, args[i + 1]);
-        }
-
-        if (options.Scenes.Count == 0)
-        {
-            throw new UsageException("name a scene: --scene NAME=P, or see 'list'.");
-        }
-
-        return options;
-    }
-
+    /// <exception cref="UsageException">There is no such scene, or the parameter is out of its range.</exception>
     public static SceneChoice ParseScene(string text)
     {
         int equals = text.IndexOf('=', StringComparison.Ordinal);
@@ -64,7 +27,11 @@ internal sealed class Options
         }
 
         string value = text[(equals + 1)..];
-        double parameter = Number($"the parameter of {scene.Name}", value);
+        if (!Values.TryNumber(value, out double parameter))
+        {
+            throw new UsageException($"the parameter of {scene.Name}: '{value}' is not a number.");
+        }
+
         if (!scene.Range.Contains(parameter))
         {
             throw new UsageException($"{scene.Name}={value}: {scene.Parameter} must be {scene.Range}.");
@@ -73,77 +40,15 @@ internal sealed class Options
         return new SceneChoice(scene, parameter, $"{scene.Name}={value}");
     }
 
-    private void Set(string name, string value)
-    {
-        switch (name)
-        {
-            case "--scene":
-                Scenes.Add(ParseScene(value));
-                break;
-            case "--iterations":
-                Iterations = Each(value, part => WholeNumber(name, part, 1, 1000));
-                break;
-            case "--dt":
-                Dts = Each(value, part => Duration(name, part));
-                break;
-            case "--penetration":
-                PenetrationShare = Number(name, value);
-                if (!(PenetrationShare >= 0 && PenetrationShare <= LargestPenetrationShare))
-                {
-                    throw new UsageException($"--penetration {value}: a share of the body size from 0 to 1e-4.");
-                }
-
-                break;
-            case "--runs":
-                Runs = WholeNumber(name, value, 1, 1000);
-                break;
-            default:
-                CsvPath = value.Length > 0 ? value : throw new UsageException("--csv needs a file name.");
-                break;
-        }
-    }
-
-    private static List<T> Each<T>(string text, Func<string, T> parse)
-    {
-        var values = new List<T>();
-        foreach (string part in text.Split(','))
-        {
-            values.Add(parse(part));
-        }
-
-        return values;
-    }
-
-    internal static int WholeNumber(string what, string text, int least, int most)
-    {
-        if (!int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int value) || value < least || value > most)
-        {
-            throw new UsageException($"{what}: '{text}' is not a whole number from {least} to {most}.");
-        }
-
-        return value;
-    }
-
-    private static double Number(string what, string text)
-    {
-        if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) || !double.IsFinite(value))
-        {
-            throw new UsageException($"{what}: '{text}' is not a number.");
-        }
-
-        return value;
-    }
+    public static bool TryIterations(string text, out int value) => Values.TryWhole(text, 1, MostIterations, out value);
 
     /// <summary>Seconds, also as a fraction: 1/240.</summary>
-    internal static double Duration(string what, string text)
+    public static bool TryDuration(string text, out double value)
     {
-        int slash = text.IndexOf('/', StringComparison.Ordinal);
-        double value = slash < 0 ? Number(what, text) : Number(what, text[..slash]) / Number(what, text[(slash + 1)..]);
-        if (!(value >= 1e-5 && value <= 0.5))
-        {
-            throw new UsageException($"{what}: '{text}' is not a step length from 1e-5 to 0.5 seconds.");
-        }
-
-        return value;
+        string[] parts = text.Split('/', 2);
+        double divisor = 1;
+        bool isRead = Values.TryNumber(parts[0], out value) && (parts.Length == 1 || Values.TryNumber(parts[1], out divisor));
+        value /= divisor;
+        return isRead && value is >= 1e-5 and <= 0.5;
     }
 }

@@ -1,95 +1,86 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
+using System.CommandLine;
+using Farseer.CommandLines;
 
 namespace Farseer.Beside;
 
 /// <summary>The command line of a comparison.</summary>
 internal sealed class Options
 {
-    public const int DefaultTurns = 3;
     public const int DefaultRuns = 3;
-    public const double DefaultLimit = 1.02;
 
-    private readonly List<string> _builds = [];
-    private readonly List<string> _scenes = [];
-    private string[] _only = [Parts.AccuracyGroup, Parts.SpeedGroup];
-    private int _runs = DefaultRuns;
+    private const int DefaultTurns = 3;
+    private const double DefaultLimit = 1.02;
+    private const int Most = 1000;
 
-    private Options()
+    private static readonly Argument<string> _before = new("BEFORE")
     {
+        Description = "a checkout, whose programs are built first, or a folder with built programs",
+    };
+
+    private static readonly Argument<string> _after = new("AFTER") { Description = "another one" };
+
+    private static readonly ValueOption<string?> _only = Values.Word("--only", "PART,..", "names of parts, joined by commas", WordsOfParts());
+
+    private static readonly Option<int> _turns = Values.Whole(
+        "--turns",
+        "how often each build is timed, by turns; the least time counts; where a mean exceeds the limit, up to three times as often",
+        1, Most, DefaultTurns);
+
+    private static readonly Option<int> _runs =
+        Values.Whole("--runs", "timed runs of a scene in a turn, after one that warms up", 1, Most, DefaultRuns);
+
+    private static readonly ValuesOption<string> _scenes = new(
+        "--scene", "NAME[=SIZE]", "the name of a scene", "a timing scene in place of all ten; may be repeated", Values.TryText);
+
+    private static readonly ValueOption<double?> _limit = Values.Positive(
+        "--limit", "X", "a number above 0",
+        FormattableString.Invariant($"largest geometric mean of the times after / before, of each part; {DefaultLimit} by default"));
+
+    private static readonly ValueOption<string?> _out =
+        Values.File("--out", "writes the report to a file too, with every line that differs", "FILE.md");
+
+    /// <exception cref="UsageException">A part is unknown.</exception>
+    private Options(ParseResult result)
+    {
+        Before = result.GetRequiredValue(_before);
+        After = result.GetRequiredValue(_after);
+        Turns = result.GetValue(_turns);
+        Limit = result.GetValue(_limit) ?? DefaultLimit;
+        OutPath = result.GetValue(_out);
+        string[] only = result.GetValue(_only)?.Split(',') ?? [Parts.AccuracyGroup, Parts.SpeedGroup];
+        Chosen = Parts.Choose(Parts.All(result.GetRequiredValue(_scenes), result.GetValue(_runs)), only);
     }
 
-    public string Before => _builds[0];
+    public string Before { get; }
 
-    public string After => _builds[1];
+    public string After { get; }
 
     /// <summary>How often each build is timed.</summary>
-    public int Turns { get; private set; } = DefaultTurns;
+    public int Turns { get; }
 
     /// <summary>The largest geometric mean of times, after / before, that is not slower.</summary>
-    public double Limit { get; private set; } = DefaultLimit;
+    public double Limit { get; }
 
-    public string? OutPath { get; private set; }
+    public string? OutPath { get; }
 
-    public IReadOnlyList<Part> Chosen { get; private set; } = [];
+    public IReadOnlyList<Part> Chosen { get; }
 
-    public static Options Parse(string[] args)
+    /// <summary>Where the report is written to a file, the option that says so.</summary>
+    public static string OutName => _out.Name;
+
+    public static RootCommand Root(string about, Func<Options, ParseResult, int> run)
     {
-        var options = new Options();
-        for (int i = 0; i < args.Length; i++)
-        {
-            string name = args[i];
-            if (name.StartsWith("--", StringComparison.Ordinal))
-            {
-                options.Set(name, ++i < args.Length ? args[i] : throw new UsageException($"{name} needs a value."));
-            }
-            else
-            {
-                options._builds.Add(name);
-            }
-        }
-
-        if (options._builds.Count != 2)
-        {
-            throw new UsageException($"two builds are compared, BEFORE and AFTER; {options._builds.Count} are named; see --help.");
-        }
-
-        options.Chosen = Parts.Choose(Parts.All(options._scenes, options._runs), options._only);
-        return options;
+        RootCommand root = new(about) { _before, _after, _only, _turns, _runs, _scenes, _limit, _out };
+        root.SetAction(result => run(new Options(result), result));
+        return root;
     }
 
-    private void Set(string name, string value)
+    private static string WordsOfParts()
     {
-        switch (name)
-        {
-            case "--only":
-                _only = value.Split(',');
-                break;
-            case "--turns":
-                Turns = WholeNumber(name, value);
-                break;
-            case "--runs":
-                _runs = WholeNumber(name, value);
-                break;
-            case "--scene":
-                _scenes.Add(value);
-                break;
-            case "--limit":
-                Limit = double.TryParse(value, NumberStyles.Float, CultureInfo.InvariantCulture, out double limit) && limit > 0
-                    ? limit
-                    : throw new UsageException($"--limit: '{value}' is not a number above 0.");
-                break;
-            case "--out":
-                OutPath = value;
-                break;
-            default:
-                throw new UsageException($"unknown argument '{name}'; see --help.");
-        }
+        IReadOnlyList<Part> all = Parts.All([], DefaultRuns);
+        return FormattableString.Invariant($"{Parts.AccuracyGroup} ({string.Join(' ', Parts.Names(all, areTimed: false))}), ")
+            + FormattableString.Invariant($"{Parts.SpeedGroup} ({string.Join(' ', Parts.Names(all, areTimed: true))}), or some of these; by default all");
     }
-
-    private static int WholeNumber(string what, string text) =>
-        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int value) && value is >= 1 and <= 1000
-            ? value
-            : throw new UsageException($"{what}: '{text}' is not a whole number from 1 to 1000.");
 }

@@ -1,79 +1,70 @@
+using System;
 using System.Collections.Generic;
 using Farseer.Samples.Commands;
+using Farseer.Samples.Terminal;
 using Farseer.Scenes;
 using Spectre.Console;
 
 namespace Farseer.Samples;
 
-/// <summary>What a person sees who types no arguments: choose a scene, then watch it or run it.</summary>
+/// <summary>What a person sees who types no arguments: choose a scene by moving or by typing, then watch it or run it.</summary>
 internal static class Menu
 {
-    private const string CheckAll = "Check all scenes";
-    private const string Quit = "Quit";
-    private const string Watch = "Watch it live";
-    private const string Run = "Run it and print the results";
-    private const string Back = "Back";
+    /// <summary>Enough of a title to tell it from the others, so that a row stays a row.</summary>
+    private const int TitleWidth = 40;
 
-    public static int Show()
+    /// <param name="Text">The row, as it is searched.</param>
+    /// <param name="Act">What choosing it does.</param>
+    private sealed record Choice(string Text, Action Act);
+
+    private static readonly Choice _leave = new(string.Empty, () => { });
+
+    /// <summary>Returns when the user leaves.</summary>
+    /// <param name="console">The terminal; null: the program's.</param>
+    public static int Show(IAnsiConsole? console = null)
     {
-        while (true)
+        IAnsiConsole terminal = new LeavingConsole(console ?? AnsiConsole.Console);
+        terminal.MarkupLine("[yellow]Farseer[/] samples: type to search, enter chooses, [yellow]q[/] or [yellow]esc[/] leaves.");
+        for (Choice choice; (choice = Ask(terminal, "Choose a scene", Scenes(terminal))) != _leave;)
         {
-            string choice = Ask("[yellow]Farseer[/]: choose a scene", SceneTitles());
-            if (choice == Quit)
-            {
-                return 0;
-            }
-
-            if (choice == CheckAll)
-            {
-                CheckCommand.Execute();
-                continue;
-            }
-
-            Scene scene = Titled(choice);
-            AnsiConsole.MarkupLineInterpolated($"[yellow]{scene.Title}[/]: {scene.Description}");
-            switch (Ask("What now?", [Watch, Run, Back]))
-            {
-                case Watch:
-                    WatchCommand.Execute(new RunOptions(scene.Name), hasTerminal: true);
-                    break;
-                case Run:
-                    RunCommand.Execute(new RunOptions(scene.Name));
-                    break;
-            }
+            choice.Act();
         }
+
+        return 0;
     }
 
-    private static List<string> SceneTitles()
+    private static List<Choice> Scenes(IAnsiConsole terminal)
     {
-        List<string> titles = [];
+        List<Choice> choices = [];
         foreach (Scene scene in SceneLibrary.All)
         {
-            titles.Add(scene.Title);
+            string text = FormattableString.Invariant($"{choices.Count + 1,2}  {scene.Title.PadRight(TitleWidth)}  {scene.Name}");
+            choices.Add(new Choice(text, () => Play(terminal, scene)));
         }
 
-        titles.Add(CheckAll);
-        titles.Add(Quit);
-        return titles;
+        choices.Add(new Choice(" c  Check all scenes", () => CheckCommand.Execute()));
+        return choices;
     }
 
-    private static Scene Titled(string title)
+    private static void Play(IAnsiConsole terminal, Scene scene)
     {
-        foreach (Scene scene in SceneLibrary.All)
-        {
-            if (scene.Title == title)
-            {
-                return scene;
-            }
-        }
-
-        throw new UsageException($"there is no scene '{title}'");
+        terminal.MarkupLineInterpolated($"[yellow]{scene.Title}[/]: {scene.Description}");
+        List<Choice> choices =
+        [
+            new("Watch it live", () => WatchCommand.Execute(new RunOptions(scene.Name), hasTerminal: true)),
+            new("Run it and print the results", () => RunCommand.Execute(new RunOptions(scene.Name))),
+        ];
+        Ask(terminal, "What now?", choices).Act();
     }
 
-    private static string Ask(string title, IEnumerable<string> choices) =>
-        AnsiConsole.Prompt(new SelectionPrompt<string>()
+    private static Choice Ask(IAnsiConsole terminal, string title, List<Choice> choices) =>
+        terminal.Prompt(new SelectionPrompt<Choice>()
             .Title(title)
             .PageSize(22)
+            .EnableSearch()
+            .SearchPlaceholderText("[grey](type to search)[/]")
             .MoreChoicesText("[grey](more below)[/]")
+            .UseConverter(choice => Markup.Escape(choice.Text))
+            .AddCancelResult(_leave)
             .AddChoices(choices));
 }

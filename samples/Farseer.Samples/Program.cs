@@ -1,6 +1,6 @@
 using System;
 using System.IO;
-using Farseer.Samples.Commands;
+using Farseer.CommandLines;
 using Farseer.Scenes;
 using Spectre.Console;
 
@@ -10,10 +10,6 @@ namespace Farseer.Samples;
 internal static class Program
 {
     private const int Fine = 0;
-    private const int WrongUse = 2;
-    private static readonly string[] _verbs = ["list", "run", "watch", "draw", "record", "advise", "check", "help"];
-
-    private static bool HasTerminal => !Console.IsInputRedirected && !Console.IsOutputRedirected;
 
     private static int Main(string[] args)
     {
@@ -29,17 +25,12 @@ internal static class Program
 
         try
         {
-            return Dispatch(args);
-        }
-        catch (UsageException e)
-        {
-            Console.Error.WriteLine("error: " + e.Message);
-            return WrongUse;
+            return CommandLine.Run(SampleCommands.Root(), args, Console.Out, Console.Error, Explain);
         }
         catch (SceneFileException e)
         {
             Console.Error.WriteLine("error: " + e.Message);
-            return WrongUse;
+            return CommandLine.Misused;
         }
         catch (IOException)
         {
@@ -48,46 +39,7 @@ internal static class Program
         }
     }
 
-    private static int Dispatch(string[] args)
-    {
-        if (args.Length == 0)
-        {
-            return HasTerminal ? Menu.Show() : RunCommand.Execute(new RunOptions(SceneLibrary.DefaultName));
-        }
-
-        ReadOnlySpan<string> rest = args.AsSpan(1);
-        switch (args[0])
-        {
-            case "list":
-                CommandLine.None("list", rest);
-                return ListCommand.Execute();
-            case "run":
-                return RunCommand.Execute(CommandLine.Run("run", rest));
-            case "watch":
-                return WatchCommand.Execute(CommandLine.Run("watch", rest), HasTerminal);
-            case "draw":
-                return DrawCommand.Execute(CommandLine.Run("draw", rest));
-            case "record":
-                return RecordCommand.Execute(args);
-            case "advise":
-                return AdviseCommand.Execute(CommandLine.Run("advise", rest));
-            case "check":
-                CommandLine.None("check", rest);
-                return CheckCommand.Execute();
-            case "help" or "--help" or "-h" or "-?":
-                return HelpCommand.Execute();
-            default:
-                throw Unknown(args[0]);
-        }
-    }
-
-    private static UsageException Unknown(string word)
-    {
-        if (SceneLibrary.Find(word) is not null)
-        {
-            return new UsageException($"'{word}' is a scene, not a command; did you mean 'run {word}' or 'watch {word}'?");
-        }
-
-        return new UsageException($"there is no command '{word}'{Names.Suggestion(word, _verbs)}; 'help' lists the commands");
-    }
+    private static string? Explain(string word) => SceneLibrary.Find(word) is null
+        ? null
+        : $"'{word}' is a scene, not a command; did you mean 'run {word}' or 'watch {word}'?";
 }

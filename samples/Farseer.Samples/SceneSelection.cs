@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
+using Farseer.CommandLines;
 using Farseer.Scenes;
 
 namespace Farseer.Samples;

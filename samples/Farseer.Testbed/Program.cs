@@ -1,7 +1,10 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
 using System.Linq;
 using System.Threading;
+using Farseer.CommandLines;
 
 namespace Farseer.Testbed;
 
@@ -10,33 +13,36 @@ public static class Program
 {
     public static int Main(string[] args)
     {
-        string command = args.Length > 0 ? args[0] : "run";
-        switch (command)
-        {
-            case "list":
-                foreach (TestScene scene in SceneList.Makers.Select(m => m()))
-                {
-                    Console.WriteLine($"{scene.Name,-18} {scene.Description}");
-                }
-
-                return 0;
-            case "check":
-                return SceneList.Makers.Select(m => Run(m(), false)).ToList().All(ok => ok) ? 0 : 1;
-            case "run" or "watch":
-                Func<TestScene>? maker = Find(args.Length > 1 ? args[1] : null);
-                if (maker is not null)
-                {
-                    return Run(maker(), command == "watch") ? 0 : 1;
-                }
-
-                break;
-        }
-
-        Console.Error.WriteLine("Farseer.Testbed [list | check | run <scene> | watch <scene>]");
-        return 2;
+        var name = new Argument<string?>("scene") { Description = "the name of a scene; without, the first", Arity = ArgumentArity.ZeroOrOne };
+        var list = new Command("list", "Names the scenes.");
+        list.SetAction(result => List(result.InvocationConfiguration.Output));
+        var check = new Command("check", "Runs all scenes and says whether they end as they must.");
+        check.SetAction(_ => Code(SceneList.Makers.Select(m => Run(m(), false)).ToList().All(ok => ok)));
+        var run = new Command("run", "Runs a scene to its end.") { name };
+        run.SetAction(result => Code(Run(Find(result.GetValue(name)), false)));
+        var watch = new Command("watch", "Shows a scene in letters.") { name };
+        watch.SetAction(result => Code(Run(Find(result.GetValue(name)), true)));
+        var root = new RootCommand("Scenes with the API of Box2DFlash. Without a command: the first one, that of the manual.") { list, check, run, watch };
+        root.SetAction(_ => Code(Run(Find(null), false)));
+        return CommandLine.Run(root, args, Console.Out, Console.Error);
     }
 
-    private static Func<TestScene>? Find(string? name) => name is null ? SceneList.Makers[0] : SceneList.Makers.FirstOrDefault(m => m().Name == name);
+    private static int Code(bool holds) => holds ? 0 : 1;
+
+    private static void List(TextWriter output)
+    {
+        foreach (TestScene scene in SceneList.Makers.Select(m => m()))
+        {
+            output.WriteLine($"{scene.Name,-18} {scene.Description}");
+        }
+    }
+
+    private static TestScene Find(string? name)
+    {
+        List<TestScene> all = [.. SceneList.Makers.Select(m => m())];
+        return all.Find(s => name is null || s.Name == name)
+            ?? throw new UsageException($"there is no scene '{name}'{Names.Suggestion(name!, all.Select(s => s.Name))}; 'list' names them");
+    }
 
     private static bool Run(TestScene scene, bool watch)
     {

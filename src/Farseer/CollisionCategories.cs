@@ -10,6 +10,12 @@ namespace FarseerGames.FarseerPhysics;
 /// declaration of a variable of this type does not. A second enum was rejected: its values could not be assigned to the
 /// properties of a geom.
 /// </remarks>
+/// <example>
+/// <code>
+/// geom.CollisionCategories = CollisionCategories.Cat1;
+/// geom.CollidesWith = CollisionCategories.All &amp; ~CollisionCategories.Cat2;
+/// </code>
+/// </example>
 public static class CollisionCategories
 {
     /// <summary>No category.</summary>

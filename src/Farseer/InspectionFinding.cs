@@ -3,6 +3,14 @@ using System.Globalization;
 namespace FarseerGames.FarseerPhysics;
 
 /// <summary>What <see cref="PhysicsSimulator.Inspect"/> found: a number that names the kind, the object, and what to turn. (An addition to the original.)</summary>
+/// <example>
+/// <code>
+/// foreach (InspectionFinding finding in simulator.Inspect())
+/// {
+///     System.Console.WriteLine(finding);
+/// }
+/// </code>
+/// </example>
 public sealed class InspectionFinding
 {
     internal InspectionFinding(int number, object subject, string message, string dial)

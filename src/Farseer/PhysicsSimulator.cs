@@ -18,6 +18,14 @@ namespace FarseerGames.FarseerPhysics;
 /// The world that bodies and geoms are added to and that is updated each frame. Disposing it is optional: it holds no unmanaged
 /// resources, and threads of <see cref="WorkerCount"/> end with it in any case. A simulator is not safe for use by several threads at once; several simulators are independent of each other.
 /// </summary>
+/// <example>
+/// <code>
+/// using var simulator = new PhysicsSimulator(new Vector2(0, -10));
+/// Body ball = BodyFactory.Instance.CreateCircleBody(simulator, 0.5f, 1);
+/// GeomFactory.Instance.CreateCircleGeom(simulator, ball, 0.5f, 24);
+/// simulator.Update(1f / 60);
+/// </code>
+/// </example>
 public partial class PhysicsSimulator : IDisposable
 {
     [NotState(Why.Derived)]

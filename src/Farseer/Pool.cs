@@ -11,6 +11,13 @@ namespace FarseerGames.FarseerPhysics;
 /// The object last put back is the first to be taken. The pool neither resets an object nor notices when one is put back
 /// twice: both are the user's affair. Not safe for use by several threads at once.
 /// </remarks>
+/// <example>
+/// <code>
+/// Pool&lt;Body&gt; pool = new();
+/// Body bullet = pool.Fetch();
+/// pool.Insert(bullet);
+/// </code>
+/// </example>
 public class Pool<T>
     where T : new()
 {

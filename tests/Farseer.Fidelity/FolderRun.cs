@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.IO;
 using System.Linq;
+using Farseer.CommandLines;
 using Farseer.Fidelity.Judging;
 using Farseer.Fidelity.Scenes;
 
@@ -12,41 +14,47 @@ public static class FolderRun
 {
     public static int Run(string[] args, TextWriter output, TextWriter error)
     {
+        RootCommand root = Options.Root();
+        root.SetAction(result => Run(Options.Read(result), result.InvocationConfiguration.Output));
         try
         {
-            Options options = Options.Parse(args);
-            IReadOnlyList<SceneFile> scenes = Chosen(options);
-            if (options.List)
-            {
-                foreach (SceneFile scene in scenes)
-                {
-                    output.WriteLine(scene.Category + " " + scene.Name);
-                }
-
-                return 0;
-            }
-
-            using StreamWriter? csv = options.CsvPath is null ? null : new StreamWriter(options.CsvPath);
-            Report report = new(output, options.Verbose);
-            report.Begin();
-            foreach (SceneFile scene in scenes)
-            {
-                report.Add(SceneJudge.Judge(scene));
-            }
-
-            report.End();
-            if (csv is not null)
-            {
-                report.WriteCsv(csv);
-            }
-
-            return report.AnyFailed ? 1 : 0;
+            return CommandLine.Run(root, args, output, error);
         }
         catch (Exception e) when (e is BadSceneException or IOException or UnauthorizedAccessException)
         {
             error.WriteLine(e.Message);
-            return 2;
+            return CommandLine.Misused;
         }
+    }
+
+    private static int Run(Options options, TextWriter output)
+    {
+        IReadOnlyList<SceneFile> scenes = Chosen(options);
+        if (options.List)
+        {
+            foreach (SceneFile scene in scenes)
+            {
+                output.WriteLine(scene.Category + " " + scene.Name);
+            }
+
+            return 0;
+        }
+
+        using StreamWriter? csv = Values.Open("--csv", options.CsvPath);
+        Report report = new(output, options.Verbose);
+        report.Begin();
+        foreach (SceneFile scene in scenes)
+        {
+            report.Add(SceneJudge.Judge(scene));
+        }
+
+        report.End();
+        if (csv is not null)
+        {
+            report.WriteCsv(csv);
+        }
+
+        return report.AnyFailed ? 1 : 0;
     }
 
     private static IReadOnlyList<SceneFile> Chosen(Options options)

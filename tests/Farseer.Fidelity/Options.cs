@@ -1,55 +1,31 @@
-using System;
 using System.Collections.Generic;
-using Farseer.Fidelity.Scenes;
+using System.CommandLine;
+using Farseer.CommandLines;
 
 namespace Farseer.Fidelity;
 
 /// <summary>The command line.</summary>
-public sealed record Options(string Folder, IReadOnlyCollection<string> Categories, string? Scene, bool Verbose, bool List, string? CsvPath = null)
+public sealed record Options(string Folder, IReadOnlyCollection<string> Categories, string? Scene, bool Verbose, bool List, string? CsvPath)
 {
-    public const string Usage = "Farseer.Fidelity <folder> [--category a,b] [--scene name] [--verbose] [--list] [--csv file]";
+    private static readonly Argument<string> _folder = new("folder") { Description = "the folder of recorded scenes" };
+    private static readonly ValueOption<string?> _categories = Values.Word("--category", "A,B", "names of categories, joined by commas", "only scenes of these");
+    private static readonly ValueOption<string?> _scene = Values.Word("--scene", "NAME", "the name of a scene", "only this scene");
+    private static readonly Option<bool> _verbose = Values.Flag("--verbose", "tells every check");
+    private static readonly Option<bool> _list = Values.Flag("--list", "names the scenes and runs none");
+    private static readonly ValueOption<string?> _csv = Values.File("--csv", "writes every check with its limit to a file too");
 
-    public static Options Parse(IReadOnlyList<string> args)
+    /// <summary>The command with these options.</summary>
+    public static RootCommand Root() => new(
+        "Compares scenes with recordings of the original. Exit code 0: no scene failed; 1: one failed; 2: the input cannot be used.")
     {
-        string? folder = null;
-        string? scene = null;
-        string? csv = null;
-        string[] categories = [];
-        bool verbose = false;
-        bool list = false;
-        for (int i = 0; i < args.Count; i++)
-        {
-            switch (args[i])
-            {
-                case "--category":
-                    categories = Value(args, ref i).Split(',', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
-                    break;
-                case "--scene":
-                    scene = Value(args, ref i);
-                    break;
-                case "--csv":
-                    csv = Value(args, ref i);
-                    break;
-                case "--verbose":
-                    verbose = true;
-                    break;
-                case "--list":
-                    list = true;
-                    break;
-                default:
-                    if (args[i].StartsWith("--", StringComparison.Ordinal) || folder is not null)
-                    {
-                        throw new BadSceneException($"'{args[i]}' is not understood. Usage: {Usage}");
-                    }
+        _folder, _categories, _scene, _verbose, _list, _csv,
+    };
 
-                    folder = args[i];
-                    break;
-            }
-        }
-
-        return new Options(folder ?? throw new BadSceneException("No folder is given. Usage: " + Usage), categories, scene, verbose, list, csv);
-    }
-
-    private static string Value(IReadOnlyList<string> args, ref int i)
-        => ++i < args.Count ? args[i] : throw new BadSceneException($"{args[i - 1]} needs a value. Usage: {Usage}");
+    public static Options Read(ParseResult result) => new(
+        result.GetRequiredValue(_folder),
+        result.GetValue(_categories)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries | System.StringSplitOptions.TrimEntries) ?? [],
+        result.GetValue(_scene),
+        result.GetValue(_verbose),
+        result.GetValue(_list),
+        result.GetValue(_csv));
 }

@@ -68,6 +68,51 @@ public sealed class ContentTests(PackedLibrary library)
             metadata.Descendants().Where(e => e.Name.LocalName == "dependency").Select(e => e.Attribute("id")!.Value));
     }
 
+    [Fact]
+    public void Description_SaysWhereTheSourceIsAndWhatIsNew()
+    {
+        foreach ((string package, string id) in new[] { (library.Package, "Farseer"), (library.FlashPackage, "Farseer.Box2DFlash") })
+        {
+            XElement metadata = XDocument.Parse(Text(package, id + ".nuspec")).Root!.Elements().Single();
+
+            // The address of the repository is that of the clone's remote; the commit is always known.
+            XElement repository = Element(metadata, "repository");
+            Assert.Equal("git", repository.Attribute("type")!.Value);
+            Assert.Matches("^[0-9a-f]{40}$", repository.Attribute("commit")!.Value);
+            Assert.Contains("CHANGELOG.md", Value(metadata, "releaseNotes"), StringComparison.Ordinal);
+        }
+    }
+
+    [Fact]
+    public void Readme_OfEachPackage_IsItsOwn_AndLinksToNothingThatIsNotThere()
+    {
+        string first = Text(library.Package, "README.md");
+        string second = Text(library.FlashPackage, "README.md");
+
+        Assert.StartsWith("# Farseer\n", first, StringComparison.Ordinal);
+        Assert.StartsWith("# Farseer.Box2DFlash\n", second, StringComparison.Ordinal);
+        Assert.All(
+            System.Text.RegularExpressions.Regex.Matches(first + second, @"\]\(([^)]+)\)").Select(m => m.Groups[1].Value),
+            link => Assert.StartsWith("https://", link, StringComparison.Ordinal));
+    }
+
+    [Theory]
+    [InlineData("netstandard2.0")]
+    [InlineData("net8.0")]
+    public void Documentation_OfPublicMembersAlone(string framework)
+    {
+        foreach ((string package, string name) in new[] { (library.Package, "Farseer"), (library.FlashPackage, "Farseer.Box2DFlash") })
+        {
+            List<string> members = [.. XDocument.Parse(Text(package, $"lib/{framework}/{name}.xml")).Descendants("member").Select(m => m.Attribute("name")!.Value)];
+
+            Assert.True(members.Count > 500, $"{name} documents {members.Count} members.");
+            Assert.DoesNotContain(members, m => m.Contains(".Bridge.", StringComparison.Ordinal));
+            Assert.DoesNotContain(members, m => System.Text.RegularExpressions.Regex.IsMatch(m, @"^F:.*\._[a-z]"));
+        }
+
+        Assert.Contains("T:FarseerGames.FarseerPhysics.PhysicsSimulator", Text(library.Package, $"lib/{framework}/Farseer.xml"), StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("netstandard2.0", "Farseer")]
     [InlineData("netstandard2.0", "Farseer.Engine")]
@@ -124,6 +169,13 @@ public sealed class ContentTests(PackedLibrary library)
     }
 
     private static XElement Element(XElement metadata, string name) => metadata.Elements().Single(e => e.Name.LocalName == name);
+
+    private static string Text(string package, string entry)
+    {
+        using ZipArchive archive = ZipFile.OpenRead(package);
+        using StreamReader reader = new(archive.GetEntry(entry)!.Open());
+        return reader.ReadToEnd().ReplaceLineEndings("\n");
+    }
 
     private static string Value(XElement metadata, string name) => Element(metadata, name).Value;
 }

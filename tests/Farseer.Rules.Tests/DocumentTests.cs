@@ -66,20 +66,46 @@ public sealed class DocumentTests
         Assert.DoesNotContain(targets, t => !Path.Exists(Path.Combine(Repository.Root, t.Target)));
     }
 
-    [Fact]
-    public void Code_OfEveryDocument_CompilesAndRuns()
+    public static TheoryData<string> Pages => new(_documents
+        .Where(f => Snippet.Blocks(File.ReadAllText(f)).Any() || Snippet.ForEngines(File.ReadAllText(f)).Any())
+        .Select(Repository.Relative));
+
+    [Theory]
+    [MemberData(nameof(Pages))]
+    public void Code_OfAPage_CompilesRunsAndPrintsWhatIsSaid(string page)
     {
-        int blocks = 0;
-        foreach (string file in _documents)
+        string text = File.ReadAllText(Path.Combine(Repository.Root, page));
+        foreach ((string code, string? said) in Snippet.Programs(text))
         {
-            foreach (string code in Snippet.Blocks(File.ReadAllText(file)))
-            {
-                Snippet.Run(code, Repository.Relative(file));
-                blocks++;
-            }
+            string printed = Snippet.Run(code, page);
+            Assert.Equal(said ?? printed, printed.ReplaceLineEndings("\n"));
         }
 
-        Assert.True(blocks >= 2, "only " + blocks + " blocks of code were found");
+        foreach ((string engine, string code) in Snippet.ForEngines(text))
+        {
+            string stub = File.ReadAllText(Path.Combine(Repository.Root, "tests", "Farseer.Rules.Tests", "Stubs", engine + ".cs"));
+            Assert.Empty(Snippet.Compile(code, stub, page));
+        }
+    }
+
+    [Fact]
+    public void Code_OfAllPages_IsFound()
+    {
+        Assert.True(_documents.Sum(f => Snippet.Blocks(File.ReadAllText(f)).Count()) >= 20);
+        Assert.True(_documents.Sum(f => Snippet.ForEngines(File.ReadAllText(f)).Count()) >= 6);
+    }
+
+    [Fact]
+    public void Code_InAFenceOfCSharp_IsOfOneOfTheTwoKinds()
+    {
+        IEnumerable<string> wrong =
+            from file in _documents
+            from Match fence in Regex.Matches(File.ReadAllText(file), "^```(cs|c#|csharp.*)$", RegexOptions.Multiline)
+            let kind = fence.Groups[1].Value.Trim()
+            where kind != "csharp" && !Regex.IsMatch(kind, @"^csharp stub:\w+$")
+            select Repository.Relative(file) + ": " + kind;
+
+        Assert.Empty(wrong);
     }
 
     /// <summary>What the headings of a document are called in links: lower case, without punctuation, hyphens for spaces.</summary>

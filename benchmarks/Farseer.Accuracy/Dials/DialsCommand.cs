@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.IO;
 using Farseer.Accuracy.Reporting;
 using Farseer.Accuracy.Sweeping;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy.Dials;
 
@@ -18,9 +20,15 @@ internal static class DialsCommand
     private const double OtherSeconds = 1.5;
     private const string PlotFolder = "plots";
 
-    public static void Run(string[] args, TextWriter output)
+    private static readonly ValueOption<string?> _docs = GeneratedPart.FolderOption();
+
+    public static Command Create() => Cli.Plain(
+        "dials", "Writes docs/Dials.md: what Iterations, 1/dt and other settings give and take in a dozen kinds of scene.", Run, _docs);
+
+    private static void Run(ParseResult result)
     {
-        (string folder, string path, string text) = GeneratedPart.Open("dials", Document, args);
+        TextWriter output = result.Output();
+        (string folder, string path, string text) = GeneratedPart.Open("dials", Document, result.GetValue(_docs));
         GeneratedPart.Read(text, Part);
         string plots = Path.Combine(folder, PlotFolder);
         Directory.CreateDirectory(plots);
@@ -28,11 +36,11 @@ internal static class DialsCommand
         var results = new List<DialResult>();
         foreach (DialKind kind in DialKinds.All)
         {
-            DialResult result = DialRuns.Measure(kind, Seconds);
-            results.Add(result);
-            output.WriteLine(Row(result));
+            DialResult measured = DialRuns.Measure(kind, Seconds);
+            results.Add(measured);
+            output.WriteLine(Row(measured));
             output.Flush();
-            File.WriteAllText(Path.Combine(plots, PlotName(kind)), Plot(result));
+            File.WriteAllText(Path.Combine(plots, PlotName(kind)), Plot(measured));
         }
 
         var lines = new List<string>(Table(results)) { string.Empty };

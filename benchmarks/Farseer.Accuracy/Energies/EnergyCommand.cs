@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using Farseer.Accuracy.Truth;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy.Energies;
 
@@ -10,40 +12,25 @@ namespace Farseer.Accuracy.Energies;
 internal static class EnergyCommand
 {
     private const int DefaultSeeds = 20;
-    private const double DefaultSeconds = 10;
+    private const int DefaultSeconds = 10;
     private const int MostSeconds = 3600;
 
     /// <summary>As of the general scenes with pits and ragdolls.</summary>
     private const double LargestRise = 1e-3;
 
-    /// <summary>Prints a line a kind; true if no world exceeds the limit.</summary>
-    /// <param name="args">--seeds N, --seconds S, --csv FILE.</param>
-    /// <param name="output">Where the table goes.</param>
-    public static bool Run(string[] args, TextWriter output)
-    {
-        int seeds = DefaultSeeds;
-        double seconds = DefaultSeconds;
-        string? path = null;
-        for (int i = 0; i < args.Length; i += 2)
-        {
-            string value = i + 1 < args.Length ? args[i + 1] : throw new UsageException($"energies: {args[i]} needs a value.");
-            switch (args[i])
-            {
-                case "--seeds":
-                    seeds = Options.WholeNumber("--seeds", value, 1, 100_000);
-                    break;
-                case "--seconds":
-                    seconds = Options.WholeNumber("--seconds", value, 1, MostSeconds);
-                    break;
-                case "--csv":
-                    path = value;
-                    break;
-                default:
-                    throw new UsageException($"energies: '{args[i]}' is no option; see --help.");
-            }
-        }
+    private static readonly Option<int> _seeds = Values.Whole("--seeds", "worlds of each kind", 1, 100_000, DefaultSeeds);
+    private static readonly Option<int> _seconds = Values.Whole("--seconds", "of each world", 1, MostSeconds, DefaultSeconds);
+    private static readonly ValueOption<string?> _csv = Values.File("--csv", "writes the figures to a file too");
 
-        using StreamWriter? csv = Cli.OpenCsv(path);
+    public static Command Create() => Cli.Judged(
+        "energies", "Random worlds in which nothing drives: how far their energy rises again.", Run, _seeds, _seconds, _csv);
+
+    private static bool Run(ParseResult result)
+    {
+        TextWriter output = result.Output();
+        int seeds = result.GetValue(_seeds);
+        double seconds = result.GetValue(_seconds);
+        using StreamWriter? csv = Values.Open(_csv.Name, result.GetValue(_csv));
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
             $"rise of energy above its running minimum, of the start's; {seeds} worlds of each kind, {seconds} s; limit {LargestRise:G3}"));

@@ -1,18 +1,24 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy.Extremes;
 
 /// <summary>Drives every quantity to the value at which its scene stops holding.</summary>
 internal static class ExtremesCommand
 {
-    /// <summary>Prints the table; true if all holds as far as it has to.</summary>
-    /// <param name="only">Words of the quantities; empty for all.</param>
-    /// <param name="output">Where the table goes.</param>
-    public static bool Run(string[] only, TextWriter output)
+    private static readonly Argument<string[]> _only = new("word") { Description = "words of quantities; none: all" };
+
+    public static Command Create() => Cli.Judged(
+        "extremes", "How far masses, sizes, steps and speeds can be driven until a scene stops holding.", Run, _only);
+
+    private static bool Run(ParseResult result)
     {
+        TextWriter output = result.Output();
+        string[] only = result.GetValue(_only) ?? [];
         foreach (string word in only)
         {
             bool known = false;
@@ -39,9 +45,9 @@ internal static class ExtremesCommand
         {
             if (only.Length == 0 || Array.IndexOf(only, extreme.Word) >= 0)
             {
-                ExtremeResult result = ExtremeRun.Drive(extreme);
-                all &= result.IsMet;
-                output.WriteLine($"{extreme.Word,-16} {extreme.Quantity,-46} {Show(extreme.Asked),10} {Show(result.Last),10} {Show(result.Failed),10}  {(result.IsMet ? "holds" : "MISSED")}");
+                ExtremeResult reached = ExtremeRun.Drive(extreme);
+                all &= reached.IsMet;
+                output.WriteLine($"{extreme.Word,-16} {extreme.Quantity,-46} {Show(extreme.Asked),10} {Show(reached.Last),10} {Show(reached.Failed),10}  {(reached.IsMet ? "holds" : "MISSED")}");
                 output.Flush();
             }
         }

@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy.General;
 
@@ -10,45 +12,40 @@ internal static class GeneralCommand
 {
     private const string CsvHeader = "scene,metric,value,limit,better,met,parameters";
 
-    /// <summary>Prints the table; true if every figure is met.</summary>
-    public static bool Run(string[] args, TextWriter output)
+    private static readonly Argument<string[]> _only = new("scene") { Description = "numbers of scenes, such as G01; none: all" };
+    private static readonly Option<int> _seed = Values.Whole("--seed", "draws the parameters", 0, int.MaxValue, 1);
+    private static readonly ValueOption<string?> _csv = Values.File("--csv", "writes the figures to a file too");
+    private static readonly Option<int> _iterations = Values.Whole("--iterations", "the dial", 1, Options.MostIterations, Options.DefaultIterations);
+    private static readonly ValueOption<double> _dt = new(
+        "--dt", "S", Options.WantedDuration, "seconds an update, also as a fraction; 1/60 by default", Options.TryDuration);
+
+    private static readonly Option<bool> _full = Values.Flag("--full", "runs G19 and G27 for their stated 10 minutes instead of 60 and 30 s");
+    private static readonly Option<bool> _each = Values.Flag("--each", "tells every sample");
+
+    public static Command Create() => Cli.Judged(
+        "general",
+        "Scenes that must hold for a whole range of parameters: the worst of each figure beside its limit.",
+        Run, _only, _seed, _csv, _iterations, _dt, _full, _each);
+
+    private static bool Run(ParseResult result)
     {
-        GeneralSettings settings = GeneralSettings.Default;
-        string? path = null;
-        var only = new List<GeneralScene>();
-        for (int i = 0; i < args.Length; i++)
+        double dt = result.GetValue(_dt);
+        GeneralSettings usual = GeneralSettings.Default;
+        GeneralSettings settings = usual with
         {
-            string Value() => ++i < args.Length ? args[i] : throw new UsageException($"general: {args[i - 1]} needs a value.");
-            switch (args[i])
-            {
-                case "--seed":
-                    settings = settings with { Seed = (uint)Options.WholeNumber("--seed", Value(), 0, int.MaxValue) };
-                    break;
-                case "--csv":
-                    path = Value();
-                    break;
-                case "--iterations":
-                    int iterations = Options.WholeNumber("--iterations", Value(), 1, 1000);
-                    settings = settings with { Dial = settings.Dial with { Iterations = iterations } };
-                    break;
-                case "--dt":
-                    settings = settings with { Dial = settings.Dial with { Dt = Options.Duration("--dt", Value()) } };
-                    break;
-                case "--full":
-                    settings = settings with { IsFull = true };
-                    break;
-                case "--each":
-                    settings = settings with { Each = output };
-                    break;
-                default:
-                    only.Add(GeneralCatalogue.Find(args[i])
-                        ?? throw new UsageException($"general: '{args[i]}' is no scene and no option; see --help."));
-                    break;
-            }
+            Seed = (uint)result.GetValue(_seed),
+            Dial = usual.Dial with { Iterations = result.GetValue(_iterations), Dt = dt > 0 ? dt : usual.Dial.Dt },
+            IsFull = result.GetValue(_full),
+            Each = result.GetValue(_each) ? result.Output() : null,
+        };
+        var only = new List<GeneralScene>();
+        foreach (string word in result.GetValue(_only) ?? [])
+        {
+            only.Add(GeneralCatalogue.Find(word) ?? throw new UsageException($"general: '{word}' is no scene."));
         }
 
-        using StreamWriter? csv = Cli.OpenCsv(path);
-        return Print(only.Count > 0 ? only : GeneralCatalogue.Scenes, settings, output, csv);
+        using StreamWriter? csv = Values.Open(_csv.Name, result.GetValue(_csv));
+        return Print(only.Count > 0 ? only : GeneralCatalogue.Scenes, settings, result.Output(), csv);
     }
 
     private static bool Print(

@@ -2,22 +2,22 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy.Reporting;
 
 /// <summary>The parts of documents that commands write, each between two marks; the prose around them is kept.</summary>
 internal static class GeneratedPart
 {
-    /// <summary>The document of a folder, from the options of a command, with its text.</summary>
-    /// <exception cref="UsageException">The options are others, or there is no such document.</exception>
-    public static (string Folder, string Path, string Text) Open(string command, string document, string[] args)
+    private const string UsualFolder = "docs";
+
+    public static ValueOption<string?> FolderOption() => Values.Word("--docs", "FOLDER", "the name of a folder", "where the documents are; docs by default");
+
+    /// <summary>The document of a folder with its text.</summary>
+    /// <exception cref="UsageException">There is no such document.</exception>
+    public static (string Folder, string Path, string Text) Open(string command, string document, string? folder)
     {
-        string folder = args.Length switch
-        {
-            0 => "docs",
-            2 when args[0] == "--docs" => args[1],
-            _ => throw new UsageException($"{command}: only --docs FOLDER is known."),
-        };
+        folder ??= UsualFolder;
         string path = Path.Combine(folder, document);
         return File.Exists(path)
             ? (folder, path, File.ReadAllText(path))

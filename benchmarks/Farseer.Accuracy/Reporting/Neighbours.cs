@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy.Reporting;
 
@@ -84,25 +86,20 @@ internal static class Neighbours
         new("S29_concave", "max_penetration_peak_mm", 5, 12, 30),
     ];
 
-    /// <summary>Prints the table; true if all is met.</summary>
-    public static bool Run(string[] args, TextWriter output)
+    private static readonly Argument<string[]> _only = new("scene") { Description = "names of scenes, full or short; none: all" };
+    private static readonly Option<int> _seed = Values.Whole("--seed", "draws the random values", 0, int.MaxValue, 1);
+    private static readonly Option<int> _count = Values.Whole("--count", "random values of each parameter", 0, int.MaxValue, DefaultCount);
+
+    public static Command Create() => Cli.Judged(
+        "neighbours", "The aims at parameters that nobody published: ends of ranges and random values between.", Run, _only, _seed, _count);
+
+    private static bool Run(ParseResult result)
     {
-        uint seed = 1;
-        int count = DefaultCount;
+        TextWriter output = result.Output();
         var only = new List<string>();
-        for (int i = 0; i < args.Length; i++)
+        foreach (string word in result.GetValue(_only) ?? [])
         {
-            bool hasValue = i + 1 < args.Length;
-            switch (args[i])
-            {
-                case "--seed" when hasValue && uint.TryParse(args[i + 1], NumberStyles.None, CultureInfo.InvariantCulture, out seed):
-                case "--count" when hasValue && int.TryParse(args[i + 1], NumberStyles.None, CultureInfo.InvariantCulture, out count):
-                    i++;
-                    break;
-                default:
-                    only.Add((Catalogue.Find(args[i]) ?? throw new UsageException($"neighbours: no scene is called '{args[i]}'; --seed N and --count N are known.")).Name);
-                    break;
-            }
+            only.Add((Catalogue.Find(word) ?? throw new UsageException($"neighbours: no scene is called '{word}'.")).Name);
         }
 
         output.WriteLine(Cli.Settings(0));
@@ -117,7 +114,7 @@ internal static class Neighbours
                 continue;
             }
 
-            foreach (double parameter in Values(one, seed, count))
+            foreach (double parameter in Parameters(one, (uint)result.GetValue(_seed), result.GetValue(_count)))
             {
                 bool holds = Check(one, parameter, done, output);
                 met += holds ? 1 : 0;
@@ -147,7 +144,7 @@ internal static class Neighbours
     }
 
     /// <summary>Both ends and random values between, the same for the same seed and scene.</summary>
-    public static List<double> Values(Neighbourhood one, uint seed, int count)
+    public static List<double> Parameters(Neighbourhood one, uint seed, int count)
     {
         bool whole = Catalogue.Find(one.Scene)!.Range.WholeNumber;
         bool wide = one.From > 0 && one.To / one.From > WideRange;

@@ -1,9 +1,11 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using System.Text;
 using Farseer.Accuracy.Sweeping;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy.Reporting;
 
@@ -13,14 +15,19 @@ internal static class ReportCommand
     private const string Document = "Accuracy.md";
     private const string PlotFolder = "plots";
 
-    public static void Run(string[] args, TextWriter output)
+    private static readonly Option<bool> _plotsOnly = Values.Flag("--plots", "the plots alone");
+    private static readonly ValueOption<string?> _docs = GeneratedPart.FolderOption();
+
+    public static Command Create() => Cli.Plain(
+        "report", "Writes the tables and plots of docs/Accuracy.md from the stored sweep and fresh runs.", Run, _plotsOnly, _docs);
+
+    private static void Run(ParseResult result)
     {
-        bool isPlotsOnly = args.Length > 0 && args[0] == "--plots";
-        (string folder, string path, string text) = GeneratedPart.Open("report", Document, isPlotsOnly ? args[1..] : args);
+        (string folder, string path, string text) = GeneratedPart.Open("report", Document, result.GetValue(_docs));
         var points = new List<SweepPoint>(SweepData.Stored());
         points.AddRange(SweepData.Peers());
         text = GeneratedPart.Replaced(text, "plots", Plots(folder, points));
-        if (!isPlotsOnly)
+        if (!result.GetValue(_plotsOnly))
         {
             text = GeneratedPart.Replaced(text, "aims", AimLines());
             text = GeneratedPart.Replaced(text, "costs", Costs.Lines());
@@ -30,7 +37,7 @@ internal static class ReportCommand
         }
 
         File.WriteAllText(path, text);
-        output.WriteLine($"written: {path} and {SweepScene.All.Count} plots");
+        result.Output().WriteLine($"written: {path} and {SweepScene.All.Count} plots");
     }
 
     private static List<string> AimLines()

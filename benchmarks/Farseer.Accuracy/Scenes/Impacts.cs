@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy.Scenes;
 

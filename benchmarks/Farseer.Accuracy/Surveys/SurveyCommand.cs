@@ -1,45 +1,28 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy.Surveys;
 
 /// <summary>Plays the variations of surveys and counts those that exceed their limits.</summary>
 internal static class SurveyCommand
 {
-    /// <summary>Prints the table; true if every variation holds.</summary>
-    public static bool Run(string[] args, TextWriter output)
-    {
-        uint seed = 1;
-        int? count = null;
-        string? path = null;
-        var words = new List<string>();
-        for (int i = 0; i < args.Length; i++)
-        {
-            string? value = i + 1 < args.Length ? args[i + 1] : null;
-            switch (args[i])
-            {
-                case "--seed":
-                    seed = (uint)Number(args[i], value);
-                    i++;
-                    break;
-                case "--count":
-                    count = Number(args[i], value);
-                    i++;
-                    break;
-                case "--csv":
-                    path = value ?? throw new UsageException("surveys: --csv needs a file name.");
-                    i++;
-                    break;
-                default:
-                    words.Add(args[i]);
-                    break;
-            }
-        }
+    private static readonly Argument<string[]> _words = new("kind") { Description = "kinds of faults, such as K1; none: all" };
+    private static readonly Option<int> _seed = Values.Whole("--seed", "draws the random variations", 0, int.MaxValue, 1);
+    private static readonly ValueOption<int?> _count = Values.Whole("--count", "random variations of each kind", 0);
+    private static readonly ValueOption<string?> _csv = Values.File("--csv", "writes the figures to a file too");
 
-        List<Survey> chosen = Choose(words);
-        using StreamWriter? csv = Cli.OpenCsv(path);
+    public static Command Create() => Cli.Judged(
+        "surveys", "Kinds of faults found before, each in a grid of variations and in random ones.", Run, _words, _seed, _count, _csv);
+
+    private static bool Run(ParseResult result)
+    {
+        TextWriter output = result.Output();
+        List<Survey> chosen = Choose([.. result.GetValue(_words) ?? []]);
+        using StreamWriter? csv = Values.Open(_csv.Name, result.GetValue(_csv));
         csv?.WriteLine("survey,variation,figure,limit,held");
         output.WriteLine($"{"survey",-6} {"variations",10} {"failures",9} {"median",10} {"worst",10} {"limit",8}  of the worst");
         int passed = 0;
@@ -47,7 +30,7 @@ internal static class SurveyCommand
         foreach (Survey survey in chosen)
         {
             var tally = new Tally(survey.Name);
-            foreach (Variation variation in survey.Variations(seed, count))
+            foreach (Variation variation in survey.Variations((uint)result.GetValue(_seed), result.GetValue(_count)))
             {
                 tally.Take(variation, csv);
             }
@@ -85,7 +68,7 @@ internal static class SurveyCommand
                 }
 
                 string known = string.Join(", ", names);
-                throw new UsageException($"surveys: '{word}' is none of {known}; --seed N, --count N and --csv FILE are known.");
+                throw new UsageException($"surveys: '{word}' is none of {known}.");
             }
         }
 
@@ -95,11 +78,6 @@ internal static class SurveyCommand
     /// <summary>A kind's word stands for all its parts: K7 for K7a and K7b, K1 not for K11.</summary>
     private static bool Means(string word, string name) =>
         name == word || (name.StartsWith(word, StringComparison.Ordinal) && char.IsAsciiLetterLower(name[word.Length]));
-
-    private static int Number(string option, string? value) =>
-        int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out int number)
-            ? number
-            : throw new UsageException($"surveys: {option} needs a whole number of at least 0.");
 
     /// <summary>What became of a survey's variations.</summary>
     private sealed class Tally(string name)

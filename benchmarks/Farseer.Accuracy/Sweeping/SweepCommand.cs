@@ -1,9 +1,11 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Threading;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy.Sweeping;
 
@@ -29,27 +31,18 @@ internal static class SweepCommand
 
     private static readonly double[] _steps = [1.0 / 15, 1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 / 1000];
 
-    public static void Run(string[] args, TextWriter output)
-    {
-        string? path = null;
-        int runs = 3;
-        for (int i = 0; i < args.Length; i += 2)
-        {
-            bool hasValue = i + 1 < args.Length;
-            switch (args[i])
-            {
-                case "--out" when hasValue:
-                    path = args[i + 1];
-                    break;
-                case "--runs" when hasValue && int.TryParse(args[i + 1], NumberStyles.None, CultureInfo.InvariantCulture, out runs) && runs >= 1:
-                    break;
-                default:
-                    throw new UsageException($"sweep: '{args[i]}' is not understood; --out FILE and --runs N are known.");
-            }
-        }
+    private static readonly ValueOption<string?> _out = Values.File("--out", "writes the points to a file too");
+    private static readonly Option<int> _runs = Values.Whole("--runs", "runs for the clock", 1, 1000, 3);
 
+    public static Command Create() => Cli.Plain(
+        "sweep", "The dials of ten scenes: error against cost, hypervolume, time to 1 %, floors.", Run, _out, _runs);
+
+    private static void Run(ParseResult result)
+    {
+        TextWriter output = result.Output();
+        string? path = result.GetValue(_out);
         WarmUp();
-        List<SweepPoint> own = Measure(runs, output);
+        List<SweepPoint> own = Measure(result.GetValue(_runs), output);
         if (path is not null)
         {
             SweepData.Write(path, own);

@@ -1,9 +1,11 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using Farseer.Accuracy.General;
 using Farseer.Accuracy.Reporting;
+using Farseer.CommandLines;
 
 namespace Farseer.Accuracy.Truth;
 
@@ -17,35 +19,31 @@ internal static class TruthCommand
         ("general", AddGeneral),
     ];
 
-    public static void Run(string[] args, TextWriter output)
+    private static readonly Argument<string[]> _only = new("part") { Description = "goals, aims or general; none: all" };
+    private static readonly ValueOption<string?> _csv = Values.File("--csv", "the file");
+    private static readonly Option<int> _seed = Values.Whole("--seed", "draws the parameters of general scenes", 0, int.MaxValue, 1);
+
+    public static Command Create() => Cli.Plain(
+        "truth", "Writes every figure of goals, aims and general scenes with its limit, one a line.", Run, _only, _csv, _seed);
+
+    private static void Run(ParseResult result)
     {
-        string? path = null;
-        GeneralSettings settings = GeneralSettings.Default;
-        var only = new List<string>();
-        for (int i = 0; i < args.Length; i++)
+        TextWriter output = result.Output();
+        string[] only = result.GetValue(_only) ?? [];
+        GeneralSettings settings = GeneralSettings.Default with { Seed = (uint)result.GetValue(_seed) };
+        foreach (string word in only)
         {
-            string Value() => ++i < args.Length ? args[i] : throw new UsageException($"truth: {args[i - 1]} needs a value.");
-            switch (args[i])
+            if (!Array.Exists(_parts, part => part.Name == word))
             {
-                case "--csv":
-                    path = Value();
-                    break;
-                case "--seed":
-                    settings = settings with { Seed = (uint)Options.WholeNumber("--seed", Value(), 0, int.MaxValue) };
-                    break;
-                default:
-                    only.Add(Array.Exists(_parts, part => part.Name == args[i])
-                        ? args[i]
-                        : throw new UsageException($"truth: '{args[i]}' is no part and no option; see --help."));
-                    break;
+                throw new UsageException($"truth: '{word}' is none of goals, aims, general.");
             }
         }
 
-        using StreamWriter csv = Cli.OpenCsv(path) ?? throw new UsageException("truth: name a file with --csv FILE.");
+        using StreamWriter csv = Values.Open(_csv.Name, result.GetValue(_csv)) ?? throw new UsageException("truth: name a file with --csv FILE.");
         var figures = new List<TruthFigure>();
         foreach ((string name, Action<List<TruthFigure>, GeneralSettings> add) in _parts)
         {
-            if (only.Count == 0 || only.Contains(name))
+            if (only.Length == 0 || Array.IndexOf(only, name) >= 0)
             {
                 int before = figures.Count;
                 add(figures, settings);

@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using System.Numerics;
+using Farseer.CommandLines;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Dynamics;
 
@@ -28,42 +30,19 @@ internal static class TruthfulCommand
     /// <summary>Budgets that each scene is asked to keep, m.</summary>
     private static readonly float[] _budgets = [1e-6f, 1e-5f, 1e-4f, 1e-3f, 1e-2f];
 
-    /// <summary>Prints the shares; true if all are as they should be.</summary>
-    /// <param name="args">--count N, --seed N, --csv FILE.</param>
-    /// <param name="output">Where the table goes.</param>
-    public static bool Run(string[] args, TextWriter output)
+    private static readonly Option<int> _count = Values.Whole("--count", "scenes", 1, int.MaxValue, 300);
+    private static readonly Option<int> _seed = Values.Whole("--seed", "draws the scenes", 1, int.MaxValue, 1);
+    private static readonly ValueOption<string?> _csv = Values.File("--csv", "writes the figures to a file too");
+
+    public static Command Create() => Cli.Judged(
+        "truthful", "Whether reports and budgets tell the truth, on random scenes against 64 times the iterations.", Run, _count, _seed, _csv);
+
+    private static bool Run(ParseResult result)
     {
-        int count = 300;
-        int seed = 1;
-        string? path = null;
-        for (int i = 0; i < args.Length; i += 2)
-        {
-            string text = i + 1 < args.Length ? args[i + 1] : string.Empty;
-            if (args[i] == "--csv")
-            {
-                path = text;
-                continue;
-            }
-
-            if (!int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int value) || value == 0)
-            {
-                throw new UsageException($"truthful: {args[i]} needs a whole number above 0.");
-            }
-
-            switch (args[i])
-            {
-                case "--count":
-                    count = value;
-                    break;
-                case "--seed":
-                    seed = value;
-                    break;
-                default:
-                    throw new UsageException($"truthful: unknown argument '{args[i]}'.");
-            }
-        }
-
-        using StreamWriter? csv = Cli.OpenCsv(path);
+        TextWriter output = result.Output();
+        int count = result.GetValue(_count);
+        int seed = result.GetValue(_seed);
+        using StreamWriter? csv = Values.Open(_csv.Name, result.GetValue(_csv));
         var kinds = new Dictionary<string, Tally>();
         var all = new Tally("all");
         foreach (string kind in RandomScene.Kinds)

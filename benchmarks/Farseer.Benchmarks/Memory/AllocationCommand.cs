@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using Farseer.Scenes.Performance;
@@ -10,26 +11,22 @@ namespace Farseer.Benchmarks.Memory;
 /// <summary>The verb <c>allocation</c>: what scenes still allocate after their first second, in which step last, and which stores hold it.</summary>
 internal static class AllocationCommand
 {
-    public const string Usage = "allocation [SCENE [STEPS]]";
-    private const int Misused = 2;
     private const int WarmSteps = 60;
 
-    public static int Run(ReadOnlySpan<string> args, TextWriter output, TextWriter errors)
-    {
-        int steps = 0;
-        PerformanceScene? chosen = args.Length > 0 ? PerformanceScenes.Find(args[0]) : null;
-        if ((args.Length > 0 && chosen == null)
-            || (args.Length > 1 && !int.TryParse(args[1], NumberStyles.None, CultureInfo.InvariantCulture, out steps)))
-        {
-            errors.WriteLine($"usage: {Usage}");
-            return Misused;
-        }
+    private static readonly Argument<string?> _scene = Verb.Maybe("scene", "the name of a scene; without, all of them");
+    private static readonly Argument<int> _steps = Verb.Maybe("steps", "updates; 0: the scene's own number", 0);
 
+    public static Command Create() => Verb.Of("allocation", "What scenes allocate after their first second, by store.", Run, _scene, _steps);
+
+    private static int Run(ParseResult result)
+    {
+        PerformanceScene? chosen = result.GetValue(_scene) is string name ? Verb.Scene(name) : null;
+        int steps = result.GetValue(_steps);
         foreach (PerformanceScene scene in PerformanceScenes.All)
         {
-            if (chosen == null || scene == chosen)
+            if (chosen == null || scene.Name == chosen.Name)
             {
-                Print(output, scene, steps > 0 ? steps : scene.Steps);
+                Print(result.Output(), scene, steps > 0 ? steps : scene.Steps);
             }
         }
 

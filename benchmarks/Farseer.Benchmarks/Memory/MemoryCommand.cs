@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using Farseer.Scenes.Performance;
@@ -10,25 +11,19 @@ namespace Farseer.Benchmarks.Memory;
 /// <summary>The verb <c>memory</c>: what a scene keeps, in bytes a body, and which stores keep it.</summary>
 internal static class MemoryCommand
 {
-    public const string Usage = "memory [SCENE [STEPS]]";
-    private const int Misused = 2;
     private const int DefaultSteps = 100;
 
     /// <summary>Stores of less, bytes a body, are summed up.</summary>
     private const double LeastShown = 10;
 
-    public static int Run(ReadOnlySpan<string> args, TextWriter output, TextWriter errors)
-    {
-        string name = args.Length > 0 ? args[0] : "large_pyramid";
-        int steps = DefaultSteps;
-        if (PerformanceScenes.Find(name) is not { } scene
-            || (args.Length > 1 && !int.TryParse(args[1], NumberStyles.None, CultureInfo.InvariantCulture, out steps)))
-        {
-            errors.WriteLine($"usage: {Usage}");
-            return Misused;
-        }
+    private static readonly Argument<string?> _scene = Verb.Maybe("scene", "the name of a scene; without, large_pyramid");
+    private static readonly Argument<int> _steps = Verb.Maybe("steps", "updates before it is measured", DefaultSteps);
 
-        Print(output, scene, steps);
+    public static Command Create() => Verb.Of("memory", "What a scene keeps in memory, bytes a body by store.", Run, _scene, _steps);
+
+    private static int Run(ParseResult result)
+    {
+        Print(result.Output(), Verb.Scene(result.GetValue(_scene) ?? "large_pyramid"), result.GetValue(_steps));
         return 0;
     }
 

@@ -1,7 +1,9 @@
 using System;
+using System.CommandLine;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
+using Farseer.CommandLines;
 using Farseer.Scenes.Performance;
 using FarseerGames.FarseerPhysics;
 
@@ -13,9 +15,6 @@ namespace Farseer.Benchmarks.Scenes;
 /// </summary>
 internal static class RestingTiming
 {
-    public const string Usage = "resting [--csv FILE]";
-
-    private const int Misused = 2;
     private const int Steps = 100_000;
     private const int BlockSteps = 2000;
     private const int WarmBlocks = 50;
@@ -23,25 +22,15 @@ internal static class RestingTiming
 
     private static readonly int[] Sizes = [1, 5, 10, 20];
 
-    public static int Run(ReadOnlySpan<string> args, TextWriter output, TextWriter errors)
-    {
-        if (args.Length != 0 && (args.Length != 2 || args[0] != "--csv"))
-        {
-            errors.WriteLine($"usage: {Usage}");
-            return Misused;
-        }
+    private static readonly ValueOption<string?> _csv = Values.File("--csv", "writes the times to a file too");
 
-        try
-        {
-            using StreamWriter? csv = args.Length == 0 ? null : new StreamWriter(args[1]);
-            Measure(output, csv);
-            return 0;
-        }
-        catch (Exception mistake) when (mistake is IOException or UnauthorizedAccessException)
-        {
-            errors.WriteLine(mistake.Message);
-            return Misused;
-        }
+    public static Command Create() => Verb.Of("resting", "Time of a step of 1, 5, 10 and 20 boxes at rest.", Run, _csv);
+
+    private static int Run(ParseResult result)
+    {
+        using StreamWriter? csv = Values.Open(_csv.Name, result.GetValue(_csv));
+        Measure(result.Output(), csv);
+        return 0;
     }
 
     private static void Measure(TextWriter output, StreamWriter? csv)

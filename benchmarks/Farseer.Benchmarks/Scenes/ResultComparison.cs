@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
 
@@ -11,28 +12,19 @@ namespace Farseer.Benchmarks.Scenes;
 /// </summary>
 internal static class ResultComparison
 {
-    public const string Usage = "compare FILE [FILE2]";
-    private const int Misused = 2;
+    private static readonly Argument<string> _first = new("file") { Description = "a file of results" };
+    private static readonly Argument<string?> _second = Verb.Maybe("file2", "another one; without, a run made now");
 
-    public static int Run(ReadOnlySpan<string> args, TextWriter output, TextWriter errors)
+    public static Command Create() => Verb.Of("compare", "Two result files of scenes --csv side by side; one: beside a run made now.", Run, _first, _second);
+
+    private static int Run(ParseResult result)
     {
-        try
-        {
-            if (args.Length is < 1 or > 2)
-            {
-                throw new FormatException($"usage: {Usage}");
-            }
-
-            List<Result> first = Read(args[0]);
-            List<Result> second = args.Length == 2 ? Read(args[1]) : RunAgain(first);
-            Print(output, args[0], args.Length == 2 ? args[1] : "now", first, second);
-            return 0;
-        }
-        catch (Exception mistake) when (mistake is FormatException or IOException or UnauthorizedAccessException)
-        {
-            errors.WriteLine(mistake.Message);
-            return Misused;
-        }
+        string first = result.GetRequiredValue(_first);
+        string? second = result.GetValue(_second);
+        List<Result> before = Read(first);
+        List<Result> after = second is null ? RunAgain(before) : Read(second);
+        Print(result.Output(), first, second ?? "now", before, after);
+        return 0;
     }
 
     private static void Print(TextWriter output, string firstName, string secondName, List<Result> first, List<Result> second)

@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
+using Farseer.CommandLines;
 using Farseer.Scenes.Performance;
 
 namespace Farseer.Benchmarks.Scenes;
@@ -9,55 +11,22 @@ namespace Farseer.Benchmarks.Scenes;
 /// <summary>The verb <c>scenes</c>: times whole steps of the performance scenes.</summary>
 internal static class SceneCommand
 {
-    public const string Usage = "scenes [--scene NAME[=SIZE]] [--workers N] [--runs N] [--steps N] [--csv FILE]";
-    private const int Misused = 2;
+    private const int DefaultRuns = 5;
+    private const int MostRuns = 1000;
 
-    public static int Run(ReadOnlySpan<string> args, TextWriter output, TextWriter errors)
+    private static readonly ValuesOption<(PerformanceScene Scene, int Size)> _scenes = new(
+        "--scene", "NAME[=SIZE]", "the name of a scene, with or without a size", "a scene; may be repeated; by default all", TryScene);
+
+    private static readonly Option<int> _workers = Values.Whole("--workers", "threads that share an update; 0: one a processor", 0, MostRuns, 1);
+    private static readonly Option<int> _runs = Values.Whole("--runs", "runs after one that warms up", 1, MostRuns, DefaultRuns);
+    private static readonly ValueOption<int?> _steps = Values.Whole("--steps", "updates instead of the scene's own number", 2, 1_000_000);
+    private static readonly ValueOption<string?> _csv = Values.File("--csv", "writes the times to a file too");
+
+    public static Command Create() => Verb.Of("scenes", "Times of whole steps of the performance scenes.", Run, _scenes, _workers, _runs, _steps, _csv);
+
+    private static int Run(ParseResult result)
     {
-        try
-        {
-            Execute(args, output);
-            return 0;
-        }
-        catch (Exception mistake) when (mistake is FormatException or IOException or UnauthorizedAccessException)
-        {
-            errors.WriteLine(mistake.Message);
-            return Misused;
-        }
-    }
-
-    private static void Execute(ReadOnlySpan<string> args, TextWriter output)
-    {
-        var chosen = new List<(PerformanceScene Scene, int Size)>();
-        int runs = 5;
-        int steps = 0;
-        int workers = 1;
-        string? csvPath = null;
-        for (int i = 0; i < args.Length; i += 2)
-        {
-            string value = i + 1 < args.Length ? args[i + 1] : string.Empty;
-            switch (args[i])
-            {
-                case "--scene":
-                    chosen.Add(Choose(value));
-                    break;
-                case "--runs":
-                    runs = WholeNumber(args[i], value, 1, 1000);
-                    break;
-                case "--steps":
-                    steps = WholeNumber(args[i], value, 2, 1_000_000);
-                    break;
-                case "--workers":
-                    workers = WholeNumber(args[i], value, 0, 1000);
-                    break;
-                case "--csv":
-                    csvPath = value.Length > 0 ? value : throw new FormatException("--csv needs a file name.");
-                    break;
-                default:
-                    throw new FormatException($"unknown argument '{args[i]}'; usage: {Usage}");
-            }
-        }
-
+        var chosen = new List<(PerformanceScene Scene, int Size)>(result.GetRequiredValue(_scenes));
         if (chosen.Count == 0)
         {
             foreach (PerformanceScene scene in PerformanceScenes.All)
@@ -66,16 +35,21 @@ internal static class SceneCommand
             }
         }
 
-        using StreamWriter? csv = csvPath is null ? null : new StreamWriter(csvPath);
+        TextWriter output = result.Output();
+        int workers = result.GetValue(_workers);
+        int runs = result.GetValue(_runs);
+        using StreamWriter? csv = Values.Open(_csv.Name, result.GetValue(_csv));
         csv?.WriteLine(SceneTiming.CsvHeader);
         output.WriteLine($"{Asset.Name}, {Asset.Lanes} lanes, {Workers(workers)}, {runs} runs after one that warms up; the first step of a run is not timed");
         foreach ((PerformanceScene scene, int size) in chosen)
         {
-            var timing = new SceneTiming(scene, size, steps == 0 ? scene.Steps : steps, workers);
+            var timing = new SceneTiming(scene, size, result.GetValue(_steps) ?? scene.Steps, workers);
             timing.Run(runs);
             Print(output, $"{scene.Name}={size}", timing, workers);
             csv?.WriteLine(timing.ToCsv());
         }
+
+        return 0;
     }
 
     private static void Print(TextWriter output, string name, SceneTiming timing, int workers)
@@ -105,13 +79,18 @@ internal static class SceneCommand
         output.WriteLine($"  by phase: {string.Join(", ", parts)}");
     }
 
-    private static (PerformanceScene Scene, int Size) Choose(string text)
+    private static bool TryScene(string text, out (PerformanceScene Scene, int Size) choice)
     {
         string[] parts = text.Split('=', 2);
-        PerformanceScene scene = PerformanceScenes.Find(parts[0]) ?? throw new FormatException(
-            $"no scene is called '{parts[0]}'; there are {Names()}.");
-        int size = parts.Length == 1 ? scene.DefaultSize : WholeNumber($"{scene.Name} ({scene.SizeMeaning})", parts[1], 1, scene.LargestSize);
-        return (scene, size);
+        PerformanceScene scene = Verb.Scene(parts[0]);
+        int size = scene.DefaultSize;
+        if (parts.Length == 2 && !Values.TryWhole(parts[1], 1, scene.LargestSize, out size))
+        {
+            throw new UsageException($"{scene.Name} ({scene.SizeMeaning}): '{parts[1]}' is not a whole number from 1 to {scene.LargestSize}.");
+        }
+
+        choice = (scene, size);
+        return true;
     }
 
     private static string Workers(int count) => count switch
@@ -120,25 +99,4 @@ internal static class SceneCommand
         1 => "1 worker",
         _ => $"{count} workers",
     };
-
-    private static string Names()
-    {
-        var names = new List<string>();
-        foreach (PerformanceScene scene in PerformanceScenes.All)
-        {
-            names.Add(scene.Name);
-        }
-
-        return string.Join(", ", names);
-    }
-
-    private static int WholeNumber(string what, string text, int least, int most)
-    {
-        if (!int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int value) || value < least || value > most)
-        {
-            throw new FormatException($"{what}: '{text}' is not a whole number from {least} to {most}.");
-        }
-
-        return value;
-    }
 }

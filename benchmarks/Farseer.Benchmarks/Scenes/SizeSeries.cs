@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using Farseer.Scenes.Performance;
@@ -9,9 +10,6 @@ namespace Farseer.Benchmarks.Scenes;
 /// <summary>The verb <c>series</c>: what a body costs in a step, from a handful of bodies to a million, beside what it costs among a thousand.</summary>
 internal static class SizeSeries
 {
-    public const string Usage = "series [LARGEST]";
-    private const int Misused = 2;
-
     /// <summary>The same steps for all sizes, so that they are compared in the same state.</summary>
     private const int Steps = 60;
 
@@ -27,15 +25,15 @@ internal static class SizeSeries
     private static readonly int[] _bases = [5, 14, 44, 140, 446];
     private static readonly int[] _circles = [100, 1000, 10_000, 100_000, 1_000_000];
 
-    public static int Run(ReadOnlySpan<string> args, TextWriter output, TextWriter errors)
-    {
-        int largest = int.MaxValue;
-        if (args.Length > 1 || (args.Length == 1 && !int.TryParse(args[0], NumberStyles.None, CultureInfo.InvariantCulture, out largest)))
-        {
-            errors.WriteLine($"usage: {Usage}");
-            return Misused;
-        }
+    private static readonly Argument<int> _largest = Verb.Maybe("largest", "bodies at most", int.MaxValue);
 
+    public static Command Create() =>
+        Verb.Of("series", "ns a body-step from 15 bodies to 1,000,000, or to the largest, beside those of 1,000.", Run, _largest);
+
+    private static int Run(ParseResult result)
+    {
+        TextWriter output = result.Output();
+        int largest = result.GetValue(_largest);
         output.WriteLine($"{Asset.Name}, {Asset.Lanes} lanes, {Steps} steps, best of each step; ratio to {Reference} bodies");
         Print(new LargePyramid(), _bases, size => size * (size + 1) / 2, largest, output);
         Print(new CirclePile(), _circles, size => size, largest, output);

@@ -1,4 +1,5 @@
 using System;
+using System.CommandLine;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
@@ -12,24 +13,19 @@ namespace Farseer.Benchmarks.States;
 /// </summary>
 internal static class StateTiming
 {
-    public const string Usage = "rollback [SCENE …]";
-
     private const int WarmSteps = 60;
     private const int Turns = 30;
     private const int Back = 8;
 
-    public static int Run(ReadOnlySpan<string> args, TextWriter output, TextWriter error)
-    {
-        string[] names = args.ToArray();
-        foreach (string name in names)
-        {
-            if (PerformanceScenes.All.All(s => s.Name != name))
-            {
-                error.WriteLine($"unknown scene '{name}'");
-                return 1;
-            }
-        }
+    private static readonly Argument<string[]> _scenes = new("scene") { Description = "names of scenes; none: all" };
 
+    public static Command Create() => Verb.Of(
+        "rollback", "What states and frames of a rollback buffer take, as shares of an update.", Run, _scenes);
+
+    private static int Run(ParseResult result)
+    {
+        TextWriter output = result.Output();
+        string[] names = [.. (result.GetValue(_scenes) ?? []).Select(name => Verb.Scene(name).Name)];
         output.WriteLine($"one worker, after {WarmSteps} updates (half of a shorter scene), medians of {Turns} turns; shares are of the update of the same turn;");
         output.WriteLine($"rewind is by {Back} frames; bytes a frame are the mean of the frames but the newest, which is whole");
         output.WriteLine("| scene | bodies | asleep | bytes a body | an update | bytes a body and frame | capture | restore | push | rewind |");

@@ -1,4 +1,5 @@
 using System;
+using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using BenchmarkDotNet.Configs;
@@ -7,6 +8,7 @@ using BenchmarkDotNet.Jobs;
 using BenchmarkDotNet.Reports;
 using BenchmarkDotNet.Running;
 using BenchmarkDotNet.Toolchains.InProcess.Emit;
+using Farseer.CommandLines;
 
 namespace Farseer.Benchmarks.Suites;
 
@@ -16,25 +18,28 @@ namespace Farseer.Benchmarks.Suites;
 /// </summary>
 internal static class SuiteCommand
 {
-    public const string Usage = "bdn [FILE [SUITE]]";
+    private static readonly Argument<string?> _file = Verb.Maybe("file", "takes the figures as CSV");
+    private static readonly Argument<string?> _suite = Verb.Maybe("suite", "a part of the name of suites");
 
-    public static int Run(string[] args, TextWriter output)
+    public static Command Create() => Verb.Of("bdn", "The suites of BenchmarkDotNet: kernels, pairs, joints, whole scenes.", Run, _file, _suite);
+
+    private static int Run(ParseResult result)
     {
         IConfig config = DefaultConfig.Instance
             .AddJob(Job.ShortRun.WithToolchain(InProcessEmitToolchain.Instance))
             .AddDiagnoser(MemoryDiagnoser.Default)
             .WithOptions(ConfigOptions.DisableLogFile | ConfigOptions.JoinSummary)
             .WithArtifactsPath(Path.Combine(Path.GetTempPath(), "Farseer.Benchmarks"));
-        string wanted = args.Length > 1 ? args[1] : string.Empty;
+        string wanted = result.GetValue(_suite) ?? string.Empty;
         Type[] suites = [typeof(KernelSuite), typeof(HullSuite), typeof(PairSuite), typeof(JointSuite), typeof(SceneSuite)];
         Summary[] summaries = BenchmarkRunner.Run(Array.FindAll(suites, suite => suite.Name.Contains(wanted, StringComparison.OrdinalIgnoreCase)), config);
-        if (args.Length > 0)
+        using StreamWriter? csv = Values.Open(_file.Name, result.GetValue(_file));
+        if (csv is not null)
         {
-            using var csv = new StreamWriter(args[0]);
             Write(csv, summaries);
         }
 
-        output.WriteLine("The times of the kernels are those of one contact, all others those of one search or update.");
+        result.Output().WriteLine("The times of the kernels are those of one contact, all others those of one search or update.");
         return 0;
     }
 

@@ -1,8 +1,10 @@
 using System;
+using System.CommandLine;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using Farseer.Benchmarks.Scenes;
+using Farseer.CommandLines;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Simulation;
 
@@ -14,8 +16,6 @@ namespace Farseer.Benchmarks.Trees;
 /// </summary>
 internal static class TreeTiming
 {
-    public const string Usage = "trees [NAME | kinds [PART]] [--runs N] [--lanes] [--csv FILE]";
-
     private const float Dt = 1f / 60;
     private const int WarmSteps = 60;
     private const int Steps = 240;
@@ -43,38 +43,22 @@ internal static class TreeTiming
         new("puppets", "the same with friction in their hinges", () => TreeScenes.Ragdolls(64, true, true)),
     ];
 
-    public static int Run(ReadOnlySpan<string> arguments, TextWriter output)
-    {
-        string name = "";
-        string part = "";
-        int runs = DefaultRuns;
-        bool lanesOnly = false;
-        string? csvPath = null;
-        for (int i = 0; i < arguments.Length; i++)
-        {
-            if (arguments[i] == "--runs" && i + 1 < arguments.Length)
-            {
-                runs = int.Parse(arguments[++i], CultureInfo.InvariantCulture);
-            }
-            else if (arguments[i] == "--csv" && i + 1 < arguments.Length)
-            {
-                csvPath = arguments[++i];
-            }
-            else if (arguments[i] == "--lanes")
-            {
-                lanesOnly = true;
-            }
-            else if (name == "kinds")
-            {
-                part = arguments[i];
-            }
-            else
-            {
-                name = arguments[i];
-            }
-        }
+    private static readonly Argument<string?> _name = Verb.Maybe("name", "the name of one scene, or 'kinds' for each kind of link");
+    private static readonly Argument<string?> _part = Verb.Maybe("part", "of 'kinds', those whose name has it");
+    private static readonly Option<int> _runs = Values.Whole("--runs", "runs of a scene", 1, int.MaxValue, DefaultRuns);
+    private static readonly Option<bool> _lanes = Values.Flag("--lanes", "side by side alone, not one by one");
+    private static readonly ValueOption<string?> _csv = Values.File("--csv", "writes the times to a file too");
 
-        using StreamWriter? csv = csvPath is null ? null : new StreamWriter(csvPath);
+    public static Command Create() => Verb.Of("trees", "Time of trees of joints, ns a body and substep.", Run, _name, _part, _runs, _lanes, _csv);
+
+    private static int Run(ParseResult result)
+    {
+        TextWriter output = result.Output();
+        string name = result.GetValue(_name) ?? string.Empty;
+        string part = result.GetValue(_part) ?? string.Empty;
+        int runs = result.GetValue(_runs);
+        bool lanesOnly = result.GetValue(_lanes);
+        using StreamWriter? csv = Values.Open(_csv.Name, result.GetValue(_csv));
         csv?.WriteLine(StepTimes.CsvHeader);
         output.WriteLine($"ns a body and substep: mean over {Steps} steps of the least of {runs} runs; user time, median; the least with trees one by one");
         if (name == "kinds")

@@ -1,7 +1,10 @@
 using System;
 using System.Globalization;
+using Farseer.CommandLines;
+using Farseer.Samples.Terminal;
 using Farseer.Scenes;
 using FarseerGames.FarseerPhysics;
+using Spectre.Console;
 
 namespace Farseer.Samples.Commands;
 
@@ -23,17 +26,18 @@ internal static class AdviseCommand
         float seconds = Math.Min((options.Steps ?? scene.Steps) * scene.Dt, LongestSeconds);
         float error = options.Error
             ?? UsualShare * Math.Max(scene.View.Max.X - scene.View.Min.X, scene.View.Max.Y - scene.View.Min.Y);
+        Console.WriteLine(FormattableString.Invariant($"{scene.Title}: the cheapest setting for an error of {error:G3} in {seconds:0.##} s"));
         AccuracyAdvice advice;
         try
         {
-            advice = AccuracyAdvisor.Advise(() => Build(scene), scene.Step, seconds, error);
+            advice = Advise(scene, seconds, error);
         }
         catch (ArgumentException e)
         {
             throw new UsageException(e.Message.ReplaceLineEndings(" "));
         }
 
-        Write(advice, scene);
+        Write(advice);
         AccuracyPoint? cheapest = advice.Cheapest;
         Console.WriteLine(cheapest is AccuracyPoint best
             ? FormattableString.Invariant($"cheapest with an error of at most {error:G3}: {best.Iterations} iterations at {1 / best.Dt:0} updates a second")
@@ -43,6 +47,18 @@ internal static class AdviseCommand
         return cheapest is null ? NotReached : Fine;
     }
 
+    /// <summary>With a bar, as it takes minutes for a large scene.</summary>
+    private static AccuracyAdvice Advise(Scene scene, float seconds, float error)
+    {
+        if (Console.IsOutputRedirected)
+        {
+            return AccuracyAdvisor.Advise(() => Build(scene), scene.Step, seconds, error);
+        }
+
+        return ProgressBar.Show(scene.Name, 1, bar =>
+            AccuracyAdvisor.Advise(() => Build(scene), scene.Step, seconds, error, new BarProgress(bar)));
+    }
+
     private static PhysicsSimulator Build(Scene scene)
     {
         PhysicsSimulator simulator = new();
@@ -50,9 +66,9 @@ internal static class AdviseCommand
         return simulator;
     }
 
-    private static void Write(AccuracyAdvice advice, Scene scene)
+    private static void Write(AccuracyAdvice advice)
     {
-        Console.WriteLine(scene.Title + ": lengths of the constraint error (overlaps,");
+        Console.WriteLine("Lengths of the constraint error (overlaps,");
         Console.WriteLine("joints, slip, impacts) and of the motion error (where bodies are);");
         Console.WriteLine("milliseconds for a second of the scene");
         Console.WriteLine("rate  iterations  constr.   motion      rms      end   work  ms/second");
@@ -64,5 +80,11 @@ internal static class AdviseCommand
                 CultureInfo.InvariantCulture,
                 $"{1 / point.Dt,4:0}  {point.Iterations,10}  {point.ConstraintError,7:0.0E+0}  {point.MotionError,7:0.0E+0}  {point.RmsError,7:0.0E+0}  {point.EndError,7:0.0E+0}  {point.Work,5:0}  {point.MillisecondsPerSecond,9:0.00}{verdict}"));
         }
+    }
+
+    /// <summary>Moves the bar at once; the class of the framework would do so later, on another thread.</summary>
+    private sealed class BarProgress(ProgressTask bar) : IProgress<double>
+    {
+        public void Report(double value) => bar.Value = value;
     }
 }

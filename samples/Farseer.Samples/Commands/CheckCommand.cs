@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
+using Farseer.Samples.Terminal;
 using Farseer.Scenes;
 using Spectre.Console;
 
@@ -20,13 +21,16 @@ internal static class CheckCommand
         }
         else
         {
-            AnsiConsole.Status().Start("checking", context =>
+            ProgressBar.Show("checking", scenes.Count, bar =>
             {
                 foreach (Scene scene in scenes)
                 {
-                    context.Status($"{Markup.Escape(scene.Name)} ({results.Count + 1} of {scenes.Count})");
+                    bar.Description = Markup.Escape(scene.Name);
                     results.Add(Run(scene));
+                    bar.Value = results.Count;
                 }
+
+                return results;
             });
         }
 

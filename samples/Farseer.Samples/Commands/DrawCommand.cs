@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using Farseer.CommandLines;
 using Farseer.Samples.Drawing;
 using Farseer.Scenes;
 using FarseerGames.FarseerPhysics;

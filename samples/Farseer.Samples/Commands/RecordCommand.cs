@@ -1,6 +1,7 @@
 using System;
 using System.CommandLine;
 using System.IO;
+using Farseer.CommandLines;
 using Farseer.Scenes;
 using FarseerGames.FarseerPhysics.Viewer;
 
@@ -9,32 +10,23 @@ namespace Farseer.Samples.Commands;
 /// <summary>Records a run, or two beside each other, and writes the page that shows it.</summary>
 internal static class RecordCommand
 {
-    private static readonly Argument<string> _scene = new("scene") { Description = "name of a scene, or a scene file" };
-    private static readonly Option<string?> _html = new("--html") { Description = "the file to write (default: the scene's name)" };
-    private static readonly Option<int?> _steps = AtLeast("--steps", 1, "updates instead of the scene's own number");
-    private static readonly Option<int?> _iterations = AtLeast("--iterations", 1, "the accuracy dial of the simulator");
-    private static readonly Option<float?> _dt = new("--dt") { Description = "seconds an update" };
-    private static readonly Option<string?> _beside = new("--beside") { Description = "a second scene to show beside the first; its own name for the same" };
-    private static readonly Option<int?> _besideIterations = AtLeast("--beside-iterations", 1, "the dial of the second run");
-    private static readonly Option<int?> _megabytes = AtLeast("--most-megabytes", 1, "largest data of a run in the file (default 20)");
+    private static readonly Argument<string> _scene = new("scene") { Description = "the name of a scene or a scene file; 'list' shows the names" };
+    private static readonly ValueOption<string?> _html = Values.File("--html", "the page's file; by default the scene's name");
+    private static readonly ValueOption<int?> _steps = Values.Whole("--steps", "updates instead of the scene's own number", 1);
+    private static readonly ValueOption<int?> _iterations = Values.Whole("--iterations", "the accuracy dial of the simulator, 5 by default", 1);
+    private static readonly ValueOption<double?> _dt = Values.Positive("--dt", "S", "a number of seconds above 0", "seconds an update");
+    private static readonly Option<string?> _beside = new("--beside") { Description = "a second scene to show beside the first, with their first difference" };
+    private static readonly ValueOption<int?> _besideIterations = Values.Whole("--beside-iterations", "the dial of the second run", 1);
+    private static readonly ValueOption<int?> _megabytes = Values.Whole("--most-megabytes", "largest data of a run in the file, 20 by default", 1);
 
-    /// <param name="words">The command line, "record" included.</param>
-    public static int Execute(string[] words)
+    public static Command Create()
     {
-        RootCommand root = new("Farseer samples");
-        Command record = new("record", "writes a run as one HTML file that any browser shows")
+        Command command = new("record", "Writes a run as one HTML file that any browser shows.")
         {
             _scene, _html, _steps, _iterations, _dt, _beside, _besideIterations, _megabytes,
         };
-        root.Subcommands.Add(record);
-        ParseResult result = root.Parse(words);
-        if (result.Errors.Count > 0)
-        {
-            throw new UsageException(result.Errors[0].Message.ReplaceLineEndings(" "));
-        }
-
-        record.SetAction(Record);
-        return result.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false });
+        command.SetAction(Record);
+        return command;
     }
 
     private static int Record(ParseResult words)
@@ -74,12 +66,7 @@ internal static class RecordCommand
     private static RunRecorder Run(string name, int? iterations, ParseResult words)
     {
         Scene scene = SceneSelection.Find(name);
-        float? dt = words.GetValue(_dt);
-        if (dt is { } seconds && !(seconds > 0f && float.IsFinite(seconds)))
-        {
-            throw new UsageException(FormattableString.Invariant($"--dt needs a number of seconds above 0, not '{seconds}'"));
-        }
-
+        float? dt = (float?)words.GetValue(_dt);
         SceneRun run = RunCommand.Start(scene, new RunOptions(name) { Steps = words.GetValue(_steps), Iterations = iterations, Dt = dt });
         RunRecorder recorder = new(run.Simulator, new RunRecorderOptions
         {
@@ -95,18 +82,5 @@ internal static class RecordCommand
         }
 
         return recorder;
-    }
-
-    private static Option<int?> AtLeast(string name, int least, string description)
-    {
-        Option<int?> option = new(name) { Description = description };
-        option.Validators.Add(result =>
-        {
-            if (result.Tokens.Count == 1 && int.TryParse(result.Tokens[0].Value, out int value) && value < least)
-            {
-                result.AddError(FormattableString.Invariant($"{name} needs a whole number of at least {least}, not '{value}'"));
-            }
-        });
-        return option;
     }
 }

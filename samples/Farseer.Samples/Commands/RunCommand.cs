@@ -1,5 +1,7 @@
 using System;
 using System.IO;
+using Farseer.CommandLines;
+using Farseer.Samples.Terminal;
 using Farseer.Scenes;
 using Spectre.Console;
 
@@ -17,6 +19,11 @@ internal static class RunCommand
     {
         Scene scene = SceneSelection.Find(options.Scene);
         SceneRun run = Start(scene, options);
+        if (!options.Json && !Console.IsOutputRedirected)
+        {
+            AnsiConsole.MarkupLineInterpolated($"[yellow]{scene.Title}[/]: {run.Steps} updates");
+        }
+
         while (!run.IsFinished && run.Done < StepsBeforeJudging)
         {
             run.Step();
@@ -59,17 +66,14 @@ internal static class RunCommand
         }
     }
 
-    private static void StepWithBar(SceneRun run) =>
-        AnsiConsole.Progress()
-            .AutoClear(true)
-            .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn())
-            .Start(context =>
-            {
-                ProgressTask bar = context.AddTask(Markup.Escape(run.Scene.Name), true, run.Steps);
-                while (!run.IsFinished)
-                {
-                    run.Step();
-                    bar.Value = run.Done;
-                }
-            });
+    private static void StepWithBar(SceneRun run) => ProgressBar.Show(run.Scene.Name, run.Steps, bar =>
+    {
+        while (!run.IsFinished)
+        {
+            run.Step();
+            bar.Value = run.Done;
+        }
+
+        return run;
+    });
 }

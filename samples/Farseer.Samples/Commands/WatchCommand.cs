@@ -1,4 +1,5 @@
 using System;
+using Farseer.CommandLines;
 using Farseer.Samples.Terminal;
 using Farseer.Scenes;
 using Spectre.Console;

@@ -17,4 +17,5 @@ internal static class Palette
     public const byte Touching = 71;
     public const byte Flying = 44;
     public const byte Contact = 203;
+    public const byte Chosen = 214;
 }

@@ -21,6 +21,18 @@ internal sealed class ScenePainter
 
     public ScenePainter(BrailleCanvas canvas) => _canvas = canvas;
 
+    /// <summary>A body to show in a colour of its own.</summary>
+    public Body? Chosen { get; set; }
+
+    /// <summary>What points up on the screen, in the world.</summary>
+    public Vector2 Up => new(0f, -_up);
+
+    /// <summary>The place in the world of a dot of the last picture.</summary>
+    public Vector2 ToWorld(double x, double y) => new((float)((x - _left) / _scale), (float)((y - _top) / (_up * _scale)));
+
+    /// <summary>The length in the world of so many dots.</summary>
+    public float ToWorld(double dots) => (float)(dots / _scale);
+
     public void Paint(Scene scene, PhysicsSimulator simulator, bool contacts)
     {
         // Gravity along +y means a world drawn with y down, as on a screen; anything else is drawn as on paper.
@@ -105,6 +117,11 @@ internal sealed class ScenePainter
     private (byte Color, byte Rank) State(Geom geom, float scale)
     {
         Body body = geom.Body;
+        if (body == Chosen)
+        {
+            return (Palette.Chosen, 6);
+        }
+
         if (geom.IsSensor)
         {
             return (Palette.Sensor, 1);

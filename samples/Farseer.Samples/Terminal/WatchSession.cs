@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Numerics;
 using System.Text;
 using System.Threading;
 using Farseer.Scenes;
@@ -15,6 +16,15 @@ internal sealed class WatchSession
     private const int LeastSpeed = -5;
     private const int GreatestSpeed = 5;
 
+    /// <summary>What the keys do, for the last row and for the help.</summary>
+    public const string KeyText = "q quit  space pause  n step  + - speed  r restart  c contacts  tab chooses a body, w a s d throw it, the mouse drags it";
+
+    /// <summary>Dots from the mouse at which a body is still grabbed: two characters.</summary>
+    private const double Reach = 4.0;
+
+    /// <summary>Of the picture's height, what a key adds to a body's speed, a second.</summary>
+    private const float ThrowShare = 0.25f;
+
     /// <summary>Of a frame, the part that may go into stepping: keys must stay lively when a scene is too big for real time.</summary>
     private const double StepShare = 0.8;
     private readonly Scene _scene;
@@ -24,6 +34,7 @@ internal sealed class WatchSession
     private readonly List<string> _rows = [];
     private readonly bool _colored = AnsiConsole.Profile.Capabilities.ColorSystem != ColorSystem.NoColors;
     private SceneRun _run;
+    private Hand _hand;
     private IReadOnlyList<SceneOutcome> _outcomes = [];
     private bool _paused;
     private bool _quit;
@@ -38,6 +49,7 @@ internal sealed class WatchSession
         _options = options;
         _painter = new ScenePainter(_canvas);
         _run = new SceneRun(scene, options);
+        _hand = new Hand(_run.Simulator);
     }
 
     public void Run()
@@ -48,7 +60,7 @@ internal sealed class WatchSession
         {
             while (Console.KeyAvailable)
             {
-                Handle(Console.ReadKey(intercept: true));
+                HandleNext(Console.ReadKey(intercept: true));
             }
 
             long now = Stopwatch.GetTimestamp();
@@ -59,6 +71,42 @@ internal sealed class WatchSession
             Thread.Sleep((int)Math.Max(1.0, 1000.0 * ((1.0 / FramesPerSecond) - spent)));
         }
     }
+
+    /// <summary>What has arrived already: a report of the mouse comes in one piece, a key of the user's alone.</summary>
+    private static char? NextCharacter() => Console.KeyAvailable ? Console.ReadKey(intercept: true).KeyChar : null;
+
+    private void HandleNext(ConsoleKeyInfo key)
+    {
+        if (key.Key != ConsoleKey.Escape || !Console.KeyAvailable)
+        {
+            Handle(key);
+        }
+        else if (MouseEvent.Read(NextCharacter) is MouseEvent mouse)
+        {
+            Handle(mouse);
+        }
+    }
+
+    private void Handle(MouseEvent mouse)
+    {
+        // The first row is the headline; the middle of a character's dots is meant.
+        Vector2 point = _painter.ToWorld((2.0 * mouse.Column) + 0.5, (4.0 * (mouse.Row - 1)) + 1.5);
+        switch (mouse.Action)
+        {
+            case MouseAction.Press:
+                _hand.Grab(point, _painter.ToWorld(Reach));
+                break;
+            case MouseAction.Drag:
+                _hand.Lead(point);
+                break;
+            default:
+                _hand.Release();
+                break;
+        }
+    }
+
+    private void Throw(float right, float up) =>
+        _hand.Throw(ThrowShare * _painter.ToWorld(_canvas.Height) * ((right * Vector2.UnitX) + (up * _painter.Up)));
 
     private void Handle(ConsoleKeyInfo key)
     {
@@ -92,8 +140,35 @@ internal sealed class WatchSession
         else if (key.Key == ConsoleKey.R)
         {
             _run = new SceneRun(_scene, _options);
+            _hand = new Hand(_run.Simulator);
             _outcomes = [];
             _due = 0.0;
+        }
+        else
+        {
+            ReachFor(key.Key);
+        }
+    }
+
+    private void ReachFor(ConsoleKey key)
+    {
+        switch (key)
+        {
+            case ConsoleKey.Tab:
+                _hand.ChooseNext();
+                break;
+            case ConsoleKey.W:
+                Throw(0f, 1f);
+                break;
+            case ConsoleKey.A:
+                Throw(-1f, 0f);
+                break;
+            case ConsoleKey.S:
+                Throw(0f, -1f);
+                break;
+            case ConsoleKey.D:
+                Throw(1f, 0f);
+                break;
         }
     }
 
@@ -126,7 +201,7 @@ internal sealed class WatchSession
     private void Step()
     {
         _run.Step();
-        if (_run.Done == _scene.Steps && _options.KeepsOutcome)
+        if (_run.Done == _scene.Steps && _options.KeepsOutcome && !_hand.HasTouched)
         {
             _outcomes = _scene.Check();
         }
@@ -141,6 +216,7 @@ internal sealed class WatchSession
         if (picture > 0)
         {
             _canvas.Reset(width, picture);
+            _painter.Chosen = _hand.Chosen;
             _painter.Paint(_scene, _run.Simulator, _contacts);
             StringBuilder text = new(width);
             for (int row = 0; row < picture; row++)
@@ -158,7 +234,7 @@ internal sealed class WatchSession
             }
 
             _rows.Add(new TextRow(width, _colored)
-                .Add("space pause  n step  + - speed  c contacts  r restart  q quit", Palette.Dim).ToString());
+                .Add(KeyText, Palette.Dim).ToString());
         }
 
         screen.Show(_rows);

@@ -18,6 +18,17 @@ public partial class b2Body
         set => SetUserData(value);
     }
 
+    /// <summary>A name of the manual: <see cref="SetMassFromShapes"/>.</summary>
+    [Obsolete("Use SetMassFromShapes().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public void SetMassFromShape() => SetMassFromShapes();
+
+    /// <summary>A name of the manual: <see cref="GetWorldCenter"/>.</summary>
+    /// <returns>The centre of mass in the world, metres.</returns>
+    [Obsolete("Use GetWorldCenter().")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Vec2 GetCenterPosition() => GetWorldCenter();
+
     /// <summary>A field of the original: <see cref="GetNext"/>.</summary>
     [Obsolete("Use GetNext().")]
     [EditorBrowsable(EditorBrowsableState.Never)]

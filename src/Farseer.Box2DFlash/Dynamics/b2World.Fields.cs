@@ -82,6 +82,18 @@ public partial class b2World
         set => SetContactFilter(value);
     }
 
+    /// <summary>A name of the manual: <see cref="SetBoundaryListener"/>.</summary>
+    /// <param name="listener">The listener, or null for none.</param>
+    [Obsolete("Use SetBoundaryListener.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public void SetListener(b2BoundaryListener? listener) => SetBoundaryListener(listener);
+
+    /// <summary>A name of the manual: <see cref="SetDestructionListener"/>.</summary>
+    /// <param name="listener">The listener, or null for none.</param>
+    [Obsolete("Use SetDestructionListener.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public void SetListener(b2DestructionListener? listener) => SetDestructionListener(listener);
+
     /// <summary>A field of the original: <see cref="SetDestructionListener"/>.</summary>
     [Obsolete("Use SetDestructionListener.")]
     [EditorBrowsable(EditorBrowsableState.Never)]

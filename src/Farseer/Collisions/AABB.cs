@@ -10,6 +10,11 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// Lengths are in world units. Edges belong to the box: boxes that share only an edge or a corner intersect, and a point on
 /// an edge is contained.
 /// </remarks>
+/// <example>
+/// <code>
+/// bool overlap = AABB.Intersect(geom.AABB, other.AABB);
+/// </code>
+/// </example>
 public class AABB
 {
     private Vector2 _min;

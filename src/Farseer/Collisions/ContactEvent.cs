@@ -3,6 +3,16 @@ using FarseerGames.FarseerPhysics.Bridge;
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>A pair of geoms that began or ceased to touch: see <see cref="StepEvents"/>. (An addition to the original.)</summary>
+/// <example>
+/// <code>
+/// simulator.RecordedEvents = StepEventKinds.Contacts;
+/// simulator.Update(dt);
+/// foreach (ContactEvent begun in simulator.Events.ContactsBegun)
+/// {
+///     Geom first = begun.GeomA;
+/// }
+/// </code>
+/// </example>
 public readonly struct ContactEvent : IPairEvent
 {
     internal ContactEvent(Geom a, Geom b)

@@ -1,4 +1,5 @@
 using System;
+using System.ComponentModel;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
 
@@ -73,6 +74,15 @@ public partial class Geom
     {
         get => Link.Categories;
         set => Link.SetFilter(this, Link.Group, value, Link.CollidesWith);
+    }
+
+    /// <summary>What the example of the manual calls <see cref="CollisionCategories"/>.</summary>
+    [Obsolete("Use CollisionCategories.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public CollisionCategory CollisionCategory
+    {
+        get => CollisionCategories;
+        set => CollisionCategories = value;
     }
 
     /// <summary>

@@ -12,6 +12,14 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// Gives a <see cref="Body"/> a shape that collides: any simple polygon, convex or not, or one of the shapes that
 /// <see cref="GeomFactory"/> makes. Several geoms may share a body.
 /// </summary>
+/// <example>
+/// <code>
+/// Geom shape = GeomFactory.Instance.CreateRectangleGeom(simulator, body, 2, 1);
+/// shape.FrictionCoefficient = 0.5f;
+/// shape.RestitutionCoefficient = 0.2f;
+/// shape.OnCollision += (mine, other, contacts) =&gt; true;
+/// </code>
+/// </example>
 public partial class Geom : IDisposable, IEquatable<Geom>
 {
     private static int s_lastId;

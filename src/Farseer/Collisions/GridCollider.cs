@@ -4,6 +4,11 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// Sorts the geoms into the cells of grids, one grid for each size of geom: the fastest for large scenes. (An addition to the
 /// original.)
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.BroadPhaseCollider = new GridCollider(simulator);
+/// </code>
+/// </example>
 public sealed class GridCollider : LibraryCollider
 {
     /// <summary>Makes a collider for a simulator; set <see cref="PhysicsSimulator.BroadPhaseCollider"/> to use it.</summary>

@@ -9,6 +9,16 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// The impulses are those of the whole update and of all contacts of the pair: what the bodies were given, so mass times change of speed, and not only the blow:
 /// a box that lands and stays is pushed by its weight in the same update.
 /// </remarks>
+/// <example>
+/// <code>
+/// simulator.RecordedEvents = StepEventKinds.Hits;
+/// simulator.Update(dt);
+/// foreach (HitEvent hit in simulator.Events.Hits)
+/// {
+///     float loudness = hit.NormalImpulse;
+/// }
+/// </code>
+/// </example>
 public readonly struct HitEvent : IPairEvent
 {
     internal HitEvent(Geom a, Geom b, Vector2 point, Vector2 normal, float approachSpeed, float normalImpulse, float tangentImpulse)

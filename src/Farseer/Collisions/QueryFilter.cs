@@ -8,6 +8,12 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// <see cref="Geom.CollisionEnabled"/> is true and that push others away; in no case those of bodies that are not enabled. One filter can serve
 /// any number of queries. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// var filter = new QueryFilter { Categories = CollisionCategory.Cat1 };
+/// bool isHit = simulator.RayCast(new Vector2(0, 5), new Vector2(0, -5), out RayCastHit hit, filter);
+/// </code>
+/// </example>
 public sealed class QueryFilter
 {
     /// <summary>A geom must be in one of these categories (<see cref="Geom.CollisionCategories"/>). Default <see cref="CollisionCategory.All"/>.</summary>

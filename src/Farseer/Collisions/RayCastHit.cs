@@ -4,6 +4,14 @@ using System.Numerics;
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>Where a ray or a moving shape meets a geom. (An addition to the original.)</summary>
+/// <example>
+/// <code>
+/// if (simulator.RayCast(new Vector2(0, 5), new Vector2(0, -5), out RayCastHit hit))
+/// {
+///     Vector2 where = hit.Point;
+/// }
+/// </code>
+/// </example>
 public readonly struct RayCastHit : IEquatable<RayCastHit>
 {
     internal RayCastHit(Geom geom, Vector2 point, Vector2 normal, float fraction, bool startsInside)

@@ -1,6 +1,11 @@
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>Sweeps along the axis on which the geoms are spread more. The default of a simulator.</summary>
+/// <example>
+/// <code>
+/// simulator.BroadPhaseCollider = new SelectiveSweepCollider(simulator);
+/// </code>
+/// </example>
 public sealed class SelectiveSweepCollider : LibraryCollider
 {
     /// <summary>Makes a collider for a simulator; set <see cref="PhysicsSimulator.BroadPhaseCollider"/> to use it.</summary>

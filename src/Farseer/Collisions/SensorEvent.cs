@@ -3,6 +3,16 @@ using FarseerGames.FarseerPhysics.Bridge;
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>A geom that entered or left a sensor: see <see cref="StepEvents"/>. (An addition to the original.)</summary>
+/// <example>
+/// <code>
+/// simulator.RecordedEvents = StepEventKinds.Sensors;
+/// simulator.Update(dt);
+/// foreach (SensorEvent entered in simulator.Events.SensorsEntered)
+/// {
+///     Geom who = entered.Visitor;
+/// }
+/// </code>
+/// </example>
 public readonly struct SensorEvent : IPairEvent
 {
     internal SensorEvent(Geom sensor, Geom visitor)

@@ -4,6 +4,11 @@ using FarseerGames.FarseerPhysics.Bridge;
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>Keeps the boxes sorted along both axes: good when geoms move little between updates.</summary>
+/// <example>
+/// <code>
+/// simulator.BroadPhaseCollider = new SweepAndPruneCollider(simulator);
+/// </code>
+/// </example>
 public partial class SweepAndPruneCollider : LibraryCollider
 {
     /// <summary>Makes a collider for a simulator; set <see cref="PhysicsSimulator.BroadPhaseCollider"/> to use it.</summary>

@@ -21,6 +21,13 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// The list itself accepts any values; <see cref="CheckPolygon"/> tells what, if anything, keeps it from being a proper outline.
 /// </para>
 /// </remarks>
+/// <example>
+/// <code>
+/// Vertices triangle = new() { new Vector2(-1, 0), new Vector2(1, 0), new Vector2(0, 2) };
+/// Body wedge = BodyFactory.Instance.CreatePolygonBody(simulator, triangle, 1);
+/// GeomFactory.Instance.CreatePolygonGeom(simulator, wedge, triangle, 0.1f);
+/// </code>
+/// </example>
 public partial class Vertices : List<Vector2>
 {
     /// <summary>More edges than that a circle surely has by mistake; the work that they cause grows faster than their number.</summary>

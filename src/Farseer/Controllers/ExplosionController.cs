@@ -10,6 +10,13 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// <summary>
 /// Throws bodies away from points: each call of <see cref="Explode"/> acts once, at the next update. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// var blast = new ExplosionController();
+/// simulator.Add(blast);
+/// blast.Explode(center: new Vector2(0, 0), radius: 5, impulse: 20);
+/// </code>
+/// </example>
 public class ExplosionController : BodyController
 {
     private readonly List<Charge> _charges = new List<Charge>();

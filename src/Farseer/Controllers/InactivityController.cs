@@ -13,6 +13,12 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// simulator has one,
 /// <see cref="PhysicsSimulator.InactivityController"/>.
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.InactivityController.Enabled = true;
+/// body.IsAutoIdle = true;
+/// </code>
+/// </example>
 public class InactivityController : Controller
 {
     [NotState(Why.Elsewhere)]

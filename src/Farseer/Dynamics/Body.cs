@@ -13,6 +13,14 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 /// All members work before the body is added to a <see cref="PhysicsSimulator"/> and after it is removed. Units are the
 /// scene's own; angles are radians, a positive one turns the x axis towards the y axis.
 /// </summary>
+/// <example>
+/// <code>
+/// Body box = BodyFactory.Instance.CreateRectangleBody(simulator, 2, 1, mass: 5);
+/// box.Position = new Vector2(0, 3);
+/// box.LinearDragCoefficient = 0;
+/// box.ApplyImpulse(new Vector2(10, 0));
+/// </code>
+/// </example>
 public partial class Body : IDisposable
 {
     private const float DefaultDragCoefficient = 0.001f;

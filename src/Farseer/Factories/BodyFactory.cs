@@ -9,6 +9,11 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// Makes bodies and works out their moments of inertia. Each method exists with and without a simulator as its first argument;
 /// one that is given adds the new body to it.
 /// </summary>
+/// <example>
+/// <code>
+/// Body wheel = BodyFactory.Instance.CreateCircleBody(simulator, radius: 0.4f, mass: 3);
+/// </code>
+/// </example>
 public class BodyFactory
 {
     private Farseer201Quirks _quirks;

@@ -11,6 +11,11 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// exists with and without a simulator as its first argument; one that is given adds all parts to it. What only some links need, the limits
 /// of sliders and the constants of springs, are properties: set them before the call.
 /// </summary>
+/// <example>
+/// <code>
+/// Path rope = ComplexFactory.Instance.CreateChain(simulator, new Vector2(0, 0), new Vector2(5, 0), 10, 1, 1, LinkType.RevoluteJoint);
+/// </code>
+/// </example>
 public class ComplexFactory
 {
     /// <summary>What chains need: they give way a little and come together slowly, so that they look like chains.</summary>

@@ -9,6 +9,11 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// Makes geoms, their vertices, and picks the cell size of their grids. Each method exists with and without a simulator as its
 /// first argument; one that is given adds the new geom to it.
 /// </summary>
+/// <example>
+/// <code>
+/// Geom tyre = GeomFactory.Instance.CreateCircleGeom(simulator, body, radius: 0.4f, numberOfEdges: 24);
+/// </code>
+/// </example>
 public partial class GeomFactory
 {
     private float _gridCellSizeAABBFactor = 0.1f;

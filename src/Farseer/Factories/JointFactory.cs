@@ -9,6 +9,11 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// Makes joints. Each method exists with and without a simulator as its first argument; one that is given adds the new joint to
 /// it. Not every property of a joint is a parameter: set the others on the joint.
 /// </summary>
+/// <example>
+/// <code>
+/// RevoluteJoint hinge = JointFactory.Instance.CreateRevoluteJoint(simulator, body, second, new Vector2(1, 0));
+/// </code>
+/// </example>
 public partial class JointFactory
 {
     private JointFactory()

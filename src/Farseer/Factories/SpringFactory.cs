@@ -10,6 +10,11 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// Makes springs. Each method exists with and without a simulator as its first argument; one that is given adds the new spring to
 /// it. A factory sets what its arguments name; everything else of a spring is a property.
 /// </summary>
+/// <example>
+/// <code>
+/// LinearSpring rubber = SpringFactory.Instance.CreateLinearSpring(simulator, body, Vector2.Zero, second, Vector2.Zero, springConstant: 50, dampingConstant: 2);
+/// </code>
+/// </example>
 public class SpringFactory
 {
     private SpringFactory()

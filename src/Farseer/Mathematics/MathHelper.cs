@@ -3,6 +3,11 @@ using System;
 namespace FarseerGames.FarseerPhysics.Mathematics;
 
 /// <summary>Small functions and constants of mathematics.</summary>
+/// <example>
+/// <code>
+/// float quarter = MathHelper.ToRadians(90);
+/// </code>
+/// </example>
 public static class MathHelper
 {
     /// <summary>Degrees in a radian, 180 / pi: multiply RADIANS by it to get degrees, whatever the name says.</summary>

@@ -12,6 +12,12 @@ namespace FarseerGames.FarseerPhysics.Views;
 /// Draws what is in a simulator, for debugging: geoms in the colours of their states, vertices, grids, boxes, contacts with normals
 /// and impulses, joints and springs with their anchors and errors, fluids. Each part can be switched off.
 /// </summary>
+/// <example>
+/// <code>
+/// var view = new PhysicsSimulatorView(simulator, draw) { EnableAABBView = true };
+/// view.Draw();
+/// </code>
+/// </example>
 public partial class PhysicsSimulatorView
 {
     private readonly PhysicsSimulator _simulator;

@@ -15,6 +15,13 @@ namespace FarseerGames.FarseerPhysics.Views;
 /// picture.Save("step.svg");
 /// </code>
 /// </summary>
+/// <example>
+/// <code>
+/// var picture = new SvgDebugDraw(new Vector2(-5, -5), new Vector2(5, 5), 600, 600);
+/// new PhysicsSimulatorView(simulator, picture).Draw();
+/// picture.Save("scene.svg");
+/// </code>
+/// </example>
 public sealed class SvgDebugDraw : IDebugDraw
 {
     private const string LineWidth = "1";

@@ -51,6 +51,8 @@ internal sealed class FlashNames : Names
         ["*.userData"] = "nobody looks at it",
         ["*.m_userData"] = "nobody looks at it",
         ["b2World.WarmUp"] = "makes worlds of its own",
+        ["b2World.SetListener"] = "SetBoundaryListener and SetDestructionListener stand for it",
+        ["b2RevoluteJointDef.anchorPoint"] = "Initialize stands for it",
         ["b2World.Step"] = "the step",
         ["b2World.SetDebugDraw"] = "draws",
         ["b2World.m_debugDraw"] = "draws",

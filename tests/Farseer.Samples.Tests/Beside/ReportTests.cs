@@ -69,7 +69,7 @@ public sealed class ReportTests : IDisposable
         IEnumerable<Figure> before = Enumerable.Range(0, lost + gained).Select(i => new Figure($"{i}", i < lost ? 1 : 3, 2, false));
         IEnumerable<Figure> after = Enumerable.Range(0, lost + gained).Select(i => new Figure($"{i}", i < lost ? 3 : 1, 2, false));
 
-        Report report = Of(Result.Of(Part("energies"), new Reading<Figure>([.. before], string.Empty), new([.. after], string.Empty)));
+        Farseer.Beside.Report report = Of(Result.Of(Part("energies"), new Reading<Figure>([.. before], string.Empty), new([.. after], string.Empty)));
 
         Assert.Equal(code, report.ExitCode);
     }
@@ -88,7 +88,7 @@ public sealed class ReportTests : IDisposable
     {
         Figure[] before = [.. Enumerable.Range(0, 200).Select(i => new Figure($"figure {i}", 1, 2, false))];
         Figure[] after = [.. before.Select((figure, i) => figure with { Value = i < 100 ? 3 : 1.5 })];
-        Report report = Of(Result.Of(Part("surveys"), new Reading<Figure>(before, string.Empty), new(after, string.Empty)));
+        Farseer.Beside.Report report = Of(Result.Of(Part("surveys"), new Reading<Figure>(before, string.Empty), new(after, string.Empty)));
 
         string few = Written(report, isFull: false);
         string full = Written(report, isFull: true);
@@ -114,14 +114,14 @@ public sealed class ReportTests : IDisposable
     }
 
     [Theory]
-    [InlineData("before", "BEFORE and AFTER; 1 are named")]
-    [InlineData("before after more", "3 are named")]
+    [InlineData("before", "needs another one")]
+    [InlineData("before after more", "takes BEFORE and AFTER, not 'more' besides")]
     [InlineData("before after --only all", "'all' is none of accuracy, speed, goals, aims,")]
     [InlineData("before after --only goals,goals", "named twice")]
-    [InlineData("before after --turns 0", "--turns: '0' is not a whole number from 1 to 1000")]
-    [InlineData("before after --limit fast", "--limit: 'fast' is not a number above 0")]
-    [InlineData("before after --limit", "--limit needs a value")]
-    [InlineData("before after --worse 2", "unknown argument '--worse'")]
+    [InlineData("before after --turns 0", "--turns needs a whole number from 1 to 1000, not '0'")]
+    [InlineData("before after --limit fast", "--limit needs a number above 0, not 'fast'")]
+    [InlineData("before after --limit", "--limit needs a number above 0")]
+    [InlineData("before after --worse 2", "has no option '--worse'")]
     [InlineData("nowhere nowhere", "'nowhere' is no folder")]
     public void Command_Misused_SaysSo(string arguments, string expected)
     {
@@ -160,9 +160,9 @@ public sealed class ReportTests : IDisposable
 
     private static Part Part(string name) => Parts.Choose(Parts.All([], 1), [name])[0];
 
-    private static Report Of(Result result) => new("before", "after", [result], Limit);
+    private static Farseer.Beside.Report Of(Result result) => new("before", "after", [result], Limit);
 
-    private static string Written(Report report, bool isFull)
+    private static string Written(Farseer.Beside.Report report, bool isFull)
     {
         using var output = new StringWriter();
         report.Write(output, isFull);

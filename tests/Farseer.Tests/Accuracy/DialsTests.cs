@@ -91,15 +91,15 @@ public class DialsTests
     }
 
     [Theory]
-    [InlineData("dials", "--docs")]
-    [InlineData("dials", "stack")]
-    [InlineData("dials", "--docs", "nowhere")]
-    [InlineData("report", "--plots", "--docs", "nowhere")]
-    public void Command_Misused_SaysSo(params string[] args)
+    [InlineData("--docs needs the name of a folder", "dials", "--docs")]
+    [InlineData("'dials' takes no arguments, not 'stack'", "dials", "stack")]
+    [InlineData("dials: there is no nowhere", "dials", "--docs", "nowhere")]
+    [InlineData("report: there is no nowhere", "report", "--plots", "--docs", "nowhere")]
+    public void Command_Misused_SaysSo(string expected, params string[] args)
     {
         using var errors = new StringWriter();
         Assert.Equal(2, Cli.Run(args, TextWriter.Null, errors));
-        Assert.StartsWith(args[0] + ":", errors.ToString(), StringComparison.Ordinal);
+        Assert.StartsWith("error: " + expected, errors.ToString(), StringComparison.Ordinal);
     }
 
     /// <summary>A page without marks is told of before minutes are spent on its figures, and is left as it is.</summary>

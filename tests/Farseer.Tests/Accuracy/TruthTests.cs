@@ -20,8 +20,8 @@ public class TruthTests
     public void Report_OfRandomScenes_IsNoBetterThanTheTruth(int seed)
     {
         using var output = new System.IO.StringWriter();
-        bool all = TruthfulCommand.Run(["--count", "200", "--seed", seed.ToString(System.Globalization.CultureInfo.InvariantCulture)], output);
-        Assert.True(all, output.ToString());
+        string[] words = ["truthful", "--count", "200", "--seed", seed.ToString(System.Globalization.CultureInfo.InvariantCulture)];
+        Assert.True(Cli.Run(words, output, output) == 0, output.ToString());
     }
 
     [Theory]

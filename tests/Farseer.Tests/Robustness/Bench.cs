@@ -197,6 +197,7 @@ internal sealed class Bench
             nameof(Object) or nameof(String) => "something",
             nameof(IFluidContainer) => new AABBFluidContainer(new AABB(Vector2.Zero, Vector2.One)),
             nameof(Spring) => new FixedLinearSpring(),
+            nameof(SpringFactory) => SpringFactory.Instance,
             nameof(Path) => Chain(),
             nameof(CurveKey) => new CurveKey(1, 2),
             nameof(FixedStepDriver) => new FixedStepDriver(Simulator),

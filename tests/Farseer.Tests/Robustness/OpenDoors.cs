@@ -62,6 +62,7 @@ internal static class OpenDoors
         ["Geom.Intersect*"] = Question,
         ["Geom.CollisionGroup"] = Bits,
         ["Geom.CollisionCategories"] = Bits,
+        ["Geom.CollisionCategory"] = Bits,
         ["Geom.CollidesWith"] = Bits,
         ["Geom.op_Equality*"] = Comparison,
         ["Geom.op_Inequality*"] = Comparison,

@@ -119,6 +119,13 @@ public class b2PrismaticJoint : b2DrivenJoint
         set => SetLimits(GetLowerLimit(), value);
     }
 
+    /// <summary>A name of the manual: <see cref="SetMaxMotorForce"/>.</summary>
+    /// <param name="force">Newtons, finite and 0 or more.</param>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="force"/> is negative or not finite.</exception>
+    [Obsolete("Use SetMaxMotorForce.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public void SetMotorForce(float force) => SetMaxMotorForce(force);
+
     /// <summary>A field of the original: the greatest force, and <see cref="SetMaxMotorForce"/>.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     [Obsolete("Use SetMaxMotorForce.")]

@@ -1,3 +1,5 @@
+using System;
+using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 
@@ -43,7 +45,7 @@ public class b2RevoluteJointDef : b2JointDef
     /// <param name="b1">First body.</param>
     /// <param name="b2">Second body.</param>
     /// <param name="anchor">The hinge, in the world.</param>
-    /// <exception cref="System.ArgumentException">An argument is null or not finite.</exception>
+    /// <exception cref="ArgumentException">An argument is null or not finite.</exception>
     public void Initialize(b2Body b1, b2Body b2, b2Vec2 anchor)
     {
         Check(b1, b2);
@@ -53,6 +55,18 @@ public class b2RevoluteJointDef : b2JointDef
         localAnchor1 = b1.GetLocalPoint(anchor);
         localAnchor2 = b2.GetLocalPoint(anchor);
         referenceAngle = b2.GetAngle() - b1.GetAngle();
+    }
+
+    /// <summary>
+    /// A name of one example of the manual: the hinge in the world, metres. Setting it after the bodies is the same as <see cref="Initialize"/>.
+    /// </summary>
+    /// <exception cref="ArgumentException">The value is null or not finite, or the bodies are not set.</exception>
+    [Obsolete("Use Initialize.")]
+    [EditorBrowsable(EditorBrowsableState.Never)]
+    public b2Vec2 anchorPoint
+    {
+        get => body1 is null ? localAnchor1.Copy() : body1.GetWorldPoint(localAnchor1);
+        set => Initialize(body1!, body2!, value);
     }
 
     internal override b2Joint Make(b2World world)

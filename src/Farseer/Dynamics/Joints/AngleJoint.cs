@@ -10,6 +10,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// takes away the share <see cref="Joint.BiasFactor"/> of what is missing. <see cref="Joint.JointError"/> is that angle less the target,
 /// radians; angles count whole turns.
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new AngleJoint(body, second) { TargetAngle = 0.5f });
+/// </code>
+/// </example>
 public class AngleJoint : PairJoint
 {
     private float _targetAngle;

@@ -9,6 +9,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// Keeps the angle of the second body less that of the first between two limits. It has no target and never turns the bodies by
 /// itself. <see cref="Joint.JointError"/> is how far the angle is past a limit, radians: 0 within the slop.
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new AngleLimitJoint(body, second, -0.5f, 0.5f));
+/// </code>
+/// </example>
 public class AngleLimitJoint : PairJoint
 {
     private float _lowerLimit;

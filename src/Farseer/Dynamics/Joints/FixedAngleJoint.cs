@@ -9,6 +9,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// Turns a body to <see cref="TargetAngle"/>: each update takes away the share <see cref="Joint.BiasFactor"/> of what is missing.
 /// <see cref="Joint.JointError"/> is the angle of the body less the target, radians; angles count whole turns.
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new FixedAngleJoint(body) { TargetAngle = 0, MaxImpulse = 10 });
+/// </code>
+/// </example>
 public class FixedAngleJoint : WorldJoint
 {
     private float _targetAngle;

@@ -9,6 +9,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// Keeps the angle of a body between two limits. It has no target and never turns the body by itself. <see cref="Joint.JointError"/> is
 /// how far the angle is past a limit, radians: 0 within the slop.
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new FixedAngleLimitJoint(body, -0.5f, 0.5f));
+/// </code>
+/// </example>
 public class FixedAngleLimitJoint : WorldJoint
 {
     private float _lowerLimit;

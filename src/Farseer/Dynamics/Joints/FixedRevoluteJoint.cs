@@ -10,6 +10,12 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A nail: a body is pinned to a point of the world about which it turns freely. <see cref="Joint.JointError"/> is the distance of the
 /// body's anchor from that point. It takes four times the share <see cref="Joint.BiasFactor"/> of its error away in an update.
 /// </summary>
+/// <example>
+/// <code>
+/// var nail = new FixedRevoluteJoint(body, new Vector2(0, 2));
+/// simulator.Add(nail);
+/// </code>
+/// </example>
 public class FixedRevoluteJoint : DrivenWorldJoint
 {
     /// <summary>In the original this joint alone corrected by 0.8 of its error where the manual says 0.2.</summary>

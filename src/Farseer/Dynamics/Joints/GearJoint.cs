@@ -9,6 +9,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// Meshing gears: as the first body turns by an angle, the second turns by <see cref="Ratio"/> times that angle the other way; a negative
 /// ratio turns both the same way. <see cref="Joint.JointError"/> is how far the second is from where it should be, radians.
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new GearJoint(body, second, 2));
+/// </code>
+/// </example>
 public class GearJoint : PairJoint
 {
     private float _ratio = 1;

@@ -12,6 +12,12 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// update calls <see cref="PreStep"/> once and then <see cref="Update"/> several times, joint after joint in the order in
 /// which they were added, and they change the velocities of the bodies.
 /// </summary>
+/// <example>
+/// <code>
+/// hinge.Breakpoint = 0.1f;
+/// hinge.Broke += (sender, args) =&gt; simulator.Remove(hinge);
+/// </code>
+/// </example>
 public abstract class Joint : IDisposable, IItem
 {
     internal readonly JointAttachment Link = new JointAttachment();

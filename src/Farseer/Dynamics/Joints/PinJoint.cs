@@ -10,6 +10,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A rod: keeps two anchors at a set distance, and lets the bodies turn. <see cref="Joint.JointError"/> is the distance less the wanted
 /// one.
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new PinJoint(body, Vector2.Zero, second, Vector2.Zero));
+/// </code>
+/// </example>
 public class PinJoint : AnchoredJoint
 {
     private float _targetDistance;

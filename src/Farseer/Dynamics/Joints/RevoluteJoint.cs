@@ -10,6 +10,12 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A hinge: two bodies share an anchor about which they turn freely. Both can still move. It is made from one point of the world, kept as
 /// a point of each body. <see cref="Joint.JointError"/> is the distance of the two points in the world.
 /// </summary>
+/// <example>
+/// <code>
+/// var elbow = new RevoluteJoint(body, second, new Vector2(1, 0)) { LowerLimit = -1, UpperLimit = 1, AreLimitsEnabled = true };
+/// simulator.Add(elbow);
+/// </code>
+/// </example>
 public class RevoluteJoint : DrivenPairJoint
 {
     private Vector2 _anchor;

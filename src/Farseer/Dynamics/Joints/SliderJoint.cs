@@ -10,6 +10,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// Keeps the distance of two anchors between a smallest and a largest, as a rod that slides in a tube. <see cref="Joint.JointError"/> is
 /// how far the distance is past a limit: 0 within the slop.
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new SliderJoint(body, Vector2.Zero, second, Vector2.Zero, min: 1, max: 3));
+/// </code>
+/// </example>
 public class SliderJoint : AnchoredJoint
 {
     private float _min;

@@ -9,6 +9,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
 /// A torsion bar between two bodies: a torque of constant·(angle of body 2 − angle of body 1 − target angle), against each other,
 /// and on each body a torque of −damping·(its own angular velocity).
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new AngleSpring(body, second, springConstant: 20, dampingConstant: 1));
+/// </code>
+/// </example>
 public class AngleSpring : Spring
 {
     /// <summary>The original's number, with the quirk.</summary>

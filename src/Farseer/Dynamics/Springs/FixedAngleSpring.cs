@@ -7,6 +7,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
 /// <summary>
 /// A torsion bar between a body and the world: a torque of −constant·(angle of the body − target angle) − damping·(angular velocity).
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new FixedAngleSpring(body, springConstant: 20, dampingConstant: 1));
+/// </code>
+/// </example>
 public class FixedAngleSpring : Spring
 {
     private Body? _body;

@@ -9,6 +9,13 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
 /// Pulls and pushes a body towards a distance from a point of the world; see <see cref="LinearSpring"/>. With a rest length of 0 it
 /// is what a mouse drags a body by.
 /// </summary>
+/// <example>
+/// <code>
+/// var grip = new FixedLinearSpring(body, Vector2.Zero, new Vector2(0, 2), springConstant: 100, dampingConstant: 5);
+/// simulator.Add(grip);
+/// grip.WorldAttachPoint = new Vector2(1, 2);
+/// </code>
+/// </example>
 public class FixedLinearSpring : Spring
 {
     private Body? _body;

@@ -10,6 +10,12 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
 /// along the line between two attach points, which may lie outside the geoms. A spring alone between its bodies swings with exactly
 /// the frequency and damping of the formula, at any step that samples the swing twice a period; stiffer ones stay bounded.
 /// </summary>
+/// <example>
+/// <code>
+/// var coil = new LinearSpring(body, Vector2.Zero, second, Vector2.Zero, springConstant: 100, dampingConstant: 5);
+/// simulator.Add(coil);
+/// </code>
+/// </example>
 public class LinearSpring : Spring
 {
     private Body? _body1;

@@ -8,6 +8,12 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
 /// Pulls at bodies without holding them. Springs are stable at any constant. Derive from this class to write your own: override
 /// <see cref="Update"/>, in which bodies are given forces, and <see cref="Validate"/>.
 /// </summary>
+/// <example>
+/// <code>
+/// spring.Breakpoint = 10;
+/// spring.Broke += (sender, args) =&gt; simulator.Remove(spring);
+/// </code>
+/// </example>
 public abstract class Spring : IDisposable, IItem
 {
     private float _springConstant;

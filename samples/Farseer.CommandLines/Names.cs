@@ -1,10 +1,10 @@
 using System;
 using System.Collections.Generic;
 
-namespace Farseer.Samples;
+namespace Farseer.CommandLines;
 
 /// <summary>Guesses what a mistyped name was meant to be.</summary>
-internal static class Names
+public static class Names
 {
     /// <summary>" (did you mean ...?)" for the nearest name, or nothing when none is near.</summary>
     public static string Suggestion(string word, IEnumerable<string> names)

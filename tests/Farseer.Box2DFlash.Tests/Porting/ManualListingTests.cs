@@ -1,0 +1,32 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using Xunit;
+
+namespace Farseer.Box2DFlash.Tests.Porting;
+
+/// <summary>Every listing of the manual compiles, or this assembly would not, and runs.</summary>
+public sealed class ManualListingTests
+{
+    private static readonly MethodInfo[] _listings =
+        typeof(ManualListings).GetMethods(BindingFlags.Public | BindingFlags.Static | BindingFlags.DeclaredOnly);
+
+    public static TheoryData<string> Names => new(_listings.Select(m => m.Name));
+
+    [Theory]
+    [MemberData(nameof(Names))]
+    public void Listing_AsTheManualHasIt_Runs(string name) =>
+        Array.Find(_listings, m => m.Name == name)!.CreateDelegate<Action>()();
+
+    [Fact]
+    public void Listings_CountedInTheGuide_AreAllThere() =>
+        Assert.Contains($"{_listings.Length} of {_listings.Length} listings of the manual", Guide(), StringComparison.Ordinal);
+
+    private static string Guide()
+    {
+        using Stream stream = typeof(ManualListingTests).Assembly.GetManifestResourceStream("Box2DFlash.md")!;
+        using StreamReader reader = new(stream);
+        return reader.ReadToEnd();
+    }
+}
