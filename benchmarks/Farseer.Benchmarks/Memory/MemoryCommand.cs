@@ -10,7 +10,7 @@ namespace Farseer.Benchmarks.Memory;
 /// <summary>The verb <c>memory</c>: what a scene keeps, in bytes a body, and which stores keep it.</summary>
 internal static class MemoryCommand
 {
-    public const string Usage = "memory [SCENE [STEPS]]";
+    public const string Usage = "memory [SCENE [STEPS] | worlds [ROOMS] [--stores]]";
     private const int Misused = 2;
     private const int DefaultSteps = 100;
 
@@ -20,6 +20,11 @@ internal static class MemoryCommand
     public static int Run(ReadOnlySpan<string> args, TextWriter output, TextWriter errors)
     {
         string name = args.Length > 0 ? args[0] : "large_pyramid";
+        if (name == WorldMemory.Verb)
+        {
+            return WorldMemory.Run(args[1..], output, errors);
+        }
+
         int steps = DefaultSteps;
         if (PerformanceScenes.Find(name) is not { } scene
             || (args.Length > 1 && !int.TryParse(args[1], NumberStyles.None, CultureInfo.InvariantCulture, out steps)))

@@ -6,7 +6,7 @@ namespace Farseer.Engine.BroadPhase;
 [NotState(Why.OfOneStep)]
 internal sealed class PairBuffer
 {
-    private readonly Column<ulong> _pairs = new Column<ulong>(256);
+    private readonly Column<ulong> _pairs = new Column<ulong>();
 
     public int Count { get; private set; }
 

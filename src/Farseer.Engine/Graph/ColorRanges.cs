@@ -13,8 +13,8 @@ namespace Farseer.Engine.Graph;
 [NotState(Why.OfOneStep)]
 internal sealed class ColorRanges
 {
-    private GraphColor[] _colors = new GraphColor[ConstraintGraph.ColorCount];
-    private int[] _first = new int[ConstraintGraph.ColorCount + 1];
+    private GraphColor[] _colors = Array.Empty<GraphColor>();
+    private int[] _first = Array.Empty<int>();
     private int _colorCount;
     private int _parts = 1;
     private bool _areHalves;

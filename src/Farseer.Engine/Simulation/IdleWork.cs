@@ -27,7 +27,7 @@ internal sealed unsafe class IdleWork : IStageWork
     private const int LeastSorted = 8 * ContactBundle.Lanes;
 
     [NotState(Why.OfOneStep)]
-    private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
+    private ContactBundle* _bundles;
     private readonly BundleNotes _notes = new BundleNotes();
 
     // In scratch memory, until the end of the narrow phase.
@@ -130,7 +130,7 @@ internal sealed unsafe class IdleWork : IStageWork
             SortByKind(input);
         }
 
-        _bundles.EnsureCapacity(runner.Workers);
+        _bundles = input.Scratch.Take<ContactBundle>(runner.Workers);
         _outcomes = input.Scratch.Take<BundleOutcome>(Bundles(LookedCount));
         _notes.Begin(runner, input.Scratch, Bundles(LookedCount));
         _part = Part.Idle;
@@ -234,7 +234,7 @@ internal sealed unsafe class IdleWork : IStageWork
 
     private void Look(in ContactUpdateInput input, int worker, int from, int to)
     {
-        ContactBundle* bundle = _bundles.Pointer + worker;
+        ContactBundle* bundle = _bundles + worker;
         BundleSums sums = default;
         ContactStore contacts = input.Contacts;
         int* places = stackalloc int[ContactBundle.Lanes];

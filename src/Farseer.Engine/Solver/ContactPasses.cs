@@ -35,7 +35,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
 
     /// <summary>For each of them which lanes did not push before: see <see cref="BundleList.Fresh"/>.</summary>
     private readonly Column<ushort> _fresh = new Column<ushort>();
-    private ListedColor[] _colors = new ListedColor[ConstraintGraph.ColorCount];
+    private ListedColor[] _colors = Array.Empty<ListedColor>();
     private int _colorCount;
 
     /// <summary>
@@ -47,7 +47,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     /// <summary>Parts of the list, and of which colour they are: what <see cref="RelaxChosen"/> walks over.</summary>
     private readonly Column<ChosenPart> _chosen = new Column<ChosenPart>();
     private int _chosenCount;
-    private StageColors[] _stageColors = new StageColors[ConstraintGraph.ColorCount];
+    private StageColors[] _stageColors = Array.Empty<StageColors>();
     private StageRunner _runner = null!;
     private ContactPass _pass;
     private int _color;

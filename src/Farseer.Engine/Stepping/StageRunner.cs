@@ -79,7 +79,8 @@ internal sealed partial class StageRunner : IDisposable
     private readonly long[] _words;
     private readonly Action<int, Action>? _scheduler;
     private readonly int _firstReport;
-    private readonly CrewPatience _patience = new CrewPatience();
+    // Null: nobody helps.
+    private readonly CrewPatience? _patience;
     private volatile bool _stopped;
     private bool _isOpen;
     private long _asked;
@@ -102,6 +103,15 @@ internal sealed partial class StageRunner : IDisposable
         _firstReport = FirstShare + (workers * Spread);
         _words = new long[_firstReport + ((workers + 1) * Spread)];
         _help = Help;
+        if (workers > 1)
+        {
+            _patience = new CrewPatience();
+        }
+        else
+        {
+            // It never has threads: thousands of worlds need not wait to be finalized.
+            GC.SuppressFinalize(this);
+        }
     }
 
     /// <summary>Stops the threads of a runner that was dropped.</summary>
@@ -117,7 +127,7 @@ internal sealed partial class StageRunner : IDisposable
     /// <param name="cost">What it would take one worker, nanoseconds.</param>
     public void Begin(double cost)
     {
-        if (Workers > 1 && cost >= LeastCost && !_stopped && _patience.MayShare(cost))
+        if (Workers > 1 && cost >= LeastCost && !_stopped && _patience!.MayShare(cost))
         {
             if (_number > MostNumbers)
             {
@@ -175,7 +185,7 @@ internal sealed partial class StageRunner : IDisposable
     {
         if (!_isOpen)
         {
-            _patience.EndAlone();
+            _patience?.EndAlone();
             return;
         }
 
@@ -190,7 +200,7 @@ internal sealed partial class StageRunner : IDisposable
             Wait(looks);
         }
 
-        _patience.End();
+        _patience?.End();
     }
 
     /// <summary>What a host's scheduler threw comes out of here, after the step.</summary>

@@ -24,12 +24,12 @@ internal sealed unsafe class PairMap
     private const uint ValueMask = (1u << ValueBits) - 1;
 
     // Of one word: the numbers of the key, then the value plus one. Apart: the keys plus one. So an empty slot is zero and new memory is an empty table.
-    private Column<ulong> _slots = new Column<ulong>(16);
+    private Column<ulong> _slots = new Column<ulong>(2);
 
     // The values; null while they are in the slots.
     private Column<int>? _values;
-    private int _mask = 15;
-    private int _shift = 60;
+    private int _mask = 1;
+    private int _shift = 63;
 
     public int Count { get; private set; }
 

@@ -20,6 +20,9 @@ internal sealed unsafe class Scratch
     private int _usedBefore;
     private int _used;
 
+    /// <summary>Bytes that it has, but for those it has outgrown.</summary>
+    public int Capacity => _block.Capacity;
+
     /// <summary>How much is taken: what is taken from here on is released by <see cref="Release"/>.</summary>
     public int Mark => _usedBefore + _used;
 

@@ -36,6 +36,9 @@ internal sealed unsafe class Scratch
         }
     }
 
+    /// <summary>Nobody keeps it.</summary>
+    public int Capacity => 0;
+
     public int Mark { get; private set; }
 
     public T* Take<T>(int count)
