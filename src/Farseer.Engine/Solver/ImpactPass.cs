@@ -115,7 +115,7 @@ internal sealed unsafe partial class ImpactPass
         _struckSmall.Reserve(bodies);
         _hitIn.EnsureCapacity(bodies + 1);
         _struckIn.EnsureCapacity(bodies + 1);
-        _bounces.EnsureCapacity(Math.Min(LeastBundles, bundles) + (int)(bodies * (bounce ? BouncingShare : FallingShare)));
+        _bounces.EnsureCapacity(Math.Min(LeastBundles, (bundles + 1) / 2) + (int)(bodies * (bounce ? BouncingShare : FallingShare)));
         _hits.Reserve(_bounces.Capacity);
         _met.Reserve(_bounces.Capacity);
         _latest.EnsureCapacity(bodies);

@@ -101,7 +101,7 @@ internal sealed partial class StageRunner : IDisposable
         Workers = workers;
         _scheduler = scheduler;
         _firstReport = FirstShare + (workers * Spread);
-        _words = new long[_firstReport + ((workers + 1) * Spread)];
+        _words = workers > 1 ? new long[_firstReport + ((workers + 1) * Spread)] : Array.Empty<long>();
         _help = Help;
         if (workers > 1)
         {
@@ -298,7 +298,11 @@ internal sealed partial class StageRunner : IDisposable
     /// <summary>Empties a list of phases. A helper that comes late may be looking at it for a row that is over: from now on it finds none.</summary>
     public void Clear(StageList stages)
     {
-        Volatile.Write(ref _words[PhasePlace], 0);
+        if (Workers > 1)
+        {
+            Volatile.Write(ref _words[PhasePlace], 0);
+        }
+
         stages.Clear();
     }
 

@@ -13,7 +13,7 @@ internal sealed unsafe class Column<T> : IColumn
 {
     /// <summary>That of a cache line, and of a vector, which is enough for the few records of a small column: most of the hundreds of a small world are.</summary>
     private const int Alignment = 64;
-    private const int SmallAlignment = 32;
+    private const int SmallAlignment = 16;
     private const int SmallBytes = 1 << 10;
 
     /// <summary>Where the data of an array begins is a multiple of it.</summary>
