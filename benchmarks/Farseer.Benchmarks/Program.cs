@@ -8,6 +8,7 @@ using Farseer.Benchmarks.States;
 using Farseer.Benchmarks.Suites;
 using Farseer.Benchmarks.Trees;
 using Farseer.Benchmarks.Unused;
+using Farseer.Benchmarks.Worlds;
 
 switch (args.Length > 0 ? args[0] : "")
 {
@@ -35,6 +36,8 @@ switch (args.Length > 0 ? args[0] : "")
         return AllocationCommand.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "rollback":
         return StateTiming.Run(args.AsSpan(1), Console.Out, Console.Error);
+    case "turns":
+        return TurnTiming.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "unused":
         return UnusedFeatures.Run(Console.Out);
     default:
@@ -60,6 +63,8 @@ switch (args.Length > 0 ? args[0] : "")
         Console.WriteLine("          what scenes allocate after their first second, by store");
         Console.WriteLine($"  {StateTiming.Usage}");
         Console.WriteLine("          what states and frames of a rollback buffer take, as shares of an update");
+        Console.WriteLine($"  {TurnTiming.Usage}");
+        Console.WriteLine("          many small worlds stepped in turn, beside one after the other");
         Console.WriteLine("  unused  time and bits of features that have nothing to do");
         return 0;
 }

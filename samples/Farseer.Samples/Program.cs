@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using Farseer.Samples.Commands;
+using Farseer.Samples.Sweeping;
 using Farseer.Scenes;
 using Spectre.Console;
 
@@ -11,7 +12,7 @@ internal static class Program
 {
     private const int Fine = 0;
     private const int WrongUse = 2;
-    private static readonly string[] _verbs = ["list", "run", "watch", "draw", "advise", "check", "help"];
+    private static readonly string[] _verbs = ["list", "run", "watch", "draw", "advise", "learn", "sweep", "merge", "check", "help"];
 
     private static bool HasTerminal => !Console.IsInputRedirected && !Console.IsOutputRedirected;
 
@@ -69,6 +70,12 @@ internal static class Program
                 return DrawCommand.Execute(CommandLine.Run("draw", rest));
             case "advise":
                 return AdviseCommand.Execute(CommandLine.Run("advise", rest));
+            case "learn":
+                return LearnCommand.Execute(rest);
+            case "sweep":
+                return SweepCommand.Execute(rest);
+            case "merge":
+                return MergeCommand.Execute(rest);
             case "check":
                 CommandLine.None("check", rest);
                 return CheckCommand.Execute();

@@ -25,6 +25,14 @@ internal static class HelpCommand
           advise <scene|file.json>  the cheapest setting for an error, with the curve
               --error E             the largest error (default: 1/10000 of the view)
               --steps N             how much of the scene (default: all, at most 10 s)
+          learn                     balance a pole on a cart by random search in 64 worlds
+              --turns N, --seed N, --workers N
+              --out f.svg           the best run (default: learned.svg)
+          sweep <specification>     run a shard of a sweep, or go on with it (docs/Sweeps.md)
+              --shard I/N           which part of how many; or --shards N within a job
+              --out f.jsonl         its rows (default: sweep-I-of-N.jsonl)
+          merge <file...>           put shards together; each run must be there, repeats agree
+              --out f.jsonl         all rows (default: sweep.jsonl)
           check                     run all scenes and compare with what must come out
           help                      this
 

@@ -27,6 +27,7 @@ internal sealed unsafe class FewSeekers
         Box* boxes = proxies.Fat.Pointer;
         ProxyInfo* info = proxies.Info.Pointer;
         _seekers.EnsureCapacity(Math.Min(count, Most));
+        _rows.EnsureCapacity(Math.Min(count, Most));
         int* seekers = _seekers.Pointer;
         int found = 0;
         for (int i = 0; i < count; i++)

@@ -30,7 +30,7 @@ internal sealed unsafe partial class ConstraintGraph
         {
             for (int color = 0; color <= ColorCount; color++)
             {
-                if (i < groups && s.Value(_colors[i][color] != null))
+                if (i < groups && s.Value(_colors[i][color]?.HoldsAny == true))
                 {
                     ColorOf(i, color).Visit(s);
                 }

@@ -49,7 +49,7 @@ internal sealed unsafe partial class ConstraintGraph
         _usedCount = 0;
         if (_used.Length < _colorsMade)
         {
-            _used = new GraphColor[2 * _colorsMade];
+            _used = new GraphColor[Math.Min(2 * _colorsMade, (ColorCount + 1) * _colors.Count)];
             _solved = new GraphColor[_used.Length];
         }
 

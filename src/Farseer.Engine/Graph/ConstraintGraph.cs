@@ -41,6 +41,9 @@ internal sealed unsafe partial class ConstraintGraph
     private const float HeavyRatio = 64f;
     private const int NoBody = -1;
 
+    /// <summary>Rows of a world that is to have all colours: fewer bodies than that seldom have more than <see cref="BodyColors.Drawn"/> rows each.</summary>
+    private const int ManyRows = 32;
+
     /// <summary>Part of all rows that are moved at once to another group, those of one colour.</summary>
     private const int MovedPart = 8;
 
@@ -50,6 +53,7 @@ internal sealed unsafe partial class ConstraintGraph
     private readonly Column<int> _degree = new Column<int>();
     // By group and colour, made once it has a row; the first also has the colour of those asleep.
     private readonly List<GraphColor?[]> _colors = new List<GraphColor?[]>();
+    [NotState(Why.Room)]
     private int _colorsMade;
     [NotState(Why.OfOneStep)]
     private readonly IndexList _moving = new IndexList();
@@ -133,6 +137,11 @@ internal sealed unsafe partial class ConstraintGraph
         Mark(record.BodyB, color, movesB && record.BodyB != heavy);
         RowCount++;
         NewRows++;
+        if (RowCount == ManyRows)
+        {
+            MakeColor(0, color);
+        }
+
         Note(record, contact);
     }
 
@@ -411,15 +420,28 @@ internal sealed unsafe partial class ConstraintGraph
     /// <summary>Rows of it may share bodies: see <see cref="GraphColor.HasOrder"/>.</summary>
     private static bool HasOrder(int color) => color != Dormant && (color >= BodyColors.Masked || BodyColors.IsShared(color));
 
+    /// <summary>Makes a colour, and others that may follow: one that is used for the first time late is not to allocate then.</summary>
     private GraphColor MakeColor(int group, int color)
     {
-        _colorsMade++;
-        GraphColor made = color == Dormant
-            ? new GraphColor(_arena)
-            : new GraphColor(_arena, color >= BodyColors.Masked, BodyColors.IsGrounded(color), BodyColors.PlaceOf(color), group, BodyColors.IsShared(color));
-        _colors[group][color] = made;
-        return made;
+        bool all = group > 0 || RowCount >= ManyRows;
+        GraphColor?[] colors = _colors[group];
+        for (int i = 0; i <= ColorCount; i++)
+        {
+            if (colors[i] == null && (all || i == color || IsUsual(i)))
+            {
+                _colorsMade++;
+                colors[i] = i == Dormant
+                    ? new GraphColor(_arena)
+                    : new GraphColor(_arena, i >= BodyColors.Masked, BodyColors.IsGrounded(i), BodyColors.PlaceOf(i), group, BodyColors.IsShared(i));
+            }
+        }
+
+        return colors[color]!;
     }
+
+    /// <summary>Also the rows of few bodies may come to have it.</summary>
+    private static bool IsUsual(int color) =>
+        color is < BodyColors.Drawn or (>= BodyColors.FirstShared and < BodyColors.Dynamic + BodyColors.Drawn) or >= BodyColors.Masked;
 
     private void Move(int from, int to) =>
         ContactLanes.MoveLane(_arena.BundleOf(from), RowArena.LaneOf(from), _arena.BundleOf(to), RowArena.LaneOf(to));

@@ -1,5 +1,6 @@
 using System;
 using System.Runtime.InteropServices;
+using System.Threading;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Numerics;
@@ -29,6 +30,7 @@ internal sealed unsafe class QueryIndex
     private const int LooseShare = 16;
 
     private const int Nowhere = -1;
+    private const long Stale = -1;
     private const int FirstLoose = -2;
 
     private readonly Column<PieceFit> _fits = new Column<PieceFit>();
@@ -39,7 +41,12 @@ internal sealed unsafe class QueryIndex
     [NotState(Why.OfOneStep)]
     private readonly IndexList _members = new IndexList();
     private readonly Scratch _scratch = new Scratch();
+    private readonly object _gate = new object();
     private long _version;
+
+    /// <summary>The version that all boxes are up to, written when they are; <see cref="Stale"/>: some are not.</summary>
+    [NotState(Why.Derived)]
+    private long _fresh = Stale;
     private int _known;
     private int _count;
 
@@ -58,6 +65,7 @@ internal sealed unsafe class QueryIndex
         if (!fit.IsChanged)
         {
             fit.IsChanged = true;
+            _fresh = Stale;
             _changed.Add(piece);
         }
     }
@@ -91,11 +99,28 @@ internal sealed unsafe class QueryIndex
         fit.Place = Nowhere;
     }
 
-    /// <summary>Brings the boxes up to the poses.</summary>
+    /// <summary>Brings the boxes up to the poses. Of several threads that ask at once the first one does it, and the others wait.</summary>
     /// <param name="shapes">The pieces.</param>
     /// <param name="bodies">The poses.</param>
     /// <param name="version">Differs from that of the last call if a step has moved bodies since.</param>
     public void Refresh(ShapeStore shapes, BodyStore bodies, long version)
+    {
+        if (Volatile.Read(ref _fresh) == version)
+        {
+            return;
+        }
+
+        lock (_gate)
+        {
+            if (_fresh != version)
+            {
+                Follow(shapes, bodies, version);
+                Volatile.Write(ref _fresh, version);
+            }
+        }
+    }
+
+    private void Follow(ShapeStore shapes, BodyStore bodies, long version)
     {
         int end = shapes.PieceIds.End;
         Know(end);
@@ -271,6 +296,7 @@ internal sealed unsafe class QueryIndex
     /// </summary>
     public void Visit(StateStream s)
     {
+        _fresh = Stale;
         s.Value(ref _version);
         s.Value(ref _known);
         s.Value(ref _count);

@@ -93,6 +93,12 @@ internal sealed partial class World
     [NotState(Why.Calm)]
     public bool IsStepping { get; private set; }
 
+    /// <summary>Substeps of the last step.</summary>
+    public int Substeps => _substeps;
+
+    /// <summary>Islands told apart in the last step; 0: nothing asked for them.</summary>
+    public int IslandCount => _islands.Count;
+
     /// <summary>Pairs of pieces in contact.</summary>
     public int ContactCount
     {

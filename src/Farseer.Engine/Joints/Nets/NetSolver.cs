@@ -178,25 +178,17 @@ internal sealed unsafe partial class NetSolver
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        if (s.Value(_rows.Length > 0))
+        // Not whether some are made: those without rows are as if they were not.
+        bool any = s.Value(_members.Count > 0);
+        for (int list = 0; list < BodyColors.Count * Forms && (any || _rows.Length > 0); list++)
         {
-            for (int list = 0; list < BodyColors.Count * Forms; list++)
+            if (any && s.Value(_rows.Length > 0 && _rows[list]?.RowCount > 0))
             {
-                if (s.Value(_rows.Length > 0 && _rows[list] != null))
-                {
-                    RowsOf(list).Visit(s);
-                }
-                else if (_rows.Length > 0)
-                {
-                    _rows[list]?.Forget();
-                }
+                RowsOf(list).Visit(s);
             }
-        }
-        else
-        {
-            foreach (NetRows? rows in _rows)
+            else if (_rows.Length > 0)
             {
-                rows?.Forget();
+                _rows[list]?.Forget();
             }
         }
 
