@@ -46,7 +46,7 @@ internal sealed unsafe class FastPairStage : IStageWork
     {
         _keys = new ScratchList<ulong>(scratch);
         _contacts = new ScratchList<int>(scratch);
-        _bundle = scratch.Take<ContactBundle>(1);
+        _bundle = &scratch.Lasting<WorkerLanes>(1)->Fast;
         Given = 0;
         AnyBounce = false;
     }

@@ -35,7 +35,7 @@ internal sealed unsafe class StruckPairs : IStageWork
     private readonly Column<float> _throws = new Column<float>();
 
     /// <summary>A bundle for each worker.</summary>
-    private ContactBundle* _bundles;
+    private WorkerLanes* _lanes;
     private readonly ColorRanges _ranges = new ColorRanges();
 
     /// <summary>In scratch memory: pairs that are to get rows, a bit for each place of the idle list.</summary>
@@ -59,7 +59,7 @@ internal sealed unsafe class StruckPairs : IStageWork
 
     public void Begin(StageRunner runner, BodyStore bodies, JointStore joints, Scratch scratch)
     {
-        _bundles = scratch.Take<ContactBundle>(runner.Workers);
+        _lanes = scratch.Lasting<WorkerLanes>(runner.Workers);
         _joints = joints;
         _struck = new ScratchList<int>(scratch);
         _found = new ScratchList<int>(scratch);
@@ -121,8 +121,8 @@ internal sealed unsafe class StruckPairs : IStageWork
     void IStageWork.Run(int worker, int from, int to)
     {
         ContactUpdateInput input = _input;
-        input.Pairs = _input.Pairs + worker;
-        ContactBundle* bundle = _bundles + worker;
+        input.Pairs = &(_lanes + worker)->Pairs;
+        ContactBundle* bundle = &(_lanes + worker)->Struck;
         for (int block = from; block < to; block++)
         {
             if (_widens)

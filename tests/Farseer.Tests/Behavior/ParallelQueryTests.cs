@@ -75,7 +75,7 @@ public class ParallelQueryTests
         Assert.Equal(found, hits.Count(h => h.Geom != null));
         for (int i = 0; i < Questions; i++)
         {
-            simulator.RayCastEach(starts[i], ends[i], out RayCastHit one);
+            simulator.RayCast(starts[i], ends[i], out RayCastHit one);
             Assert.Equal(one, hits[i]);
         }
 
