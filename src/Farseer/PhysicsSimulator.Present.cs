@@ -107,6 +107,7 @@ public partial class PhysicsSimulator
     internal QueryCrowd Asking => _queries;
 
     /// <summary>For those who look at what waits while others do.</summary>
+    [NotState(Why.Fixed)]
     internal object WaitingGate { get; } = new object();
 
     /// <summary>False: certainly nothing waits.</summary>

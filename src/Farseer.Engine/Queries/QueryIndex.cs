@@ -41,6 +41,7 @@ internal sealed unsafe class QueryIndex
     [NotState(Why.OfOneStep)]
     private readonly IndexList _members = new IndexList();
     private readonly Scratch _scratch = new Scratch();
+    [NotState(Why.Fixed)]
     private readonly object _gate = new object();
     private long _version;
 

@@ -24,7 +24,9 @@ internal sealed unsafe class SpringStore
     private readonly Column<SpringRow> _rows = new Column<SpringRow>();
     private readonly Column<BodyRecord> _records = new Column<BodyRecord>();
     private readonly Column<int> _treeBodies = new Column<int>();
+
     // None before there is a spring.
+    [NotState(Why.OfOneStep)]
     private SpringMesh? _mesh;
 
     public int Count { get; private set; }
