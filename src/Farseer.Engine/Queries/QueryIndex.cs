@@ -45,8 +45,7 @@ internal sealed unsafe class QueryIndex
     private readonly object _gate = new object();
     private long _version;
 
-    /// <summary>The version that all boxes are up to, written when they are; <see cref="Stale"/>: some are not.</summary>
-    [NotState(Why.Derived)]
+    /// <summary>The version that all boxes are up to, written when they are; <see cref="Stale"/>: some are not, as after a state was gone back to.</summary>
     private long _fresh = Stale;
     private int _known;
     private int _count;
