@@ -1,6 +1,5 @@
 using System;
 using System.Runtime.InteropServices;
-using System.Threading;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Numerics;
@@ -41,8 +40,6 @@ internal sealed unsafe class QueryIndex
     [NotState(Why.OfOneStep)]
     private readonly IndexList _members = new IndexList();
     private readonly Scratch _scratch = new Scratch();
-    [NotState(Why.Fixed)]
-    private readonly object _gate = new object();
     private long _version;
 
     /// <summary>The version that all boxes are up to, written when they are; <see cref="Stale"/>: some are not, as after a state was gone back to.</summary>
@@ -99,28 +96,27 @@ internal sealed unsafe class QueryIndex
         fit.Place = Nowhere;
     }
 
-    /// <summary>Brings the boxes up to the poses. Of several threads that ask at once the first one does it, and the others wait.</summary>
+    /// <summary>All boxes are up to a version: whoever asks then only reads.</summary>
+    public bool IsFresh(long version) => _fresh == version;
+
+    /// <summary>Says that they are.</summary>
+    public void MarkFresh(long version) => _fresh = version;
+
+    /// <summary>Brings the boxes up to the poses.</summary>
     /// <param name="shapes">The pieces.</param>
     /// <param name="bodies">The poses.</param>
     /// <param name="version">Differs from that of the last call if a step has moved bodies since.</param>
     public void Refresh(ShapeStore shapes, BodyStore bodies, long version)
     {
-        if (Volatile.Read(ref _fresh) == version)
+        if (_fresh != version)
         {
-            return;
-        }
-
-        lock (_gate)
-        {
-            if (_fresh != version)
-            {
-                Follow(shapes, bodies, version);
-                Volatile.Write(ref _fresh, version);
-            }
+            Follow(shapes, bodies, version);
+            _fresh = version;
         }
     }
 
-    private void Follow(ShapeStore shapes, BodyStore bodies, long version)
+    /// <summary>Brings the boxes up to the poses, and does not say so yet.</summary>
+    public void Follow(ShapeStore shapes, BodyStore bodies, long version)
     {
         int end = shapes.PieceIds.End;
         Know(end);

@@ -72,6 +72,14 @@ internal sealed unsafe partial class WorldQueries
     [NotState(Why.Calm)]
     public bool PosesChange { get; set; }
 
+    /// <summary>The next query only reads; within a step in which poses change for each, one thread asks alone.</summary>
+    public bool IsFresh => PosesChange || _index.IsFresh(Version);
+
+    /// <summary>Does what the next query would do first; <see cref="MarkFresh"/> says that it is done.</summary>
+    public void Follow() => _index.Follow(_shapes, _bodies, Version);
+
+    public void MarkFresh() => _index.MarkFresh(Version);
+
     public void Changed(int piece) => _index.Changed(piece);
 
     public void Removed(int piece) => _index.Removed(piece);

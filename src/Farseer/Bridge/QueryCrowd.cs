@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 using Farseer.Engine.Queries;
 using Farseer.Engine.Simulation;
 
@@ -28,8 +29,29 @@ internal sealed class QueryCrowd
     public QueryTurn Enter()
     {
         int thread = Environment.CurrentManagedThreadId;
+        if (!_world.Queries.IsFresh)
+        {
+            Freshen();
+        }
+
         QueryLink? link = _recent;
         return new QueryTurn(this, link?.TryUse(thread) == true ? link : Find(thread));
+    }
+
+    /// <summary>The first of several threads brings the boxes up to the poses, and the others wait: the engine knows no threads here.</summary>
+    private void Freshen()
+    {
+        lock (_all)
+        {
+            if (!_world.Queries.IsFresh)
+            {
+                _world.Queries.Follow();
+
+                // Who sees the mark sees the boxes; to take a link is a barrier on the other side.
+                Interlocked.MemoryBarrier();
+                _world.Queries.MarkFresh();
+            }
+        }
     }
 
     public void Leave(QueryLink link)
