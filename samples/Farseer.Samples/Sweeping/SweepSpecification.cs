@@ -4,6 +4,7 @@ using System.IO;
 using System.Security.Cryptography;
 using System.Text;
 using System.Text.Json;
+using System.Text.Json.Serialization;
 using Farseer.Scenes;
 
 namespace Farseer.Samples.Sweeping;
@@ -19,7 +20,7 @@ internal sealed record SweepSpecification
     private static readonly JsonSerializerOptions _strict = new()
     {
         PropertyNameCaseInsensitive = true,
-        UnmappedMemberHandling = System.Text.Json.Serialization.JsonUnmappedMemberHandling.Disallow,
+        UnmappedMemberHandling = JsonUnmappedMemberHandling.Disallow,
     };
 
     /// <summary>Names of scenes of the library.</summary>
@@ -38,9 +39,11 @@ internal sealed record SweepSpecification
 
     public float Jitter { get; init; }
 
+    [JsonIgnore]
     public int Count => Scenes.Length * Iterations.Length * Dt.Length * Seeds;
 
-    public string Hash => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(JsonSerializer.Serialize(this with { }))))[..16];
+    [JsonIgnore]
+    public string Hash => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(JsonSerializer.Serialize(this))))[..16];
 
     public static SweepSpecification Load(string path)
     {
