@@ -1,6 +1,7 @@
 using System;
 using Farseer.Engine.Accuracy;
 using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Contacts;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
@@ -42,6 +43,7 @@ internal sealed partial class World
         {
             _immovableListed = false;
             _queriesSeeStep = false;
+            _roomIsDue |= s.Room is not null;
         }
     }
 
@@ -114,7 +116,7 @@ internal sealed partial class World
         HitSpeed = s.Value(HitSpeed);
         s.Value(ref _sums);
         s.Value(ref _tellsPushes);
-        s.Reference(ref _impulses);
+        s.Part(ref _impulses, static () => new ContactImpulses());
         _impulses?.Visit(s);
     }
 
@@ -126,10 +128,10 @@ internal sealed partial class World
         s.Value(ref _measures);
         s.Value(ref _reports);
         s.Value(ref _budgeted);
-        s.Reference(ref _audit);
+        s.Part(ref _audit, static () => new EnergyAudit());
         _audit?.Visit(s);
-        s.Reference(ref _meter);
+        s.Part(ref _meter, () => new ErrorMeter(Bodies, Shapes, _contacts, _graph, Joints));
         _meter?.Visit(s);
-        s.Reference(ref _impactLaw);
+        s.Part(ref _impactLaw, () => new ImpactLaw(Bodies, _contacts, _graph, Joints, _meter!));
     }
 }

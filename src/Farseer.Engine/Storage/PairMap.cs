@@ -269,7 +269,7 @@ internal sealed unsafe class PairMap
         Count = s.Value(Count);
         s.Value(ref _mask);
         s.Value(ref _shift);
-        s.Reference(ref _values);
+        s.Part(ref _values, static () => new Column<int>());
         s.Column(_slots);
         if (_values != null)
         {

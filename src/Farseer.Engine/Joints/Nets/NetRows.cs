@@ -199,7 +199,7 @@ internal abstract unsafe class NetRows
         IsShared = s.Value(IsShared);
         RowCount = s.Value(RowCount);
         Disturbed = s.Value(Disturbed);
-        s.Reference(ref _anchors);
+        s.Part(ref _anchors, static () => new Column<NetAnchors>());
         if (_anchors != null)
         {
             s.Column(_memory);

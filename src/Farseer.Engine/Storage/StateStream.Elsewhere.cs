@@ -1,0 +1,55 @@
+using System;
+using System.Collections.Generic;
+using System.Runtime.CompilerServices;
+
+namespace Farseer.Engine.Storage;
+
+/// <content>States that are read by another world, or in another process, than they were written in.</content>
+internal sealed unsafe partial class StateStream
+{
+    private int _roomAt;
+
+    /// <summary>
+    /// How many records each column has room for, in the order of visits, where the state is to be read by a world that never was in it:
+    /// columns that grow together must have room together there as well. Null: none.
+    /// </summary>
+    public List<int>? Room { get; set; }
+
+    /// <summary>A part that is made when it is first needed.</summary>
+    public void Part<T>(ref T? item, Func<T> make, [CallerArgumentExpression(nameof(item))] string name = "")
+        where T : class
+    {
+        bool isOwn = IsReading && _objectAt < ObjectCount && ReferenceEquals(_objects[_objectAt], this);
+        item = Reference(item, name);
+        if (isOwn)
+        {
+            item ??= make();
+        }
+    }
+
+    /// <summary>Becomes what was written elsewhere. A reference to the stream itself stands for what the reader has of his own in its place.</summary>
+    public void Load(ReadOnlySpan<byte> bytes, ReadOnlySpan<object?> objects)
+    {
+        Shape(default, new StatePlace { At = bytes.Length, ObjectAt = objects.Length });
+        bytes.CopyTo(new Span<byte>(_bytes.Pointer, Length));
+        objects.CopyTo(_objects);
+    }
+
+    private void MakeRoom<T>(Column<T> column)
+        where T : unmanaged
+    {
+        if (Room is null)
+        {
+            return;
+        }
+
+        if (IsReading)
+        {
+            column.EnsureCapacity(Room[_roomAt++]);
+        }
+        else
+        {
+            Room.Add(column.Capacity);
+        }
+    }
+}
