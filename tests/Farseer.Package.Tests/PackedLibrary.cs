@@ -33,6 +33,7 @@ public sealed class PackedLibrary : IDisposable
         cache = cache[(cache.IndexOf(": ", StringComparison.Ordinal) + 2)..];
         Pack("Farseer");
         Pack("Farseer.Box2DFlash");
+        Pack("Farseer.Serialization");
         File.WriteAllText(Path.Combine(Folder, "NuGet.config"), $"""
             <?xml version="1.0" encoding="utf-8"?>
             <configuration>
@@ -52,6 +53,8 @@ public sealed class PackedLibrary : IDisposable
     public string Package => Path.Combine(Feed, $"Farseer.{Version}.nupkg");
 
     public string FlashPackage => Path.Combine(Feed, $"Farseer.Box2DFlash.{Version}.nupkg");
+
+    public string SavingPackage => Path.Combine(Feed, $"Farseer.Serialization.{Version}.nupkg");
 
     public string Symbols => Path.Combine(Feed, $"Farseer.{Version}.snupkg");
 

@@ -5,6 +5,7 @@ using System.Linq;
 using System.Reflection;
 using Box2D.Dynamics;
 using FarseerGames.FarseerPhysics;
+using FarseerGames.FarseerPhysics.Serialization;
 using Xunit;
 
 namespace Farseer.Rules.Tests;
@@ -15,6 +16,7 @@ public sealed class PublicApiTests
     [Theory]
     [InlineData(typeof(PhysicsSimulator), "PublicApi.txt")]
     [InlineData(typeof(b2World), "PublicApi.Box2DFlash.txt")]
+    [InlineData(typeof(SceneFile), "PublicApi.Serialization.txt")]
     public void PublicApi_EqualsBaseline(Type inside, string name)
     {
         string file = Path.Combine(Repository.Root, "tests", "Farseer.Rules.Tests", name);
