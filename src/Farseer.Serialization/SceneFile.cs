@@ -43,7 +43,14 @@ public static class SceneFile
     public static byte[] Save(PhysicsSimulator simulator, SceneFileOptions? options = null)
     {
         NotNull(simulator, nameof(simulator));
-        options ??= new SceneFileOptions();
+        return Save(simulator, options ?? new SceneFileOptions(), out _);
+    }
+
+    /// <param name="simulator">The simulator.</param>
+    /// <param name="options">How.</param>
+    /// <param name="contents">The objects in the order of the file.</param>
+    internal static byte[] Save(PhysicsSimulator simulator, SceneFileOptions options, out SceneContents contents)
+    {
         simulator.ThrowIfDisposed();
         if (simulator.IsUpdating)
         {
@@ -61,12 +68,13 @@ public static class SceneFile
         }
 
         IEnumerable<object> remembered = state is null ? [] : state.Objects.Take(state.ObjectCount).OfType<object>();
-        SceneContents contents = SceneGathering.Of(simulator, options.Paths, remembered);
+        SceneContents gathered = SceneGathering.Of(simulator, options.Paths, remembered);
         StatePart? part = null;
+        contents = gathered;
         return Write(SimulatorFormat, options, sink =>
         {
-            new SceneWriter(contents, options, sink).Write();
-            WriteState(sink, part ??= state is null ? null : SimulatorState.ToPart(state, contents));
+            new SceneWriter(gathered, options, sink).Write();
+            WriteState(sink, part ??= state is null ? null : SimulatorState.ToPart(state, gathered));
         });
     }
 
@@ -130,25 +138,32 @@ public static class SceneFile
     public static PhysicsSimulator LoadSimulator(byte[] file, SceneFileOptions? options = null)
     {
         NotNull(file, nameof(file));
-        options ??= new SceneFileOptions();
+        return LoadContents(file, options ?? new SceneFileOptions(), out _).Simulator;
+    }
+
+    /// <param name="file">The file.</param>
+    /// <param name="options">How.</param>
+    /// <param name="state">Its exact state; null if it has none or is loaded without.</param>
+    internal static SceneContents LoadContents(byte[] file, SceneFileOptions options, out StatePart? state)
+    {
         SceneObject root = Open(file, options, SimulatorFormat);
         var reader = new SceneReader(root, options);
         reader.Read();
-        StatePart? state = TakeState(root, options, StateLayout.OfSimulator, out SceneNode node);
+        state = TakeState(root, options, StateLayout.OfSimulator, out SceneNode node);
         root.Finish();
         if (state is null)
         {
             options.Loaded?.Invoke(reader.Contents);
             reader.AddAll();
-            return reader.Contents.Simulator;
+            return reader.Contents;
         }
 
         reader.AddAll();
         SimulatorState.Prepare(reader.Contents.Simulator);
         options.Loaded?.Invoke(reader.Contents);
-        SimulatorState.Restore(state, reader.Contents, node);
+        SimulatorState.Restore(state, reader.Contents, node.Error);
 
-        return reader.Contents.Simulator;
+        return reader.Contents;
     }
 
     /// <summary>Loads a simulator from a stream, which is read to its end and stays open.</summary>
@@ -176,7 +191,7 @@ public static class SceneFile
         if (state is not null)
         {
             contents.World.Step(SimulatorState.AnyStep, 1);
-            WorldState.Restore(state, contents, node);
+            WorldState.Restore(state, contents, node.Error);
         }
 
         return contents.World;
@@ -191,7 +206,7 @@ public static class SceneFile
     public static b2World LoadWorld(Stream stream, SceneFileOptions? options = null) => LoadWorld(ReadAll(stream, options), options);
 
     /// <summary>Writes a document twice where it needs its own sum.</summary>
-    private static byte[] Write(string format, SceneFileOptions options, Action<SceneSink> write)
+    internal static byte[] Write(string format, SceneFileOptions options, Action<SceneSink> write)
     {
         byte[] file = Once("");
         return options.ExactState == true ? Once(SceneDocument.Parse(file).Checksum) : file;
@@ -228,7 +243,7 @@ public static class SceneFile
         }
     }
 
-    private static SceneObject Open(byte[] file, SceneFileOptions options, string format)
+    internal static SceneObject Open(byte[] file, SceneFileOptions options, string format)
     {
         if (file.LongLength > options.MostBytes)
         {
@@ -271,7 +286,7 @@ public static class SceneFile
             + ", and not " + layout.ToString("x16", System.Globalization.CultureInfo.InvariantCulture) + ". Without its exact state it loads as a scene");
     }
 
-    private static byte[] ReadAll(Stream stream, SceneFileOptions? options)
+    internal static byte[] ReadAll(Stream stream, SceneFileOptions? options)
     {
         NotNull(stream, nameof(stream));
         long most = (options ?? new SceneFileOptions()).MostBytes;

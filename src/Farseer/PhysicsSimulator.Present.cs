@@ -111,6 +111,21 @@ public partial class PhysicsSimulator
 
     internal void ListPresent(List<Joint> joints) => _joints.ListPresent(joints);
 
+    /// <summary>The geoms that the engine has.</summary>
+    internal List<Geom> ListAttached()
+    {
+        var geoms = new List<Geom>();
+        for (int i = 0; i < _table.GeomEnd; i++)
+        {
+            if (_table.Geom(i) is { } geom)
+            {
+                geoms.Add(geom);
+            }
+        }
+
+        return geoms;
+    }
+
     internal void ListPresent(List<Spring> springs) => _springs.ListPresent(springs);
 
     /// <summary>Lists the controllers that are in the simulator or will be at the next update.</summary>

@@ -15,6 +15,12 @@ internal sealed unsafe partial class StateStream
     /// </summary>
     public List<int>? Room { get; set; }
 
+    /// <summary>The state is for another world than the one that it is written of.</summary>
+    public bool IsElsewhere => Room is not null;
+
+    /// <summary>Of such a state, references of which types are none of it: each world has its own, or none. Null: all are.</summary>
+    public Func<Type, bool>? StaysWithReader { get; set; }
+
     /// <summary>A part that is made when it is first needed.</summary>
     public void Part<T>(ref T? item, Func<T> make, [CallerArgumentExpression(nameof(item))] string name = "")
         where T : class

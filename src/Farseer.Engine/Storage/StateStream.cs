@@ -346,6 +346,11 @@ internal sealed unsafe partial class StateStream
         }
 
         EnsureObjects(at + 1);
+        if (StaysWithReader is not null && StaysWithReader(typeof(T)))
+        {
+            _objects[at] = this;
+            return item;
+        }
 
         // Mostly it is the same as in the state before: to write it again costs more than to look.
         if (!ReferenceEquals(_objects[at], item))

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using Box2D.Dynamics;
 using Farseer.Engine.Storage;
-using FarseerGames.FarseerPhysics.Serialization.Documents;
 using FarseerGames.FarseerPhysics.Serialization.States;
 
 namespace FarseerGames.FarseerPhysics.Serialization.Flash;
@@ -18,16 +17,16 @@ internal static class WorldState
         return StatePart.Of(stream, Places(contents), StateLayout.OfWorld, FixedOnes(contents.World));
     }
 
-    public static void Restore(StatePart part, WorldContents contents, SceneNode node)
+    public static void Restore(StatePart part, WorldContents contents, Func<string, Exception?, Exception> fault)
     {
-        StateStream stream = part.ToStream(Places(contents), node, FixedOnes(contents.World));
+        StateStream stream = part.ToStream(Places(contents), fault, FixedOnes(contents.World));
         try
         {
             contents.World.Read(stream, new Box2D.Bridge.StateRoster());
         }
         catch (Exception exception) when (exception is InvalidOperationException or InvalidCastException or ArgumentException or NullReferenceException or IndexOutOfRangeException)
         {
-            throw node.Error("does not fit the scene", exception);
+            throw fault("does not fit the scene", exception);
         }
     }
 

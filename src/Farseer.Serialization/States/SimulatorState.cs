@@ -16,8 +16,23 @@ internal static class SimulatorState
     /// <summary>Captures a simulator for a file.</summary>
     public static StateStream Capture(PhysicsSimulator simulator)
     {
-        var stream = new StateStream { Room = new List<int>() };
-        simulator.Write(stream, new Bridge.StateRoster());
+        var stream = new StateStream { Room = new List<int>(), StaysWithReader = StaysWithReader };
+        List<Geom> attached = Attached(simulator);
+        try
+        {
+            // The order of making is told by numbers that this process has given out: a file has the ranks.
+            for (int i = 0; i < attached.Count; i++)
+            {
+                simulator.World.Collider(attached[i].Link.Handle).Order = i + 1;
+            }
+
+            simulator.Write(stream, new Bridge.StateRoster());
+        }
+        finally
+        {
+            NumberByMaking(simulator, attached);
+        }
+
         return stream;
     }
 
@@ -35,28 +50,45 @@ internal static class SimulatorState
     }
 
     /// <summary>Sets a simulator and the objects of its file to the state.</summary>
-    public static void Restore(StatePart part, SceneContents contents, SceneNode node)
+    /// <param name="part">The state.</param>
+    /// <param name="contents">The simulator and the objects.</param>
+    /// <param name="fault">What to throw if the state does not fit them.</param>
+    public static void Restore(StatePart part, SceneContents contents, Func<string, Exception?, Exception> fault)
     {
         PhysicsSimulator simulator = contents.Simulator;
-        StateStream stream = part.ToStream(Places(contents), node, simulator, simulator.World);
+        StateStream stream = part.ToStream(Places(contents), fault, simulator, simulator.World);
         try
         {
             simulator.Read(stream, new Bridge.StateRoster(), new Bridge.StateRoster())?.Throw();
         }
         catch (Exception exception) when (exception is InvalidOperationException or InvalidCastException or ArgumentException or NullReferenceException or IndexOutOfRangeException)
         {
-            throw node.Error("does not fit the scene", exception);
+            throw fault("does not fit the scene", exception);
         }
 
-        // The order of making is told by numbers that this process has given out.
-        foreach (Geom geom in contents.Geoms)
+        NumberByMaking(simulator, Attached(simulator));
+    }
+
+    /// <summary>The geoms that the engine has, in the order of their making.</summary>
+    private static List<Geom> Attached(PhysicsSimulator simulator)
+    {
+        List<Geom> geoms = simulator.ListAttached();
+        geoms.Sort(static (a, b) => a.Id.CompareTo(b.Id));
+        return geoms;
+    }
+
+    private static void NumberByMaking(PhysicsSimulator simulator, List<Geom> geoms)
+    {
+        foreach (Geom geom in geoms)
         {
-            if (geom.Link.IsAttached)
-            {
-                simulator.World.Collider(geom.Link.Handle).Order = geom.Id;
-            }
+            simulator.World.Collider(geom.Link.Handle).Order = geom.Id;
         }
     }
+
+    /// <summary>Handlers, and what is worked out when it is asked for.</summary>
+    private static bool StaysWithReader(Type type) =>
+        typeof(Delegate).IsAssignableFrom(type) || type == typeof(Delegate[]) || type == typeof(string)
+        || type == typeof(Grid) || type == typeof(Vertices) || type == typeof(Bridge.GeomForm);
 
     private static IEnumerable<object> Places(SceneContents contents) =>
         contents.BodyItems.AsEnumerable<object>().Concat(contents.GeomItems).Concat(contents.JointItems).Concat(contents.SpringItems).Concat(contents.ControllerItems);

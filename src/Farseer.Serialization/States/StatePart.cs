@@ -96,7 +96,7 @@ internal sealed class StatePart
     }
 
     /// <summary>A stream to be read by a world that has these objects.</summary>
-    public StateStream ToStream(IEnumerable<object> places, SceneNode node, params object[] fixedOnes)
+    public StateStream ToStream(IEnumerable<object> places, Func<string, Exception?, Exception> fault, params object[] fixedOnes)
     {
         object[] items = places.ToArray();
         var stream = new StateStream { Room = new List<int>(Room) };
@@ -106,7 +106,7 @@ internal sealed class StatePart
             ReadersOwn => (object)stream,
             >= FirstFixed and < FirstPlace when number - FirstFixed < fixedOnes.Length => fixedOnes[number - FirstFixed],
             >= FirstPlace when number - FirstPlace < items.Length => items[number - FirstPlace],
-            _ => throw node.Error("refers to an object that is not in the file"),
+            _ => throw fault("refers to an object that is not in the file", null),
         });
         stream.Load(Bytes, objects);
         return stream;

@@ -76,13 +76,17 @@ public partial class Body
 
     private void VisitExtras(StateStream s)
     {
-        if (!s.Value(_extras is not null && !_extras.IsUsual))
+        if (!s.Value(_extras is not null && !(s.IsElsewhere ? _extras.IsUsualButForUsers : _extras.IsUsual)))
         {
             if (_extras is not null)
             {
                 // What came since is as if it had not; but for the user's own.
-                _extras.Disposed = null;
-                _extras.Updated = null;
+                if (!s.IsElsewhere)
+                {
+                    _extras.Disposed = null;
+                    _extras.Updated = null;
+                }
+
                 _extras.IdleTime = 0;
                 _extras.MinimumVelocity = BodyExtras.UsualMinimumVelocity;
                 _extras.GravityScale = 1;
