@@ -1,7 +1,6 @@
 using System;
 using Farseer.Engine.Accuracy;
 using Farseer.Engine.BroadPhase;
-using Farseer.Engine.Contacts;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
@@ -116,7 +115,12 @@ internal sealed partial class World
         HitSpeed = s.Value(HitSpeed);
         s.Value(ref _sums);
         s.Value(ref _tellsPushes);
-        s.Part(ref _impulses, static () => new ContactImpulses());
+        if (s.Lacks(_impulses))
+        {
+            MakeImpulses();
+        }
+
+        s.Reference(ref _impulses);
         _impulses?.Visit(s);
     }
 
@@ -128,10 +132,25 @@ internal sealed partial class World
         s.Value(ref _measures);
         s.Value(ref _reports);
         s.Value(ref _budgeted);
-        s.Part(ref _audit, static () => new EnergyAudit());
+        if (s.Lacks(_audit))
+        {
+            MakeAudit();
+        }
+
+        s.Reference(ref _audit);
         _audit?.Visit(s);
-        s.Part(ref _meter, () => new ErrorMeter(Bodies, Shapes, _contacts, _graph, Joints));
+        if (s.Lacks(_meter))
+        {
+            MakeMeter();
+        }
+
+        s.Reference(ref _meter);
         _meter?.Visit(s);
-        s.Part(ref _impactLaw, () => new ImpactLaw(Bodies, _contacts, _graph, Joints, _meter!));
+        if (s.Lacks(_impactLaw))
+        {
+            MakeImpactLaw();
+        }
+
+        s.Reference(ref _impactLaw);
     }
 }

@@ -269,7 +269,12 @@ internal sealed unsafe class PairMap
         Count = s.Value(Count);
         s.Value(ref _mask);
         s.Value(ref _shift);
-        s.Part(ref _values, static () => new Column<int>());
+        if (s.Lacks(_values))
+        {
+            _values = new Column<int>();
+        }
+
+        s.Reference(ref _values);
         s.Column(_slots);
         if (_values != null)
         {

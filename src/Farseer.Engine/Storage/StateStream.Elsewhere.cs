@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Runtime.CompilerServices;
 
 namespace Farseer.Engine.Storage;
 
@@ -21,17 +20,10 @@ internal sealed unsafe partial class StateStream
     /// <summary>Of such a state, references of which types are none of it: each world has its own, or none. Null: all are.</summary>
     public Func<Type, bool>? StaysWithReader { get; set; }
 
-    /// <summary>A part that is made when it is first needed.</summary>
-    public void Part<T>(ref T? item, Func<T> make, [CallerArgumentExpression(nameof(item))] string name = "")
-        where T : class
-    {
-        bool isOwn = IsReading && _objectAt < ObjectCount && ReferenceEquals(_objects[_objectAt], this);
-        item = Reference(item, name);
-        if (isOwn)
-        {
-            item ??= make();
-        }
-    }
+    /// <summary>
+    /// Comes before the visit of a part that is made when it is first needed: the state, of another world, has one, and this world has none yet.
+    /// </summary>
+    public bool Lacks(object? part) => IsReading && part is null && _objectAt < ObjectCount && ReferenceEquals(_objects[_objectAt], this);
 
     /// <summary>Becomes what was written elsewhere. A reference to the stream itself stands for what the reader has of his own in its place.</summary>
     public void Load(ReadOnlySpan<byte> bytes, ReadOnlySpan<object?> objects)

@@ -199,7 +199,12 @@ internal abstract unsafe class NetRows
         IsShared = s.Value(IsShared);
         RowCount = s.Value(RowCount);
         Disturbed = s.Value(Disturbed);
-        s.Part(ref _anchors, static () => new Column<NetAnchors>());
+        if (s.Lacks(_anchors))
+        {
+            _anchors = new Column<NetAnchors>();
+        }
+
+        s.Reference(ref _anchors);
         if (_anchors != null)
         {
             s.Column(_memory);
