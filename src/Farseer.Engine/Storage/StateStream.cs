@@ -293,7 +293,7 @@ internal sealed unsafe partial class StateStream
         {
             for (int i = 0; i < count; i++)
             {
-                Value(items[i]);
+                Unsafe.WriteUnaligned(Advance(sizeof(T)), items[i]);
             }
 
             return;
@@ -302,7 +302,7 @@ internal sealed unsafe partial class StateStream
         items.Clear();
         for (int i = 0; i < count; i++)
         {
-            items.Add(Value(default(T)));
+            items.Add(Unsafe.ReadUnaligned<T>(Advance(sizeof(T))));
         }
 #endif
     }
