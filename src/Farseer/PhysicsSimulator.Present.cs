@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Controllers;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Dynamics.Joints;
 using FarseerGames.FarseerPhysics.Dynamics.Springs;
@@ -117,7 +118,25 @@ public partial class PhysicsSimulator
 
     internal void ListPresent(List<Joint> joints) => _joints.ListPresent(joints);
 
+    /// <summary>The geoms that the engine has.</summary>
+    internal List<Geom> ListAttached()
+    {
+        var geoms = new List<Geom>();
+        for (int i = 0; i < _table.GeomEnd; i++)
+        {
+            if (_table.Geom(i) is { } geom)
+            {
+                geoms.Add(geom);
+            }
+        }
+
+        return geoms;
+    }
+
     internal void ListPresent(List<Spring> springs) => _springs.ListPresent(springs);
+
+    /// <summary>Lists the controllers that are in the simulator or will be at the next update.</summary>
+    internal void ListPresent(List<Controller> controllers) => _controllers.ListPresent(controllers);
 
     /// <summary>How many of what is in it, for a debugger.</summary>
     /// <returns>A line of text.</returns>

@@ -16,6 +16,8 @@ public partial class PhysicsSimulator
     [NotState(Why.Calm)]
     private bool _isUpdating;
 
+    internal bool IsUpdating => _isUpdating;
+
     /// <summary>True measures the times below; false, the default, costs nothing.</summary>
     [NotState(Why.Running)]
     public bool EnableDiagnostics { get; set; }

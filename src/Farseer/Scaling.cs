@@ -1,4 +1,5 @@
 using Farseer.Engine.Storage;
+using FarseerGames.FarseerPhysics.Bridge;
 
 
 namespace FarseerGames.FarseerPhysics;
@@ -26,6 +27,8 @@ public class Scaling
         _maximumUpdateInterval = Require.Positive(maximumUpdateInterval, nameof(maximumUpdateInterval));
         _updateInterval = preferredUpdateInterval;
     }
+
+    internal float PreferredUpdateInterval => _preferredUpdateInterval;
 
     /// <summary>Default false.</summary>
     public bool Enabled { get; set; }
@@ -90,5 +93,11 @@ public class Scaling
         s.Value(ref _updateInterval);
         s.Value(ref _gathered);
         Enabled = s.Value(Enabled);
+    }
+
+    /// <summary>Lets what no public property shows be saved or set.</summary>
+    internal void VisitHidden(IHiddenFields fields)
+    {
+        fields.Value("gathered", ref _gathered);
     }
 }

@@ -44,6 +44,14 @@ public sealed class ConsumerTests(PackedLibrary library)
     }
 
     [Fact]
+    public void Saver_OfNet10_RestoresItsPackageWithTheOthers_AndGoesOnWithTheSameBits()
+    {
+        string output = library.RunConsumer("Saving", "App");
+
+        Assert.Contains("True\n", output);
+    }
+
+    [Fact]
     public void PortedSource_WithTheAliasesOfThePackage_Compiles()
     {
         string output = library.RunConsumer("Ported", "App");

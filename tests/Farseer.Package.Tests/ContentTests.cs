@@ -50,6 +50,21 @@ public sealed class ContentTests(PackedLibrary library)
     }
 
     [Fact]
+    public void SavingPackage_HoldsItsAssemblyAlone_AndAsksForTheSameVersionOfTheOthers()
+    {
+        using ZipArchive package = ZipFile.OpenRead(library.SavingPackage);
+        using Stream stream = package.GetEntry("Farseer.Serialization.nuspec")!.Open();
+        XElement metadata = XDocument.Load(stream).Root!.Elements().Single();
+
+        Assert.Equal(
+            _frameworks.SelectMany(f => new[] { $"lib/{f}/Farseer.Serialization.dll", $"lib/{f}/Farseer.Serialization.xml" }).Order(StringComparer.Ordinal),
+            package.Entries.Select(e => e.FullName).Where(n => n.StartsWith("lib/", StringComparison.Ordinal)).Order(StringComparer.Ordinal));
+        XElement[] others = [.. metadata.Descendants().Where(e => e.Name.LocalName == "dependency" && e.Attribute("id")!.Value.StartsWith("Farseer", StringComparison.Ordinal))];
+        Assert.Equal(2 * _frameworks.Length, others.Length);
+        Assert.All(others, d => Assert.Equal($"[{library.Version}]", d.Attribute("version")!.Value));
+    }
+
+    [Fact]
     public void Description_NamesLicenceReadmeIconAndOnlyPlatformPackages()
     {
         using ZipArchive package = ZipFile.OpenRead(library.Package);

@@ -34,6 +34,7 @@ public sealed class PackedLibrary : IDisposable
         Pack("Farseer");
         Pack("Farseer.Box2DFlash");
         Pack("Farseer.Viewer");
+        Pack("Farseer.Serialization");
         File.WriteAllText(Path.Combine(Folder, "NuGet.config"), $"""
             <?xml version="1.0" encoding="utf-8"?>
             <configuration>
@@ -53,6 +54,8 @@ public sealed class PackedLibrary : IDisposable
     public string Package => PackageOf("Farseer");
 
     public string PackageOf(string project) => Path.Combine(Feed, $"{project}.{Version}.nupkg");
+
+    public string SavingPackage => Path.Combine(Feed, $"Farseer.Serialization.{Version}.nupkg");
 
     public string Symbols => Path.Combine(Feed, $"Farseer.{Version}.snupkg");
 

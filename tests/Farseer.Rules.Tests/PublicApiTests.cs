@@ -6,6 +6,7 @@ using System.Reflection;
 using Box2D.Dynamics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Viewer;
+using FarseerGames.FarseerPhysics.Serialization;
 using Xunit;
 
 namespace Farseer.Rules.Tests;
@@ -17,6 +18,7 @@ public sealed class PublicApiTests
     [InlineData(typeof(PhysicsSimulator), "PublicApi.txt")]
     [InlineData(typeof(b2World), "PublicApi.Box2DFlash.txt")]
     [InlineData(typeof(RunRecorder), "PublicApi.Viewer.txt")]
+    [InlineData(typeof(SceneFile), "PublicApi.Serialization.txt")]
     public void PublicApi_EqualsBaseline(Type inside, string name)
     {
         string file = Path.Combine(Repository.Root, "tests", "Farseer.Rules.Tests", name);

@@ -369,6 +369,46 @@ internal sealed class BodyLink
         y = (Cos * dy) - (Sin * dx);
     }
 
+    /// <summary>Static, it keeps the velocity that it had before, and does not move by it.</summary>
+    public bool KeepsVelocity => _keeps;
+
+    /// <summary>Forces that wait for the next step.</summary>
+    public BodyForce Force
+    {
+        get => IsAttached ? _engine.Bodies.Force[_handle.Index] : default;
+        set
+        {
+            if (IsAttached)
+            {
+                _engine.Bodies.Force[_handle.Index] = value;
+            }
+        }
+    }
+
+    /// <summary>Puts the centre of mass to a place, in full precision.</summary>
+    public void Put(double worldCenterX, double worldCenterY, double angle)
+    {
+        if (angle != Angle)
+        {
+            Attach();
+            _engine.SetAngle(_handle, angle);
+        }
+
+        if (worldCenterX != WorldCenterX || worldCenterY != WorldCenterY)
+        {
+            Attach();
+            _engine.SetPosition(_handle, worldCenterX, worldCenterY);
+        }
+    }
+
+    /// <summary>Keeps a velocity from a time when it was not static.</summary>
+    public void KeepVelocity(Vector2 velocity, float spin)
+    {
+        _keeps = true;
+        _state.LinearVelocity = velocity;
+        _state.AngularVelocity = spin;
+    }
+
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {

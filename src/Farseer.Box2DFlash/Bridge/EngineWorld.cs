@@ -116,12 +116,16 @@ internal sealed class EngineWorld : IStepHooks
         });
         shape.Link.IsAttached = true;
         int index = shape.Link.Collider.Index;
+        EnsurePlace(index);
+        _shapes[index] = shape;
+    }
+
+    private void EnsurePlace(int index)
+    {
         if (index >= _shapes.Length)
         {
             Array.Resize(ref _shapes, Math.Max(index + 1, _shapes.Length * 2));
         }
-
-        _shapes[index] = shape;
     }
 
     public void Detach(b2Shape shape)
@@ -435,7 +439,9 @@ internal sealed class EngineWorld : IStepHooks
     {
         if (shape.Link.IsAttached)
         {
-            _shapes[shape.Link.Collider.Index] = shape;
+            int index = shape.Link.Collider.Index;
+            EnsurePlace(index);
+            _shapes[index] = shape;
         }
     }
 }

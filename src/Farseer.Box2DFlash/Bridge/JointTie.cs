@@ -89,6 +89,22 @@ internal sealed class JointTie
         }
     }
 
+    public JointFlags Flags => _flags;
+
+    /// <summary>All that the joint is made of, as the engine has it.</summary>
+    public JointSettings Held => _attached ? _engine.Joints.Settings[_handle.Index] : Settings;
+
+    /// <summary>Becomes what another one was.</summary>
+    public void Put(in JointSettings settings, JointFlags flags)
+    {
+        Settings = settings;
+        _flags = flags;
+        if (_attached)
+        {
+            _engine.SetJoint(_handle, Settings, _flags);
+        }
+    }
+
     /// <summary>Hands changed settings to the engine, which keeps the anchors: they move with the centres of mass.</summary>
     public void Push(bool withAnchorA = false)
     {

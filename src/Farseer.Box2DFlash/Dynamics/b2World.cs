@@ -77,6 +77,10 @@ public partial class b2World
         }
     }
 
+    internal Vector2 Lower => _lower;
+
+    internal Vector2 Upper => _upper;
+
     internal EngineWorld Engine { get; }
 
     internal bool DoSleep { get; }

@@ -87,5 +87,10 @@ internal sealed unsafe class BoxRows
         s.Column(_maxX);
         s.Column(_maxY);
         Count = s.Value(Count);
+        if (s.IsReading)
+        {
+            // The columns of a world that was never as large have moved.
+            EnsureCapacity(Count);
+        }
     }
 }

@@ -40,10 +40,15 @@ internal sealed partial class World
         _reports = ReportEnabled || _budgeted;
         if (_reports)
         {
-            _audit ??= new EnergyAudit();
-            _audit.BeginStep(Bodies);
+            MakeAudit().BeginStep(Bodies);
         }
     }
+
+    private EnergyAudit MakeAudit() => _audit ??= new EnergyAudit();
+
+    private ErrorMeter MakeMeter() => _meter ??= new ErrorMeter(Bodies, Shapes, _contacts, _graph, Joints);
+
+    private ImpactLaw MakeImpactLaw() => _impactLaw ??= new ImpactLaw(Bodies, _contacts, _graph, Joints, MakeMeter());
 
     private void EndAccuracy(float dt)
     {
@@ -53,20 +58,20 @@ internal sealed partial class World
             return;
         }
 
-        _meter ??= new ErrorMeter(Bodies, Shapes, _contacts, _graph, Joints);
-        _impactLaw ??= new ImpactLaw(Bodies, _contacts, _graph, Joints, _meter);
+        ErrorMeter meter = MakeMeter();
+        ImpactLaw impactLaw = MakeImpactLaw();
         _measures = default;
         _measures.Substeps = _substeps;
         _measures.MostSubsteps = _mostSubsteps;
-        _meter.Measure(ref _measures, Settings.AllowedPenetration, _audit);
-        _audit.EndStep(ref _measures, _meter.Groups, dt);
+        meter.Measure(ref _measures, Settings.AllowedPenetration, _audit);
+        _audit.EndStep(ref _measures, meter.Groups, dt);
         if (UserJoints == null || !UserJoints.Any)
         {
-            _impactLaw.Run(ref _measures, _audit, dt);
+            impactLaw.Run(ref _measures, _audit, dt);
         }
 
         JudgeOutcasts();
-        _meter.NameGroup(ref _measures);
+        meter.NameGroup(ref _measures);
         if (_budgeted && Budget.IsOn)
         {
             Budget.Learn(_measures);

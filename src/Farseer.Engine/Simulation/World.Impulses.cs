@@ -41,6 +41,8 @@ internal sealed partial class World
     /// <summary>What the points of a row gave in the last step that summed it, if it did.</summary>
     public bool HasSums => Impulses != null;
 
+    private void MakeImpulses() => _impulses ??= new ContactImpulses();
+
     private unsafe void BeginImpulses()
     {
         // As they were when the step began: a handler may switch within it.
@@ -51,7 +53,7 @@ internal sealed partial class World
             return;
         }
 
-        _impulses ??= new ContactImpulses();
+        MakeImpulses();
         if (_tellsPushes)
         {
             int end = Bodies.Ids.End;

@@ -43,6 +43,7 @@ internal sealed partial class World
         {
             _immovableListed = false;
             _queriesSeeStep = false;
+            _roomIsDue |= s.Room is not null;
         }
     }
 
@@ -115,6 +116,11 @@ internal sealed partial class World
         HitSpeed = s.Value(HitSpeed);
         s.Value(ref _sums);
         s.Value(ref _tellsPushes);
+        if (s.Lacks(_impulses))
+        {
+            MakeImpulses();
+        }
+
         s.Reference(ref _impulses);
         _impulses?.Visit(s);
     }
@@ -127,10 +133,25 @@ internal sealed partial class World
         s.Value(ref _measures);
         s.Value(ref _reports);
         s.Value(ref _budgeted);
+        if (s.Lacks(_audit))
+        {
+            MakeAudit();
+        }
+
         s.Reference(ref _audit);
         _audit?.Visit(s);
+        if (s.Lacks(_meter))
+        {
+            MakeMeter();
+        }
+
         s.Reference(ref _meter);
         _meter?.Visit(s);
+        if (s.Lacks(_impactLaw))
+        {
+            MakeImpactLaw();
+        }
+
         s.Reference(ref _impactLaw);
     }
 }

@@ -290,6 +290,11 @@ internal sealed unsafe class PairMap
         Count = s.Value(Count);
         s.Value(ref _mask);
         s.Value(ref _shift);
+        if (s.Lacks(_values))
+        {
+            _values = new Column<int>();
+        }
+
         s.Reference(ref _values);
 
         // A smaller one may have been made since.

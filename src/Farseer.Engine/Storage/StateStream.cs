@@ -12,7 +12,7 @@ namespace Farseer.Engine.Storage;
 /// turn; the same method saves and restores, so that the two cannot disagree. Memory is kept: a stream that has grown allocates
 /// nothing.
 /// </summary>
-internal sealed unsafe class StateStream
+internal sealed unsafe partial class StateStream
 {
     /// <summary>Sections begin at multiples of it.</summary>
     public const int Alignment = 8;
@@ -120,6 +120,7 @@ internal sealed unsafe class StateStream
         SectionCount = 0;
         Begin(_bytes.Capacity);
         Trace?.Clear();
+        Room?.Clear();
     }
 
     public void EndWriting()
@@ -133,6 +134,7 @@ internal sealed unsafe class StateStream
     public void BeginReading()
     {
         IsReading = true;
+        _roomAt = 0;
         Begin(Length);
     }
 
@@ -227,6 +229,7 @@ internal sealed unsafe class StateStream
         Section();
         int count = IsReading ? 0 : Used((byte*)column.Pointer, (long)column.Capacity * sizeof(T), sizeof(T));
         Value(ref count, name);
+        MakeRoom(column);
         Records(column, count);
         if (IsReading && column.Capacity > count)
         {
@@ -240,6 +243,7 @@ internal sealed unsafe class StateStream
     {
         Section();
         Trace?.Add((_at, _objectAt, name));
+        MakeRoom(column);
         Records(column, count);
     }
 
@@ -289,7 +293,7 @@ internal sealed unsafe class StateStream
         {
             for (int i = 0; i < count; i++)
             {
-                Value(items[i]);
+                Unsafe.WriteUnaligned(Advance(sizeof(T)), items[i]);
             }
 
             return;
@@ -298,7 +302,7 @@ internal sealed unsafe class StateStream
         items.Clear();
         for (int i = 0; i < count; i++)
         {
-            items.Add(Value(default(T)));
+            items.Add(Unsafe.ReadUnaligned<T>(Advance(sizeof(T))));
         }
 #endif
     }
@@ -338,10 +342,15 @@ internal sealed unsafe class StateStream
         int at = _objectAt++;
         if (IsReading)
         {
-            return (T?)_objects[at];
+            return ReferenceEquals(_objects[at], this) ? item : (T?)_objects[at];
         }
 
         EnsureObjects(at + 1);
+        if (StaysWithReader is not null && StaysWithReader(typeof(T)))
+        {
+            _objects[at] = this;
+            return item;
+        }
 
         // Mostly it is the same as in the state before: to write it again costs more than to look.
         if (!ReferenceEquals(_objects[at], item))

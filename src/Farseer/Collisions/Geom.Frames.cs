@@ -250,8 +250,10 @@ public partial class Geom
         public Vector2 OneWay;
 
         /// <summary>But for what is the user's own, or worked out, it is as if there were none.</summary>
-        public bool IsUsual =>
-            OnCollision is null && OnSeparation is null && Grid is null && Segments is null && OneWay == Vector2.Zero && Surface.Equals(default(SurfaceMaterial));
+        public bool IsUsual => OnCollision is null && OnSeparation is null && Grid is null && IsUsualButForUsers;
+
+        /// <summary>The same but for handlers and what is made when it is asked for, which no other world gets.</summary>
+        public bool IsUsualButForUsers => Segments is null && OneWay == Vector2.Zero && Surface.Equals(default(SurfaceMaterial));
     }
 
     /// <summary>The geom at its body's place.</summary>

@@ -23,13 +23,17 @@ public partial class Geom
         Membership = s.Value(Membership);
         IsLeaving = s.Value(IsLeaving);
         WaitsForRemake = s.Value(WaitsForRemake);
-        if (!s.Value(_extras is not null && !_extras.IsUsual))
+        if (!s.Value(_extras is not null && !(s.IsElsewhere ? _extras.IsUsualButForUsers : _extras.IsUsual)))
         {
             if (_extras is not null)
             {
-                _extras.OnCollision = null;
-                _extras.OnSeparation = null;
-                _extras.Grid = null;
+                if (!s.IsElsewhere)
+                {
+                    _extras.OnCollision = null;
+                    _extras.OnSeparation = null;
+                    _extras.Grid = null;
+                }
+
                 _extras.Surface = default;
                 _extras.Segments = null;
                 _extras.OneWay = default;

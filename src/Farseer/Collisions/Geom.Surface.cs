@@ -151,6 +151,9 @@ public partial class Geom
         return new SurfaceMaterial { Friction = Link.Friction, Restitution = Link.Restitution, Speed = SurfaceSpeed, RollingResistance = RollingResistance };
     }
 
+    /// <summary>The material that a segment has of its own, if it has one.</summary>
+    internal SurfaceMaterial? OwnMaterial(int segment) => _extras?.Segments is { } segments && segment < segments.Length ? segments[segment] : null;
+
     private void CopySurface(Geom geometry)
     {
         if (geometry._extras is { } from && (from.OneWay != Vector2.Zero || geometry.HasSurface))

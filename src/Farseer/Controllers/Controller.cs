@@ -68,4 +68,9 @@ public abstract class Controller : IDisposable, IItem
         Simulator = null;
         ((IItem)this).Membership = Membership.None;
     }
+
+    /// <summary>Lets what no public property shows be saved or set.</summary>
+    internal virtual void VisitHidden(IHiddenFields fields)
+    {
+    }
 }

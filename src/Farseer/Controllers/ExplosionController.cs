@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
@@ -87,5 +88,18 @@ public class ExplosionController : BodyController
     {
         base.Visit(s);
         s.List(_charges);
+    }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        float[] charges = [.. _charges.SelectMany(c => new[] { c.Center.X, c.Center.Y, c.Radius, c.Impulse })];
+        fields.Values("charges", ref charges);
+        _charges.Clear();
+        for (int i = 0; i + 3 < charges.Length; i += 4)
+        {
+            Explode(new Vector2(charges[i], charges[i + 1]), charges[i + 2], charges[i + 3]);
+        }
     }
 }

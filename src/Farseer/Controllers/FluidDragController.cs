@@ -32,6 +32,13 @@ public class FluidDragController : Controller
 
     internal IFluidContainer? Container => _container;
 
+    internal Vector2 Gravity => _gravity;
+
+    internal List<Geom> Geoms => _geoms;
+
+    /// <summary>Of each of <see cref="Geoms"/>, whether it has been in the fluid.</summary>
+    internal List<bool> Entered => _entered;
+
     /// <summary>Makes a controller that does nothing until <see cref="Initialize"/> is called.</summary>
     public FluidDragController()
     {
@@ -226,5 +233,12 @@ public class FluidDragController : Controller
         s.References(_geoms);
         s.List(_entered);
         Entry = s.Reference(Entry);
+    }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        fields.Value("gravity", ref _gravity);
     }
 }

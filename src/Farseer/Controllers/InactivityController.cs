@@ -252,4 +252,14 @@ public class InactivityController : Controller
         s.Value(ref _maxIdleTime);
         BodiesEnabled = s.Value(BodiesEnabled);
     }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        fields.Value("anyDisabled", ref _anyDisabled);
+        int enabled = BodiesEnabled;
+        fields.Value("bodiesEnabled", ref enabled);
+        BodiesEnabled = enabled;
+    }
 }

@@ -325,4 +325,26 @@ public class WaveController : Controller, IFluidContainer, IStraightFluid
         VectorNearWaveEdge = s.Value(VectorNearWaveEdge);
         VectorFarWaveEdge = s.Value(VectorFarWaveEdge);
     }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        fields.Values("currentWave", ref _currentWave);
+        fields.Values("previousWave", ref _previousWave);
+        fields.Values("resultWave", ref _resultWave);
+        fields.Values("xPosition", ref _xPosition);
+        fields.Value("generator", ref _generator);
+        fields.Value("timePassed", ref _timePassed);
+        fields.Value("falls", ref _falls);
+        fields.Value("highest", ref _highest);
+    }
+
+    /// <summary>How many numbers there are of what has one for each node, besides the current wave.</summary>
+    internal void CountNodes(out int previous, out int result, out int places)
+    {
+        previous = _previousWave.Length;
+        result = _resultWave.Length;
+        places = _xPosition.Length;
+    }
 }

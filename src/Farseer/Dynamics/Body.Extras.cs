@@ -31,8 +31,11 @@ public partial class Body
         public double ToldAngle;
 
         /// <summary>But for what is the user's own it is as if there were none.</summary>
-        public bool IsUsual =>
-            Disposed is null && Updated is null && IdleTime == 0 && MinimumVelocity == UsualMinimumVelocity
+        public bool IsUsual => Disposed is null && Updated is null && IsUsualButForUsers;
+
+        /// <summary>The same but for handlers, which no other world gets.</summary>
+        public bool IsUsualButForUsers =>
+            IdleTime == 0 && MinimumVelocity == UsualMinimumVelocity
             && GravityScale == 1 && Locks == MotionLocks.None && FixedInertia == 0 && ToldX == 0 && ToldY == 0 && ToldAngle == 0;
     }
 }

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Numerics;
 using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 using FarseerGames.FarseerPhysics.Collisions;
@@ -75,13 +76,17 @@ public partial class Body
 
     private void VisitExtras(StateStream s)
     {
-        if (!s.Value(_extras is not null && !_extras.IsUsual))
+        if (!s.Value(_extras is not null && !(s.IsElsewhere ? _extras.IsUsualButForUsers : _extras.IsUsual)))
         {
             if (_extras is not null)
             {
                 // What came since is as if it had not; but for the user's own.
-                _extras.Disposed = null;
-                _extras.Updated = null;
+                if (!s.IsElsewhere)
+                {
+                    _extras.Disposed = null;
+                    _extras.Updated = null;
+                }
+
                 _extras.IdleTime = 0;
                 _extras.MinimumVelocity = BodyExtras.UsualMinimumVelocity;
                 _extras.GravityScale = 1;
@@ -106,5 +111,34 @@ public partial class Body
         s.Value(ref extras.ToldX);
         s.Value(ref extras.ToldY);
         s.Value(ref extras.ToldAngle);
+    }
+
+    /// <summary>Lets what no public property shows be saved or set.</summary>
+    internal void VisitHidden(IHiddenFields fields)
+    {
+        int idle = (int)Idle;
+        fields.Value("idle", ref idle);
+        Idle = (IdleState)idle;
+        bool flag = IsQuarantined;
+        fields.Value("isQuarantined", ref flag);
+        IsQuarantined = flag;
+        flag = IsStaticBySensor;
+        fields.Value("isStaticBySensor", ref flag);
+        IsStaticBySensor = flag;
+        Vector2 amount = Link.ForceRef.Force;
+        fields.Value("force", ref amount);
+        Link.ForceRef.Force = amount;
+        float turn = Link.ForceRef.Torque;
+        fields.Value("torque", ref turn);
+        Link.ForceRef.Torque = turn;
+        amount = Impulse;
+        fields.Value("impulse", ref amount);
+        Impulse = amount;
+        turn = AngularImpulse;
+        fields.Value("angularImpulse", ref turn);
+        AngularImpulse = turn;
+        turn = Swing;
+        fields.Value("swing", ref turn);
+        Swing = turn;
     }
 }

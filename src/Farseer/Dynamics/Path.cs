@@ -67,6 +67,24 @@ public partial class Path
     /// </summary>
     public Vertices ControlPoints { get; } = new Vertices();
 
+    internal float Width => _width;
+
+    internal float Height => _height;
+
+    internal float Mass => _mass;
+
+    internal bool IsEndless => _endless;
+
+    /// <summary>What the path made itself, and makes anew when its control points change.</summary>
+    internal HashSet<object> Made => _made;
+
+    /// <summary>The control points along which the links lie.</summary>
+    internal Vertices Placed
+    {
+        get => _placed;
+        set => _placed = value;
+    }
+
     /// <summary>The point halfway between two.</summary>
     /// <param name="firstVector">One point.</param>
     /// <param name="secondVector">The other.</param>

@@ -25,6 +25,10 @@ public class b2DistanceJoint : b2Joint
         Link.Spring = def.frequencyHz > 0;
     }
 
+    internal b2Vec2 Local1 => _local1;
+
+    internal b2Vec2 Local2 => _local2;
+
     /// <inheritdoc/>
     public override b2Vec2 GetAnchor1() => GetBody1().GetWorldPoint(_local1);
 

@@ -22,10 +22,10 @@ public abstract class b2DrivenJoint : b2Joint
     }
 
     /// <summary>The anchor in the first body.</summary>
-    private protected b2Vec2 Local1 { get; }
+    internal b2Vec2 Local1 { get; }
 
     /// <summary>The anchor in the second body.</summary>
-    private protected b2Vec2 Local2 { get; }
+    internal b2Vec2 Local2 { get; }
 
     /// <inheritdoc/>
     public override b2Vec2 GetAnchor1() => GetBody1().GetWorldPoint(Local1);

@@ -35,6 +35,10 @@ public class b2GearJoint : b2Joint
         Link.Settings.Target = coordinate1 + (def.ratio * coordinate2);
     }
 
+    internal b2Joint Joint1 => _joint1;
+
+    internal b2Joint Joint2 => _joint2;
+
     /// <inheritdoc/>
     public override b2Vec2 GetAnchor1() => _joint1.GetAnchor2();
 

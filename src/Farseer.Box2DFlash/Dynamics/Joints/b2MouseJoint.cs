@@ -30,6 +30,8 @@ public class b2MouseJoint : b2Joint
         Link.Settings.Ratio = def.body2.GetMass();
     }
 
+    internal b2Vec2 Local => _local;
+
     /// <summary>The target, in the world, metres.</summary>
     /// <returns>A new vector.</returns>
     public override b2Vec2 GetAnchor1() => _target.Copy();
@@ -51,6 +53,13 @@ public class b2MouseJoint : b2Joint
         Link.Settings.AnchorAY = _target.y;
         Link.Push(true);
         GetBody2().WakeUp();
+    }
+
+    /// <summary>Says from where to where it pulls, without waking anybody.</summary>
+    internal void Place(double x, double y, System.Numerics.Vector2 local)
+    {
+        _target.Set((float)x, (float)y);
+        _local.Set(local.X, local.Y);
     }
 
     internal override void Attach() => Link.Attach(null, GetBody2().Link);

@@ -39,6 +39,10 @@ public class b2PulleyJoint : b2Joint
         Link.Limit = true;
     }
 
+    internal b2Vec2 Local1 => _local1;
+
+    internal b2Vec2 Local2 => _local2;
+
     /// <inheritdoc/>
     public override b2Vec2 GetAnchor1() => GetBody1().GetWorldPoint(_local1);
 

@@ -202,6 +202,11 @@ internal abstract unsafe class NetRows
         IsShared = s.Value(IsShared);
         RowCount = s.Value(RowCount);
         Disturbed = s.Value(Disturbed);
+        if (s.Lacks(_anchors))
+        {
+            _anchors = new Column<NetAnchors>();
+        }
+
         s.Reference(ref _anchors);
         if (_anchors != null)
         {

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -11,12 +12,18 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// </summary>
 public abstract class AxisJoint : DrivenPairJoint
 {
-    private readonly double _x1;
-    private readonly double _y1;
-    private readonly double _x2;
-    private readonly double _y2;
-    private readonly double _axisX;
-    private readonly double _axisY;
+    [NotState(Why.Fixed)]
+    private double _x1;
+    [NotState(Why.Fixed)]
+    private double _y1;
+    [NotState(Why.Fixed)]
+    private double _x2;
+    [NotState(Why.Fixed)]
+    private double _y2;
+    [NotState(Why.Fixed)]
+    private double _axisX;
+    [NotState(Why.Fixed)]
+    private double _axisY;
 
     private protected AxisJoint(Body body1, Body body2, Vector2 anchor, Vector2 axis)
         : base(body1, body2)
@@ -51,5 +58,17 @@ public abstract class AxisJoint : DrivenPairJoint
         settings.AnchorBY = _y2;
         settings.AxisX = _axisX;
         settings.AxisY = _axisY;
+    }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        fields.Value("localAnchor1X", ref _x1);
+        fields.Value("localAnchor1Y", ref _y1);
+        fields.Value("localAnchor2X", ref _x2);
+        fields.Value("localAnchor2Y", ref _y2);
+        fields.Value("axisX", ref _axisX);
+        fields.Value("axisY", ref _axisY);
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -10,12 +11,18 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// </summary>
 public class FixedPrismaticJoint : DrivenWorldJoint
 {
-    private readonly Vector2 _anchor;
-    private readonly double _x;
-    private readonly double _y;
-    private readonly double _startAngle;
-    private readonly double _axisX;
-    private readonly double _axisY;
+    [NotState(Why.Fixed)]
+    private Vector2 _anchor;
+    [NotState(Why.Fixed)]
+    private double _x;
+    [NotState(Why.Fixed)]
+    private double _y;
+    [NotState(Why.Fixed)]
+    private double _startAngle;
+    [NotState(Why.Fixed)]
+    private double _axisX;
+    [NotState(Why.Fixed)]
+    private double _axisY;
 
     /// <summary>Makes a joint; the travel is 0 as the body stands.</summary>
     /// <param name="body">The body.</param>
@@ -67,5 +74,17 @@ public class FixedPrismaticJoint : DrivenWorldJoint
         settings.AxisX = _axisX;
         settings.AxisY = _axisY;
         settings.Target = _startAngle;
+    }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        fields.Value("anchor", ref _anchor);
+        fields.Value("localAnchorX", ref _x);
+        fields.Value("localAnchorY", ref _y);
+        fields.Value("axisX", ref _axisX);
+        fields.Value("axisY", ref _axisY);
+        fields.Value("startAngle", ref _startAngle);
     }
 }

@@ -141,4 +141,15 @@ public class FixedRevoluteJoint : DrivenWorldJoint
         s.Value(ref _startAngle);
         s.Value(ref _maxImpulse);
     }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        fields.Value("anchor", ref _anchor);
+        fields.Value("anchorWaits", ref _anchorWaits);
+        fields.Value("localAnchorX", ref _x);
+        fields.Value("localAnchorY", ref _y);
+        fields.Value("startAngle", ref _startAngle);
+    }
 }

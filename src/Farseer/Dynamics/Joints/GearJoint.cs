@@ -113,4 +113,12 @@ public class GearJoint : PairJoint
         s.Value(ref _constant);
         s.Value(ref _measured);
     }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        fields.Value("constant", ref _constant);
+        fields.Value("isMeasured", ref _measured);
+    }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
@@ -11,7 +12,8 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// </summary>
 public class PrismaticJoint : AxisJoint
 {
-    private readonly double _startAngle;
+    [NotState(Why.Fixed)]
+    private double _startAngle;
 
     /// <summary>Makes a joint; the travel is 0 as the bodies stand.</summary>
     /// <param name="body1">First body.</param>
@@ -41,5 +43,12 @@ public class PrismaticJoint : AxisJoint
     {
         base.Fill(ref settings, ref flags);
         settings.Target = _startAngle;
+    }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        fields.Value("startAngle", ref _startAngle);
     }
 }

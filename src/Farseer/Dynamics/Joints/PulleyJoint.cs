@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Storage;
+using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
@@ -11,8 +12,10 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// </summary>
 public class PulleyJoint : AnchoredJoint
 {
-    private readonly Vector2 _ground1;
-    private readonly Vector2 _ground2;
+    [NotState(Why.Fixed)]
+    private Vector2 _ground1;
+    [NotState(Why.Fixed)]
+    private Vector2 _ground2;
     private float _ratio;
     private float _length;
 
@@ -95,5 +98,13 @@ public class PulleyJoint : AnchoredJoint
         base.Visit(s);
         s.Value(ref _ratio);
         s.Value(ref _length);
+    }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        fields.Value("groundAnchor1", ref _ground1);
+        fields.Value("groundAnchor2", ref _ground2);
     }
 }

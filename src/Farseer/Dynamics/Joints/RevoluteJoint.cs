@@ -120,4 +120,17 @@ public class RevoluteJoint : DrivenPairJoint
         s.Value(ref _y2);
         s.Value(ref _startAngle);
     }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        fields.Value("anchor", ref _anchor);
+        fields.Value("anchorWaits", ref _anchorWaits);
+        fields.Value("localAnchor1X", ref _x1);
+        fields.Value("localAnchor1Y", ref _y1);
+        fields.Value("localAnchor2X", ref _x2);
+        fields.Value("localAnchor2Y", ref _y2);
+        fields.Value("startAngle", ref _startAngle);
+    }
 }

@@ -12,8 +12,10 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// </summary>
 public class TargetJoint : WorldJoint
 {
-    private readonly double _x;
-    private readonly double _y;
+    [NotState(Why.Fixed)]
+    private double _x;
+    [NotState(Why.Fixed)]
+    private double _y;
     private Vector2 _target;
     private float _maxForce = float.MaxValue;
     private JointSpring _spring = new JointSpring { Frequency = 5, DampingRatio = 0.7f };
@@ -97,5 +99,13 @@ public class TargetJoint : WorldJoint
         s.Value(ref _target);
         s.Value(ref _maxForce);
         s.Value(ref _spring);
+    }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        fields.Value("localAnchorX", ref _x);
+        fields.Value("localAnchorY", ref _y);
     }
 }

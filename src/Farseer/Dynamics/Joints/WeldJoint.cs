@@ -12,11 +12,16 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// </summary>
 public class WeldJoint : PairJoint
 {
-    private readonly double _x1;
-    private readonly double _y1;
-    private readonly double _x2;
-    private readonly double _y2;
-    private readonly double _startAngle;
+    [NotState(Why.Fixed)]
+    private double _x1;
+    [NotState(Why.Fixed)]
+    private double _y1;
+    [NotState(Why.Fixed)]
+    private double _x2;
+    [NotState(Why.Fixed)]
+    private double _y2;
+    [NotState(Why.Fixed)]
+    private double _startAngle;
     private JointSpring _spring;
 
     /// <summary>Makes a rigid joint of the bodies as they stand.</summary>
@@ -76,5 +81,16 @@ public class WeldJoint : PairJoint
     {
         base.Visit(s);
         s.Value(ref _spring);
+    }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        fields.Value("localAnchor1X", ref _x1);
+        fields.Value("localAnchor1Y", ref _y1);
+        fields.Value("localAnchor2X", ref _x2);
+        fields.Value("localAnchor2Y", ref _y2);
+        fields.Value("startAngle", ref _startAngle);
     }
 }

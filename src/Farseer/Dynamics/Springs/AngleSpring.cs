@@ -170,4 +170,12 @@ public class AngleSpring : Spring
         s.Value(ref _maxTorque);
         s.Value(ref _torqueMultiplier);
     }
+
+    /// <inheritdoc/>
+    internal override void VisitHidden(IHiddenFields fields)
+    {
+        base.VisitHidden(fields);
+        fields.Value("targetAngle", ref _targetAngle);
+        fields.Value("isTargetSet", ref _isTargetSet);
+    }
 }

@@ -188,4 +188,12 @@ public abstract class Spring : IDisposable, IItem
         Simulator = null;
         ((IItem)this).Membership = Membership.None;
     }
+
+    /// <summary>Lets what no public property shows be saved or set.</summary>
+    internal virtual void VisitHidden(IHiddenFields fields)
+    {
+        float error = SpringError;
+        fields.Value("springError", ref error);
+        SpringError = error;
+    }
 }

@@ -1,0 +1,37 @@
+using System;
+using System.Collections.Generic;
+using Farseer.Engine.Storage;
+
+namespace FarseerGames.FarseerPhysics.Serialization.States;
+
+/// <summary>
+/// A number for how a state lies in memory: names and places of all fields of a world that has one of everything. A version of the library that adds
+/// or moves one has another number, and nobody has to think of it.
+/// </summary>
+internal static class StateLayout
+{
+    private static readonly Lazy<ulong> s_simulator = new Lazy<ulong>(static () => Sum(SampleWorlds.SimulatorTrace()));
+    private static readonly Lazy<ulong> s_world = new Lazy<ulong>(static () => Sum(SampleWorlds.WorldTrace()));
+
+    public static ulong OfSimulator => s_simulator.Value;
+
+    public static ulong OfWorld => s_world.Value;
+
+    private static ulong Sum(List<(int At, int ObjectAt, string Name)> trace)
+    {
+        ulong sum = 14695981039346656037;
+        foreach ((int at, int objectAt, string name) in trace)
+        {
+            Add((uint)at);
+            Add((uint)objectAt);
+            foreach (char c in name)
+            {
+                Add(c);
+            }
+        }
+
+        return sum;
+
+        void Add(uint value) => sum = (sum ^ value) * 1099511628211;
+    }
+}
