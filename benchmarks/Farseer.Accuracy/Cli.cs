@@ -25,7 +25,6 @@ internal static class Cli
           --scene NAME=P        a scene and its parameter; may be repeated
           --iterations N[,N..]  values of PhysicsSimulator.Iterations (default 5)
           --dt S[,S..]          step lengths, seconds or fractions such as 1/240 (default 1/60)
-          --penetration F       AllowedPenetration as a share of the smallest body extent, 0 to 1e-4 (default 0)
           --runs N              runs for the clock: the first warms up, the least of the others counts (default 1)
           --csv FILE            writes the rows to a file too
           list                  the scenes, their parameters and metrics
@@ -115,9 +114,7 @@ internal static class Cli
     }
 
     /// <summary>What every run states before its figures.</summary>
-    public static string Settings(double penetrationShare) => string.Create(
-        CultureInfo.InvariantCulture,
-        $"settings: AllowedPenetration = {penetrationShare:G3} of the smallest body extent; drag coefficients 0; no sleeping; ")
+    public static string Settings => "settings: the defaults, but drag coefficients 0; "
         + "references at t = steps × the float step that Update receives.";
 
     private static void List(TextWriter output)
@@ -134,7 +131,7 @@ internal static class Cli
     {
         using StreamWriter? csv = OpenCsv(options.CsvPath);
         csv?.WriteLine(Row.CsvHeader);
-        output.WriteLine(Settings(options.PenetrationShare));
+        output.WriteLine(Settings);
         output.WriteLine($"{"scene",-26} {"iterations",10} {"dt",10} {"metric",-27} {"value",13} {"ns/body-step",13}  note");
         foreach (SceneChoice choice in options.Scenes)
         {
@@ -142,7 +139,7 @@ internal static class Cli
             {
                 foreach (int iterations in options.Iterations)
                 {
-                    List<Row> rows = Runner.Run(choice, new Dial(iterations, dt, options.PenetrationShare), options.Runs);
+                    List<Row> rows = Runner.Run(choice, new Dial(iterations, dt), options.Runs);
                     foreach (Row row in rows)
                     {
                         output.WriteLine(string.Create(

@@ -12,15 +12,12 @@ internal sealed class Options
 {
     public const int DefaultIterations = 5;
     public const double DefaultDt = 1.0 / 60;
-    private const double LargestPenetrationShare = 1e-4;
 
     public List<SceneChoice> Scenes { get; } = [];
 
     public List<int> Iterations { get; private set; } = [DefaultIterations];
 
     public List<double> Dts { get; private set; } = [DefaultDt];
-
-    public double PenetrationShare { get; private set; }
 
     public int Runs { get; private set; } = 1;
 
@@ -32,7 +29,7 @@ internal sealed class Options
         for (int i = 0; i < args.Length; i += 2)
         {
             string name = args[i];
-            if (name is not ("--scene" or "--iterations" or "--dt" or "--penetration" or "--runs" or "--csv"))
+            if (name is not ("--scene" or "--iterations" or "--dt" or "--runs" or "--csv"))
             {
                 throw new UsageException($"unknown argument '{name}'; see --help.");
             }
@@ -85,14 +82,6 @@ internal sealed class Options
                 break;
             case "--dt":
                 Dts = Each(value, part => Duration(name, part));
-                break;
-            case "--penetration":
-                PenetrationShare = Number(name, value);
-                if (!(PenetrationShare >= 0 && PenetrationShare <= LargestPenetrationShare))
-                {
-                    throw new UsageException($"--penetration {value}: a share of the body size from 0 to 1e-4.");
-                }
-
                 break;
             case "--runs":
                 Runs = WholeNumber(name, value, 1, 1000);

@@ -194,7 +194,7 @@ internal sealed unsafe class SagForecast
 
         if (unknown)
         {
-            var usual = new ContactCoefficients(_dt / WorldSettings.DefaultSubsteps, c.Gravity, c.Rest, c.BounceThreshold);
+            var usual = new ContactCoefficients(_dt / WorldSettings.DefaultSubsteps, c.Gravity, c.BounceThreshold);
             _levels = scratch.Take<Level>(islands.SlotCount);
             Collect(islands, graph, bodies, usual);
             Decide(islands, usual);

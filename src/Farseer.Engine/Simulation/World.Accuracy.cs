@@ -58,7 +58,7 @@ internal sealed partial class World
         _measures = default;
         _measures.Substeps = _substeps;
         _measures.MostSubsteps = _mostSubsteps;
-        _meter.Measure(ref _measures, Settings.AllowedPenetration, _audit);
+        _meter.Measure(ref _measures, Settings, _audit);
         _audit.EndStep(ref _measures, _meter.Groups, dt);
         if (UserJoints == null || !UserJoints.Any)
         {

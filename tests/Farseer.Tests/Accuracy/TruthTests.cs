@@ -258,7 +258,7 @@ public class TruthTests
 
     private static Rig DoublePendulum(int iterations)
     {
-        var rig = new Rig(new Dial(iterations, Options.DefaultDt, 0), 10, 1);
+        var rig = new Rig(new Dial(iterations, Options.DefaultDt), 10);
         Actor first = rig.AddLooseBox(new Vec(0.5, 0), 0.1, 1, Math.PI / 2, 1);
         Actor second = rig.AddLooseBox(new Vec(1.5, 0), 0.1, 1, Math.PI / 2, 1);
         rig.AddHinge(rig.AddAnchor(0, 0), first, new Vec(0, 0));
