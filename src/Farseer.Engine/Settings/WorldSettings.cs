@@ -45,11 +45,11 @@ internal sealed class WorldSettings
     public float AllowedPenetration { get; set; } = DefaultAllowedPenetration;
 
     /// <summary>
-    /// Share of the smaller piece's shorter side at which a contact rests at most. 0 or more; default 2⁻²²: four roundings of a coordinate of that size,
+    /// Share of the smaller piece's shorter side at which a contact rests at most. 0 or more; default 2⁻²⁴: the rounding of a coordinate of that size,
     /// the least that tells touch from rounding. The solver's own sag is greater at every dial in use (2.8e-5 a box at the default, 4e-7 at eight times as many
     /// substeps), so the depth of rest is never what limits a scene, in whatever unit its lengths are.
     /// </summary>
-    public float AllowedPenetrationShare { get; set; } = 1f / (1 << 22);
+    public float AllowedPenetrationShare { get; set; } = 1f / (1 << 24);
 
     /// <summary>Default average.</summary>
     public FrictionMix FrictionMix { get; set; } = FrictionMix.Average;
