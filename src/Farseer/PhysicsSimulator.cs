@@ -112,9 +112,9 @@ public partial class PhysicsSimulator : IDisposable
     }
 
     /// <summary>
-    /// The depth to which geoms may sink into each other at rest, a length of the scene; at least 0. Default 0.05. They rest less deep where that would show:
-    /// no deeper than 2⁻²⁴ of the smaller one's narrowest width, so that pixels, metres and kilometres rest alike. What they sink in beyond that is the error
-    /// that <see cref="Iterations"/> lessens.
+    /// The depth to which geoms may sink into each other at rest, a length of the scene; at least 0. Default 0.05. No geom uses what it
+    /// allows: surfaces rest at each other, in pixels, metres and kilometres alike, and what they still sink in by is the error that <see cref="Iterations"/>
+    /// lessens. The value is kept for programs of the original, which read and set it.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float AllowedPenetration

@@ -11,9 +11,7 @@ namespace Farseer.Accuracy.General;
 /// <param name="Each">Where every sample is told; null: nowhere.</param>
 internal sealed record GeneralSettings(Dial Dial, uint Seed, bool IsFull, TextWriter? Each)
 {
-    /// <summary>The scenes are stated with nothing that sinks in; the default would end the fall of the error at 2⁻²⁴ of a body.</summary>
-    public static GeneralSettings Default { get; } = new(
-        new Dial(Options.DefaultIterations, Options.DefaultDt) { Tune = simulator => simulator.AllowedPenetration = 0 }, 1, false, null);
+    public static GeneralSettings Default { get; } = new(new Dial(Options.DefaultIterations, Options.DefaultDt), 1, false, null);
 }
 
 /// <summary>A figure of a scene as it came out.</summary>

@@ -45,11 +45,11 @@ internal sealed class WorldSettings
     public float AllowedPenetration { get; set; } = DefaultAllowedPenetration;
 
     /// <summary>
-    /// Share of the smaller piece's shorter side at which a contact rests at most. 0 or more; default 2⁻²⁴: the rounding of a coordinate of that size,
-    /// the least that tells touch from rounding. The solver's own sag is greater at every dial in use (2.8e-5 a box at the default, 4e-7 at eight times as many
-    /// substeps), so the depth of rest is never what limits a scene, in whatever unit its lengths are.
+    /// Share of the smaller piece's shorter side at which a contact rests at most. 0 or more; default 0: surfaces rest at each other in whatever unit the
+    /// lengths of a scene are, and all that they sink in by is the sag of the solver, which falls fourfold with each doubling of the substeps. An original whose
+    /// bodies rest in each other has its own.
     /// </summary>
-    public float AllowedPenetrationShare { get; set; } = 1f / (1 << 24);
+    public float AllowedPenetrationShare { get; set; }
 
     /// <summary>Default average.</summary>
     public FrictionMix FrictionMix { get; set; } = FrictionMix.Average;

@@ -255,7 +255,8 @@ internal sealed partial class World
 
         // Of steps that take turns the longest decides, or an island would change its substeps with each.
         float longest = coefficients.Substep < _recovery ? _recovery * _substeps : dt;
-        _sagForecast.Begin(_islands, _graph, Bodies, longest, Settings.Gravity, Settings.AllowSleep, rebuilt);
+        float timeToSleep = Settings.AllowSleep ? Settings.TimeToSleep : float.PositiveInfinity;
+        _sagForecast.Begin(_islands, _graph, Bodies, longest, Settings.Gravity, timeToSleep, rebuilt);
         return _feedForward.Apply(_runner, _islands, _graph, coefficients, _contactStage.ColdStart, Scratch);
     }
 
