@@ -33,10 +33,6 @@ internal static class Cli
         "--dt", "S,S,..", Options.WantedDuration, "step lengths, seconds or fractions such as 1/240; 1/60 by default",
         (string text, out List<double> values) => TryEach(text, Options.TryDuration, out values));
 
-    private static readonly ValueOption<double> _penetration = new(
-        "--penetration", "SHARE", "a share of the body size from 0 to 1e-4", "AllowedPenetration as a share of the smallest body extent; 0 by default",
-        (string text, out double value) => Values.TryNumber(text, out value) && value is >= 0 and <= Options.LargestPenetrationShare);
-
     private static readonly Option<int> _runs = Values.Whole(
         "--runs", "runs for the clock: the first warms up, the least of the others counts", 1, 1000, 1);
 
@@ -82,7 +78,7 @@ internal static class Cli
     {
         RootCommand root = new(About)
         {
-            _scenes, _iterations, _dts, _penetration, _runs, _csv,
+            _scenes, _iterations, _dts, _runs, _csv,
             Plain("list", "The scenes, their parameters and metrics.", result => List(result.Output())),
             SweepCommand.Create(),
             Plain("aims", "The figures that were aimed at, beside those reached and the best of other engines.", result => AimTable.Print(result.Output())),
@@ -112,9 +108,7 @@ internal static class Cli
     }
 
     /// <summary>What every run states before its figures.</summary>
-    public static string Settings(double penetrationShare) => string.Create(
-        CultureInfo.InvariantCulture,
-        $"settings: AllowedPenetration = {penetrationShare:G3} of the smallest body extent; drag coefficients 0; no sleeping; ")
+    public static string Settings => "settings: the defaults, but drag coefficients 0; "
         + "references at t = steps × the float step that Update receives.";
 
     private static void List(TextWriter output)
@@ -135,11 +129,10 @@ internal static class Cli
             throw new UsageException("name a scene: --scene NAME=P, or see 'list'.");
         }
 
-        double penetration = result.GetValue(_penetration);
         TextWriter output = result.Output();
         using StreamWriter? csv = Values.Open(_csv.Name, result.GetValue(_csv));
         csv?.WriteLine(Row.CsvHeader);
-        output.WriteLine(Settings(penetration));
+        output.WriteLine(Settings);
         output.WriteLine($"{"scene",-26} {"iterations",10} {"dt",10} {"metric",-27} {"value",13} {"ns/body-step",13}  note");
         foreach (SceneChoice choice in scenes)
         {
@@ -147,7 +140,7 @@ internal static class Cli
             {
                 foreach (int iterations in result.GetValue(_iterations) ?? [Options.DefaultIterations])
                 {
-                    List<Row> rows = Runner.Run(choice, new Dial(iterations, dt, penetration), result.GetValue(_runs));
+                    List<Row> rows = Runner.Run(choice, new Dial(iterations, dt), result.GetValue(_runs));
                     foreach (Row row in rows)
                     {
                         output.WriteLine(string.Create(

@@ -148,7 +148,7 @@ internal static class Goals
             }
         }
 
-        output.WriteLine(Cli.Settings(0));
+        output.WriteLine(Cli.Settings);
         output.WriteLine($"{"scene",-38} {"metric",-27} {"value",13} {"limit",13}  result");
         int passed = 0;
         int failed = 0;
@@ -265,7 +265,7 @@ internal static class Goals
             string key = $"{scene} {iterations}";
             if (!_done.TryGetValue(key, out List<Row>? rows))
             {
-                rows = Runner.Run(Options.ParseScene(scene), new Dial(iterations, Options.DefaultDt, 0), 1);
+                rows = Runner.Run(Options.ParseScene(scene), new Dial(iterations, Options.DefaultDt), 1);
                 _done.Add(key, rows);
             }
 

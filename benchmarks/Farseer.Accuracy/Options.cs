@@ -11,7 +11,6 @@ internal static class Options
 {
     public const int DefaultIterations = 5;
     public const double DefaultDt = 1.0 / 60;
-    public const double LargestPenetrationShare = 1e-4;
     public const int MostIterations = 1000;
     public const string WantedDuration = "step lengths from 1e-5 to 0.5 seconds";
 

@@ -21,13 +21,12 @@ internal sealed partial class Rig : IDisposable
     private readonly float _dt;
     private int _dynamicCount;
 
-    public Rig(Dial dial, double gravity, double bodySize)
+    public Rig(Dial dial, double gravity)
     {
         _dt = (float)dial.Dt;
         _simulator = new PhysicsSimulator(new Vector2(0, (float)-gravity))
         {
             Iterations = dial.Iterations,
-            AllowedPenetration = (float)(dial.PenetrationShare * bodySize),
         };
         dial.Tune?.Invoke(_simulator);
     }

@@ -8,8 +8,7 @@ namespace Farseer.Accuracy;
 /// <summary>The settings of a run.</summary>
 /// <param name="Iterations">The accuracy dial of the simulator.</param>
 /// <param name="Dt">Step length asked for, seconds.</param>
-/// <param name="PenetrationShare"><c>AllowedPenetration</c> as a share of the smallest body extent of the scene.</param>
-internal readonly record struct Dial(int Iterations, double Dt, double PenetrationShare)
+internal readonly record struct Dial(int Iterations, double Dt)
 {
     /// <summary>What else is set before the world is filled; null: nothing.</summary>
     public Action<PhysicsSimulator>? Tune { get; init; }
@@ -70,10 +69,9 @@ internal sealed class Trial
     /// <summary>Builds and plays a world and books its cost.</summary>
     /// <param name="play">Fills the world and runs it.</param>
     /// <param name="gravity">Acceleration downwards.</param>
-    /// <param name="bodySize">The smallest extent of a body in it.</param>
-    public void World(Action<Rig> play, double gravity = 10, double bodySize = 1)
+    public void World(Action<Rig> play, double gravity = 10)
     {
-        using var rig = new Rig(Dial, gravity, bodySize);
+        using var rig = new Rig(Dial, gravity);
         try
         {
             play(rig);
@@ -86,9 +84,9 @@ internal sealed class Trial
     }
 
     /// <summary>Plays a world with another dial, to compare with; its cost is not the scene's.</summary>
-    public static void Reference(Dial dial, Action<Rig> play, double gravity = 10, double bodySize = 1)
+    public static void Reference(Dial dial, Action<Rig> play, double gravity = 10)
     {
-        using var rig = new Rig(dial, gravity, bodySize);
+        using var rig = new Rig(dial, gravity);
         play(rig);
     }
 }

@@ -12,7 +12,6 @@ public partial class PhysicsSimulator
 {
     private readonly PaceControl _pace = new PaceControl();
     private ErrorBudget _errorBudget;
-    private float _allowedPenetration = WorldSettings.DefaultAllowedPenetration;
 
     /// <summary>
     /// True fills <see cref="Report"/> in each update; false, the default, costs nothing. The motion is the same, bit for bit.
@@ -30,9 +29,8 @@ public partial class PhysicsSimulator
 
     /// <summary>
     /// The error that each update may have, of <see cref="StepReport.Error"/>: overlap, separation, slip, impacts, and the estimate of the
-    /// motion. The overlap counts in full, and geoms are not let sink in: while there is a budget <see cref="AllowedPenetration"/> is
-    /// taken for 0. The simulator then takes the iterations that keep <see cref="StepReport.Error"/> below it, at least
-    /// <see cref="Iterations"/> and at most those of the budget, and says in <see cref="StepReport.IsWithinBudget"/> whether it could. It
+    /// motion. The overlap counts in full, also what <see cref="AllowedPenetration"/> allows. The simulator then takes the iterations that keep
+    /// <see cref="StepReport.Error"/> below it, at least <see cref="Iterations"/> and at most those of the budget, and says in <see cref="StepReport.IsWithinBudget"/> whether it could. It
     /// goes by the errors of the updates before, so the first updates of a new load may miss. No clock has a say, and the same scene gives
     /// the same bits, unless the budget has an <see cref="FarseerPhysics.ErrorBudget.TimeLimit"/>. Default <see cref="FarseerPhysics.ErrorBudget.None"/>.
     /// </summary>
@@ -42,7 +40,6 @@ public partial class PhysicsSimulator
         set
         {
             _errorBudget = value;
-            RestWithinBudget();
             World.Budget.Length = value.Length;
             World.Budget.Share = value.Share;
             World.Budget.MostSubsteps = value.MostIterations;
@@ -50,9 +47,6 @@ public partial class PhysicsSimulator
             _pace.Reset();
         }
     }
-
-    /// <summary>Who asks for an error allows no depth besides: over a tall stack any would add up to more.</summary>
-    private void RestWithinBudget() => World.Settings.AllowedPenetration = _errorBudget.IsBounded ? 0 : _allowedPenetration;
 
     /// <summary>A step of the world, with no more iterations than the budget's time allows.</summary>
     private void StepWorld(float dt)

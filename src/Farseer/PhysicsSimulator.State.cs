@@ -322,7 +322,6 @@ public partial class PhysicsSimulator
         s.Value(ref _maxContactsToResolve);
         s.Value(ref _quirks);
         s.Value(ref _errorBudget);
-        s.Value(ref _allowedPenetration);
         Enabled = s.Value(Enabled);
         StepCount = s.Value(StepCount);
         s.Reference(ref BodyQuarantined);

@@ -123,18 +123,15 @@ public partial class PhysicsSimulator : IDisposable
     }
 
     /// <summary>
-    /// The depth to which geoms may sink into each other at rest, a length of the scene; at least 0. Those that slide and those of bodies with
-    /// joints, and what these touch, rest at it; others go no deeper than 1/256 of the smaller one's narrowest width where that is less. Default 0.05.
+    /// The depth to which geoms may sink into each other at rest, a length of the scene; at least 0. Default 0.05. No geom uses what it
+    /// allows: surfaces rest at each other, in pixels, metres and kilometres alike, and what they still sink in by is the error that <see cref="Iterations"/>
+    /// lessens. The value is kept for programs of the original, which read and set it.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float AllowedPenetration
     {
-        get => _allowedPenetration;
-        set
-        {
-            _allowedPenetration = Require.Depth(value, nameof(AllowedPenetration));
-            RestWithinBudget();
-        }
+        get => World.Settings.AllowedPenetration;
+        set => World.Settings.AllowedPenetration = Require.Depth(value, nameof(AllowedPenetration));
     }
 
     /// <summary>

@@ -19,8 +19,8 @@ internal static class DialRuns
     /// What motions without a closed form are held against: 16 times as many substeps a second as in the finest run that is judged. How far
     /// two such runs of other shares of steps and iterations are apart is what rounding and chance leave open.
     /// </summary>
-    private static readonly Dial _reference = new(8 * Options.DefaultIterations, Options.DefaultDt / 16, 0);
-    private static readonly Dial _otherReference = new(4 * Options.DefaultIterations, Options.DefaultDt / 32, 0);
+    private static readonly Dial _reference = new(8 * Options.DefaultIterations, Options.DefaultDt / 16);
+    private static readonly Dial _otherReference = new(4 * Options.DefaultIterations, Options.DefaultDt / 32);
 
     /// <summary>Both curves of a kind.</summary>
     /// <param name="kind">What is run.</param>
@@ -28,7 +28,7 @@ internal static class DialRuns
     public static DialResult Measure(DialKind kind, double seconds)
     {
         List<double[]> right = kind.IsAgainstReference ? Ends(kind, _reference, out _) : [];
-        var settings = new List<Dial> { new(Options.DefaultIterations, Options.DefaultDt, 0) };
+        var settings = new List<Dial> { new(Options.DefaultIterations, Options.DefaultDt) };
         for (int times = 2; times <= 1 << Doublings; times *= 2)
         {
             settings.Add(settings[0] with { Iterations = Options.DefaultIterations * times });

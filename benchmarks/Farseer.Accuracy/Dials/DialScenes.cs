@@ -67,8 +67,7 @@ internal static class DialScenes
             Actor weight = Chains.MakeRope(rig, trial.Parameter, new Vec(1, 0));
             rig.Run(3);
             Record(trial, weight);
-        },
-        bodySize: 0.125);
+        });
 
     private static void Dropped(Trial trial) => trial.World(
         rig =>
@@ -78,8 +77,7 @@ internal static class DialScenes
             List<Actor> limbs = Ragdolls.Add(rig, dice, new Vec(0, 1), dice.Between(-0.5, 0.5));
             rig.Run(1);
             Record(trial, limbs[0]);
-        },
-        bodySize: 0.12);
+        });
 
     private static Actor AddMovingBox(Rig rig, Dice dice, double x)
     {

@@ -14,7 +14,7 @@ internal sealed record OtherDial(string What, DialKind Kind, Dial From, Dial To)
 /// <summary>What the other settings of the simulator give and take.</summary>
 internal static class OtherDials
 {
-    private static readonly Dial _default = new(Options.DefaultIterations, Options.DefaultDt, 0);
+    private static readonly Dial _default = new(Options.DefaultIterations, Options.DefaultDt);
 
     private static readonly DialKind _shot = new(
         "shot", "shots of 100 m/s at a thin wall", "share that passed",
@@ -26,8 +26,6 @@ internal static class OtherDials
 
     public static IReadOnlyList<OtherDial> All { get; } =
     [
-        new("`AllowedPenetration` 0 → 0.05 (the default)", DialKinds.Find("stack"), _default, _default with { PenetrationShare = 0.05 }),
-        new("`AllowedPenetration` 0 → 0.05", DialKinds.Find("arch"), _default, _default with { PenetrationShare = 0.05 }),
         Switch("`AdaptIterations` true → false", "stack", simulator => simulator.AdaptIterations = false),
         Switch("`AdaptIterations` true → false", "heavy", simulator => simulator.AdaptIterations = false),
         Switch("`AdaptIterations` true → false", "bridge", simulator => simulator.AdaptIterations = false),

@@ -46,7 +46,7 @@ internal static class EnergyWorlds
     public static double Rise(EnergyKind kind, int seed, double seconds)
     {
         var dice = new Dice((uint)seed, kind.Name);
-        using var rig = new Rig(GeneralSettings.Default.Dial, Gravity, 1);
+        using var rig = new Rig(GeneralSettings.Default.Dial, Gravity);
         rig.Friction = dice.Next();
         rig.Restitution = dice.Next();
         Loops.AddPit(rig, PitHalf);

@@ -31,7 +31,7 @@ internal static class Probe
     private static IReadOnlyList<(string Name, double Value)> Play(string scene, double parameter)
     {
         SceneInfo info = Catalogue.Find(scene) ?? throw new ArgumentException($"no scene is called {scene}", nameof(scene));
-        var trial = new Trial(parameter, new Dial(Options.DefaultIterations, Options.DefaultDt, 0));
+        var trial = new Trial(parameter, new Dial(Options.DefaultIterations, Options.DefaultDt));
         try
         {
             info.Play(trial);
@@ -47,7 +47,7 @@ internal static class Probe
     /// <summary>Plays a world; false if it exploded.</summary>
     public static bool World(Func<Rig, bool> play, double gravity = 10, double dt = Options.DefaultDt)
     {
-        using var rig = new Rig(new Dial(Options.DefaultIterations, dt, 0), gravity, 1);
+        using var rig = new Rig(new Dial(Options.DefaultIterations, dt), gravity);
         try
         {
             return play(rig);

@@ -51,7 +51,7 @@ internal static class GeneralCommand
     private static bool Print(
         IReadOnlyList<GeneralScene> scenes, GeneralSettings settings, TextWriter output, StreamWriter? csv)
     {
-        output.WriteLine(Cli.Settings(settings.Dial.PenetrationShare));
+        output.WriteLine(Cli.Settings);
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
             $"Iterations {settings.Dial.Iterations}, dt {settings.Dial.Dt:G6}, seed {settings.Seed}; the worst of each figure"));

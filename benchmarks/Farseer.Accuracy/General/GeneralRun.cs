@@ -11,7 +11,7 @@ namespace Farseer.Accuracy.General;
 /// <param name="Each">Where every sample is told; null: nowhere.</param>
 internal sealed record GeneralSettings(Dial Dial, uint Seed, bool IsFull, TextWriter? Each)
 {
-    public static GeneralSettings Default { get; } = new(new Dial(Options.DefaultIterations, Options.DefaultDt, 0), 1, false, null);
+    public static GeneralSettings Default { get; } = new(new Dial(Options.DefaultIterations, Options.DefaultDt), 1, false, null);
 }
 
 /// <summary>A figure of a scene as it came out.</summary>
@@ -56,7 +56,7 @@ internal sealed class GeneralRun
     }
 
     /// <summary>An empty world with the dial of the run, or with another.</summary>
-    public Rig World(double gravity = 10, Dial? dial = null) => new(dial ?? Dial, gravity, 1);
+    public Rig World(double gravity = 10, Dial? dial = null) => new(dial ?? Dial, gravity);
 
     /// <summary>A figure of a scene of the other catalogue.</summary>
     public double Published(string scene, double parameter, string metric, Dial dial)

@@ -43,7 +43,7 @@ internal static class Throws
                     run.Dice.Between(1, 3), run.Dice.Angle(), run.Dice.Between(2, 8), run.Dice.Between(-3, 3), run.Dice.Between(-10, 10));
                 run.Sample(FormattableString.Invariant($"restitution {e}, throw {i}"), () =>
                 {
-                    Vec right = Rest(run.World(dial: new Dial(640, run.Dial.Dt / 8, 0)), e, flight);
+                    Vec right = Rest(run.World(dial: run.Dial with { Iterations = 640, Dt = run.Dial.Dt / 8 }), e, flight);
                     for (int k = 0; k < _doublings.Length; k++)
                     {
                         int times = _doublings[k];

@@ -48,7 +48,7 @@ internal static class AimTable
 
     public static bool Print(TextWriter output)
     {
-        output.WriteLine(Cli.Settings(0));
+        output.WriteLine(Cli.Settings);
         output.WriteLine($"{"scene",-30} {"metric",-28} {"reached",13} {"aim",13}  result   best peer");
         List<AimResult> results = Measure();
         int met = 0;
@@ -71,7 +71,7 @@ internal static class AimTable
     {
         if (!done.TryGetValue(scene, out List<Row>? rows))
         {
-            rows = Runner.Run(Options.ParseScene(scene), new Dial(Options.DefaultIterations, Options.DefaultDt, 0), 1);
+            rows = Runner.Run(Options.ParseScene(scene), new Dial(Options.DefaultIterations, Options.DefaultDt), 1);
             done.Add(scene, rows);
         }
 

@@ -24,7 +24,7 @@ internal static class Costs
         var lines = new List<string> { $"| scene | ns a body-step | {SweepData.DefaultPeer} | ratio |", "|---|---|---|---|" };
         foreach (string scene in _scenes)
         {
-            List<Row> rows = Runner.Run(Options.ParseScene(scene), new Dial(Options.DefaultIterations, Options.DefaultDt, 0), Runs);
+            List<Row> rows = Runner.Run(Options.ParseScene(scene), new Dial(Options.DefaultIterations, Options.DefaultDt), Runs);
             double own = rows[0].NanosecondsPerBodyStep;
             double? peer = SweepData.PeerDefaultCost(SweepData.DefaultPeer, scene);
             string other = peer is null ? "– | –" : string.Create(CultureInfo.InvariantCulture, $"{peer:F0} | {own / peer:F2}");

@@ -102,7 +102,7 @@ internal static class Neighbours
             only.Add((Catalogue.Find(word) ?? throw new UsageException($"neighbours: no scene is called '{word}'.")).Name);
         }
 
-        output.WriteLine(Cli.Settings(0));
+        output.WriteLine(Cli.Settings);
         output.WriteLine($"{"scene",-32} {"metric",-28} {"reached",13} {"aim",13}  result");
         var done = new Dictionary<string, List<Row>>();
         int met = 0;
@@ -131,7 +131,7 @@ internal static class Neighbours
         string scene = FormattableString.Invariant($"{one.Scene}={parameter:G6}");
         if (!done.TryGetValue(scene, out List<Row>? rows))
         {
-            rows = Runner.Run(Options.ParseScene(scene), new Dial(Options.DefaultIterations, Options.DefaultDt, 0), 1);
+            rows = Runner.Run(Options.ParseScene(scene), new Dial(Options.DefaultIterations, Options.DefaultDt), 1);
             done.Add(scene, rows);
         }
 

@@ -59,8 +59,7 @@ internal static class Chains
             trial.Record("joint_error_max_mm", 1000 * worst);
             trial.Record("peak_stretch_pct", 100 * peak / Length);
             trial.Record("rms_speed_mmps", 1000 * rms);
-        },
-        bodySize: 0.125);
+        });
 
     private static void Swing(Trial trial) => trial.World(
         rig =>
@@ -75,8 +74,7 @@ internal static class Chains
             });
             trial.Record("peak_total_separation_pct", 100 * total / Length);
             trial.Record("joint_error_peak_mm", 1000 * worst);
-        },
-        bodySize: 0.125);
+        });
 
     /// <summary>A straight rope from the origin with a weight at its end, which is returned.</summary>
     public static Actor MakeRope(Rig rig, double mass, Vec along)
@@ -123,8 +121,7 @@ internal static class Chains
             trial.Record("load_penetration_peak_mm", 1000 * depth);
             trial.Record("load_penetration_end_mm", 1000 * lastDepth);
             trial.Record("rms_speed_mmps", 1000 * rms);
-        },
-        bodySize: BridgeSize);
+        });
 
     /// <summary>
     /// The speed of S12's tenth second is true swinging, so its size says nothing of a solver: more of it can be right and less wrong. Held
@@ -133,14 +130,14 @@ internal static class Chains
     private static void BridgeSwing(Trial trial)
     {
         double swing = 0;
-        trial.World(rig => swing = SwingOfBridge(rig, trial.Parameter), bodySize: BridgeSize);
+        trial.World(rig => swing = SwingOfBridge(rig, trial.Parameter));
         var finer = new List<double>();
         foreach (int share in _finerSteps)
         {
             foreach (int times in _finerIterations)
             {
                 Dial dial = trial.Dial with { Iterations = times * trial.Dial.Iterations, Dt = trial.Dial.Dt / share };
-                Trial.Reference(dial, rig => finer.Add(SwingOfBridge(rig, trial.Parameter)), bodySize: BridgeSize);
+                Trial.Reference(dial, rig => finer.Add(SwingOfBridge(rig, trial.Parameter)));
             }
         }
 
@@ -231,8 +228,7 @@ internal static class Chains
             trial.Record("joint_error_peak_mm", 1000 * peak);
             trial.Record("joint_error_end_mm", 1000 * last);
             trial.Record("rms_speed_mmps", 1000 * rms);
-        },
-        bodySize: 0.12);
+        });
 
     private static Actor Part(Actor actor, Rig rig)
     {

@@ -65,8 +65,7 @@ internal static class Concave
             trial.Record("max_penetration_peak_mm", 1000 * Math.Max(peak, end));
             trial.Record("rms_speed_mmps", 1000 * rms);
             trial.Record("escaped", escaped);
-        },
-        bodySize: 0.25);
+        });
 
     private static double Next(ref uint state)
     {

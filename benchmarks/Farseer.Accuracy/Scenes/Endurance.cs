@@ -45,6 +45,5 @@ internal static class Endurance
             trial.Record("incline_creep_mm", 1000 * (slider.Position - sliderStart).Length);
             trial.Record("stack_top_drift_mm", 1000 * (top.Position - topStart).Length);
             trial.Record("pendulum_energy_ratio", (1 - Math.Cos(largest)) / (1 - Math.Cos(Start)));
-        },
-        bodySize: 0.1);
+        });
 }

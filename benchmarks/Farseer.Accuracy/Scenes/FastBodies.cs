@@ -31,8 +31,7 @@ internal static class FastBodies
                 rig.RunSteps(6);
                 trial.Record("free_travel_frac", ball.Displacement.X / (trial.Parameter * rig.Time));
             },
-            gravity: 0,
-            bodySize: 0.2);
+            gravity: 0);
     }
 
     private static void Fly(Trial trial, bool isCircle, int start, ref int through)
@@ -50,8 +49,7 @@ internal static class FastBodies
                 rig.RunSteps((int)Math.Ceiling((10 + travel) / travel) + 60);
                 crossed = shot.Position.X >= 0.05;
             },
-            gravity: 0,
-            bodySize: 0.2);
+            gravity: 0);
         if (crossed)
         {
             through++;
@@ -81,8 +79,7 @@ internal static class FastBodies
                     worst = Math.Max(worst, Math.Abs((now / momentum) - 1));
                     through += shot.Position.X > wall.Position.X ? 1 : 0;
                 },
-                gravity: 0,
-                bodySize: 0.02);
+                gravity: 0);
         }
 
         trial.Record("tunnelled_frac", through / (double)Starts);
@@ -116,8 +113,7 @@ internal static class FastBodies
                     // Beyond the middle of the wall: it can only leave on the far side.
                     through += rod.Position.X > 0.1 ? 1 : 0;
                 },
-                gravity: 0,
-                bodySize: 0.1);
+                gravity: 0);
         }
 
         trial.Record("tunnelled_frac", through / (double)Starts);

@@ -63,6 +63,5 @@ internal static class FreeMotion
             trial.Record("ke_rel_drift", Math.Abs((box.KineticEnergy / startEnergy) - 1));
             trial.Record("omega_rel_error", Math.Abs(box.Spin - omega) / omega);
         },
-        gravity: 0,
-        bodySize: 0.2);
+        gravity: 0);
 }

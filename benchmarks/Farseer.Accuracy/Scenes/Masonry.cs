@@ -44,8 +44,7 @@ internal static class Masonry
             trial.Record("crown_drop_mm", -1000 * stones[Stones / 2].Displacement.Y);
             trial.Record("rms_speed_mmps", 1000 * rms);
             trial.Record("stood", displacement < 0.5 ? 1 : 0);
-        },
-        bodySize: Math.Min(1, trial.Parameter));
+        });
 
     private static void Cards(Trial trial) => trial.World(
         rig =>
@@ -64,8 +63,7 @@ internal static class Masonry
             trial.Record("max_displacement_mm", 1000 * displacement);
             trial.Record("rms_speed_mmps", 1000 * rms);
             trial.Record("stood", displacement < 0.15 ? 1 : 0);
-        },
-        bodySize: 0.02);
+        });
 
     /// <summary>Two cards whose inner top corners meet above (x, ·) and whose inner bottom corners stand at height y.</summary>
     private static void AddFrame(Rig rig, double x, double y, double lean, double thickness)

@@ -55,8 +55,7 @@ internal static class Pendulums
             trial.Record("energy_rel_drift_60s", Math.Abs((lastEnergies / lastCount / energy) - 1));
             trial.Record("joint_error_max_mm", 1000 * error);
         },
-        gravity: Gravity,
-        bodySize: 0.1);
+        gravity: Gravity);
 
     private static double Energy(Actor rod) => rod.KineticEnergy + (rod.Mass * Gravity * (rod.Position.Y + 1));
 
@@ -104,8 +103,7 @@ internal static class Pendulums
             trial.Record("time_to_10cm_divergence_s", divergence);
             trial.Record("joint_error_max_mm", 1000 * error);
         },
-        gravity: Gravity,
-        bodySize: 0.1);
+        gravity: Gravity);
 
     private static double TwoRodEnergy(Actor upper, Actor lower) => upper.KineticEnergy + lower.KineticEnergy
         + (Gravity * ((upper.Mass * upper.Position.Y) + (lower.Mass * lower.Position.Y)));

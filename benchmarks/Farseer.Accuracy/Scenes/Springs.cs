@@ -42,8 +42,7 @@ internal static class Springs
             trial.Record("damping_ratio_error", Math.Abs((decay / found) - ratio));
             trial.Record("max_excursion_m", most);
         },
-        gravity: 0,
-        bodySize: 0.5);
+        gravity: 0);
 
     /// <summary>
     /// Every damped oscillation sampled at steps h obeys x₂ = t·x₁ − d·x₀ with d = e^(−2λh) and t = 2√d·cos ωh; t and d by least

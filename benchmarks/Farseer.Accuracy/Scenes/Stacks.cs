@@ -58,8 +58,7 @@ internal static class Stacks
             trial.Record("rms_speed_box_per_s_e-3", 1000 * rms / size);
             trial.Record("max_penetration_pct", 100 * Metrics.Penetration(rig.Actors) / size);
             trial.Record("stood", stood ? 1 : 0);
-        },
-        bodySize: size);
+        });
 
     private static void Pyramid(Trial trial) => trial.World(rig =>
     {

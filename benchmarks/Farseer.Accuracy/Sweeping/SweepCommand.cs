@@ -56,7 +56,7 @@ internal static class SweepCommand
     /// <summary>Cost in nanoseconds for a body and 1/60 s, and the error as a share of the scale.</summary>
     public static SweepPoint Measure(SweepScene scene, SweepKind kind, int iterations, double dt, int runs)
     {
-        List<Row> rows = Runner.Run(Options.ParseScene(scene.Scene), new Dial(iterations, dt, 0), runs);
+        List<Row> rows = Runner.Run(Options.ParseScene(scene.Scene), new Dial(iterations, dt), runs);
         Row main = rows.Find(row => row.Metric == scene.Metric)!;
         bool fell = rows.Exists(row => (row.Metric == "stood" && row.Value == 0) || (row.Metric == "load_lost" && row.Value != 0));
         double error = Math.Abs(main.Value) / scene.Scale;
@@ -78,7 +78,7 @@ internal static class SweepCommand
         {
             foreach (string scene in scenes)
             {
-                Runner.Run(Options.ParseScene(scene), new Dial(Options.DefaultIterations, Options.DefaultDt, 0), 1);
+                Runner.Run(Options.ParseScene(scene), new Dial(Options.DefaultIterations, Options.DefaultDt), 1);
             }
 
             Thread.Sleep(500);

@@ -33,7 +33,7 @@ public unsafe class KernelSuite
     [GlobalSetup]
     public void Setup()
     {
-        _coefficients = new ContactCoefficients(1f / 240, 10, 0.005f, 1);
+        _coefficients = new ContactCoefficients(1f / 240, 10, 1);
         for (int i = 0; i < _states.Capacity; i++)
         {
             _states[i] = new BodyState { LinearVelocity = new Vector2(0.01f * (i % 7), 0.01f * (i % 5)), DeltaCos = 1 };

@@ -22,6 +22,9 @@ internal sealed class EngineWorld : IStepHooks
     /// <summary>Depth of rest in slops: where bodies of the original come to rest at its usual settings.</summary>
     private const float RestShare = 0.5f;
 
+    /// <summary>For small bodies that would be much: they rest no deeper than this share of their size.</summary>
+    private const float MostRestShare = 1f / 256;
+
     /// <summary>
     /// Share of half its size that a resting body may move: what the original's slowest speed makes of a body of a metre in the time to
     /// sleep.
@@ -44,6 +47,7 @@ internal sealed class EngineWorld : IStepHooks
         _relay = new ListenerRelay(world, this);
         WorldSettings settings = World.Settings;
         settings.AllowedPenetration = RestShare * Box2D.Common.b2Settings.b2_linearSlop;
+        settings.AllowedPenetrationShare = MostRestShare;
         settings.BounceThreshold = Box2D.Common.b2Settings.b2_velocityThreshold;
         settings.FrictionMix = FrictionMix.GeometricMean;
         settings.RestitutionMix = RestitutionMix.Maximum;

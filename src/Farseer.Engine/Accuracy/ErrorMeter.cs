@@ -6,6 +6,7 @@ using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
 using Farseer.Engine.NarrowPhase;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
@@ -45,9 +46,9 @@ internal sealed unsafe class ErrorMeter
     public BodyGroups Groups { get; } = new BodyGroups();
 
     /// <param name="m">Receives the errors; those of energy and momentum are others' to find.</param>
-    /// <param name="allowed">Depth at which contacts are meant to rest.</param>
+    /// <param name="settings">How deep contacts may rest.</param>
     /// <param name="audit">Where the step found the bodies, and how they went.</param>
-    public void Measure(ref StepMeasures m, double allowed, EnergyAudit audit)
+    public void Measure(ref StepMeasures m, WorldSettings settings, EnergyAudit audit)
     {
         _audit = audit;
         m.WorstBody = -1;
@@ -57,7 +58,7 @@ internal sealed unsafe class ErrorMeter
         Groups.Begin(_bodies.Ids.End);
         _sags.Begin(_bodies.Ids.End);
         _slips.Begin(_contacts.End);
-        MeasureContacts(ref m, allowed);
+        MeasureContacts(ref m, settings);
         MeasureJoints(ref m);
         MeasureMotion(ref m);
     }
@@ -129,7 +130,7 @@ internal sealed unsafe class ErrorMeter
         }
     }
 
-    private void MeasureContacts(ref StepMeasures m, double allowed)
+    private void MeasureContacts(ref StepMeasures m, WorldSettings settings)
     {
         double squares = 0;
         for (int i = 0; i < _contacts.End; i++)
@@ -169,10 +170,11 @@ internal sealed unsafe class ErrorMeter
             m.Contacts++;
             squares += depth * depth;
             m.LargestPenetration = Math.Max(m.LargestPenetration, depth);
-            double beyond = Math.Max(0, depth - allowed);
             double size = SizeOf(record);
+            double rest = Math.Min(settings.AllowedPenetration, settings.AllowedPenetrationShare * size);
+            double beyond = Math.Max(0, depth - rest);
             Judge(ref m, ErrorCause.Overlap, depth, beyond, size, record.BodyA, record.BodyB);
-            NoteSag(record, depth, beyond, allowed);
+            NoteSag(record, depth, beyond, rest);
             MeasureSlip(ref m, i, record, manifold, size);
         }
 
@@ -182,13 +184,13 @@ internal sealed unsafe class ErrorMeter
     /// <summary>
     /// Where finer substeps would have put the pair: out to the depth of rest, or, on its way down to it, anywhere between.
     /// </summary>
-    private void NoteSag(in ContactRecord record, double depth, double beyond, double allowed)
+    private void NoteSag(in ContactRecord record, double depth, double beyond, double rest)
     {
         bool movesA = Moves(record.BodyA);
         bool movesB = Moves(record.BodyB);
         if (movesA || movesB)
         {
-            double sinking = Math.Max(0, Math.Min(depth, allowed - depth));
+            double sinking = Math.Max(0, Math.Min(depth, rest - depth));
             _sags.Add(record.BodyA, record.BodyB, movesA, movesB, beyond + sinking);
         }
     }

@@ -105,7 +105,6 @@ internal static unsafe class BounceKernel
     public static bool Prepare(BounceLanes* bounce, BodyState* bodies, BodyMotion* motions, BodyDrive* drives, in ContactCoefficients c)
     {
         ContactBundle* row = bounce->Row;
-        Wide rest = Wide.Splat(c.Rest);
         bounce->Hits = 0;
         bounce->Struck = 0;
         bounce->Held = 0;
@@ -128,6 +127,7 @@ internal static unsafe class BounceKernel
             slow.Store(bounce->Slow + lane);
             WideMask can = WideLanes.Mask(bounce->Can >> lane)
                 & ((Wide.Load(row->Point0.Normal + lane) + Wide.Load(row->Point1.Normal + lane)) <= Wide.Zero);
+            Wide rest = ContactBundle.RestDepth(row, lane);
             WideMask held0 = can & HoldBack(&bounce->Point0, lane, s0 - rest, v0, slow);
             WideMask held1 = can & HoldBack(&bounce->Point1, lane, s1 - rest, v1, slow);
             Mute(&row->Point0, &bounce->Point0, lane, held0);
@@ -155,7 +155,6 @@ internal static unsafe class BounceKernel
     public static int Find(BounceLanes* bounce, BodyState* bodies, BodyMotion* motions, in ContactCoefficients c, int lanes, bool onlyHeld)
     {
         ContactBundle* row = bounce->Row;
-        Wide rest = Wide.Splat(c.Rest);
         Wide fastest = Wide.Splat(onlyHeld ? float.MaxValue : 0f);
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
         Wide none = Wide.Splat(-1f);
@@ -170,6 +169,7 @@ internal static unsafe class BounceKernel
             Wide rounding = RoundingOf(a, b);
             WideMask can = WideLanes.Mask((bounce->Can & lanes) >> lane);
             Wide slow = Wide.Load(bounce->Slow + lane);
+            Wide rest = ContactBundle.RestDepth(row, lane);
             WideMask met0 = can & Met(&bounce->Point0, lane, s0 - rest, v0 + rounding, Wide.Max(slow, fastest));
             WideMask met1 = can & Met(&bounce->Point1, lane, s1 - rest, v1 + rounding, Wide.Max(slow, fastest));
             WideMask met = met0 | met1;

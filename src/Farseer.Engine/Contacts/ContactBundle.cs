@@ -50,10 +50,10 @@ internal unsafe struct ContactBundle
     public const int BlockMark = 0x400;
 
     /// <summary>
-    /// The upper half of the flags is that of a number: how far surfaces that do not slide sink in before they are held where they are, see
-    /// <see cref="ContactCoefficients.HoldShare"/>.
+    /// The upper half of the flags is that of a number: how deep in each other the surfaces rest, see
+    /// <see cref="Settings.WorldSettings.AllowedPenetrationShare"/>.
     /// </summary>
-    private const int HoldBits = unchecked((int)0xFFFF0000);
+    private const int RestBits = unchecked((int)0xFFFF0000);
 
     /// <summary>Separation of a point that does not exist. Finite also after the division by the substep.</summary>
     public const float NoPoint = 1e30f;
@@ -83,7 +83,7 @@ internal unsafe struct ContactBundle
 
     /// <summary>
     /// <see cref="ContactFlags"/> of the record, so that it is only touched when they change, and above them <see cref="SingleMark"/>,
-    /// <see cref="DeepMark"/>, <see cref="BlockMark"/> and the depth at which surfaces are held.
+    /// <see cref="DeepMark"/>, <see cref="BlockMark"/> and the depth at which surfaces rest.
     /// </summary>
     public fixed int Flags[LineLanes];
 
@@ -124,22 +124,25 @@ internal unsafe struct ContactBundle
         ((flags & Wide.FromBits(~mark)) | Wide.Keep(marked, Wide.FromBits(mark))).Store((float*)row->Flags + lane);
     }
 
-    /// <summary>The depth below first touch at which surfaces that do not slide are held, to a hundredth.</summary>
+    /// <summary>The depth at which the surfaces of a lane rest.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Wide HoldDepth(ContactBundle* row, int lane) => Wide.Load((float*)row->Flags + lane) & Wide.FromBits(HoldBits);
+    public static Wide RestDepth(ContactBundle* row, int lane) => Wide.Load((float*)row->Flags + lane) & Wide.FromBits(RestBits);
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void SetHoldDepth(ContactBundle* row, int lane, Wide depth)
+    /// <summary>The same of one lane.</summary>
+    public static float RestDepthOf(ContactBundle* row, int lane)
     {
-        Wide flags = Wide.Load((float*)row->Flags + lane);
-        ((flags & Wide.FromBits(~HoldBits)) | (depth & Wide.FromBits(HoldBits))).Store((float*)row->Flags + lane);
+        int bits = row->Flags[lane] & RestBits;
+        return *(float*)&bits;
     }
 
-    /// <summary>Lets the surfaces of a lane sink in as far as is allowed.</summary>
-    public static void LetSink(ContactBundle* row, int lane)
+    /// <returns>The depth as it is kept: to a hundredth.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Wide SetRestDepth(ContactBundle* row, int lane, Wide depth)
     {
-        const int Never = 0x7F000000;
-        row->Flags[lane] = (row->Flags[lane] & ~HoldBits) | Never;
+        Wide kept = depth & Wide.FromBits(RestBits);
+        Wide flags = Wide.Load((float*)row->Flags + lane);
+        ((flags & Wide.FromBits(~RestBits)) | kept).Store((float*)row->Flags + lane);
+        return kept;
     }
 
     /// <summary>A bit for each lane with a mark.</summary>

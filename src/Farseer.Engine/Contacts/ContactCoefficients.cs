@@ -33,16 +33,6 @@ internal readonly struct ContactCoefficients
     private const float UsualSettleShare = 0.25f;
     private const float MostSettleShare = 0.75f;
 
-    /// <summary>
-    /// Share of the smaller piece by which surfaces that stand sink in at most before they are held where they are. The depth of rest is a length of
-    /// the scene, and for small bodies a long way: each contact went it at a pace of its own, by its load, and a heap crept and slipped for
-    /// minutes. Where it is less than this share nobody is held.
-    /// </summary>
-    public const float HoldShare = 1f / 256;
-
-    /// <summary>Share of the depth of rest by which the two points of a contact may differ and still count as level.</summary>
-    private const float LevelShare = 1e-3f;
-
     /// <summary>Rest 1 - η of the static load that the feed-forward leaves: 10 times less sag. 0 lets pyramids creep.</summary>
     public const float FeedRest = 0.1f;
     public const float SmallestFeedRest = 1e-4f;
@@ -63,7 +53,6 @@ internal readonly struct ContactCoefficients
 
     /// <param name="substep">h, seconds.</param>
     /// <param name="gravity">Length of the gravity vector.</param>
-    /// <param name="rest">Depth at which contacts rest.</param>
     /// <param name="bounceThreshold">Approach slower than this does not bounce.</param>
     /// <param name="coarseness">
     /// How many times as long as usual the substep is against the step. For small pieces the sag is in proportion to their size, whatever
@@ -75,7 +64,6 @@ internal readonly struct ContactCoefficients
     public ContactCoefficients(
         float substep,
         float gravity,
-        float rest,
         float bounceThreshold,
         float coarseness = 1f,
         float recovery = 0f,
@@ -87,7 +75,6 @@ internal readonly struct ContactCoefficients
         RiseTaken = gravity > 0 ? Extrapolation : WeightlessRise;
         FallTaken = gravity > 0 ? Extrapolation : WeightlessFall;
         LeastKept = gravity > 0 ? 0f : float.MaxValue;
-        Rest = rest;
         BounceThreshold = bounceThreshold;
         Substep = substep;
         InverseSubstep = 1f / substep;
@@ -118,9 +105,6 @@ internal readonly struct ContactCoefficients
 
     public float Gravity { get; }
 
-    /// <summary>Depth at which contacts rest.</summary>
-    public float Rest { get; }
-
     /// <summary>Approach slower than this does not bounce.</summary>
     public float BounceThreshold { get; }
 
@@ -139,13 +123,7 @@ internal readonly struct ContactCoefficients
     /// </summary>
     public float LeastKept { get; }
 
-    /// <summary>Difference of gaps up to which two points are level: above the rounding of a gap, below what matters.</summary>
-    public float Level => LevelShare * Rest;
-
     public float InverseSubstep { get; }
-
-    /// <summary>Surfaces that pass each other faster than this, a substep's fall, slide: they sink in, for tiles are at one height only then.</summary>
-    public float Sliding => Gravity * Substep;
 
     /// <summary>Speed of recovery per unit of depth, 1/s.</summary>
     public float BiasRate { get; }

@@ -308,7 +308,7 @@ internal static unsafe class ContactKernel
     /// With the arms of the middle of the step instead, a body that tips over ends each step with the velocity of half a step
     /// before, off by w² r dt / 2, and its contact lifts and drops within the step. The impulses keep the arms of the
     /// middle: that K and the arms agree is what makes the block solve exact, and over a step the mean of the arms is what counts
-    /// (for a blow see <see cref="BlowKernel"/>). How far they may be turned: see <see cref="TurnedArms"/>. Beside them <see cref="ContactFriction.Slip"/>.
+    /// (for a blow see <see cref="BlowKernel"/>). How far they may be turned: see <see cref="TurnedArms"/>.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void TurnedNormalVelocities(
@@ -320,13 +320,9 @@ internal static unsafe class ContactKernel
         in WideDelta movedB,
         out Wide v0,
         out Wide v1,
-        out Wide slip,
         bool two = true)
     {
-        Wide x = b.X - a.X;
-        Wide y = b.Y - a.Y;
-        slip = (Wide.Load(row->NormalY + lane) * x) - (Wide.Load(row->NormalX + lane) * y);
-        Wide un = (Wide.Load(row->NormalX + lane) * x) + (Wide.Load(row->NormalY + lane) * y);
+        Wide un = (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
         v0 = un + TurnedSpin(&row->Point0, lane, a.W, b.W, movedA, movedB);
         v1 = two ? un + TurnedSpin(&row->Point1, lane, a.W, b.W, movedA, movedB) : Wide.Zero;
     }

@@ -39,11 +39,9 @@ internal static unsafe class ContactRowWriter
     private const float LeastDeterminant = 1.17549435e-38f;
 
     /// <summary>
-    /// An island is deep if a point is deeper than this share of the smaller piece or, if less, than this many depths of rest,
-    /// beyond three static sags.
+    /// An island is deep if a point is deeper than this share of the smaller piece beyond three static sags.
     /// </summary>
     private const float DeepShare = 0.02f;
-    private const float DeepRests = 2f;
     private const float DeepSags = 3f;
 
     /// <summary>Share of the smaller piece up to which the sags count: what a load presses in further than that is deep, whatever the load.</summary>
@@ -155,7 +153,7 @@ internal static unsafe class ContactRowWriter
         Carry(row->Point0.PreviousNormal + lane, row->Point1.PreviousNormal + lane, same0, crossed0, same1, crossed1, scale);
         Carry(row->Point0.PreviousTangent + lane, row->Point1.PreviousTangent + lane, same0, crossed0, same1, crossed1, scale);
         Carry(row->Point0.Feed + lane, row->Point1.Feed + lane, same0, crossed0, same1, crossed1, scale);
-        Wide rest = Wide.Splat(input.Settings.AllowedPenetration);
+        Wide rest = ContactBundle.SetRestDepth(row, lane, RestDepth(input, lane));
         ArmTurn turn = Foresee(input, row, lane);
         turn.RadiusA = Radius(&input.Pairs->A, lane);
         turn.RadiusB = Radius(&input.Pairs->B, lane);
@@ -331,27 +329,28 @@ internal static unsafe class ContactRowWriter
         restitution.Store(row->Restitution + lane);
     }
 
+    /// <summary>How deep in each other the surfaces rest: as far as is allowed, and never so far that it would show.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Wide RestDepth(in ContactUpdateInput input, int lane)
+    {
+        Wide size = Wide.Splat(2f) * Wide.Min(Wide.Load(input.Pairs->A.Extent + lane), Wide.Load(input.Pairs->B.Extent + lane));
+        return Wide.Min(Wide.Splat(input.Settings.AllowedPenetration), Wide.Splat(input.Settings.AllowedPenetrationShare) * size);
+    }
+
     /// <summary>How fully the load is fed forward, and deepness: a row stays deep until its depth is under half of what made it so.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void WriteStiffness(in ContactUpdateInput input, ContactBundle* row, int lane, WideMask one, WideMask two)
     {
         PairLanes* pairs = input.Pairs;
-        Wide rest = Wide.Splat(input.Settings.AllowedPenetration);
+        Wide rest = ContactBundle.RestDepth(row, lane);
         Wide depth = Wide.Zero - Wide.Load(pairs->Point0.Separation + lane);
         depth = Wide.Select(two, Wide.Max(depth, Wide.Zero - Wide.Load(pairs->Point1.Separation + lane)), depth) - rest;
         Wide size = Wide.Splat(2f) * Wide.Min(Wide.Load(pairs->A.Extent + lane), Wide.Load(pairs->B.Extent + lane));
         WideCoefficients.FeedShare(input.Coefficients, size).Store(row->FeedShare + lane);
-        Wide hold = Wide.Splat(ContactCoefficients.HoldShare) * size;
-        ContactBundle.SetHoldDepth(row, lane, Wide.Select(hold < rest, hold, Wide.Splat(ContactBundle.NoPoint)));
         Wide load = Wide.Max(
             Wide.Load(row->Point0.Normal + lane) * Wide.Load(row->K11 + lane),
             Wide.Load(row->Point1.Normal + lane) * Wide.Load(row->K22 + lane));
         Wide limit = Wide.Splat(DeepShare) * size;
-        if (input.Settings.AllowedPenetration > 0)
-        {
-            limit = Wide.Min(limit, Wide.Splat(DeepRests) * rest);
-        }
-
         Wide sags = Wide.Splat(DeepSags) * WideCoefficients.Sag(input.Coefficients, load);
         limit = limit + Wide.Min(sags, Wide.Splat(MostSag) * size);
         WideMask deep = depth > limit;

@@ -37,10 +37,8 @@ internal static unsafe class ContactStages
         Wide biasRate = Wide.Splat(c.BiasRate * c.MassScale);
         Wide massScale = Wide.Splat(c.MassScale);
         Wide leak = Wide.Splat(c.ImpulseScale);
-        Wide rest = Wide.Splat(c.Rest);
-        Wide settle = Wide.Splat(c.BiasRate * c.Rest);
+        Wide settleRate = Wide.Splat(c.BiasRate);
         Wide settleShare = Wide.Splat(c.SettleShare);
-        Wide sliding = Wide.Splat(c.Sliding);
         ContactWork* end = work + count;
         ContactMoved* moved = Turn(some, count, work, bodies);
         for (; work < end; work++, some++, moved++)
@@ -61,11 +59,12 @@ internal static unsafe class ContactStages
 
                 LimitTurns<TTurns>(ref movedA, ref movedB, ref least);
                 ContactWork.Take(work, lane, out WideVelocity a, out WideVelocity b);
-                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, out Wide slip, two);
+                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
                 s0 = Wide.Load(work->Value0 + lane);
                 s1 = two ? Wide.Load(work->Value1 + lane) : Wide.Zero;
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
                 Wide lambda1 = two ? Wide.Load(row->Point1.Normal + lane) : Wide.Zero;
+                Wide rest = ContactBundle.RestDepth(row, lane);
                 Wide gap0 = s0 - rest;
                 Wide gap1 = s1 - rest;
                 WideMask apart0 = gap0 > Wide.Zero;
@@ -80,9 +79,7 @@ internal static unsafe class ContactStages
                 }
 
                 sink = settleShare * Wide.Min(sink, load * ContactKernel.Mobility(row, lane));
-                Wide hold = rest - ContactBundle.HoldDepth(row, lane);
-                WideMask stands = Wide.Abs(slip) < sliding;
-                Wide slowly = Wide.Min(settle, sink);
+                Wide slowly = Wide.Min(settleRate * rest, sink);
                 Wide closing0 = (gap0 * inverseSubstep) + slowly;
                 Wide closing1 = (gap1 * inverseSubstep) + slowly;
                 if (anyDeep)
@@ -96,13 +93,11 @@ internal static unsafe class ContactStages
 
                 Wide soft0 = (massScale * v0) + Wide.Min(biasRate * s0, sink)
                     + (Wide.Load(row->K11 + lane) * leak * (lambda0 - Wide.Load(row->Point0.Feed + lane)));
-                soft0 = Wide.Select(stands & IsHeld(s0, hold), v0, soft0);
                 Wide.Select(apart0, v0 + closing0, soft0).Store(work->Value0 + lane);
                 if (two)
                 {
                     Wide soft1 = (massScale * v1) + Wide.Min(biasRate * s1, sink)
                         + (Wide.Load(row->K22 + lane) * leak * (lambda1 - Wide.Load(row->Point1.Feed + lane)));
-                    soft1 = Wide.Select(stands & IsHeld(s1, hold), v1, soft1);
                     Wide.Select(apart1, v1 + closing1, soft1).Store(work->Value1 + lane);
                 }
             }
@@ -124,10 +119,6 @@ internal static unsafe class ContactStages
 
         least = Wide.Min(least, Wide.Min(movedA.Cos, movedB.Cos));
     }
-
-    /// <summary>Sunk in as far as is needed, but not as far as is allowed.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideMask IsHeld(Wide s, Wide hold) => (s > Wide.Zero) & (s <= hold);
 
     /// <summary>Velocities, turned arms, and what the relax pass is to make 0.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -151,8 +142,6 @@ internal static unsafe class ContactStages
         Wide least = Wide.One;
         bool two = default(TPoints).AreTwo;
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
-        Wide rest = Wide.Splat(c.Rest);
-        Wide level = Wide.Splat(c.Level);
         ContactWork* end = work + count;
         ContactMoved* moved = Turn(some, count, work, bodies);
         for (; work < end; work++, some++, moved++)
@@ -163,6 +152,7 @@ internal static unsafe class ContactStages
             {
                 Gather(row, lane, work, moved, bodies, out WideDelta movedA, out WideDelta movedB);
                 Wide along = ContactKernel.MovedAlong(row, lane, movedA, movedB);
+                Wide rest = ContactBundle.RestDepth(row, lane);
                 Wide gap0 = ContactKernel.PointSeparation(&row->Point0, lane, movedA, movedB, along, out Wide armA0, out Wide armB0) - rest;
                 Wide armA1 = armA0;
                 Wide armB1 = armB0;
@@ -178,12 +168,14 @@ internal static unsafe class ContactStages
                 armA0.Store(work->ArmA0 + lane);
                 armB0.Store(work->ArmB0 + lane);
                 ContactWork.Take(work, lane, out WideVelocity a, out WideVelocity b);
-                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, out _, two);
+                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
                 if (two)
                 {
                     armA1.Store(work->ArmA1 + lane);
                     armB1.Store(work->ArmB1 + lane);
-                    WideMask flat = Wide.Max(gap0 - gap1, gap1 - gap0) <= level;
+
+                    // Gaps that differ by their rounding are level: else what is left open to the next substep by one point would spin the body.
+                    WideMask flat = Wide.Max(gap0 - gap1, gap1 - gap0) <= rest;
                     Wide mean = Wide.Splat(0.5f) * (gap0 + gap1);
                     gap0 = Wide.Select(flat, mean, gap0);
                     gap1 = Wide.Select(flat, mean, gap1);

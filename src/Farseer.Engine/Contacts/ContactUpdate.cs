@@ -360,7 +360,7 @@ internal static unsafe class ContactUpdate
             // An impulse of the last step that its listeners were told of then is no news.
             bool wasDue = ((ContactFlags)row->Flags[lane] & ContactFlags.Due) != 0;
             bool struck = row->Struck[lane] > 0 || row->Point0.Normal[lane] > 0 || row->Point1.Normal[lane] > 0;
-            if ((struck && !wasDue) || PairManifolds.WillTouch(input, lane, wasDue ? input.Settings.AllowedPenetration : 0, horizon))
+            if ((struck && !wasDue) || PairManifolds.WillTouch(input, lane, wasDue, horizon))
             {
                 due |= 1 << lane;
             }

@@ -30,6 +30,12 @@ internal static unsafe class FastPairs
     private const float ToleranceShare = 1e-3f;
 
     /// <summary>
+    /// Share of the extent up to which surfaces that touched count as touching: what met within the tolerance of an impact stays in touch, and the tremor after
+    /// it is not a row of separations.
+    /// </summary>
+    public const float TouchShare = 2 * ToleranceShare;
+
+    /// <summary>
     /// Share of a way up to which a search looks beyond the time of an impact that is known already: the way of what is fast is longer than its extent, and this much
     /// of it longer than the tolerance.
     /// </summary>

@@ -40,11 +40,13 @@ internal static unsafe class PairManifolds
     }
 
     /// <summary>
-    /// Whether a pair with points, whose arms <see cref="PairStage.Touch"/> has found, overlaps or will within <paramref name="time"/>.
+    /// Whether a pair with points, whose arms <see cref="PairStage.Touch"/> has found, overlaps or will within <paramref name="time"/>, or, if
+    /// it touched, is hardly apart.
     /// </summary>
-    public static bool WillTouch(in ContactUpdateInput input, int lane, float reach, float time)
+    public static bool WillTouch(in ContactUpdateInput input, int lane, bool touched, float time)
     {
         PairLanes* pairs = input.Pairs;
+        float reach = touched ? FastPairs.TouchShare * PairStage.MovingExtent(pairs, lane) : 0;
         Vector2 n = new Vector2(pairs->NormalX[lane], pairs->NormalY[lane]);
         Vector2 pull = Vector2.Zero;
         pull += (pairs->B.Flags[lane] & (int)SideFlags.Pulled) != 0 ? input.Settings.Gravity : Vector2.Zero;

@@ -113,7 +113,7 @@ internal static unsafe class PairStage
 
     /// <summary>
     /// Finds the arms of all points, and which pairs touch: those with a point that overlaps or will, with the present velocities
-    /// and gravity, within the step. A pair that touched goes on touching up to a gap of the depth of rest, so that the tremor of
+    /// and gravity, within the step. A pair that touched goes on touching up to a small gap, so that the tremor of
     /// an impact is not a row of separations.
     /// </summary>
     public static TouchBits Touch(in ContactUpdateInput input, ContactBundle* row)
@@ -123,7 +123,6 @@ internal static unsafe class PairStage
         Wide gravityX = Wide.Splat(input.Settings.Gravity.X);
         Wide gravityY = Wide.Splat(input.Settings.Gravity.Y);
         Wide dt = Wide.Splat(input.Dt);
-        Wide rest = Wide.Splat(input.Settings.AllowedPenetration);
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
             SideLanes* a = &pairs->A;
@@ -141,7 +140,12 @@ internal static unsafe class PairStage
             Wide gain = Wide.Min((pullX * nx) + (pullY * ny), Wide.Zero);
             Wide old = Wide.Load((float*)row->Flags + lane) & Wide.FromBits(ContactBundle.FlagBits);
             WideMask before = WideLanes.Has(old, (int)ContactFlags.Touching);
-            Wide reach = Wide.Keep(before, rest);
+            Wide extent = Wide.Min(Wide.Load(a->Extent + lane), Wide.Load(b->Extent + lane));
+            Wide moving = Wide.Select(
+                WideLanes.Has(flagsA, (int)SideFlags.Moves),
+                Wide.Select(WideLanes.Has(flagsB, (int)SideFlags.Moves), extent, Wide.Load(a->Extent + lane)),
+                Wide.Load(b->Extent + lane));
+            Wide reach = Wide.Keep(before, Wide.Splat(FastPairs.TouchShare) * moving);
             Wide count = Wide.Load(pairs->Count + lane);
             WideMask touch0 = TouchPoint(pairs, &pairs->Point0, lane, speed, gain, reach, dt, out Wide sunk0);
             WideMask touch1 = TouchPoint(pairs, &pairs->Point1, lane, speed, gain, reach, dt, out Wide sunk1);
@@ -150,8 +154,7 @@ internal static unsafe class PairStage
             WideMask touch = any & (touch0 | (second & touch1));
             Wide sunk = Wide.Max(sunk0, Wide.Keep(second, sunk1));
             sunk.Store(pairs->Sinking + lane);
-            Wide size = Wide.Min(Wide.Load(a->Extent + lane), Wide.Load(b->Extent + lane));
-            WideMask blow = touch & (sunk > (Wide.Splat(BlowShare) * size));
+            WideMask blow = touch & (sunk > (Wide.Splat(BlowShare) * extent));
             bits.Blows |= WideLanes.Bits(blow) << lane;
             WideMask solid = AreSolid(flagsA & flagsB, flagsA | flagsB);
             Wide now = Wide.Keep(touch, Wide.FromBits((int)ContactFlags.Touching)) | Wide.Keep(solid, Wide.FromBits((int)ContactFlags.Solid));
@@ -162,6 +165,16 @@ internal static unsafe class PairStage
         }
 
         return bits;
+    }
+
+    /// <summary>The extent of the piece that moves, the smaller one if both do.</summary>
+    public static float MovingExtent(PairLanes* pairs, int lane)
+    {
+        float a = pairs->A.Extent[lane];
+        float b = pairs->B.Extent[lane];
+        return (pairs->A.Flags[lane] & (int)SideFlags.Moves) == 0 ? b
+            : (pairs->B.Flags[lane] & (int)SideFlags.Moves) == 0 ? a
+            : System.Math.Min(a, b);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

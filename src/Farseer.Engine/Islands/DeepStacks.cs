@@ -126,7 +126,7 @@ internal sealed unsafe class DeepStacks
             Wide sunk = Wide.Max((Wide.Zero - separation) - (Wide.Splat(Sags) * WideCoefficients.Sag(c, load)), Wide.Zero);
 
             // An empty lane has no point.
-            WideMask apart = (separation - Wide.Splat(c.Rest)) > Wide.Zero;
+            WideMask apart = (separation - ContactBundle.RestDepth(row, lane)) > Wide.Zero;
             sunk = Wide.Select(apart, Wide.Splat(float.MaxValue), sunk);
             sunk.Store(excess + lane);
             below |= WideLanes.Bits(sunk < WideTable.Read(least, row->Slot + lane)) << lane;

@@ -32,6 +32,13 @@ internal sealed unsafe class SagForecast
     private const int ManyLevels = 16;
     private const double WideShare = 1.5;
 
+    /// <summary>
+    /// An island of so many levels that all but rests for so many times to sleep, the longer watch of <see cref="RestJudge"/>, and does not fall asleep takes twice
+    /// the substeps: with the usual ones the loads of a heap go to and fro at the limit of friction, and it creeps. Asleep it costs nothing.
+    /// </summary>
+    private const int ManyLevelsToSleep = 8;
+    private const float TimesToSleep = 8;
+
     /// <summary>A surface that leans carries its load by pressing harder, as in an arch; not beyond this (cosine), where others carry it.</summary>
     private const double LeastSteepness = 0.25;
 
@@ -58,6 +65,9 @@ internal sealed unsafe class SagForecast
     private readonly Column<Island> _islands = new Column<Island>();
     private readonly Column<byte> _fine = new Column<byte>();
     private readonly Column<byte> _doublings = new Column<byte>();
+
+    /// <summary>By body: seconds since its island has all but rested.</summary>
+    private readonly Column<float> _calm = new Column<float>();
     private readonly StartingLoads _loads = new StartingLoads();
 
     // By slot of the islands, in scratch memory, while they are judged.
@@ -66,6 +76,7 @@ internal sealed unsafe class SagForecast
     private bool _any;
     private Vector2 _gravity;
     private float _dt;
+    private float _timeToSleep;
 
     /// <summary>How often the substeps of an island are to be doubled.</summary>
     public int DoublingsOf(int island) => _doublings[island];
@@ -82,17 +93,20 @@ internal sealed unsafe class SagForecast
     /// <param name="bodies">The store.</param>
     /// <param name="dt">The step, seconds.</param>
     /// <param name="gravity">Gravity of the world.</param>
+    /// <param name="timeToSleep">Seconds for which what rests must do so to fall asleep; infinite if nothing may.</param>
     /// <param name="rebuilt">The islands were built anew.</param>
-    public void Begin(IslandStore islands, ConstraintGraph graph, BodyStore bodies, float dt, Vector2 gravity, bool rebuilt)
+    public void Begin(IslandStore islands, ConstraintGraph graph, BodyStore bodies, float dt, Vector2 gravity, float timeToSleep, bool rebuilt)
     {
         ReserveIslands(islands.Count);
         _fine.EnsureCapacity(bodies.Ids.End);
         _wait.EnsureCapacity(bodies.Ids.End);
-        if (!rebuilt && dt == _dt && gravity == _gravity)
+        _calm.EnsureCapacity(bodies.Ids.End);
+        if (!rebuilt && dt == _dt && gravity == _gravity && timeToSleep == _timeToSleep)
         {
             return;
         }
 
+        _timeToSleep = timeToSleep;
         _dt = dt;
         _gravity = gravity;
         _any = false;
@@ -188,13 +202,14 @@ internal sealed unsafe class SagForecast
         {
             ref Island island = ref _islands[i];
             bool rests = island.Fastest <= slow * (island.WasFine ? UnrestSteps : RestSteps);
+            island.Calm = rests ? island.Calm + _dt : 0;
             island.Wanted = island.Open && island.Wait == 0 && rests;
             unknown |= island.Wanted && !island.Known;
         }
 
         if (unknown)
         {
-            var usual = new ContactCoefficients(_dt / WorldSettings.DefaultSubsteps, c.Gravity, c.Rest, c.BounceThreshold);
+            var usual = new ContactCoefficients(_dt / WorldSettings.DefaultSubsteps, c.Gravity, c.BounceThreshold);
             _levels = scratch.Take<Level>(islands.SlotCount);
             Collect(islands, graph, bodies, usual);
             Decide(islands, usual);
@@ -206,7 +221,7 @@ internal sealed unsafe class SagForecast
         for (int i = 0; i < _islandCount; i++)
         {
             _any |= _islands[i].Open;
-            _doublings[i] = _islands[i].Wanted ? _islands[i].Doublings : (byte)0;
+            _doublings[i] = _islands[i].Wanted ? DoublingsOf(_islands[i]) : (byte)0;
             any |= _doublings[i] > 0;
             _islands[i].Raised = _doublings[i] > 0 && !_islands[i].WasFine;
             AnyRaised |= _islands[i].Raised;
@@ -215,6 +230,7 @@ internal sealed unsafe class SagForecast
         for (int i = 0; i < count; i++)
         {
             int island = IslandOf(islands, list[i]);
+            _calm[list[i]] = island >= 0 && _islands[island].Open ? _islands[island].Calm : 0;
             _fine[list[i]] = island >= 0 ? _doublings[island] : (byte)0;
             _wait[list[i]] = (byte)(island >= 0 && _islands[island].Wait > 0 ? _islands[island].Wait - 1 : 0);
         }
@@ -231,6 +247,7 @@ internal sealed unsafe class SagForecast
         ReserveIslands(bodyEnd);
         _fine.EnsureCapacity(bodyEnd);
         _wait.EnsureCapacity(bodyEnd);
+        _calm.EnsureCapacity(bodyEnd);
     }
 
     private void ReserveIslands(int islands)
@@ -239,12 +256,16 @@ internal sealed unsafe class SagForecast
         _doublings.EnsureCapacity(islands);
     }
 
+    private byte DoublingsOf(in Island island) =>
+        island.MayCreep ? (byte)(island.Calm > TimesToSleep * _timeToSleep ? 1 : 0) : island.Doublings;
+
     private void CollectMotion(IslandStore islands, FeedForwardSettings feedForward, BodyStore bodies, int* list, int count)
     {
         for (int i = 0; i < _islandCount; i++)
         {
             _islands[i].Fastest = 0;
             _islands[i].WasFine = false;
+            _islands[i].Calm = float.MaxValue;
             _islands[i].Wait = feedForward.IsDeep(i) ? StepsAfterDeep : (byte)0;
         }
 
@@ -260,6 +281,7 @@ internal sealed unsafe class SagForecast
                     + (Math.Abs(state.AngularVelocity) * bodies.Size[body].Reach);
                 island.Fastest = Math.Max(island.Fastest, speed);
                 island.WasFine |= _fine[body] != 0;
+                island.Calm = Math.Min(island.Calm, _calm[body]);
                 island.Wait = Math.Max(island.Wait, _wait[body]);
             }
         }
@@ -346,15 +368,18 @@ internal sealed unsafe class SagForecast
             }
 
             int levels = islands.FirstSlot[i + 1] - islands.FirstSlot[i];
-            if (doublings > 0 && doublings < JointSolver.MostDoublings && levels >= ManyLevels && _islands[i].Bodies > WideShare * levels)
+            bool wide = _islands[i].Bodies > WideShare * levels;
+            if (doublings > 0 && doublings < JointSolver.MostDoublings && levels >= ManyLevels && wide)
             {
                 doublings++;
             }
 
+            _islands[i].MayCreep = doublings == 0 && levels >= ManyLevelsToSleep && wide && !float.IsInfinity(_timeToSleep);
+
             _islands[i].Doublings = doublings;
             _islands[i].Known = true;
             _islands[i].Starts = doublings > 0;
-            _islands[i].Open = doublings > 0;
+            _islands[i].Open = doublings > 0 || _islands[i].MayCreep;
         }
     }
 
@@ -415,8 +440,14 @@ internal sealed unsafe class SagForecast
         public float Heaviest;
         public float Fastest;
 
-        /// <summary>It may need more: its sag is worth a look.</summary>
+        /// <summary>Seconds since it has all but rested.</summary>
+        public float Calm;
+
+        /// <summary>It may need more: its sag is worth a look, or it may creep.</summary>
         public bool Open;
+
+        /// <summary>It needs no more for its sag, but is a heap that may be kept awake by its own solution.</summary>
+        public bool MayCreep;
 
         /// <summary>It may have more in this step.</summary>
         public bool Wanted;
@@ -441,10 +472,12 @@ internal sealed unsafe class SagForecast
         s.Column(_islands);
         s.Column(_fine);
         s.Column(_doublings);
+        s.Column(_calm);
         s.Value(ref _islandCount);
         s.Value(ref _any);
         s.Value(ref _gravity);
         s.Value(ref _dt);
+        s.Value(ref _timeToSleep);
         AnyRaised = s.Value(AnyRaised);
     }
 }

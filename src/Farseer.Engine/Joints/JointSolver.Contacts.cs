@@ -132,6 +132,8 @@ internal sealed unsafe partial class JointSolver
         contact->FeedRate = bundle->FeedRate[lane];
         contact->FeedShare = bundle->FeedShare[lane];
         contact->Deep = (bundle->Flags[lane] & ContactBundle.DeepMark) != 0;
+        contact->Point0.Rest = ContactBundle.RestDepthOf(bundle, lane);
+        contact->Point1.Rest = contact->Point0.Rest;
         Take(&bundle->Point0, lane, ref contact->Point0);
         if (contact->Points > 1)
         {

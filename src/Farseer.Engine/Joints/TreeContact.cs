@@ -13,6 +13,9 @@ internal struct TreeContactPoint
     public double NormalArmB;
     public double TangentArmB;
     public double Base;
+
+    /// <summary>The depth at which the surfaces rest.</summary>
+    public double Rest;
     public double Normal;
     public double Tangent;
     public double PreviousNormal;

@@ -84,17 +84,17 @@ internal sealed unsafe partial class TreeContactPass
 
     private void NoteLevel(TreeContactPoint* p)
     {
-        p->Level = Math.Min(p->Separation - _c.Rest, 0);
+        p->Level = Math.Min(p->Separation - p->Rest, 0);
         p->Bounce = -1;
     }
 
     private double Parting(TreeContactPoint* p) =>
-        p->Bounce >= 0 ? p->Bounce : -Math.Max(p->Separation - _c.Rest, 0) * _c.InverseSubstep;
+        p->Bounce >= 0 ? p->Bounce : -Math.Max(p->Separation - p->Rest, 0) * _c.InverseSubstep;
 
     private void FindImpact(TreeContact* contact, TreeContactPoint* p, double v)
     {
         p->Bounce = -1;
-        double beyond = p->Separation - _c.Rest - p->Level;
+        double beyond = p->Separation - p->Rest - p->Level;
         if (beyond > 0 || v >= 0 || !(contact->Held || v < -contact->Slow))
         {
             return;

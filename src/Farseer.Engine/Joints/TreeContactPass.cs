@@ -103,9 +103,9 @@ internal sealed unsafe partial class TreeContactPass
         Speeds(contact, out double v0, out double v1);
         TreeContactPoint* p0 = &contact->Point0;
         TreeContactPoint* p1 = &contact->Point1;
-        double gap0 = p0->Separation - _c.Rest;
-        double gap1 = p1->Separation - _c.Rest;
-        if (contact->Points > 1 && Math.Abs(gap0 - gap1) <= _c.Level)
+        double gap0 = p0->Separation - p0->Rest;
+        double gap1 = p1->Separation - p1->Rest;
+        if (contact->Points > 1 && Math.Abs(gap0 - gap1) <= p0->Rest)
         {
             gap0 = 0.5 * (gap0 + gap1);
             gap1 = gap0;
@@ -176,7 +176,7 @@ internal sealed unsafe partial class TreeContactPass
 
     private double Push(in TreeContactPoint point, double v, double k, double rate)
     {
-        double depth = _c.Rest - point.Separation;
+        double depth = point.Rest - point.Separation;
         return depth > 0 ? Math.Max(0, ((depth * rate) - v) / k) : 0;
     }
 
@@ -270,7 +270,7 @@ internal sealed unsafe partial class TreeContactPass
     /// <summary>What the biased pass brings to 0: see <see cref="ContactKernel.SolveBiased"/>.</summary>
     private double Residual(TreeContact* contact, TreeContactPoint* p, double k, double v, double load)
     {
-        double gap = p->Separation - _c.Rest;
+        double gap = p->Separation - p->Rest;
         if (contact->Deep)
         {
             return v + (Math.Max(gap, 0) * _c.InverseSubstep);
@@ -279,7 +279,7 @@ internal sealed unsafe partial class TreeContactPass
         double sink = _c.SettleShare * load;
         if (gap > 0)
         {
-            return v + (gap * _c.InverseSubstep) + Math.Min((double)_c.BiasRate * _c.Rest, sink);
+            return v + (gap * _c.InverseSubstep) + Math.Min(_c.BiasRate * p->Rest, sink);
         }
 
         // What is deeper than the load accounts for goes as slowly as in the islands of the step's own substep: stiff contacts of

@@ -40,10 +40,16 @@ internal sealed class WorldSettings
     public bool AdaptSubsteps { get; set; } = true;
 
     /// <summary>
-    /// Depth at which a contact rests, a length of the scene. 0 or more; default 0.05 (the original's). Surfaces that stand are held before where this is
-    /// much for their bodies: see <c>ContactCoefficients.HoldShare</c>.
+    /// Depth at which a contact rests, a length of the scene, if <see cref="AllowedPenetrationShare"/> is not less. 0 or more; default 0.05 (the original's).
     /// </summary>
     public float AllowedPenetration { get; set; } = DefaultAllowedPenetration;
+
+    /// <summary>
+    /// Share of the smaller piece's shorter side at which a contact rests at most. 0 or more; default 0: surfaces rest at each other in whatever unit the
+    /// lengths of a scene are, and all that they sink in by is the sag of the solver, which falls fourfold with each doubling of the substeps. An original whose
+    /// bodies rest in each other has its own.
+    /// </summary>
+    public float AllowedPenetrationShare { get; set; }
 
     /// <summary>Default average.</summary>
     public FrictionMix FrictionMix { get; set; } = FrictionMix.Average;
@@ -115,6 +121,7 @@ internal sealed class WorldSettings
         Substeps = s.Value(Substeps);
         AdaptSubsteps = s.Value(AdaptSubsteps);
         AllowedPenetration = s.Value(AllowedPenetration);
+        AllowedPenetrationShare = s.Value(AllowedPenetrationShare);
         FrictionMix = s.Value(FrictionMix);
         RestitutionMix = s.Value(RestitutionMix);
         BounceThreshold = s.Value(BounceThreshold);

@@ -122,7 +122,7 @@ internal sealed unsafe class LonePairs
         double separation = new TimeOfImpact(world.Shapes, record.PieceA, a, record.PieceB, b).SeparationAtStart();
         pair.Base = Math.Min(separation, 0);
         pair.Touches = separation <= tolerance;
-        return separation >= -Math.Max(CoreShare * extent, world.Settings.AllowedPenetration);
+        return separation >= -CoreShare * extent;
     }
 
     private static FastMotion Start(BodyStore bodies, int body)

@@ -63,7 +63,7 @@ internal sealed partial class World
         _measures = default;
         _measures.Substeps = _substeps;
         _measures.MostSubsteps = _mostSubsteps;
-        meter.Measure(ref _measures, Settings.AllowedPenetration, _audit);
+        meter.Measure(ref _measures, Settings, _audit);
         _audit.EndStep(ref _measures, meter.Groups, dt);
         if (UserJoints == null || !UserJoints.Any)
         {

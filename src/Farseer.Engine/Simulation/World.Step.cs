@@ -195,7 +195,7 @@ internal sealed partial class World
         float gravity = (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
         float coarseness = WorldSettings.DefaultSubsteps / (float)_substeps;
         input.Coefficients = new ContactCoefficients(
-            substep, gravity, Settings.AllowedPenetration, Settings.BounceThreshold, coarseness, _recovery, DrivenBoundOf(dt));
+            substep, gravity, Settings.BounceThreshold, coarseness, _recovery, DrivenBoundOf(dt));
         return input;
     }
 
@@ -255,14 +255,9 @@ internal sealed partial class World
 
         // Of steps that take turns the longest decides, or an island would change its substeps with each.
         float longest = coefficients.Substep < _recovery ? _recovery * _substeps : dt;
-        _sagForecast.Begin(_islands, _graph, Bodies, longest, Settings.Gravity, rebuilt);
-        bool anyDeep = _feedForward.Apply(_runner, _islands, _graph, coefficients, _contactStage.ColdStart, Scratch);
-        if (Joints.Count > 0 && coefficients.Rest > 0)
-        {
-            LetJointedSink();
-        }
-
-        return anyDeep;
+        float timeToSleep = Settings.AllowSleep ? Settings.TimeToSleep : float.PositiveInfinity;
+        _sagForecast.Begin(_islands, _graph, Bodies, longest, Settings.Gravity, timeToSleep, rebuilt);
+        return _feedForward.Apply(_runner, _islands, _graph, coefficients, _contactStage.ColdStart, Scratch);
     }
 
     private unsafe void Solve(float dt, bool anyDeep, in ContactCoefficients coefficients)
@@ -390,7 +385,7 @@ internal sealed partial class World
             input.Substep = substep;
             ref readonly ContactCoefficients c = ref input.Coefficients;
             input.Coefficients = new ContactCoefficients(
-                substep, c.Gravity, c.Rest, c.BounceThreshold, 1f, _recovery / fineness, c.Driven);
+                substep, c.Gravity, c.BounceThreshold, 1f, _recovery / fineness, c.Driven);
             input.Springs = null;
             _classes.Ease(index, _sagForecast, _islands, input.Coefficients);
             joints?.Select(index, substep, fineness);

@@ -243,7 +243,7 @@ internal sealed unsafe partial class IslandImpact
         ref BodyState a = ref bodies.State[row->BodyA[lane]];
         ref BodyState b = ref bodies.State[row->BodyB[lane]];
         Vector2 moved = b.DeltaPosition - a.DeltaPosition;
-        double along = ((double)row->NormalX[lane] * moved.X) + ((double)row->NormalY[lane] * moved.Y) - c.Rest;
+        double along = ((double)row->NormalX[lane] * moved.X) + ((double)row->NormalY[lane] * moved.Y) - ContactBundle.RestDepthOf(row, lane);
         gap0 = along + row->Point0.Base[lane] + Along(&row->Point0, lane, b, second: true) - Along(&row->Point0, lane, a, second: false);
         gap1 = along + row->Point1.Base[lane] + Along(&row->Point1, lane, b, second: true) - Along(&row->Point1, lane, a, second: false);
     }

@@ -106,7 +106,7 @@ internal sealed class SceneInspector
         float deep = Math.Min(Math.Min(a.Max.X, b.Max.X) - Math.Max(a.Min.X, b.Min.X), Math.Min(a.Max.Y, b.Max.Y) - Math.Max(a.Min.Y, b.Min.Y));
         float size = Math.Min(a.GetShortestSide(), b.GetShortestSide());
         float depth = Depth(geom, other);
-        if (depth > Math.Max(DeepShare * size, 2 * Math.Min(_simulator.AllowedPenetration, size)) && deep > 0)
+        if (depth > DeepShare * size && deep > 0)
         {
             Find(
                 4, geom, "It lies " + Show(depth) + " deep in " + other + ", whose smaller side is " + Show(size) + ".",

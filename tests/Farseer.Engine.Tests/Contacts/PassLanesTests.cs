@@ -109,7 +109,7 @@ public sealed unsafe class PassLanesTests
         private readonly Column<nint> _places;
         private readonly Column<ushort> _fresh;
         private readonly Column<BodyState> _states;
-        private readonly ContactCoefficients _coefficients = new ContactCoefficients(1f / 240, 10, 0.005f, 1);
+        private readonly ContactCoefficients _coefficients = new ContactCoefficients(1f / 240, 10, 1);
         private readonly int _perBundle;
         private readonly int _bundles;
         private readonly bool _grounded;

@@ -288,7 +288,7 @@ public sealed unsafe class UpdateLanesTests
                 Dt = 1f / 60,
                 ImpulseScale = random.Next(2) == 0 ? 1 : 0.8f,
                 LoadGrowth = random.Next(2) * 0.25f,
-                Coefficients = new ContactCoefficients(1f / 240, 10, settings.AllowedPenetration, 1),
+                Coefficients = new ContactCoefficients(1f / 240, 10, 1),
             };
         }
     }

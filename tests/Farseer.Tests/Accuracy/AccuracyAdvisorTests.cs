@@ -76,25 +76,6 @@ public class AccuracyAdvisorTests
     }
 
     [Fact]
-    public void Advise_WithTheDefaultDepthOfRest_CountsAllOfIt()
-    {
-        AccuracyAdvice advice = AccuracyAdvisor.Advise(
-            () =>
-            {
-                PhysicsSimulator simulator = Stack();
-                simulator.AllowedPenetration = 0.05f;
-                return simulator;
-            },
-            2,
-            1e-5f);
-        Assert.Null(advice.Cheapest);
-        foreach (AccuracyPoint point in advice.Curve)
-        {
-            Assert.InRange(point.ConstraintError, 1e-4, 0.1);
-        }
-    }
-
-    [Fact]
     public void Advise_TellsItsProgress_AndCanBeStopped()
     {
         var shares = new Shares();

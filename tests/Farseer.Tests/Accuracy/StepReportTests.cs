@@ -274,7 +274,7 @@ public class StepReportTests
     }
 
     internal static Rig New(double gravity = 10) =>
-        new(new Dial(Options.DefaultIterations, Options.DefaultDt, 0), gravity, 1);
+        new(new Dial(Options.DefaultIterations, Options.DefaultDt), gravity);
 
     internal static Rig Build(string scene)
     {

@@ -190,7 +190,7 @@ public class TruthTests
     }
 
     [Fact]
-    public void Budget_WithTheDefaultDepthOfRest_IsKeptAsItSays()
+    public void Budget_OfAStackAtTheDefaults_IsKeptAsItSays()
     {
         using var simulator = new PhysicsSimulator(new Vector2(0, -10));
         Geom ground = Sandbox.Box(simulator, new Vector2(0, -0.5f), 20, 1);
@@ -201,7 +201,6 @@ public class TruthTests
             boxes.Add(Sandbox.Box(simulator, new Vector2(0, i + 0.5f), 1, 1).Body);
         }
 
-        float before = simulator.AllowedPenetration;
         simulator.ErrorBudget = ErrorBudget.OfLength(1e-4f);
         for (int i = 0; i < 600; i++)
         {
@@ -211,18 +210,6 @@ public class TruthTests
         }
 
         Assert.True(simulator.Report.IsWithinBudget, $"{simulator.Report.Error} m of {simulator.Report.Cause}");
-        Assert.Equal(before, simulator.AllowedPenetration);
-
-        // Without one they sink in again, and the report does not hide it.
-        simulator.ErrorBudget = ErrorBudget.None;
-        simulator.EnableReport = true;
-        for (int i = 0; i < 600; i++)
-        {
-            simulator.Update(1f / 60);
-        }
-
-        Assert.InRange(4.5 - boxes[4].Position.Y, 1e-3, 1);
-        Assert.InRange(simulator.Report.Error, 1e-3, 1);
     }
 
     [Fact]
@@ -258,7 +245,7 @@ public class TruthTests
 
     private static Rig DoublePendulum(int iterations)
     {
-        var rig = new Rig(new Dial(iterations, Options.DefaultDt, 0), 10, 1);
+        var rig = new Rig(new Dial(iterations, Options.DefaultDt), 10);
         Actor first = rig.AddLooseBox(new Vec(0.5, 0), 0.1, 1, Math.PI / 2, 1);
         Actor second = rig.AddLooseBox(new Vec(1.5, 0), 0.1, 1, Math.PI / 2, 1);
         rig.AddHinge(rig.AddAnchor(0, 0), first, new Vec(0, 0));
