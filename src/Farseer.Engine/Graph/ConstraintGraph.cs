@@ -42,7 +42,7 @@ internal sealed unsafe partial class ConstraintGraph
     private const int NoBody = -1;
 
     /// <summary>Rows of a world that is to have all colours: fewer bodies than that seldom have more than <see cref="BodyColors.Drawn"/> rows each.</summary>
-    private const int ManyRows = 32;
+    private const int ManyRows = 8;
 
     /// <summary>Part of all rows that are moved at once to another group, those of one colour.</summary>
     private const int MovedPart = 8;
