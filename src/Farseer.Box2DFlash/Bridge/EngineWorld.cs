@@ -86,7 +86,7 @@ internal sealed class EngineWorld : IStepHooks
     {
         World.Settings.Substeps = iterations;
         _step++;
-        SharedScratch.Step(World, dt);
+        World.Step(dt);
         _relay.Results();
         EndDistantContacts();
     }

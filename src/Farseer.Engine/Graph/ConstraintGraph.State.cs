@@ -28,15 +28,15 @@ internal sealed unsafe partial class ConstraintGraph
 
         for (int i = 0; i < _colors.Count; i++)
         {
-            for (int color = 0; color <= ColorCount; color++)
+            foreach (GraphColor color in _colors[i])
             {
-                if (i < groups && s.Value(_colors[i][color]?.HoldsAny == true))
+                if (i < groups)
                 {
-                    ColorOf(i, color).Visit(s);
+                    color.Visit(s);
                 }
                 else
                 {
-                    _colors[i][color]?.ForgetAll();
+                    color.ForgetAll();
                 }
             }
         }
