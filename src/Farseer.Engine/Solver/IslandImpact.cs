@@ -214,7 +214,7 @@ internal sealed unsafe partial class IslandImpact
 
     private void AddTouching(ContactBundle* row, int lane, BodyStore bodies, in ContactCoefficients c)
     {
-        FindGaps(row, lane, bodies, c, out double gap0, out double gap1);
+        FindGaps(row, lane, bodies, out double gap0, out double gap1);
         Moment a = At(bodies, row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane], 0, c);
         Moment b = At(bodies, row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane], 0, c);
         if (Touches(&row->Point0, lane, gap0, c))
@@ -237,7 +237,7 @@ internal sealed unsafe partial class IslandImpact
     }
 
     /// <summary>How far apart the surfaces of both points are.</summary>
-    private static void FindGaps(ContactBundle* row, int lane, BodyStore bodies, in ContactCoefficients c, out double gap0, out double gap1)
+    private static void FindGaps(ContactBundle* row, int lane, BodyStore bodies, out double gap0, out double gap1)
     {
         ref BodyState a = ref bodies.State[row->BodyA[lane]];
         ref BodyState b = ref bodies.State[row->BodyB[lane]];

@@ -78,7 +78,7 @@ internal sealed class EventRelay : IStepHooks
 
         if (a.OneWayDirection != System.Numerics.Vector2.Zero || b.OneWayDirection != System.Numerics.Vector2.Zero)
         {
-            if (!OneWay.Accepts(a, b, points, flip, began, _simulator.AllowedPenetration))
+            if (!OneWay.Accepts(a, b, points, flip, began))
             {
                 return false;
             }
