@@ -83,13 +83,6 @@ public partial class b2World
 
     internal EngineWorld Engine { get; }
 
-    /// <summary>Share of their size that bodies rest in each other at most: half a slop, where that is less. Default 1/256.</summary>
-    internal float MostRestShare
-    {
-        get => Engine.World.Settings.AllowedPenetrationShare;
-        set => Engine.World.Settings.AllowedPenetrationShare = value;
-    }
-
     internal bool DoSleep { get; }
 
     internal bool IsTelling => _locked;

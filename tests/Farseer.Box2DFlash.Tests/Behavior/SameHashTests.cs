@@ -23,7 +23,7 @@ public sealed class SameHashTests
         b2World world = Bench.World(-10, 1000, false);
 
         // Bodies of this facade rest in each other by half a slop, those of the other one at each other.
-        world.MostRestShare = 0;
+        world.Engine.MostRestShare = 0;
         PhysicsSimulator simulator = new(new Vector2(0, -10)) { Iterations = 10 };
         Add(world, simulator, 0, -1, 20, 1, 0);
         List<(b2Body Flash, Body Farseer)> bodies = [];
