@@ -16,8 +16,8 @@ public partial class PhysicsSimulator
     /// </summary>
     public bool EnableReport
     {
-        get => World.ReportEnabled;
-        set => World.ReportEnabled = value;
+        get => World.Accuracy.ReportEnabled;
+        set => World.Accuracy.ReportEnabled = value;
     }
 
     /// <summary>
@@ -38,10 +38,10 @@ public partial class PhysicsSimulator
         set
         {
             _errorBudget = value;
-            World.Budget.Length = value.Length;
-            World.Budget.Share = value.Share;
-            World.Budget.MostSubsteps = value.MostIterations;
-            World.Budget.Reset();
+            World.Accuracy.Budget.Length = value.Length;
+            World.Accuracy.Budget.Share = value.Share;
+            World.Accuracy.Budget.MostSubsteps = value.MostIterations;
+            World.Accuracy.Budget.Reset();
             _pace.Reset();
         }
     }
@@ -57,13 +57,13 @@ public partial class PhysicsSimulator
             return;
         }
 
-        World.Budget.MostSubsteps = Math.Min(_errorBudget.MostIterations, _pace.Most(limit.TotalSeconds));
+        World.Accuracy.Budget.MostSubsteps = Math.Min(_errorBudget.MostIterations, _pace.Most(limit.TotalSeconds));
         long start = Stopwatch.GetTimestamp();
         World.Step(dt);
         double seconds = (Stopwatch.GetTimestamp() - start) / (double)Stopwatch.Frequency;
-        if (World.HasMeasured)
+        if (World.Accuracy.HasMeasured)
         {
-            _pace.Learn(seconds, World.Measures.Substeps);
+            _pace.Learn(seconds, World.Accuracy.Measures.Substeps);
         }
 
         FillReport(new TimeSpan((long)(seconds * TimeSpan.TicksPerSecond)), limit);
@@ -71,18 +71,18 @@ public partial class PhysicsSimulator
 
     private void FillReport(TimeSpan stepTime, TimeSpan timeLimit)
     {
-        if (!World.HasMeasured)
+        if (!World.Accuracy.HasMeasured)
         {
             return;
         }
 
-        ref readonly StepMeasures measures = ref World.Measures;
+        ref readonly StepMeasures measures = ref World.Accuracy.Measures;
         Report = new StepReport(
             measures,
             measures.WorstBody >= 0 ? _table.Body(measures.WorstBody) : null,
             measures.WorstPartner >= 0 ? _table.Body(measures.WorstPartner) : null,
             measures.WorstJoint >= 0 ? _jointRelay.Find(measures.WorstJoint) : null,
-            World.Budget.Load(measures),
+            World.Accuracy.Budget.Load(measures),
             stepTime,
             timeLimit);
     }

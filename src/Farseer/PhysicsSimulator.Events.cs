@@ -29,7 +29,7 @@ public partial class PhysicsSimulator
             }
 
             _relay.Recorder.Kinds = value;
-            World.TellsPushes = (value & (StepEventKinds.Hits | StepEventKinds.Pushes)) != 0;
+            World.Pushes.TellsPushes = (value & (StepEventKinds.Hits | StepEventKinds.Pushes)) != 0;
             for (int i = 0; i < _table.GeomEnd; i++)
             {
                 _table.Geom(i)?.Link.PushFlags(_table.Geom(i)!);
@@ -55,8 +55,8 @@ public partial class PhysicsSimulator
     /// <exception cref="System.ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float HitSpeed
     {
-        get => World.HitSpeed;
-        set => World.HitSpeed = Require.NotNegative(value, nameof(HitSpeed));
+        get => World.Pushes.HitSpeed;
+        set => World.Pushes.HitSpeed = Require.NotNegative(value, nameof(HitSpeed));
     }
 
     /// <summary>
@@ -71,7 +71,7 @@ public partial class PhysicsSimulator
             _surfaces.Mixer = value;
             if (value is not null)
             {
-                World.UseSurfaces();
+                World.Surfaces.Use();
             }
         }
     }
@@ -117,7 +117,7 @@ public partial class PhysicsSimulator
     /// </summary>
     public bool SumImpulses
     {
-        get => World.SumsImpulses;
-        set => World.SumsImpulses = value;
+        get => World.Pushes.SumsImpulses;
+        set => World.Pushes.SumsImpulses = value;
     }
 }

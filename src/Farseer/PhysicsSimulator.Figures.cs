@@ -4,15 +4,15 @@ namespace FarseerGames.FarseerPhysics;
 public partial class PhysicsSimulator
 {
     /// <summary>Pairs of pieces that touch after the last update; a geom of a concave outline or a chain has several pieces. Counted when asked for.</summary>
-    public int ContactCount => World.ContactCount;
+    public int ContactCount => World.Reader.Count;
 
     /// <summary>Deepest overlap of two geoms that push each other apart, a length of the scene, after the last update; 0 if there is none. Measured when asked for.</summary>
-    public float LargestPenetration => World.LargestPenetration();
+    public float LargestPenetration => World.Reader.LargestPenetration();
 
     /// <summary>
     /// A 64-bit hash of places and velocities of all bodies. The same scene gives the same hash on every platform and processor;
     /// two hashes that differ show that the states differ in at least one bit.
     /// </summary>
     /// <returns>The hash.</returns>
-    public ulong StateHash() => World.StateHash();
+    public ulong StateHash() => World.Bodies.MotionHash();
 }

@@ -107,7 +107,7 @@ public partial class PhysicsSimulator
 
     internal QueryLink Asking => _queries;
 
-    internal void UseSurfaces() => World.UseSurfaces();
+    internal void UseSurfaces() => World.Surfaces.Use();
 
     internal void ListPresent(List<Joint> joints) => _joints.ListPresent(joints);
 

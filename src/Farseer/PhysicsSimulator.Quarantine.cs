@@ -20,11 +20,11 @@ public partial class PhysicsSimulator
 
     private void TellQuarantined()
     {
-        int count = World.QuarantinedCount;
+        int count = World.BodyStage.QuarantinedCount;
         for (int i = 0; i < count; i++)
         {
-            QuarantineRecord record = World.Quarantined(i);
-            if (World.IsQuarantined(record.Body) && _table.Body(record.Body) is { } body)
+            QuarantineRecord record = World.BodyStage.Quarantined(i);
+            if (World.BodyStage.IsQuarantined(record.Body) && _table.Body(record.Body) is { } body)
             {
                 body.Quarantine();
             }
@@ -32,7 +32,7 @@ public partial class PhysicsSimulator
 
         for (int i = 0; i < count && BodyQuarantined is not null; i++)
         {
-            QuarantineRecord record = World.Quarantined(i);
+            QuarantineRecord record = World.BodyStage.Quarantined(i);
             if (_table.Body(record.Body) is { } body)
             {
                 try

@@ -108,7 +108,7 @@ public partial class PhysicsSimulator
 
                 StepCount++;
                 StepWorld(step);
-                if (World.QuarantinedCount > 0)
+                if (World.BodyStage.QuarantinedCount > 0)
                 {
                     TellQuarantined();
                 }

@@ -59,7 +59,7 @@ public partial class PhysicsSimulator : IDisposable
         _arbiters = new ArbiterView(this, _table);
         _queries = new QueryLink(this, World, _table);
         _surfaces = new SurfaceRelay(this, _table);
-        World.Surfaces = _surfaces;
+        World.Surfaces.Judge = _surfaces;
         BodyList = new BodyList { Owner = this };
         GeomList = new GeomList { Owner = this };
         JointList = new JointList { Owner = this };
@@ -301,7 +301,7 @@ public partial class PhysicsSimulator : IDisposable
     }
 
     /// <summary>Number of bodies asleep. (An addition to the original.)</summary>
-    public int SleepingBodyCount => World.AsleepCount;
+    public int SleepingBodyCount => World.Sleep.AsleepCount;
 
     /// <summary>
     /// Behaviours of version 2.0.1 to bring back. Set it before anything is added. Default <see cref="Farseer201Quirks.None"/>.

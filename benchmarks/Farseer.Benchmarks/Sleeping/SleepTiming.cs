@@ -38,14 +38,14 @@ internal static class SleepTiming
         build(awake, bodies);
         build(asleep, bodies);
         int steps = 0;
-        for (; steps < 600 && asleep.AsleepCount < bodies; steps++)
+        for (; steps < 600 && asleep.Sleep.AsleepCount < bodies; steps++)
         {
             asleep.Step(Dt);
         }
 
         double wide = Median(asleep, Steps);
         double full = Median(awake, bodies > 20_000 ? 41 : Steps);
-        Console.WriteLine($"{bodies,7} {name,-20} asleep {asleep.AsleepCount,7} after {steps,4} steps: {wide,8:F1} us a step, awake {full,10:F1} us");
+        Console.WriteLine($"{bodies,7} {name,-20} asleep {asleep.Sleep.AsleepCount,7} after {steps,4} steps: {wide,8:F1} us a step, awake {full,10:F1} us");
     }
 
     /// <summary>A heap of balls that bounce without end: the same steps with and without sleep allowed, by turns.</summary>
@@ -76,8 +76,8 @@ internal static class SleepTiming
         }
 
         ratios.Sort();
-        bool same = worlds[0].StateHash() == worlds[1].StateHash();
-        Console.WriteLine($"{bodies,7} balls that bounce, none asleep ({worlds[1].AsleepCount}): time with sleep allowed "
+        bool same = worlds[0].Bodies.MotionHash() == worlds[1].Bodies.MotionHash();
+        Console.WriteLine($"{bodies,7} balls that bounce, none asleep ({worlds[1].Sleep.AsleepCount}): time with sleep allowed "
             + $"{ratios[ratios.Count / 2]:F4} of that without, {(same ? "same bits" : "OTHER BITS")}");
     }
 

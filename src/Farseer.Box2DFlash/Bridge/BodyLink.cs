@@ -247,14 +247,14 @@ internal sealed class BodyLink
     }
 
     /// <summary>A body that is not dynamic yet keeps that it is to sleep until it is.</summary>
-    public bool IsSleeping => IsStatic ? _sleepsAtFirst : IsAttached && !_engine.IsAwake(_handle);
+    public bool IsSleeping => IsStatic ? _sleepsAtFirst : IsAttached && !_engine.Sleep.IsAwake(_handle);
 
     public void WakeUp()
     {
         _sleepsAtFirst = false;
         if (IsAttached && !IsStatic)
         {
-            _engine.WakeUp(_handle);
+            _engine.Sleep.WakeUp(_handle);
         }
     }
 
@@ -268,7 +268,7 @@ internal sealed class BodyLink
         {
             Velocity = default;
             Spin = 0;
-            _engine.PutToSleep(Handle);
+            _engine.Sleep.PutToSleep(Handle);
         }
     }
 

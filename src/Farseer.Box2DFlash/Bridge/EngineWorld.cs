@@ -72,7 +72,7 @@ internal sealed class EngineWorld : IStepHooks
 
     public ContactBook Contacts { get; } = new ContactBook();
 
-    public ulong StateHash() => World.StateHash();
+    public ulong StateHash() => World.Bodies.MotionHash();
 
     public void SetGravityWakes(bool wakes) => World.Settings.GravityWakes = wakes;
 
@@ -206,7 +206,7 @@ internal sealed class EngineWorld : IStepHooks
         if (shape.Link.IsAttached)
         {
             EndContacts(shape);
-            World.Refilter(shape.Link.Collider);
+            World.Pairs.Refilter(shape.Link.Collider);
         }
     }
 
@@ -232,7 +232,7 @@ internal sealed class EngineWorld : IStepHooks
             if (contact.WasNear && !BoxesMeet(contact.Shape1, contact.Shape2))
             {
                 End(contact);
-                World.EndPair(contact.Shape1.Link.Collider, contact.Shape2.Link.Collider);
+                World.Pairs.EndPair(contact.Shape1.Link.Collider, contact.Shape2.Link.Collider);
             }
 
             contact = next;
@@ -246,7 +246,7 @@ internal sealed class EngineWorld : IStepHooks
         {
             if (s.Link.IsAttached)
             {
-                World.GetColliderBox(s.Link.Collider, out Vector2 min, out Vector2 max);
+                World.Reader.GetColliderBox(s.Link.Collider, out Vector2 min, out Vector2 max);
                 if (!_world.Overlaps(min, max))
                 {
                     return false;
@@ -281,7 +281,7 @@ internal sealed class EngineWorld : IStepHooks
                 continue;
             }
 
-            World.GetColliderBox(shape.Link.Collider, out Vector2 min, out Vector2 max);
+            World.Reader.GetColliderBox(shape.Link.Collider, out Vector2 min, out Vector2 max);
             float near = Box2D.Common.b2Settings.b2_linearSlop;
             Box box = new Box { MinX = min.X - near, MinY = min.Y - near, MaxX = max.X + near, MaxY = max.Y + near };
             World.Queries.FindInBox(box, QueryFilter.All, _found);
@@ -299,14 +299,14 @@ internal sealed class EngineWorld : IStepHooks
     /// <summary>Whether the filter has said that two shapes do not collide.</summary>
     public bool IsRefused(b2Shape a, b2Shape b) => Contacts.Find(a.Link.Collider.Index, b.Link.Collider.Index) is { IsAccepted: false };
 
-    public void BoxOf(b2Shape shape, out Vector2 min, out Vector2 max) => World.GetColliderBox(shape.Link.Collider, out min, out max);
+    public void BoxOf(b2Shape shape, out Vector2 min, out Vector2 max) => World.Reader.GetColliderBox(shape.Link.Collider, out min, out max);
 
     /// <summary>Whether the boxes of two shapes overlap, to within a slop: what a listener has heard touch may be a little apart.</summary>
     private bool BoxesMeet(b2Shape a, b2Shape b)
     {
         const float Near = Box2D.Common.b2Settings.b2_linearSlop;
-        World.GetColliderBox(a.Link.Collider, out Vector2 minA, out Vector2 maxA);
-        World.GetColliderBox(b.Link.Collider, out Vector2 minB, out Vector2 maxB);
+        World.Reader.GetColliderBox(a.Link.Collider, out Vector2 minA, out Vector2 maxA);
+        World.Reader.GetColliderBox(b.Link.Collider, out Vector2 minB, out Vector2 maxB);
         return minA.X - maxB.X <= Near && minB.X - maxA.X <= Near && minA.Y - maxB.Y <= Near && minB.Y - maxA.Y <= Near;
     }
 
@@ -425,7 +425,7 @@ internal sealed class EngineWorld : IStepHooks
         while (contact is not null)
         {
             b2Contact? next = contact.Next;
-            if (!World.AreNear(contact.Shape1.Link.Collider, contact.Shape2.Link.Collider))
+            if (!World.Reader.AreNear(contact.Shape1.Link.Collider, contact.Shape2.Link.Collider))
             {
                 End(contact);
             }

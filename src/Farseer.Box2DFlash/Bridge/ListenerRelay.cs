@@ -174,7 +174,7 @@ internal sealed class ListenerRelay
         _result.position.Set((float)point.X, (float)point.Y);
         _result.normal.Set(point.Normal.X, point.Normal.Y);
         _result.id.key = point.FeatureId;
-        _engine.World.TryGetImpulses(
+        _engine.World.Reader.TryGetImpulses(
             contact.Shape1.Link.Collider, contact.Shape2.Link.Collider, point.FeatureId, out float normal, out float tangent);
         _result.normalImpulse = normal;
         _result.tangentImpulse = tangent;

@@ -105,7 +105,7 @@ public partial class b2World
     {
         for (b2Body? b = _bodies; b is not null; b = b.Next)
         {
-            if (b.Link.IsStatic || b.Link.IsFrozen || b.IsSleeping() || (Engine.IsInside(b) && !Engine.World.IsQuarantined(b.Link.Index)))
+            if (b.Link.IsStatic || b.Link.IsFrozen || b.IsSleeping() || (Engine.IsInside(b) && !Engine.World.BodyStage.IsQuarantined(b.Link.Index)))
             {
                 continue;
             }

@@ -1,3 +1,5 @@
+using System.Numerics;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Bodies;
@@ -54,6 +56,25 @@ internal sealed class BodyStore
     /// <summary>Makes room for the residuals of all bodies, before one flies: in a pile none does.</summary>
     public void EnsureResiduals() => Residual.EnsureCapacity(State.Capacity);
 
+    public bool IsMovable(int body) => (Flags[body] & (BodyFlags.Static | BodyFlags.Kinematic)) == 0;
+
+    public bool IsBullet(int body) => (Flags[body] & BodyFlags.Bullet) != 0;
+
+    public bool IsAsleep(int body) => (Flags[body] & BodyFlags.Asleep) != 0;
+
+    /// <summary>Whether nothing moves a body: it sleeps, or is static or kinematic and has no velocity.</summary>
+    public bool IsStill(int body)
+    {
+        BodyFlags flags = Flags[body];
+        if ((flags & (BodyFlags.Static | BodyFlags.Kinematic)) != 0)
+        {
+            ref BodyState state = ref State[body];
+            return state.LinearVelocity == Vector2.Zero && state.AngularVelocity == 0;
+        }
+
+        return (flags & BodyFlags.Asleep) != 0 || (flags & BodyFlags.Enabled) == 0;
+    }
+
     /// <summary>A body begins anew, or was stopped.</summary>
     public void ClearResidual(int body)
     {
@@ -61,6 +82,39 @@ internal sealed class BodyStore
         {
             Residual[body] = default;
         }
+    }
+
+    /// <summary>64-bit hash (FNV-1a) of the poses and velocities of all live bodies, in order; equal on every platform.</summary>
+    public unsafe ulong MotionHash()
+    {
+        ulong hash = 14695981039346656037UL;
+        for (int body = 1; body < Ids.End; body++)
+        {
+            if ((Flags[body] & BodyFlags.Alive) != 0)
+            {
+                BodyPose pose = Pose[body];
+                BodyState state = State[body];
+                hash = Hash(hash, *(ulong*)&pose.X);
+                hash = Hash(hash, *(ulong*)&pose.Y);
+                hash = Hash(hash, *(ulong*)&pose.Angle);
+                hash = Hash(hash, (uint)FloatBits.ToInt(state.LinearVelocity.X));
+                hash = Hash(hash, (uint)FloatBits.ToInt(state.LinearVelocity.Y));
+                hash = Hash(hash, (uint)FloatBits.ToInt(state.AngularVelocity));
+            }
+        }
+
+        return hash;
+    }
+
+    private static ulong Hash(ulong hash, ulong value)
+    {
+        for (int i = 0; i < 8; i++)
+        {
+            hash = (hash ^ (value & 0xFF)) * 1099511628211UL;
+            value >>= 8;
+        }
+
+        return hash;
     }
 
     /// <summary>Writes, or reads, what later steps read of it.</summary>

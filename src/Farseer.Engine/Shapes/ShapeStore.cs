@@ -284,6 +284,13 @@ internal sealed class ShapeStore
 
     private void ReturnRange(int start, int count) => _freeRanges[SizeClass(count)].Add(start);
 
+    /// <exception cref="System.ArgumentException">The handle names no collider.</exception>
+    public ref ColliderInfo Require(Handle collider, string name)
+    {
+        ColliderIds.Require(collider, name);
+        return ref Colliders[collider.Index];
+    }
+
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {

@@ -48,6 +48,7 @@ internal sealed unsafe class BoxStage : IStageWork
     /// <summary>Words of 64 bodies that are worth another worker's while, some 1 µs.</summary>
     private const int LeastWords = 4;
 
+    private readonly WorldStores _stores;
     private readonly Column<FitRecord> _fits = new Column<FitRecord>();
 
     /// <summary>Bodies whose boxes are out of date for another reason than motion, a bit each.</summary>
@@ -57,23 +58,25 @@ internal sealed unsafe class BoxStage : IStageWork
     [NotState(Why.OfOneStep)]
     private IndexList[] _moved = { null! };
     [NotState(Why.Elsewhere)]
-    private World _world = null!;
+    private PairFinder _pairs = null!;
     [NotState(Why.OfOneStep)]
     private float _dt;
     [NotState(Why.OfOneStep)]
     private float _pull;
 
+    public BoxStage(WorldStores stores) => _stores = stores;
+
     /// <summary>Looks at all bodies, and fits the boxes of those that left theirs.</summary>
-    public void Update(World world, StageRunner runner, float dt)
+    public void Update(PairFinder pairs, StageRunner runner, float dt)
     {
-        BodyStore bodies = world.Bodies;
+        BodyStore bodies = _stores.Bodies;
         int end = bodies.Ids.End;
         int words = (end + BitSet.WordBits - 1) / BitSet.WordBits;
         _fits.EnsureCapacity(end);
         _stale.EnsureCapacity(words);
-        _world = world;
+        _pairs = pairs;
         _dt = dt;
-        _pull = (Math.Abs(world.Settings.Gravity.X) + Math.Abs(world.Settings.Gravity.Y)) * dt;
+        _pull = (Math.Abs(_stores.Settings.Gravity.X) + Math.Abs(_stores.Settings.Gravity.Y)) * dt;
         BeginMoved(runner.Workers);
         runner.Run(this, words, LeastWords);
         EndMoved();
@@ -81,7 +84,7 @@ internal sealed unsafe class BoxStage : IStageWork
         {
             for (ulong stale = _stale[word]; stale != 0; stale &= stale - 1)
             {
-                Take(world, (word * BitSet.WordBits) + BitSet.LowestBit(stale));
+                Take((word * BitSet.WordBits) + BitSet.LowestBit(stale));
             }
         }
     }
@@ -89,7 +92,7 @@ internal sealed unsafe class BoxStage : IStageWork
     /// <summary>Words of 64 bodies. A body that only moved gets its boxes here; one whose pieces or flags may have changed must wait.</summary>
     void IStageWork.Run(int worker, int from, int to)
     {
-        BodyStore bodies = _world.Bodies;
+        BodyStore bodies = _stores.Bodies;
         ulong* visited = bodies.Visited.Words;
         BodyFlags* allFlags = bodies.Flags.Pointer;
         BodyPose* poses = bodies.Pose.Pointer;
@@ -143,8 +146,8 @@ internal sealed unsafe class BoxStage : IStageWork
             }
         }
 
-        int pieces = _world.Shapes.PieceIds.End;
-        _moved[0] = _world.MovedProxies;
+        int pieces = _stores.Shapes.PieceIds.End;
+        _moved[0] = _pairs.MovedProxies;
         _moved[0].Reserve(_moved[0].Count + pieces);
         for (int i = 1; i < workers; i++)
         {
@@ -173,13 +176,13 @@ internal sealed unsafe class BoxStage : IStageWork
         return (flags & (Moving | BodyFlags.Static | BodyFlags.Asleep)) == Moving;
     }
 
-    private void Take(World world, int body)
+    private void Take(int body)
     {
-        BodyStore bodies = world.Bodies;
+        BodyStore bodies = _stores.Bodies;
         BodyFlags flags = bodies.Flags[body];
         bodies.Flags[body] = flags & ~(BodyFlags.Moved | BodyFlags.Fast);
-        world.NoteAltered(body);
-        Fit(world, body);
+        _pairs.NoteAltered(body);
+        Fit(body);
         if (Moves(flags))
         {
             NoteSpeed(bodies.Flags.Pointer + body, bodies.Size[body], Motion(bodies.State[body], bodies.Size[body].Reach));
@@ -245,23 +248,23 @@ internal sealed unsafe class BoxStage : IStageWork
     private float Motion(in BodyState state, float reach) =>
         (Math.Abs(state.LinearVelocity.X) + Math.Abs(state.LinearVelocity.Y) + _pull + (Math.Abs(state.AngularVelocity) * reach)) * _dt;
 
-    private void Fit(World world, int body)
+    private void Fit(int body)
     {
-        ref BodyPose pose = ref world.Bodies.Pose[body];
-        bool alive = (world.Bodies.Flags[body] & (BodyFlags.Alive | BodyFlags.Enabled)) == (BodyFlags.Alive | BodyFlags.Enabled);
-        bool isStatic = (world.Bodies.Flags[body] & BodyFlags.Static) != 0;
+        ref BodyPose pose = ref _stores.Bodies.Pose[body];
+        bool alive = (_stores.Bodies.Flags[body] & (BodyFlags.Alive | BodyFlags.Enabled)) == (BodyFlags.Alive | BodyFlags.Enabled);
+        bool isStatic = (_stores.Bodies.Flags[body] & BodyFlags.Static) != 0;
         float extent = float.MaxValue;
         FitRecord fit = Begin(pose);
-        for (int collider = world.FirstCollider(body); collider >= 0; collider = world.NextCollider(collider))
+        for (int collider = _stores.Colliders.First(body); collider >= 0; collider = _stores.Colliders.Next(collider))
         {
-            for (int piece = world.Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = world.Shapes.NextPiece[piece])
+            for (int piece = _stores.Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = _stores.Shapes.NextPiece[piece])
             {
-                world.SetProxy(piece, FatBox(world, body, piece, isStatic, ref fit), alive, isStatic);
-                extent = Math.Min(extent, world.Shapes.Pieces[piece].Extent);
+                _pairs.SetProxy(piece, FatBox(body, piece, isStatic, ref fit), alive, isStatic);
+                extent = Math.Min(extent, _stores.Shapes.Pieces[piece].Extent);
             }
         }
 
-        world.Bodies.Size[body] = new BodySize { Extent = FastShare * extent, Reach = fit.Reach };
+        _stores.Bodies.Size[body] = new BodySize { Extent = FastShare * extent, Reach = fit.Reach };
         _fits[body] = fit;
     }
 
@@ -269,20 +272,19 @@ internal sealed unsafe class BoxStage : IStageWork
     /// <returns>One past the last of its pieces in the list; null: it is not what it was.</returns>
     private int* Refit(int body, int* moved)
     {
-        World world = _world;
-        FitRecord fit = Begin(world.Bodies.Pose[body]);
-        for (int collider = world.FirstCollider(body); collider >= 0; collider = world.NextCollider(collider))
+        FitRecord fit = Begin(_stores.Bodies.Pose[body]);
+        for (int collider = _stores.Colliders.First(body); collider >= 0; collider = _stores.Colliders.Next(collider))
         {
-            for (int piece = world.Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = world.Shapes.NextPiece[piece])
+            for (int piece = _stores.Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = _stores.Shapes.NextPiece[piece])
             {
-                ref ProxyInfo info = ref world.Proxies.Info[piece];
+                ref ProxyInfo info = ref _stores.Proxies.Info[piece];
                 if ((info.Flags & ProxyFlags.Alive) == 0)
                 {
-                    world.Bodies.Flags[body] |= BodyFlags.Moved;
+                    _stores.Bodies.Flags[body] |= BodyFlags.Moved;
                     return null;
                 }
 
-                world.Proxies.Fat[piece] = FatBox(world, body, piece, isStatic: false, ref fit);
+                _stores.Proxies.Fat[piece] = FatBox(body, piece, isStatic: false, ref fit);
                 info.Flags = ProxyFlags.Alive | ProxyFlags.Moved;
                 *moved++ = piece;
             }
@@ -303,18 +305,18 @@ internal sealed unsafe class BoxStage : IStageWork
         Up = float.MaxValue,
     };
 
-    private Box FatBox(World world, int body, int piece, bool isStatic, ref FitRecord fit)
+    private Box FatBox(int body, int piece, bool isStatic, ref FitRecord fit)
     {
-        float reach = world.Shapes.Pieces[piece].Reach;
-        float size = world.Shapes.Pieces[piece].Extent;
+        float reach = _stores.Shapes.Pieces[piece].Reach;
+        float size = _stores.Shapes.Pieces[piece].Extent;
         float skin = SkinShare * size;
-        Spare spare = isStatic ? new Spare(skin) : Ahead(world.Bodies.State[body], size, reach);
+        Spare spare = isStatic ? new Spare(skin) : Ahead(_stores.Bodies.State[body], size, reach);
         fit.Left = Math.Min(fit.Left, spare.Left - skin);
         fit.Right = Math.Min(fit.Right, spare.Right - skin);
         fit.Down = Math.Min(fit.Down, spare.Down - skin);
         fit.Up = Math.Min(fit.Up, spare.Up - skin);
         fit.Reach = Math.Max(fit.Reach, reach);
-        return world.Shapes.BoxAround(piece, world.Bodies.Pose[body], spare.ToBox());
+        return _stores.Shapes.BoxAround(piece, _stores.Bodies.Pose[body], spare.ToBox());
     }
 
     private Spare Ahead(in BodyState state, float size, float reach)

@@ -16,6 +16,7 @@ namespace Farseer.Engine.Simulation;
 /// </summary>
 internal sealed unsafe class ContactEvents
 {
+    private readonly WorldStores _stores;
     private readonly RadixSort _sort = new RadixSort();
     private readonly Column<ContactPoint> _points = new Column<ContactPoint>();
     private readonly Column<int> _contacts = new Column<int>();
@@ -28,19 +29,21 @@ internal sealed unsafe class ContactEvents
     private int _count;
     private int _wokenCount;
 
+    public ContactEvents(WorldStores stores) => _stores = stores;
+
     /// <summary>Impacts of the sweep that have had listeners so far.</summary>
     public int ImpactsHeard { get; private set; }
 
-    public void Raise(World world, ContactStore contacts, ConstraintGraph graph, bool anyHeard)
+    public void Raise(ContactStore contacts, ConstraintGraph graph, bool anyHeard)
     {
-        IStepHooks? hooks = world.Hooks;
+        IStepHooks? hooks = _stores.Hooks;
         if (hooks == null || (!anyHeard && _oldCount == 0 && _wokenCount == 0))
         {
             return;
         }
 
-        TakeBackWoken(world);
-        int count = Gather(world, contacts);
+        TakeBackWoken();
+        int count = Gather(contacts);
         _count = 0;
         int i = 0;
         int old = 0;
@@ -53,7 +56,7 @@ internal sealed unsafe class ContactEvents
             }
 
             ref ContactRecord first = ref contacts.Records[_contacts[i]];
-            var pair = new PairOfColliders { A = world.Shapes.ColliderOf(first.PieceA), B = world.Shapes.ColliderOf(first.PieceB) };
+            var pair = new PairOfColliders { A = _stores.Shapes.ColliderOf(first.PieceA), B = _stores.Shapes.ColliderOf(first.PieceB) };
             int position = _count++;
             _keys[position] = _keys[i];
             _pairs[position] = pair;
@@ -63,7 +66,7 @@ internal sealed unsafe class ContactEvents
             }
 
             bool began = old == _oldCount || _oldKeys[old] != _keys[i] || _oldPairs[old].Gone;
-            if (!RaiseContact(world, contacts, graph, hooks, i, end, pair, began) && world.Settings.SeparateUntouchedPairs)
+            if (!RaiseContact(contacts, graph, hooks, i, end, pair, began) && _stores.Settings.SeparateUntouchedPairs)
             {
                 _pairs[position].Gone = true;
                 _pairs[position].Refused = true;
@@ -72,8 +75,8 @@ internal sealed unsafe class ContactEvents
             i = end;
         }
 
-        RaiseRefused(world, hooks);
-        RaiseSeparations(world, hooks, _count);
+        RaiseRefused(hooks);
+        RaiseSeparations(hooks, _count);
         (_keys, _oldKeys) = (_oldKeys, _keys);
         (_pairs, _oldPairs) = (_oldPairs, _pairs);
         _oldCount = _count;
@@ -81,13 +84,13 @@ internal sealed unsafe class ContactEvents
     }
 
     /// <summary>Pairs asleep neither touch anew nor part: they are left out until they wake.</summary>
-    public void LeaveOut(World world)
+    public void LeaveOut()
     {
         int kept = 0;
         for (int i = 0; i < _oldCount; i++)
         {
             PairOfColliders pair = _oldPairs[i];
-            if (!world.IsStill(world.Shapes.Colliders[pair.A].Body) || !world.IsStill(world.Shapes.Colliders[pair.B].Body))
+            if (!_stores.Bodies.IsStill(_stores.Shapes.Colliders[pair.A].Body) || !_stores.Bodies.IsStill(_stores.Shapes.Colliders[pair.B].Body))
             {
                 _oldKeys[kept] = _oldKeys[i];
                 _oldPairs[kept++] = pair;
@@ -98,32 +101,32 @@ internal sealed unsafe class ContactEvents
     }
 
     /// <summary>A pair wakes: listeners have heard that it touches, if it does.</summary>
-    public void Woke(World world, in ContactRecord record)
+    public void Woke(in ContactRecord record)
     {
-        if ((record.Flags & ContactFlags.Heard) != 0 && IsReported(world, record))
+        if ((record.Flags & ContactFlags.Heard) != 0 && IsReported(record))
         {
             _woken.EnsureCapacity(_wokenCount + 1);
-            _woken[_wokenCount++] = new PairOfColliders { A = world.Shapes.ColliderOf(record.PieceA), B = world.Shapes.ColliderOf(record.PieceB) };
+            _woken[_wokenCount++] = new PairOfColliders { A = _stores.Shapes.ColliderOf(record.PieceA), B = _stores.Shapes.ColliderOf(record.PieceB) };
         }
     }
 
     /// <summary>A collider goes: the pairs of it that touched separate.</summary>
-    public void ColliderRemoved(World world, int collider)
+    public void ColliderRemoved(int collider)
     {
         // Within the raising of events the pair may stand in the list of this step, of the last one, or in both.
         for (int i = 0; i < _count; i++)
         {
-            Part(world, ref _pairs[i], collider, true);
+            Part(ref _pairs[i], collider, true);
         }
 
         for (int i = 0; i < _oldCount; i++)
         {
-            Part(world, ref _oldPairs[i], collider, !IsIn(_keys, _count, _oldKeys[i]));
+            Part(ref _oldPairs[i], collider, !IsIn(_keys, _count, _oldKeys[i]));
         }
 
         for (int i = 0; i < _wokenCount; i++)
         {
-            Part(world, ref _woken[i], collider, IsFirstOfItsPair(i));
+            Part(ref _woken[i], collider, IsFirstOfItsPair(i));
         }
     }
 
@@ -142,7 +145,7 @@ internal sealed unsafe class ContactEvents
     }
 
     /// <summary>Puts the woken pairs among those of the last step, in their order.</summary>
-    private void TakeBackWoken(World world)
+    private void TakeBackWoken()
     {
         if (_wokenCount == 0)
         {
@@ -162,7 +165,7 @@ internal sealed unsafe class ContactEvents
         {
             PairOfColliders pair = _woken[i];
             _contacts[_oldCount + i] = _oldCount + i;
-            _keys[_oldCount + i] = Key(world, pair.A, pair.B);
+            _keys[_oldCount + i] = Key(pair.A, pair.B);
             _pairs[_oldCount + i] = pair;
         }
 
@@ -185,20 +188,20 @@ internal sealed unsafe class ContactEvents
     /// as of any other.
     /// </summary>
     /// <returns>False if a handler cancelled the response.</returns>
-    public bool RaiseImpact(World world, ContactStore contacts, int contact, in Manifold manifold)
+    public bool RaiseImpact(ContactStore contacts, int contact, in Manifold manifold)
     {
         ref ContactRecord record = ref contacts.Records[contact];
         record.Flags |= ContactFlags.Touching;
-        var pair = new PairOfColliders { A = world.Shapes.ColliderOf(record.PieceA), B = world.Shapes.ColliderOf(record.PieceB) };
-        IStepHooks? hooks = world.Hooks;
-        if (hooks == null || !(Wants(world, pair, ColliderFlags.WantsContact) || Wants(world, pair, ColliderFlags.WantsSeparation)))
+        var pair = new PairOfColliders { A = _stores.Shapes.ColliderOf(record.PieceA), B = _stores.Shapes.ColliderOf(record.PieceB) };
+        IStepHooks? hooks = _stores.Hooks;
+        if (hooks == null || !(Wants(pair, ColliderFlags.WantsContact) || Wants(pair, ColliderFlags.WantsSeparation)))
         {
             return true;
         }
 
         record.Flags |= ContactFlags.Due;
         ImpactsHeard++;
-        ulong key = Key(world, record);
+        ulong key = Key(record);
         int place = 0;
         while (place < _oldCount && _oldKeys[place] < key)
         {
@@ -220,13 +223,13 @@ internal sealed unsafe class ContactEvents
         _oldKeys[place] = key;
         _oldPairs[place] = pair;
         _oldCount++;
-        if (!Wants(world, pair, ColliderFlags.WantsContact))
+        if (!Wants(pair, ColliderFlags.WantsContact))
         {
             return true;
         }
 
         _points.EnsureCapacity(2);
-        int points = WritePoints(world, record, manifold, _points.Pointer);
+        int points = WritePoints(_stores.Bodies, record, manifold, _points.Pointer);
         bool accepted = hooks.OnContact(pair.A, pair.B, new ReadOnlySpan<ContactPoint>(_points.Pointer, points), began: true);
         contacts.Records[contact].Flags = accepted
             ? contacts.Records[contact].Flags & ~ContactFlags.Vetoed
@@ -234,14 +237,14 @@ internal sealed unsafe class ContactEvents
         return accepted;
     }
 
-    private static void Part(World world, ref PairOfColliders pair, int collider, bool raise)
+    private void Part(ref PairOfColliders pair, int collider, bool raise)
     {
         if (!pair.Gone && (pair.A == collider || pair.B == collider))
         {
             pair.Gone = true;
-            if (raise && Wants(world, pair, ColliderFlags.WantsSeparation))
+            if (raise && Wants(pair, ColliderFlags.WantsSeparation))
             {
-                world.Hooks?.OnSeparation(pair.A, pair.B);
+                _stores.Hooks?.OnSeparation(pair.A, pair.B);
             }
         }
     }
@@ -260,9 +263,9 @@ internal sealed unsafe class ContactEvents
     }
 
     /// <summary>Writes the points of a contact for a reader, at the poses of the step's start.</summary>
-    public static int WritePoints(World world, in ContactRecord record, in Manifold manifold, ContactPoint* target)
+    public static int WritePoints(BodyStore bodies, in ContactRecord record, in Manifold manifold, ContactPoint* target)
     {
-        ref BodyPose poseA = ref world.Bodies.Pose[record.BodyA];
+        ref BodyPose poseA = ref bodies.Pose[record.BodyA];
         for (int k = 0; k < manifold.Count; k++)
         {
             ManifoldPoint point = k == 0 ? manifold.Point0 : manifold.Point1;
@@ -279,19 +282,19 @@ internal sealed unsafe class ContactEvents
         return manifold.Count;
     }
 
-    private static bool Wants(World world, in PairOfColliders pair, ColliderFlags flag) =>
-        ((world.Shapes.Colliders[pair.A].Flags | world.Shapes.Colliders[pair.B].Flags) & flag) != 0;
+    private bool Wants(in PairOfColliders pair, ColliderFlags flag) =>
+        ((_stores.Shapes.Colliders[pair.A].Flags | _stores.Shapes.Colliders[pair.B].Flags) & flag) != 0;
 
-    private int Gather(World world, ContactStore contacts)
+    private int Gather(ContactStore contacts)
     {
         int count = 0;
         Reserve(contacts.Records.Capacity);
         for (int i = 0; i < contacts.End; i++)
         {
             ref ContactRecord record = ref contacts.Records[i];
-            if (record.PieceA >= 0 && (record.Flags & ContactFlags.Heard) != 0 && !record.IsDormant && IsReported(world, record))
+            if (record.PieceA >= 0 && (record.Flags & ContactFlags.Heard) != 0 && !record.IsDormant && IsReported(record))
             {
-                _keys[count] = Key(world, record);
+                _keys[count] = Key(record);
                 _contacts[count++] = i;
             }
         }
@@ -311,31 +314,30 @@ internal sealed unsafe class ContactEvents
     }
 
     // The quirk of the original treats a pair whose boxes overlap as one that separates in every step.
-    private static bool IsReported(World world, in ContactRecord record)
+    private bool IsReported(in ContactRecord record)
     {
         if ((record.Flags & ContactFlags.Due) != 0)
         {
             return true;
         }
 
-        return world.Settings.SeparateUntouchedPairs
+        return _stores.Settings.SeparateUntouchedPairs
             && Box.Overlap(
-                world.Shapes.TightBox(record.PieceA, world.Bodies.Pose[record.BodyA]),
-                world.Shapes.TightBox(record.PieceB, world.Bodies.Pose[record.BodyB]));
+                _stores.Shapes.TightBox(record.PieceA, _stores.Bodies.Pose[record.BodyA]),
+                _stores.Shapes.TightBox(record.PieceB, _stores.Bodies.Pose[record.BodyB]));
     }
 
-    private static ulong Key(World world, in ContactRecord record) => Key(world, world.Shapes.ColliderOf(record.PieceA), world.Shapes.ColliderOf(record.PieceB));
+    private ulong Key(in ContactRecord record) => Key(_stores.Shapes.ColliderOf(record.PieceA), _stores.Shapes.ColliderOf(record.PieceB));
 
-    private static ulong Key(World world, int colliderA, int colliderB) =>
-        ((ulong)(uint)world.Shapes.Colliders[colliderA].Order << 32) | (uint)world.Shapes.Colliders[colliderB].Order;
+    private ulong Key(int colliderA, int colliderB) =>
+        ((ulong)(uint)_stores.Shapes.Colliders[colliderA].Order << 32) | (uint)_stores.Shapes.Colliders[colliderB].Order;
 
     /// <returns>False if the pair gives no response in this step.</returns>
-    private bool RaiseContact(
-        World world, ContactStore contacts, ConstraintGraph graph, IStepHooks hooks, int start, int end, in PairOfColliders pair, bool began)
+    private bool RaiseContact(ContactStore contacts, ConstraintGraph graph, IStepHooks hooks, int start, int end, in PairOfColliders pair, bool began)
     {
         _points.EnsureCapacity(2 * (end - start));
         int points = 0;
-        if ((world.Shapes.Colliders[pair.A].Flags & world.Shapes.Colliders[pair.B].Flags & ColliderFlags.Alive) == 0)
+        if ((_stores.Shapes.Colliders[pair.A].Flags & _stores.Shapes.Colliders[pair.B].Flags & ColliderFlags.Alive) == 0)
         {
             return false;
         }
@@ -345,12 +347,12 @@ internal sealed unsafe class ContactEvents
             ref ContactRecord record = ref contacts.Records[_contacts[i]];
             if ((record.Flags & ContactFlags.Due) != 0)
             {
-                points += WritePoints(world, record, contacts.Manifolds[_contacts[i]], _points.Pointer + points);
+                points += WritePoints(_stores.Bodies, record, contacts.Manifolds[_contacts[i]], _points.Pointer + points);
             }
         }
 
         bool accepted = points > 0;
-        if (points > 0 && Wants(world, pair, ColliderFlags.WantsContact))
+        if (points > 0 && Wants(pair, ColliderFlags.WantsContact))
         {
             accepted = hooks.OnContact(pair.A, pair.B, new ReadOnlySpan<ContactPoint>(_points.Pointer, points), began);
         }
@@ -396,13 +398,13 @@ internal sealed unsafe class ContactEvents
     }
 
     /// <summary>The quirk's separations of pairs without response: as in the original, after all contacts of the step.</summary>
-    private void RaiseRefused(World world, IStepHooks hooks)
+    private void RaiseRefused(IStepHooks hooks)
     {
         for (int i = 0; i < _count; i++)
         {
             PairOfColliders pair = _pairs[i];
-            ColliderFlags both = world.Shapes.Colliders[pair.A].Flags & world.Shapes.Colliders[pair.B].Flags;
-            if (pair.Refused && (both & ColliderFlags.Alive) != 0 && Wants(world, pair, ColliderFlags.WantsSeparation))
+            ColliderFlags both = _stores.Shapes.Colliders[pair.A].Flags & _stores.Shapes.Colliders[pair.B].Flags;
+            if (pair.Refused && (both & ColliderFlags.Alive) != 0 && Wants(pair, ColliderFlags.WantsSeparation))
             {
                 hooks.OnSeparation(pair.A, pair.B);
             }
@@ -410,7 +412,7 @@ internal sealed unsafe class ContactEvents
     }
 
     /// <summary>Both lists are sorted: what is in the old one only has separated.</summary>
-    private void RaiseSeparations(World world, IStepHooks hooks, int pairs)
+    private void RaiseSeparations(IStepHooks hooks, int pairs)
     {
         int next = 0;
         for (int i = 0; i < _oldCount; i++)
@@ -422,7 +424,7 @@ internal sealed unsafe class ContactEvents
 
             bool still = next < pairs && _keys[next] == _oldKeys[i];
             PairOfColliders pair = _oldPairs[i];
-            if (!still && !pair.Gone && Wants(world, pair, ColliderFlags.WantsSeparation))
+            if (!still && !pair.Gone && Wants(pair, ColliderFlags.WantsSeparation))
             {
                 hooks.OnSeparation(pair.A, pair.B);
             }

@@ -57,12 +57,12 @@ internal sealed unsafe class ContactStage : IStageWork
     public bool AnyHeard { get; private set; }
 
     /// <param name="runner">Who shares the work out.</param>
-    /// <param name="world">Its bodies may sleep.</param>
+    /// <param name="sleep">Its bodies may sleep.</param>
     /// <param name="input">Columns and numbers of this step.</param>
     /// <param name="graph">The rows.</param>
     /// <param name="joints">What holds bodies besides rows.</param>
     /// <param name="allHeld">Every body is in the solver's hands.</param>
-    public void Update(StageRunner runner, World world, ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
+    public void Update(StageRunner runner, SleepStage sleep, ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
     {
         ContactStore contacts = input.Contacts;
         Scratch scratch = input.Scratch;
@@ -98,10 +98,10 @@ internal sealed unsafe class ContactStage : IStageWork
         Lone.Begin(input.Bodies.State.Capacity);
         UpdateGraph(runner, input, graph);
         UpdateIdle(runner, input);
-        if (world.AsleepCount > 0)
+        if (sleep.AsleepCount > 0)
         {
-            WakeGained(world, contacts);
-            _fast.Wake(world, contacts);
+            WakeGained(sleep, contacts);
+            _fast.Wake(sleep, contacts);
         }
 
         Take(runner, contacts, graph);
@@ -146,24 +146,24 @@ internal sealed unsafe class ContactStage : IStageWork
     public static ulong PairKey(in ContactRecord record) => BroadPhase.PairBuffer.Pack(record.PieceA, record.PieceB);
 
     /// <summary>Makes room ahead for what is kept where many pairs of hulls have no rows.</summary>
-    public void ReserveForGaps(World world, ContactStore contacts)
+    public void ReserveForGaps(WorldStores stores, ContactStore contacts)
     {
-        _sides.Reserve(world.Shapes);
-        contacts.Steps.Reserve(world.Bodies.State.Capacity);
+        _sides.Reserve(stores.Shapes);
+        contacts.Steps.Reserve(stores.Bodies.State.Capacity);
     }
 
     /// <summary>Writes the sides of a body that has just fallen asleep: until it wakes they stay as they are.</summary>
-    public void WriteSides(World world, byte* moves, int piece) =>
-        _sides.LayDown(world.Shapes, world.Bodies, world.Proxies.Info.Pointer, moves, piece);
+    public void WriteSides(WorldStores stores, byte* moves, int piece) =>
+        _sides.LayDown(stores.Shapes, stores.Bodies, stores.Proxies.Info.Pointer, moves, piece);
 
     /// <summary>Pairs of one side asleep are about to get a row: that wakes it, but for those that nothing has moved.</summary>
-    private void WakeGained(World world, ContactStore contacts)
+    private void WakeGained(SleepStage sleep, ContactStore contacts)
     {
         int kept = 0;
         for (int i = 0; i < _gained.Count; i++)
         {
             int index = _gained[i];
-            if (world.WakeByContact(contacts.Records[index]))
+            if (sleep.WakeByContact(contacts.Records[index]))
             {
                 _gained[kept++] = index;
             }

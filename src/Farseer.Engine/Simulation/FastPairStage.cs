@@ -57,11 +57,11 @@ internal sealed unsafe class FastPairStage : IStageWork
     }
 
     /// <summary>What a fast body comes near wakes: it would meet it as a wall.</summary>
-    public void Wake(World world, ContactStore contacts)
+    public void Wake(SleepStage sleep, ContactStore contacts)
     {
         for (int i = 0; i < _contacts.Count; i++)
         {
-            world.WakeByContact(contacts.Records[_contacts[i]]);
+            sleep.WakeByContact(contacts.Records[_contacts[i]]);
         }
     }
 

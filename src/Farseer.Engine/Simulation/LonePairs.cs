@@ -41,7 +41,7 @@ internal sealed unsafe class LonePairs
     public void Offer(int contact) => _candidates.Add(contact);
 
     /// <summary>Takes the rows of the candidates whose bodies have no other hold out of the graph.</summary>
-    public void SetAside(World world, ContactStore contacts, ConstraintGraph graph, byte* moves)
+    public void SetAside(WorldStores stores, ContactStore contacts, ConstraintGraph graph, byte* moves)
     {
         for (int i = 0; i < _candidates.Count; i++)
         {
@@ -49,8 +49,8 @@ internal sealed unsafe class LonePairs
             ref ContactRecord record = ref contacts.Records[contact];
             if (record.PieceA < 0 || record.Color < 0 || record.Color >= ConstraintGraph.ColorCount
                 || graph.Degree(record.BodyA) != 1 || graph.Degree(record.BodyB) != 1
-                || !IsLone(world, record.BodyA, moves) || !IsLone(world, record.BodyB, moves)
-                || !Describe(world, contact, record, out LonePair pair))
+                || !IsLone(stores, record.BodyA, moves) || !IsLone(stores, record.BodyB, moves)
+                || !Describe(stores, contact, record, out LonePair pair))
             {
                 continue;
             }
@@ -97,29 +97,29 @@ internal sealed unsafe class LonePairs
     }
 
     /// <summary>A body of one piece that moves by contacts alone.</summary>
-    private static bool IsLone(World world, int body, byte* moves)
+    private static bool IsLone(WorldStores stores, int body, byte* moves)
     {
-        int collider = world.FirstCollider(body);
+        int collider = stores.Colliders.First(body);
         return moves[body] != 0
-            && (world.Bodies.Flags[body] & BodyFlags.Discrete) == 0
-            && world.Bodies.Mass[body].InverseMass > 0
-            && !world.IsHeldApart(body)
-            && world.NextCollider(collider) < 0
-            && world.Shapes.NextPiece[world.Shapes.Colliders[collider].FirstPiece] < 0;
+            && (stores.Bodies.Flags[body] & BodyFlags.Discrete) == 0
+            && stores.Bodies.Mass[body].InverseMass > 0
+            && !stores.IsHeldApart(body)
+            && stores.Colliders.Next(collider) < 0
+            && stores.Shapes.NextPiece[stores.Shapes.Colliders[collider].FirstPiece] < 0;
     }
 
     /// <returns>False if they lie in each other: the solver parts them, a flight would not.</returns>
-    private static bool Describe(World world, int contact, in ContactRecord record, out LonePair pair)
+    private static bool Describe(WorldStores stores, int contact, in ContactRecord record, out LonePair pair)
     {
         pair = default;
         pair.Contact = contact;
-        pair.A = Start(world.Bodies, record.BodyA);
-        pair.B = Start(world.Bodies, record.BodyB);
-        float extent = FastPairs.Extent(world.Shapes.Pieces[record.PieceA], world.Shapes.Pieces[record.PieceB], true, true);
+        pair.A = Start(stores.Bodies, record.BodyA);
+        pair.B = Start(stores.Bodies, record.BodyB);
+        float extent = FastPairs.Extent(stores.Shapes.Pieces[record.PieceA], stores.Shapes.Pieces[record.PieceB], true, true);
         double tolerance = FastPairs.Tolerance(extent);
-        BodyPath a = BodyPath.Resting(world.Bodies.Pose[record.BodyA]);
-        BodyPath b = BodyPath.Resting(world.Bodies.Pose[record.BodyB]);
-        double separation = new TimeOfImpact(world.Shapes, record.PieceA, a, record.PieceB, b).SeparationAtStart();
+        BodyPath a = BodyPath.Resting(stores.Bodies.Pose[record.BodyA]);
+        BodyPath b = BodyPath.Resting(stores.Bodies.Pose[record.BodyB]);
+        double separation = new TimeOfImpact(stores.Shapes, record.PieceA, a, record.PieceB, b).SeparationAtStart();
         pair.Base = Math.Min(separation, 0);
         pair.Touches = separation <= tolerance;
         return separation >= -CoreShare * extent;

@@ -33,7 +33,7 @@ internal sealed unsafe class PairWork : IStageWork
     private ContactRecord* _records;
     private int _first;
     private Part _part;
-    private World _world = null!;
+    private PairFinder _stage = null!;
     private PairBuffer _pairs = null!;
 
     private enum Part
@@ -44,11 +44,11 @@ internal sealed unsafe class PairWork : IStageWork
     }
 
     /// <summary>Leaves those of the pairs that are new and pass the filters.</summary>
-    public void Run(StageRunner runner, World world, PairBuffer pairs, Scratch scratch)
+    public void Run(StageRunner runner, PairFinder stage, PairBuffer pairs, Scratch scratch)
     {
         int mark = scratch.Mark;
         _marks = scratch.Take<byte>(pairs.Count);
-        _world = world;
+        _stage = stage;
         _pairs = pairs;
         _part = Part.Judge;
         runner.Run(this, pairs.Count, LeastPairs);
@@ -65,9 +65,9 @@ internal sealed unsafe class PairWork : IStageWork
     }
 
     /// <summary>Writes the records of some pairs, which all pass.</summary>
-    public void Describe(StageRunner runner, World world, PairBuffer pairs, int first, int count, ContactRecord* records)
+    public void Describe(StageRunner runner, PairFinder stage, PairBuffer pairs, int first, int count, ContactRecord* records)
     {
-        _world = world;
+        _stage = stage;
         _pairs = pairs;
         _first = first;
         _records = records;
@@ -76,11 +76,11 @@ internal sealed unsafe class PairWork : IStageWork
     }
 
     /// <summary>The boxes that were new in the last step are new no longer. One may be listed twice, which alters nothing.</summary>
-    public void Forget(StageRunner runner, World world)
+    public void Forget(StageRunner runner, PairFinder stage)
     {
-        _world = world;
+        _stage = stage;
         _part = Part.Forget;
-        runner.Run(this, world.MovedProxies.Count, LeastBoxes);
+        runner.Run(this, stage.MovedProxies.Count, LeastBoxes);
     }
 
     void IStageWork.Run(int worker, int from, int to)
@@ -98,7 +98,7 @@ internal sealed unsafe class PairWork : IStageWork
                 Describe(from, to);
                 break;
             case Part.Forget:
-                _world.ForgetMoves(from, to);
+                _stage.ForgetMoves(from, to);
                 break;
         }
     }
@@ -110,17 +110,17 @@ internal sealed unsafe class PairWork : IStageWork
         {
             if (Prefetch.IsUseful)
             {
-                _world.AskForColliders(pairs[Math.Min(i + Near, to - 1)]);
-                _world.AskForPieces(pairs[Math.Min(i + (2 * Near), to - 1)]);
+                _stage.AskForColliders(pairs[Math.Min(i + Near, to - 1)]);
+                _stage.AskForPieces(pairs[Math.Min(i + (2 * Near), to - 1)]);
             }
 
-            _records[i] = _world.Describe(pairs[i]);
+            _records[i] = _stage.Describe(pairs[i]);
         }
     }
 
     private void Judge(int from, int to)
     {
-        PairMap known = _world.KnownPairs;
+        PairMap known = _stage.KnownPairs;
         ulong* pairs = _pairs.Pointer;
         for (int i = from; i < to; i++)
         {
@@ -133,7 +133,7 @@ internal sealed unsafe class PairWork : IStageWork
             _marks[i] = isNew ? (byte)1 : (byte)0;
             if (isNew)
             {
-                _world.AskForPieces(pairs[i]);
+                _stage.AskForPieces(pairs[i]);
             }
         }
 
@@ -141,16 +141,16 @@ internal sealed unsafe class PairWork : IStageWork
         {
             if (_marks[i] != 0)
             {
-                _world.AskForColliders(pairs[i]);
+                _stage.AskForColliders(pairs[i]);
             }
         }
 
         for (int i = from; i < to; i++)
         {
-            if (_marks[i] != 0 && !_world.MayTouch(pairs[i]))
+            if (_marks[i] != 0 && !_stage.MayTouch(pairs[i]))
             {
                 _marks[i] = 0;
-                _world.NoteRefused(pairs[i]);
+                _stage.NoteRefused(pairs[i]);
             }
         }
     }

@@ -17,7 +17,7 @@ internal sealed unsafe class SweepWork : IStageWork
     private const int LeastBodies = 4;
 
     private FastBodySweep[] _sweeps = Array.Empty<FastBodySweep>();
-    private World _world = null!;
+    private SweepStage _stage = null!;
     private ulong* _marks;
     private byte* _clear;
     private int _records;
@@ -27,11 +27,11 @@ internal sealed unsafe class SweepWork : IStageWork
 
     /// <summary>Marks the pairs of fast bodies with what they are looked after against, a bit each.</summary>
     /// <returns>The marks, in scratch memory.</returns>
-    public ulong* MarkPairs(StageRunner runner, World world, int records, Scratch scratch)
+    public ulong* MarkPairs(StageRunner runner, SweepStage stage, int records, Scratch scratch)
     {
         int blocks = (records + BlockRecords - 1) / BlockRecords;
         _marks = scratch.Take<ulong>(blocks * (BlockRecords / BitSet.WordBits));
-        _world = world;
+        _stage = stage;
         _records = records;
         _asksBodies = false;
         runner.Run(this, blocks, 1);
@@ -40,14 +40,14 @@ internal sealed unsafe class SweepWork : IStageWork
 
     /// <summary>Finds the fast bodies that meet nothing.</summary>
     /// <param name="runner">Who shares the work out.</param>
-    /// <param name="world">Their world.</param>
+    /// <param name="world">Their stage.</param>
     /// <param name="bodies">How many fast bodies there are.</param>
     /// <param name="most">Pairs that one of them is looked after in.</param>
     /// <param name="dt">The step, seconds.</param>
     /// <param name="substep">A substep of it.</param>
     /// <param name="scratch">Where the answers are.</param>
     /// <returns>1 for each that meets nothing; null: it is not worth anybody's while.</returns>
-    public byte* FindClear(StageRunner runner, World world, int bodies, int most, float dt, float substep, Scratch scratch)
+    public byte* FindClear(StageRunner runner, SweepStage stage, int bodies, int most, float dt, float substep, Scratch scratch)
     {
         if (!runner.IsShared(bodies, LeastBodies))
         {
@@ -68,9 +68,9 @@ internal sealed unsafe class SweepWork : IStageWork
             sweep.Reserve(most);
         }
 
-        world.ListImmovable();
+        stage.ListImmovable();
         _clear = scratch.Take<byte>(bodies);
-        _world = world;
+        _stage = stage;
         _dt = dt;
         _substep = substep;
         _asksBodies = true;
@@ -82,13 +82,13 @@ internal sealed unsafe class SweepWork : IStageWork
     {
         if (!_asksBodies)
         {
-            _world.MarkSwept(_marks, from * BlockRecords, Math.Min(to * BlockRecords, _records));
+            _stage.MarkSwept(_marks, from * BlockRecords, Math.Min(to * BlockRecords, _records));
             return;
         }
 
         for (int i = from; i < to; i++)
         {
-            _clear[i] = _world.MeetsNothing(_sweeps[worker], i, _dt, _substep) ? (byte)1 : (byte)0;
+            _clear[i] = _stage.MeetsNothing(_sweeps[worker], i, _dt, _substep) ? (byte)1 : (byte)0;
         }
     }
 }

@@ -2,22 +2,18 @@ using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Joints;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Solver;
+using Farseer.Engine.Springs;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
-/// <summary>Making, changing and removing bodies and colliders.</summary>
+/// <content>Making, changing and removing bodies and colliders.</content>
 internal sealed partial class World
 {
-    private readonly Column<int> _firstCollider = new Column<int>();
-    private readonly Column<int> _nextCollider = new Column<int>();
-    private readonly Column<Handle> _deadBodies = new Column<Handle>();
-    private readonly Column<Handle> _deadColliders = new Column<Handle>();
-    private int _deadBodyCount;
-    private int _deadColliderCount;
     private int _colliderOrder;
 
     /// <summary>
@@ -28,25 +24,21 @@ internal sealed partial class World
     {
         int bodyEnd = Bodies.Ids.EndAfter(bodies);
         int colliderEnd = Shapes.ColliderIds.EndAfter(colliders);
-        EnsureBodies(bodyEnd);
-        if (Settings.AllowSleep)
-        {
-            _rest.EnsureBodies(bodyEnd);
-        }
-
-        EnsureColliders(colliderEnd);
+        _stores.EnsureBodies(bodyEnd);
+        Sleep.EnsureBodies(bodyEnd);
+        _stores.EnsureColliders(colliderEnd);
         int pieceEnd = Shapes.PieceIds.EndAfter(colliders);
         Shapes.PieceSet.EnsureCapacity(pieceEnd);
-        Proxies.Set.EnsureCapacity(pieceEnd);
+        _stores.Proxies.Set.EnsureCapacity(pieceEnd);
         return (bodyEnd, colliderEnd);
     }
 
     public Handle CreateBody(in BodyDef def)
     {
-        Purge();
+        _removals.Purge();
         Handle handle = Bodies.Ids.Take();
         int body = handle.Index;
-        EnsureBodies(Bodies.Ids.End);
+        _stores.EnsureBodies(Bodies.Ids.End);
         Bodies.State[body] = new BodyState { LinearVelocity = def.LinearVelocity, AngularVelocity = def.AngularVelocity, DeltaCos = 1 };
         Bodies.Pose[body] = new BodyPose { X = def.X, Y = def.Y, Angle = def.Angle };
         FinishBodies.UpdateRotor(ref Bodies.Pose[body]);
@@ -54,18 +46,18 @@ internal sealed partial class World
         Bodies.Drag[body] = def.Drag;
         Bodies.Flags[body] = (def.Flags & ~(BodyFlags.Asleep | BodyFlags.Tied)) | BodyFlags.Alive | BodyFlags.Moved;
         Bodies.Visited.Set(body);
-        _rest.Restart(body);
+        Sleep.Restart(body);
         Bodies.UserIndex[body] = def.UserIndex;
         Bodies.Motion[body] = new BodyMotion
         {
             StartX = def.LinearVelocity.X, StartY = def.LinearVelocity.Y, StartW = def.AngularVelocity,
         };
         Bodies.ClearResidual(body);
-        _firstCollider[body] = -1;
+        Colliders.Begin(body);
         SetMass(handle, def.Mass, def.Inertia);
         if ((def.Flags & BodyFlags.Asleep) != 0)
         {
-            PutToSleep(handle);
+            Sleep.PutToSleep(handle);
         }
 
         return handle;
@@ -74,8 +66,8 @@ internal sealed partial class World
     /// <summary>Removes the body with its colliders and contacts; within a step the removal takes effect after it.</summary>
     public void DestroyBody(Handle body)
     {
-        Require(body);
-        for (int collider = _firstCollider[body.Index]; collider >= 0; collider = _nextCollider[collider])
+        Bodies.Ids.Require(body, nameof(body));
+        for (int collider = Colliders.First(body.Index); collider >= 0; collider = Colliders.Next(collider))
         {
             if ((Shapes.Colliders[collider].Flags & ColliderFlags.Alive) != 0)
             {
@@ -83,26 +75,25 @@ internal sealed partial class World
             }
         }
 
-        WakeUp(body);
+        Sleep.WakeUp(body);
         DestroyJointsOf(body.Index);
         Bodies.Flags[body.Index] &= ~(BodyFlags.Alive | BodyFlags.Enabled);
-        _deadBodies.EnsureCapacity(_deadBodyCount + 1);
-        _deadBodies[_deadBodyCount++] = body;
+        _removals.Add(body);
     }
 
     public Handle CreateCollider(Handle body, ShapeGeometry shape, in ColliderDef def)
     {
-        Require(body);
-        Purge();
+        Bodies.Ids.Require(body, nameof(body));
+        _removals.Purge();
         if ((Bodies.Flags[body.Index] & BodyFlags.Moved) == 0)
         {
-            Disturb(body.Index);
+            Sleep.Disturb(body.Index);
         }
 
         Handle handle = Shapes.ColliderIds.Take();
         int collider = handle.Index;
-        _makesEnergy |= def.Restitution > 1;
-        EnsureColliders(Shapes.ColliderIds.End);
+        _stores.MakesEnergy |= def.Restitution > 1;
+        _stores.EnsureColliders(Shapes.ColliderIds.End);
         Shapes.Colliders[collider] = new ColliderInfo
         {
             Body = body.Index,
@@ -115,16 +106,15 @@ internal sealed partial class World
             Order = _colliderOrder++,
             UserIndex = def.UserIndex,
         };
-        _roomIsDue = true;
+        _room.NoteDue();
         int piece = Shapes.AttachPieces(shape, body.Index, collider, def.Offset, StableMath.FromAngle(def.RotationOffset));
-        _nextCollider[collider] = _firstCollider[body.Index];
-        _firstCollider[body.Index] = collider;
+        Colliders.Add(body.Index, collider);
         Bodies.Flags[body.Index] |= BodyFlags.Moved;
-        Proxies.End = Shapes.PieceIds.End;
-        Proxies.Set.EnsureCapacity(Proxies.End);
+        _stores.Proxies.End = Shapes.PieceIds.End;
+        _stores.Proxies.Set.EnsureCapacity(_stores.Proxies.End);
         for (; piece >= 0; piece = Shapes.NextPiece[piece])
         {
-            Proxies.Info[piece] = default;
+            _stores.Proxies.Info[piece] = default;
             if (Queries.IsUsed)
             {
                 Queries.Changed(piece);
@@ -137,24 +127,23 @@ internal sealed partial class World
     /// <summary>Removes a collider; a pair of it that touched separates now.</summary>
     public void DestroyCollider(Handle collider)
     {
-        Require(collider, Shapes.ColliderIds, nameof(collider));
+        Shapes.ColliderIds.Require(collider, nameof(collider));
         ref ColliderInfo info = ref Shapes.Colliders[collider.Index];
-        Disturb(info.Body);
+        Sleep.Disturb(info.Body);
         info.Flags &= ~ColliderFlags.Alive;
         for (int piece = info.FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
         {
-            RemoveProxy(piece);
+            Pairs.RemoveProxy(piece);
         }
 
-        _deadColliders.EnsureCapacity(_deadColliderCount + 1);
-        _deadColliders[_deadColliderCount++] = collider;
-        _events.ColliderRemoved(this, collider.Index);
+        _removals.AddCollider(collider);
+        _events.ColliderRemoved(collider.Index);
     }
 
     /// <summary>Teleports a body; legal at any time, also from hooks.</summary>
     public void SetPosition(Handle body, double x, double y)
     {
-        Require(body);
+        Bodies.Ids.Require(body, nameof(body));
         Bodies.Pose[body.Index].X = x;
         Bodies.Pose[body.Index].Y = y;
         NotePlaced(body.Index);
@@ -162,7 +151,7 @@ internal sealed partial class World
 
     public void SetAngle(Handle body, double angle)
     {
-        Require(body);
+        Bodies.Ids.Require(body, nameof(body));
         ref BodyPose pose = ref Bodies.Pose[body.Index];
         pose.Angle = angle;
         FinishBodies.UpdateRotor(ref pose);
@@ -172,11 +161,11 @@ internal sealed partial class World
     /// <summary>Mass and inertia, both above 0; the inverses follow from them and the body's kind.</summary>
     public void SetMass(Handle body, float mass, float inertia)
     {
-        Require(body);
-        Disturb(body.Index);
+        Bodies.Ids.Require(body, nameof(body));
+        Sleep.Disturb(body.Index);
         bool moves = (Bodies.Flags[body.Index] & (BodyFlags.Static | BodyFlags.Kinematic)) == 0;
         BodyMass before = Bodies.Mass[body.Index];
-        if (_graph.Degree(body.Index) > 0 && (mass < before.Mass || inertia < before.Inertia))
+        if (_stores.Graph.Degree(body.Index) > 0 && (mass < before.Mass || inertia < before.Inertia))
         {
             _lightened.Note(body.Index, Math.Min(mass / before.Mass, inertia < before.Inertia ? inertia / before.Inertia : 1));
         }
@@ -193,9 +182,9 @@ internal sealed partial class World
     /// <summary>Sets and clears flags (static, kinematic, enabled, ...) with everything that follows from them.</summary>
     public void SetFlags(Handle body, BodyFlags set, BodyFlags clear)
     {
-        const BodyFlags Sleep = BodyFlags.Asleep | BodyFlags.Handled;
+        const BodyFlags OfSleep = BodyFlags.Asleep | BodyFlags.Handled;
         const BodyFlags Structural = BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.Enabled;
-        Require(body);
+        Bodies.Ids.Require(body, nameof(body));
         BodyFlags old = Bodies.Flags[body.Index];
         BodyFlags now = (old & ~clear) | set;
         if ((set & BodyFlags.Enabled) != 0)
@@ -205,21 +194,21 @@ internal sealed partial class World
 
         if (((old ^ now) & Structural) != 0)
         {
-            Wake(body.Index);
+            Sleep.Wake(body.Index);
         }
         else if (old != now)
         {
-            Disturb(body.Index);
+            Sleep.Disturb(body.Index);
         }
 
-        now = (now & ~Sleep) | (Bodies.Flags[body.Index] & Sleep);
+        now = (now & ~OfSleep) | (Bodies.Flags[body.Index] & OfSleep);
         Bodies.Flags[body.Index] = now;
         if (((old ^ now) & Structural) == 0)
         {
             return;
         }
 
-        _bodiesSwitched = true;
+        _bodyStage.NoteSwitched();
         Bodies.Flags[body.Index] |= BodyFlags.Moved;
         BodyMass mass = Bodies.Mass[body.Index];
         SetMass(body, mass.Mass, mass.Inertia);
@@ -229,64 +218,84 @@ internal sealed partial class World
             Bodies.State[body.Index].AngularVelocity = 0;
         }
 
-        MarkStale(body.Index);
+        _removals.MarkStale(body.Index);
     }
 
     public bool IsLive(Handle body) => Bodies.Ids.IsLive(body) && (Bodies.Flags[body.Index] & BodyFlags.Alive) != 0;
 
-    public ref ColliderInfo Collider(Handle collider)
+    /// <summary>Material or listeners of a collider changed: its body wakes, and so does what rests on it.</summary>
+    public void NoteChanged(Handle collider)
     {
-        Require(collider, Shapes.ColliderIds, nameof(collider));
-        return ref Shapes.Colliders[collider.Index];
+        Shapes.ColliderIds.Require(collider, nameof(collider));
+        ref ColliderInfo info = ref Shapes.Colliders[collider.Index];
+        _stores.MakesEnergy |= info.Restitution > 1;
+        Sleep.Disturb(info.Body);
     }
 
-    /// <summary>First collider of a body, -1: none.</summary>
-    public int FirstCollider(int body) => _firstCollider[body];
-
-    public int NextCollider(int collider) => _nextCollider[collider];
-
-    private static void Require(Handle handle, IdPool ids, string name)
+    /// <summary>
+    /// The centre of mass moves by (<paramref name="x"/>, <paramref name="y"/>) in body axes; colliders and joints stay where they
+    /// are in the world. The velocity is from now on that of the new centre: callers that want the body to go on turning as it
+    /// did set it.
+    /// </summary>
+    public void MoveCentre(Handle body, double x, double y)
     {
-        if (!ids.IsLive(handle))
+        Bodies.Ids.Require(body, nameof(body));
+        ref BodyPose pose = ref Bodies.Pose[body.Index];
+        pose.X += (pose.Cos * x) - (pose.Sin * y);
+        pose.Y += (pose.Sin * x) + (pose.Cos * y);
+        for (int collider = Colliders.First(body.Index); collider >= 0; collider = Colliders.Next(collider))
         {
-            throw new ArgumentException($"The handle {handle.Index}/{handle.Generation} names nothing in this world.", name);
+            Shapes.MovePieces(collider, -x, -y);
         }
-    }
 
-    private void Require(Handle body) => Require(body, Bodies.Ids, nameof(body));
-
-    private void EnsureBodies(int end)
-    {
-        Bodies.Set.EnsureCapacity(end);
-        _graph.EnsureBodies(end);
-        _firstCollider.EnsureCapacity(end);
-    }
-
-    private void EnsureColliders(int end)
-    {
-        Shapes.Colliders.EnsureCapacity(end);
-        _nextCollider.EnsureCapacity(end);
-    }
-
-    private void Unlink(int collider)
-    {
-        int body = Shapes.Colliders[collider].Body;
-        if (_firstCollider[body] == collider)
+        for (int entry = Joints.First(body.Index); entry >= 0; entry = Joints.Next(entry))
         {
-            _firstCollider[body] = _nextCollider[collider];
+            ref JointSettings settings = ref Joints.Settings[entry >> 1];
+            if ((entry & 1) == 0)
+            {
+                settings.AnchorAX -= x;
+                settings.AnchorAY -= y;
+            }
+            else
+            {
+                settings.AnchorBX -= x;
+                settings.AnchorBY -= y;
+            }
+
+            Joints.NoteEdit();
+            _stores.JointSolver.Nets.Edited(entry >> 1, afresh: false);
+        }
+
+        NotePlaced(body.Index);
+    }
+
+    private void NotePlaced(int body)
+    {
+        Sleep.Disturb(body);
+        Bodies.Flags[body] |= BodyFlags.Moved;
+        Pairs.NoteAltered(body);
+        if (!Queries.IsUsed)
+        {
             return;
         }
 
-        int at = _firstCollider[body];
-        while (at >= 0 && _nextCollider[at] != collider)
+        for (int collider = Colliders.First(body); collider >= 0; collider = Colliders.Next(collider))
         {
-            at = _nextCollider[at];
-        }
-
-        System.Diagnostics.Debug.Assert(at >= 0, "a collider is in the list of its body");
-        if (at >= 0)
-        {
-            _nextCollider[at] = _nextCollider[collider];
+            for (int piece = Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
+            {
+                Queries.Changed(piece);
+            }
         }
     }
+
+    /// <summary>Lets a spring act in the step under way; only from <see cref="IStepHooks.ApplyForces"/>.</summary>
+    public void ApplySpring(in SpringDef def)
+    {
+        if (Sleep.AsleepCount == 0 || Sleep.WakesBySpring(def.BodyA, def.BodyB))
+        {
+            _stores.Springs.Add(def);
+        }
+    }
+
+    public ref ColliderInfo Collider(Handle collider) => ref Shapes.Require(collider, nameof(collider));
 }

@@ -5,39 +5,31 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
-/// <summary>Making, changing and removing joints, outside of a step.</summary>
+/// <content>Making, changing and removing joints, outside of a step.</content>
 internal sealed partial class World
 {
-    private readonly JointSolver _jointSolver;
-
     /// <summary>Trees of joints go side by side where they can; both ways give the same bits, which tests compare.</summary>
     internal bool TreesOnLanes
     {
-        get => _jointSolver.UsesLanes;
-        set => _jointSolver.UsesLanes = value;
+        get => _stores.JointSolver.UsesLanes;
+        set => _stores.JointSolver.UsesLanes = value;
     }
 
     /// <summary>Trees that were side by side in the last step from its start to its end.</summary>
-    internal int TreesSideBySide => _jointSolver.TreesSideBySide;
+    internal int TreesSideBySide => _stores.JointSolver.TreesSideBySide;
 
     /// <summary>Joints between single bodies that were iterated side by side in the last step.</summary>
-    internal int JointsSideBySide => _jointSolver.JointsSideBySide;
+    internal int JointsSideBySide => _stores.JointSolver.JointsSideBySide;
 
     /// <summary>Trees that are chains of hinges are solved as such: other roundings than those of the passes for all trees.</summary>
     internal bool TreesAsChains
     {
-        get => _jointSolver.UsesChains;
-        set => _jointSolver.UsesChains = value;
+        get => _stores.JointSolver.UsesChains;
+        set => _stores.JointSolver.UsesChains = value;
     }
 
     /// <summary>The frame of the world: joints with a fixed point hold on to it.</summary>
     public static Handle WorldFrame => new Handle(0, 1);
-
-    public JointStore Joints { get; } = new JointStore();
-
-    /// <summary>Who hears of broken joints and solves those that a user wrote.</summary>
-    [NotState(Why.Fixed)]
-    public IUserJoints? UserJoints { get; set; }
 
     /// <param name="kind">Which equations it keeps.</param>
     /// <param name="bodyA">First body, or <see cref="WorldFrame"/>.</param>
@@ -47,16 +39,16 @@ internal sealed partial class World
     public Handle CreateJoint(JointKind kind, Handle bodyA, Handle bodyB, in JointSettings settings, JointFlags flags)
     {
         RequireOutside();
-        Require(bodyA);
-        Require(bodyB);
+        Bodies.Ids.Require(bodyA, nameof(bodyA));
+        Bodies.Ids.Require(bodyB, nameof(bodyB));
         if (bodyA.Index == bodyB.Index)
         {
             throw new ArgumentException("A joint needs two different bodies.", nameof(bodyB));
         }
 
-        Purge();
-        DisturbByJoint(bodyA.Index);
-        DisturbByJoint(bodyB.Index);
+        _removals.Purge();
+        Sleep.DisturbByJoint(bodyA.Index);
+        Sleep.DisturbByJoint(bodyB.Index);
         Handle joint = Joints.Add(kind, bodyA.Index, bodyB.Index, settings, flags);
         NoteTies(bodyA.Index);
         NoteTies(bodyB.Index);
@@ -67,11 +59,11 @@ internal sealed partial class World
     public void DestroyJoint(Handle joint)
     {
         RequireOutside();
-        Require(joint, Joints.Ids, nameof(joint));
+        Joints.Ids.Require(joint, nameof(joint));
         JointLink link = Joints.Links[joint.Index];
         JointFlags flags = Joints.Flags[joint.Index];
-        DisturbByJoint(link.BodyA);
-        DisturbByJoint(link.BodyB);
+        Sleep.DisturbByJoint(link.BodyA);
+        Sleep.DisturbByJoint(link.BodyB);
         Joints.Remove(joint);
         NoteTies(link.BodyA);
         NoteTies(link.BodyB);
@@ -81,10 +73,10 @@ internal sealed partial class World
     public void SetJoint(Handle joint, in JointSettings settings, JointFlags flags)
     {
         const JointFlags Filter = JointFlags.Enabled | JointFlags.CollideConnected;
-        Require(joint, Joints.Ids, nameof(joint));
+        Joints.Ids.Require(joint, nameof(joint));
         JointFlags before = Joints.Flags[joint.Index];
-        DisturbByJoint(Joints.Links[joint.Index].BodyA);
-        DisturbByJoint(Joints.Links[joint.Index].BodyB);
+        Sleep.DisturbByJoint(Joints.Links[joint.Index].BodyA);
+        Sleep.DisturbByJoint(Joints.Links[joint.Index].BodyB);
         Joints.Settings[joint.Index] = settings;
         Joints.Flags[joint.Index] = flags | JointFlags.Alive;
         Joints.NoteEdit();
@@ -97,7 +89,7 @@ internal sealed partial class World
             Joints.States[joint.Index] = default;
         }
 
-        _jointSolver.Nets.Edited(joint.Index, ((before ^ flags) & JointFlags.Enabled) != 0);
+        _stores.JointSolver.Nets.Edited(joint.Index, ((before ^ flags) & JointFlags.Enabled) != 0);
 
         if (((before ^ flags) & Filter) != 0)
         {
@@ -108,22 +100,22 @@ internal sealed partial class World
 
     public ref JointState JointState(Handle joint)
     {
-        Require(joint, Joints.Ids, nameof(joint));
-        _jointSolver.Nets.Report(joint.Index);
+        Joints.Ids.Require(joint, nameof(joint));
+        _stores.JointSolver.Nets.Report(joint.Index);
         return ref Joints.States[joint.Index];
     }
 
     /// <summary>Force or torque of one row of a joint in the last substep.</summary>
     public unsafe double JointRowForce(Handle joint, int row)
     {
-        Require(joint, Joints.Ids, nameof(joint));
-        _jointSolver.Nets.Report(joint.Index);
-        return _lastSubstep > 0 ? Joints.States[joint.Index].Impulse[row] / _lastSubstep : 0;
+        Joints.Ids.Require(joint, nameof(joint));
+        _stores.JointSolver.Nets.Report(joint.Index);
+        return _stores.LastSubstep > 0 ? Joints.States[joint.Index].Impulse[row] / _stores.LastSubstep : 0;
     }
 
     public JointFlags JointFlagsOf(Handle joint)
     {
-        Require(joint, Joints.Ids, nameof(joint));
+        Joints.Ids.Require(joint, nameof(joint));
         return Joints.Flags[joint.Index];
     }
 
@@ -134,7 +126,7 @@ internal sealed partial class World
         {
             // A static body may carry the contacts of the whole scene; the other one has its own only.
             int body = (Bodies.Flags[bodyA] & BodyFlags.Static) != 0 ? bodyB : bodyA;
-            MarkStale(body);
+            _removals.MarkStale(body);
             Bodies.Flags[body] |= BodyFlags.Moved;
         }
     }
@@ -166,34 +158,5 @@ internal sealed partial class World
         {
             throw new InvalidOperationException("Joints come and go between steps only.");
         }
-    }
-
-    private unsafe bool BeginJoints(float dt, float substep)
-    {
-        if (Joints.Count == 0 && !Joints.Changed)
-        {
-            return false;
-        }
-
-        JointStep step;
-        step.Runner = _runner;
-        step.Bodies = Bodies;
-        step.Moves = _lists.Moves;
-        step.Touches = _graph.Degrees;
-        step.Dt = dt;
-        step.Substep = substep;
-        step.Audited = Audit != null || Impulses != null || _contacts.Surfaces.AnySpecial;
-        step.Impulses = Impulses;
-        step.Watched = step.Audited || (UserJoints != null && UserJoints.Any) || _springs.Count > 0;
-        step.BreaksLate = Settings.JointsBreakLate;
-        step.ImpulseScale = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? (double)substep / _lastSubstep : 1;
-        step.Drifts = !Settings.CorrectPositions;
-        _jointSolver.Begin(step);
-        for (int i = 0; i < _jointSolver.BrokenCount; i++)
-        {
-            UserJoints?.Broke(_jointSolver.Broken(i));
-        }
-
-        return _jointSolver.Any;
     }
 }

@@ -2,132 +2,142 @@ using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Continuous;
-using Farseer.Engine.Graph;
-using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Queries;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
-using Farseer.Engine.Solver;
-using Farseer.Engine.Springs;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
-/// <summary>Owns the stores of one simulation. The facades create it, fill it and step it.</summary>
-internal sealed partial class World
+/// <summary>One simulation: its stores, and the phases of a step. The facades create it, fill it and step it.</summary>
+internal sealed partial class World : IDisposable
 {
-    private readonly ContactStore _contacts;
-    private readonly ConstraintGraph _graph = new ConstraintGraph();
+    private readonly WorldStores _stores = new WorldStores();
+    private readonly ContactEvents _events;
+    private readonly ContactStage _contactStage = new ContactStage();
+    private readonly SurfaceStage _surfaces;
+    private readonly BoxStage _boxes;
+    private readonly BodyStage _bodyStage;
+    private readonly SolveStage _solve;
+    private readonly SweepStage _sweeps;
+    private readonly ContactRoom _room;
+    private readonly Removals _removals;
     private readonly LightenedBodies _lightened = new LightenedBodies();
     private readonly BounceBound _bounceBound = new BounceBound();
-    private bool _makesEnergy;
-    private readonly IslandStore _islands = new IslandStore();
-    private readonly FeedForwardSettings _feedForward = new FeedForwardSettings();
-    private readonly SagForecast _sagForecast = new SagForecast();
-    private readonly SubstepSolver _solver = new SubstepSolver();
-    private readonly ContactStage _contactStage = new ContactStage();
-    private readonly ContactEvents _events = new ContactEvents();
-    private readonly BoxStage _boxes = new BoxStage();
-    private readonly BodyLists _lists = new BodyLists();
-    private readonly SpringStore _springs = new SpringStore();
-
-    /// <summary>
-    /// Bodies were enabled, disabled, made static or kinematic, or no longer so, since the bodies were sorted; and such a thing happened
-    /// within the step.
-    /// </summary>
-    private bool _bodiesSwitched;
-    private bool _switchedWithin;
-    private float _lastSubstep;
-
-    /// <summary>
-    /// The substep at whose rate depths are taken back: the longest of late. The sag under a load goes by the square of the substep; a short one after a
-    /// long one would close it at a speed larger by their ratio. It stays for as long as such a sag takes to go, and then comes down as fast.
-    /// </summary>
-    private float _recovery;
-
-    /// <summary>Seconds since a substep was as long.</summary>
-    private float _recoveryAge;
 
     /// <exception cref="PlatformNotSupportedException">The runtime was told to make vectors longer than a stored bundle.</exception>
     public World()
     {
         WideLanes.RequireFit();
-        _contacts = new ContactStore(Shapes);
-        _jointSolver = new JointSolver(Joints);
-        Queries = new WorldQueries(Shapes, Bodies);
-        _pairFlight = new PairFlight(_sweep, _secondSweep);
+        _events = new ContactEvents(_stores);
+        _surfaces = new SurfaceStage(_stores);
+        _boxes = new BoxStage(_stores);
+        Accuracy = new AccuracyStage(_stores);
+        Pushes = new PushReport(_stores);
+        Sleep = new SleepStage(_stores, _events, _contactStage);
+        _removals = new Removals(_stores, Sleep);
+        Pairs = new PairFinder(_stores, Sleep, _removals, _surfaces);
+        _bodyStage = new BodyStage(_stores, _removals);
+        _solve = new SolveStage(_stores, _bodyStage, Sleep, _contactStage, Accuracy, Pushes);
+        _sweeps = new SweepStage(_stores, _boxes, Pairs, _contactStage, _events, Pushes, Accuracy);
+        _room = new ContactRoom(_stores, _contactStage, Pairs, _sweeps, _solve);
+        Reader = new ContactReader(_stores, _removals, _contactStage, Pushes);
 
         // Body 0 is the dummy that empty lanes point at; it never moves and has no mass.
         Bodies.Ids.Take();
-        EnsureBodies(1);
-        _graph.Weigh(Bodies);
+        _stores.EnsureBodies(1);
+        _stores.Graph.Weigh(Bodies);
         Bodies.State[0] = new BodyState { DeltaCos = 1 };
         Bodies.Pose[0] = new BodyPose { Cos = 1 };
         Bodies.Drive[0].Keep(1, 1);
         Bodies.Flags[0] = BodyFlags.Static;
     }
 
-    public WorldSettings Settings { get; } = new WorldSettings();
+    public WorldSettings Settings => _stores.Settings;
 
-    public StepProfile Profile { get; } = new StepProfile();
+    public StepProfile Profile => _stores.Profile;
 
-    public ShapeStore Shapes { get; } = new ShapeStore();
+    public ShapeStore Shapes => _stores.Shapes;
 
-    public BodyStore Bodies { get; } = new BodyStore();
+    public BodyStore Bodies => _stores.Bodies;
 
-    public ProxyStore Proxies { get; } = new ProxyStore();
+    public ColliderLists Colliders => _stores.Colliders;
 
-    /// <summary>Memory of the phases of a step, which all that is taken is given back to at its end.</summary>
-    private Scratch Scratch => Proxies.Scratch;
+    public ContactStore Contacts => _stores.Contacts;
 
-    [NotState(Why.Fixed)]
-    public IStepHooks? Hooks { get; set; }
+    public JointStore Joints => _stores.Joints;
+
+    /// <summary>Rays, boxes, shapes and points against all colliders, at any time.</summary>
+    public WorldQueries Queries => _stores.Queries;
+
+    /// <summary>What a step reports of itself.</summary>
+    public AccuracyStage Accuracy { get; }
+
+    /// <summary>Who pushed whom in a step.</summary>
+    public PushReport Pushes { get; }
+
+    /// <summary>Which bodies sleep.</summary>
+    public SleepStage Sleep { get; }
+
+    /// <summary>Which pieces are near each other.</summary>
+    public PairFinder Pairs { get; }
+
+    /// <summary>What touches.</summary>
+    public ContactReader Reader { get; }
+
+    /// <summary>Sorts the rows of large worlds.</summary>
+    public SolveStage Solver => _solve;
+
+    /// <summary>What the surfaces of pairs are, where it is not what their colliders say.</summary>
+    public SurfaceStage Surfaces => _surfaces;
+
+    /// <summary>Bodies that the last step took out.</summary>
+    public BodyStage BodyStage => _bodyStage;
+
+    public IStepHooks? Hooks
+    {
+        get => _stores.Hooks;
+        set => _stores.Hooks = value;
+    }
+
+    /// <summary>Who hears of broken joints and solves those that a user wrote.</summary>
+    public IUserJoints? UserJoints
+    {
+        get => _stores.UserJoints;
+        set => _stores.UserJoints = value;
+    }
 
     /// <summary>Swappable between steps: pairs already found are kept, and the new one starts with all proxies.</summary>
-    public IBroadPhase BroadPhase { get; private set; } = new LevelGrid();
+    public IBroadPhase BroadPhase => _stores.BroadPhase;
 
     /// <summary>True while a step runs: removals then wait for the next one.</summary>
-    [NotState(Why.Calm)]
-    public bool IsStepping { get; private set; }
-
-    /// <summary>Pairs of pieces in contact.</summary>
-    public int ContactCount
-    {
-        get
-        {
-            Purge();
-            int count = 0;
-            for (int i = 0; i < _contacts.End; i++)
-            {
-                ref ContactRecord record = ref _contacts.Records[i];
-                if (record.PieceA >= 0 && (record.Flags & ContactFlags.Touching) != 0)
-                {
-                    count++;
-                }
-            }
-
-            return count;
-        }
-    }
+    public bool IsStepping => _stores.IsStepping;
 
     /// <param name="broadPhase">The new one.</param>
     /// <param name="always">True: it is asked in every step, also if no box has changed.</param>
     public void SetBroadPhase(IBroadPhase broadPhase, bool always = false)
     {
-        _alwaysCollect = always;
-        BroadPhase = broadPhase;
-        for (int i = 0; i < Proxies.End; i++)
+        ProxyStore proxies = _stores.Proxies;
+        Pairs.AlwaysCollects = always;
+        _stores.BroadPhase = broadPhase;
+        for (int i = 0; i < proxies.End; i++)
         {
-            if ((Proxies.Info[i].Flags & ProxyFlags.Alive) != 0)
+            if ((proxies.Info[i].Flags & ProxyFlags.Alive) != 0)
             {
-                broadPhase.Added(Proxies, i);
+                broadPhase.Added(proxies, i);
             }
         }
     }
+
+    /// <summary>See <see cref="StepWorkers.Set"/>.</summary>
+    public void SetWorkers(int workers, int processors, Action<int, Action>? scheduler) =>
+        _stores.Workers.Set(workers, processors, scheduler, IsStepping);
+
+    /// <summary>Ends the threads. A step under way goes on alone, and so do later ones.</summary>
+    public void Dispose() => _stores.Workers.Dispose();
 
     /// <summary>Advances by <paramref name="dt"/> seconds, above 0 and finite.</summary>
     public void Step(float dt)
@@ -142,22 +152,171 @@ internal sealed partial class World
             throw new InvalidOperationException("The world is already in a step: a callback must not start another.");
         }
 
-        IsStepping = true;
+        _stores.IsStepping = true;
         try
         {
-            BeginWork();
-            RunStages(dt);
+            _stores.Workers.Begin(_stores, Bodies.Ids.End - Sleep.AsleepCount);
+            RunPhases(dt);
         }
         finally
         {
-            _runner.End();
-            _lists.Fast.End();
-            Scratch.Release(0);
-            IsStepping = false;
+            _stores.Runner.End();
+            _stores.Lists.Fast.End();
+            _stores.Scratch.Release(0);
+            _stores.IsStepping = false;
             Queries.Version++;
         }
 
         MemoryGuard.Verify();
-        _runner.ThrowSchedulerError();
+        _stores.Runner.ThrowSchedulerError();
+    }
+
+    /// <summary>The table of contents of a step: one line a phase.</summary>
+    private void RunPhases(float dt)
+    {
+        Profile.Begin();
+        TakeChanges(dt);
+        FindPairs(dt);
+        UpdateContacts(dt);
+        _solve.BeginIslands(dt);
+        Profile.End(StepStage.GraphAndIslands);
+        ApplyForces(dt);
+        Solve(dt);
+        EndMotion();
+        SweepFastBodies(dt);
+        Report(dt);
+        FallAsleep(dt);
+    }
+
+    private void TakeChanges(float dt)
+    {
+        _removals.PurgeNow();
+        Accuracy.Begin();
+        Pushes.Begin();
+        Sleep.WakeWhatChanged(dt);
+        _bodyStage.Collect();
+        Sleep.WakeByDriven();
+        _stores.Lists.Foresee(_stores.Runner, Bodies, dt);
+        Profile.End(StepStage.DeferredChanges);
+    }
+
+    private void FindPairs(float dt)
+    {
+        Pairs.ForgetMoves();
+        _boxes.Update(Pairs, _stores.Runner, dt);
+        Pairs.Find();
+        _surfaces.RefreshAll();
+        Profile.End(StepStage.BroadPhase);
+    }
+
+    private void UpdateContacts(float dt)
+    {
+        _solve.SortRows();
+        _lightened.ScaleImpulses(_stores.Graph, Bodies.Ids.End);
+        _stores.Runner.Call();
+        _contactStage.Update(_stores.Runner, Sleep, _solve.BeginContacts(dt), _stores.Graph, Joints, _stores.AnyUserJoints);
+        _events.Raise(_stores.Contacts, _stores.Graph, _contactStage.AnyHeard);
+        _room.MakeAhead();
+        Pushes.MakeRoom();
+        Profile.End(StepStage.NarrowPhase);
+    }
+
+    private void ApplyForces(float dt)
+    {
+        _stores.Springs.Clear();
+        Hooks?.ApplyForces(dt);
+        _solve.UpdateAfterCallbacks(dt);
+        if (_contactStage.AnyHeard)
+        {
+            _bodyStage.CollectStatics();
+        }
+
+        Profile.End(StepStage.Forces);
+    }
+
+    private unsafe void Solve(float dt)
+    {
+        if (_stores.MakesEnergy)
+        {
+            _bounceBound.Begin(Bodies, _stores.Lists.Moves);
+        }
+
+        _stores.Graph.RecallShared(_stores.Contacts.Records);
+        _solve.Solve(dt);
+        _contactStage.Lone.PutBack(_stores.Contacts, _stores.Graph);
+        Profile.End(StepStage.Solve);
+    }
+
+    private void EndMotion()
+    {
+        _bodyStage.Finish();
+        _stores.LastSubstep = _solve.Substep;
+        Profile.End(StepStage.Finish);
+    }
+
+    private unsafe void SweepFastBodies(float dt)
+    {
+        _sweeps.Begin();
+        if (_contactStage.Lone.Count > 0)
+        {
+            _sweeps.FlyLonePairs(dt, _solve.Substep);
+            Profile.End(StepStage.Continuous);
+        }
+
+        if (Settings.Continuous && _stores.Lists.Fast.Count > 0)
+        {
+            _sweeps.Sweep(dt, _solve.Substep);
+        }
+
+        if (_stores.MakesEnergy)
+        {
+            _bounceBound.End(Bodies, _stores.Lists.Moves, Settings.Gravity, dt, _stores.DrivenBoundOf(dt));
+        }
+
+        Profile.End(StepStage.Continuous);
+    }
+
+    private void Report(float dt)
+    {
+        _bodyStage.StopSwitched();
+        Accuracy.End(dt);
+        Pushes.Raise(_solve.Substep);
+        Profile.End(StepStage.Finish);
+    }
+
+    private void FallAsleep(float dt)
+    {
+        Sleep.FallAsleep(dt);
+        _stores.Lists.UseUpForces(_stores.Runner, Bodies);
+        Profile.End(StepStage.Sleep);
+    }
+
+    /// <summary>
+    /// Writes the state, or sets it to what was written of this world. Who hears of its steps, and what is only memory of one
+    /// step, is no part of it.
+    /// </summary>
+    /// <exception cref="InvalidOperationException">A step runs.</exception>
+    public void Visit(StateStream s)
+    {
+        if (IsStepping)
+        {
+            throw new InvalidOperationException("The world is in a step: its state can be saved and restored only between steps.");
+        }
+
+        _stores.Visit(s);
+        _lightened.Visit(s);
+        _contactStage.Visit(s);
+        _events.Visit(s);
+        _boxes.Visit(s);
+        _removals.Visit(s);
+        Pairs.Visit(s);
+        _bodyStage.Visit(s);
+        _solve.Visit(s);
+        _sweeps.Visit(s);
+        _room.Visit(s);
+        Sleep.Visit(s);
+        Accuracy.Visit(s);
+        Pushes.Visit(s);
+        s.Value(ref _colliderOrder);
     }
 }

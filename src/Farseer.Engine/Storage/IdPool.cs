@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 
 namespace Farseer.Engine.Storage;
@@ -16,7 +17,7 @@ internal sealed class IdPool
     /// <summary>One past the highest slot in use once so many more are taken. Room for them is made now if they are many.</summary>
     public int EndAfter(int more)
     {
-        int end = System.Math.Max(End, Count + more);
+        int end = Math.Max(End, Count + more);
         if (end > _generations.Capacity && end - End > End)
         {
             _generations.Capacity = end;
@@ -52,6 +53,15 @@ internal sealed class IdPool
 
     public bool IsLive(Handle handle) =>
         handle.Generation != 0 && (uint)handle.Index < (uint)_generations.Count && _generations[handle.Index] == handle.Generation;
+
+    /// <exception cref="ArgumentException">The handle names nothing that is there.</exception>
+    public void Require(Handle handle, string name)
+    {
+        if (!IsLive(handle))
+        {
+            throw new ArgumentException($"The handle {handle.Index}/{handle.Generation} names nothing in this world.", name);
+        }
+    }
 
     /// <summary>True if the slot is in use: generations of live slots are odd, of freed ones even.</summary>
     public bool IsUsed(int index) => (_generations[index] & 1) == 1;

@@ -35,7 +35,7 @@ internal sealed class ArbiterView : IContactVisitor
         if (IsStale)
         {
             Clear();
-            world.VisitContacts(this);
+            world.Reader.Visit(this);
             IsStale = false;
         }
 

@@ -23,14 +23,14 @@ internal struct BodyLink
     /// <summary>The body is to be put to sleep as soon as it is in a world.</summary>
     public bool StartsAsleep { get; set; }
 
-    public bool IsAwake => _world is null ? !StartsAsleep : _world.IsAwake(_handle);
+    public bool IsAwake => _world is null ? !StartsAsleep : _world.Sleep.IsAwake(_handle);
 
     /// <summary>The state, for somebody who may set the velocity: that wakes a body.</summary>
     public ref BodyState MotionRef
     {
         get
         {
-            _world?.NoteHandled(_handle.Index);
+            _world?.Sleep.NoteHandled(_handle.Index);
             return ref StateRef;
         }
     }
@@ -204,7 +204,7 @@ internal struct BodyLink
     public void WakeUp()
     {
         StartsAsleep = false;
-        _world?.WakeUp(_handle);
+        _world?.Sleep.WakeUp(_handle);
     }
 
     public void PutToSleep()
@@ -215,7 +215,7 @@ internal struct BodyLink
         }
         else
         {
-            _world.PutToSleep(_handle);
+            _world.Sleep.PutToSleep(_handle);
         }
     }
 

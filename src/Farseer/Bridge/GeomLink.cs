@@ -100,7 +100,7 @@ internal struct GeomLink
         world.Collider(Handle).Order = geom.Id;
         if (geom.HasSurface)
         {
-            world.UseSurfaces();
+            world.Surfaces.Use();
         }
 
         AttachedBody = geom.Body;
@@ -157,7 +157,7 @@ internal struct GeomLink
         info.Categories = (uint)Categories;
         info.CollidesWith = (uint)CollidesWith;
         info.Flags = Flags(geom);
-        _world.Refilter(Handle);
+        _world.Pairs.Refilter(Handle);
     }
 
     /// <summary>Writes, or reads, what later updates read of it.</summary>

@@ -33,10 +33,10 @@ internal sealed class SpringMemory
 
     public void WakeEnds()
     {
-        if (_world is { AsleepCount: > 0 } world)
+        if (_world is { Sleep.AsleepCount: > 0 } world)
         {
-            world.WakeUp(_def.BodyA);
-            world.WakeUp(_def.BodyB);
+            world.Sleep.WakeUp(_def.BodyA);
+            world.Sleep.WakeUp(_def.BodyB);
         }
     }
 

@@ -123,18 +123,18 @@ public sealed unsafe class RowHalvesTests
         {
             without.Step(SleepScene.Dt);
             with.Step(SleepScene.Dt);
-            Assert.Equal(without.StateHash(), with.StateHash());
+            Assert.Equal(without.Bodies.MotionHash(), with.Bodies.MotionHash());
         }
 
-        Assert.Equal(0, without.RowHalves.Partings);
-        Assert.True(with.RowHalves.Partings > 0, "The rows were not halved.");
+        Assert.Equal(0, without.Solver.RowHalves.Partings);
+        Assert.True(with.Solver.RowHalves.Partings > 0, "The rows were not halved.");
     }
 
     private static World Pile(int leastBodies, int workers)
     {
         var scene = new SleepScene(allowSleep: false);
-        scene.World.RowHalves.LeastBodies = leastBodies;
-        scene.World.RowHalves.LeastOfColor = 0;
+        scene.World.Solver.RowHalves.LeastBodies = leastBodies;
+        scene.World.Solver.RowHalves.LeastOfColor = 0;
         scene.World.SetWorkers(workers, workers, null);
         for (int i = 0; i < 300; i++)
         {

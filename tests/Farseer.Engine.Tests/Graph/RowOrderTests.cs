@@ -83,18 +83,18 @@ public sealed unsafe class RowOrderTests
         {
             without.World.Step(SleepScene.Dt);
             with.World.Step(SleepScene.Dt);
-            Assert.Equal(without.World.StateHash(), with.World.StateHash());
+            Assert.Equal(without.World.Bodies.MotionHash(), with.World.Bodies.MotionHash());
         }
 
-        Assert.Equal(0, without.World.RowOrder.Sorts);
-        Assert.True(with.World.RowOrder.Sorts > 1, "The rows were put in order " + with.World.RowOrder.Sorts + " times.");
+        Assert.Equal(0, without.World.Solver.RowOrder.Sorts);
+        Assert.True(with.World.Solver.RowOrder.Sorts > 1, "The rows were put in order " + with.World.Solver.RowOrder.Sorts + " times.");
         with.World.Dispose();
     }
 
     private static SleepScene Pile(int leastRows, int workers)
     {
         var scene = new SleepScene(allowSleep: false);
-        scene.World.RowOrder.LeastRows = leastRows;
+        scene.World.Solver.RowOrder.LeastRows = leastRows;
         scene.World.SetWorkers(workers, workers, null);
         for (int i = 0; i < 300; i++)
         {

@@ -30,18 +30,18 @@ public sealed class IslandGroupTests
 
             together.World.Step(SleepScene.Dt);
             grouped.World.Step(SleepScene.Dt);
-            Assert.Equal(together.World.StateHash(), grouped.World.StateHash());
+            Assert.Equal(together.World.Bodies.MotionHash(), grouped.World.Bodies.MotionHash());
         }
 
-        Assert.Equal(0, together.World.IslandGroups.Sorts);
-        Assert.True(grouped.World.IslandGroups.Sorts > 1, "The rows were sorted " + grouped.World.IslandGroups.Sorts + " times.");
+        Assert.Equal(0, together.World.Solver.IslandGroups.Sorts);
+        Assert.True(grouped.World.Solver.IslandGroups.Sorts > 1, "The rows were sorted " + grouped.World.Solver.IslandGroups.Sorts + " times.");
         grouped.World.Dispose();
     }
 
     private static SleepScene Build(int groupRows, int workers, out List<Handle> strikers)
     {
         var scene = new SleepScene(allowSleep: false);
-        scene.World.IslandGroups.GroupRows = groupRows;
+        scene.World.Solver.IslandGroups.GroupRows = groupRows;
         scene.World.SetWorkers(workers, workers, null);
         strikers = [];
         for (int i = 0; i < Piles; i++)

@@ -72,7 +72,7 @@ public sealed class HeavyBodyTests
         SleepScene scene = Plate(gravity: 10, restitution: 0, out Handle plate, out List<Handle> boxes);
         scene.World.Settings.AllowSleep = true;
         scene.Settle();
-        scene.World.WakeUp(plate);
+        scene.World.Sleep.WakeUp(plate);
         scene.SetVelocity(plate, 0, 1);
         scene.Step(240);
         double top = scene.World.Bodies.Pose[plate.Index].Y + 0.5;

@@ -71,11 +71,11 @@ public class SleepProperties
             }
 
             scene.Step();
-            slept += scene.World.AsleepCount;
+            slept += scene.World.Sleep.AsleepCount;
             AssertSound(scene, bodies);
         }
 
-        return (scene.World.StateHash(), slept);
+        return (scene.World.Bodies.MotionHash(), slept);
     }
 
     private static void Make(SleepScene scene, Random random, List<Handle> bodies)
@@ -99,10 +99,10 @@ public class SleepProperties
                 scene.SetVelocity(body, random.Next(-3, 4), random.Next(4));
                 break;
             case 1:
-                scene.World.WakeUp(body);
+                scene.World.Sleep.WakeUp(body);
                 break;
             case 2:
-                scene.World.PutToSleep(body);
+                scene.World.Sleep.PutToSleep(body);
                 break;
             case 3:
                 scene.World.SetPosition(body, random.Next(-4, 5), 0.5 + random.Next(6));
@@ -142,8 +142,8 @@ public class SleepProperties
 
     private static void AssertSound(SleepScene scene, List<Handle> bodies)
     {
-        int asleep = bodies.Count(b => !scene.World.IsAwake(b));
-        Assert.Equal(asleep, scene.World.AsleepCount);
+        int asleep = bodies.Count(b => !scene.World.Sleep.IsAwake(b));
+        Assert.Equal(asleep, scene.World.Sleep.AsleepCount);
         foreach (Handle body in bodies)
         {
             BodyPose pose = scene.World.Bodies.Pose[body.Index];

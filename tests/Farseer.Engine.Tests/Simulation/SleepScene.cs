@@ -115,17 +115,17 @@ internal sealed class SleepScene : IStepHooks
             movable += (flags & (Awake | BodyFlags.Static | BodyFlags.Kinematic)) == Awake ? 1 : 0;
         }
 
-        for (int i = 0; i < atMost && World.AsleepCount < movable; i++)
+        for (int i = 0; i < atMost && World.Sleep.AsleepCount < movable; i++)
         {
             Step();
         }
 
-        Xunit.Assert.Equal(movable, World.AsleepCount);
+        Xunit.Assert.Equal(movable, World.Sleep.AsleepCount);
     }
 
     public void SetVelocity(Handle body, float x, float y)
     {
-        World.NoteHandled(body.Index);
+        World.Sleep.NoteHandled(body.Index);
         World.Bodies.State[body.Index].LinearVelocity = new Vector2(x, y) * _scale;
     }
 

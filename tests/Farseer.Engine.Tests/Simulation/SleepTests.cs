@@ -22,17 +22,17 @@ public class SleepTests
         for (int i = 0; i < 600 && asleep == 0; i++)
         {
             scene.Step();
-            asleep = scene.World.AsleepCount;
+            asleep = scene.World.Sleep.AsleepCount;
         }
 
         Assert.Equal(boxes.Count, asleep);
         Assert.All(boxes, b => Assert.Equal(Vector2.Zero, scene.World.Bodies.State[b.Index].LinearVelocity));
-        ulong hash = scene.World.StateHash();
-        int contacts = scene.World.ContactCount;
+        ulong hash = scene.World.Bodies.MotionHash();
+        int contacts = scene.World.Reader.Count;
         Assert.True(contacts >= boxes.Count);
         scene.Step(300);
-        Assert.Equal(hash, scene.World.StateHash());
-        Assert.Equal(contacts, scene.World.ContactCount);
+        Assert.Equal(hash, scene.World.Bodies.MotionHash());
+        Assert.Equal(contacts, scene.World.Reader.Count);
     }
 
     [Fact]
@@ -56,7 +56,7 @@ public class SleepTests
         }
 
         // The waking one still trembles: pyramids of 5 to 10 end 2.6e-6 to 1.4e-5 off, depending on roundings alone.
-        Assert.Equal(55, sleeping.World.AsleepCount);
+        Assert.Equal(55, sleeping.World.Sleep.AsleepCount);
         Assert.InRange(most, 0, 2e-5);
     }
 
@@ -69,8 +69,8 @@ public class SleepTests
         Handle ball = scene.Box(-9, 2.5f, 0.5f, 0.5f);
         scene.SetVelocity(ball, 15, 3);
         scene.Step(30);
-        Assert.Equal(0, scene.World.AsleepCount);
-        Assert.True(scene.World.LargestPenetration() < 0.1);
+        Assert.Equal(0, scene.World.Sleep.AsleepCount);
+        Assert.True(scene.World.Reader.LargestPenetration() < 0.1);
         scene.Settle(3000);
     }
 
@@ -82,8 +82,8 @@ public class SleepTests
         List<Handle> boxes = scene.Pyramid(8);
         scene.Settle();
         double[] before = boxes.Select(b => scene.World.Bodies.Pose[b.Index].Y).ToArray();
-        scene.World.WakeUp(boxes[0]);
-        Assert.Equal(0, scene.World.AsleepCount);
+        scene.World.Sleep.WakeUp(boxes[0]);
+        Assert.Equal(0, scene.World.Sleep.AsleepCount);
         scene.Step();
         double most = boxes.Select((b, i) => Math.Abs(scene.World.Bodies.Pose[b.Index].Y - before[i])).Max();
 
@@ -114,7 +114,7 @@ public class SleepTests
         switch (cause)
         {
             case "WakeUp":
-                scene.World.WakeUp(high);
+                scene.World.Sleep.WakeUp(high);
                 break;
             case "Velocity":
                 scene.SetVelocity(high, 0, 1);
@@ -147,10 +147,10 @@ public class SleepTests
                 scene.Cover(high, 0.2f, 2);
                 break;
             case "ColliderRemoved":
-                scene.World.DestroyCollider(scene.World.Shapes.ColliderIds.HandleOf(scene.World.FirstCollider(high.Index)));
+                scene.World.DestroyCollider(scene.World.Shapes.ColliderIds.HandleOf(scene.World.Colliders.First(high.Index)));
                 break;
             case "Filter":
-                scene.World.Refilter(scene.World.Shapes.ColliderIds.HandleOf(scene.World.FirstCollider(low.Index)));
+                scene.World.Pairs.Refilter(scene.World.Shapes.ColliderIds.HandleOf(scene.World.Colliders.First(low.Index)));
                 break;
             case "Joint":
                 scene.Hinge(high, scene.Bare(0, 3, 1, 1), 0, 2.5f);
@@ -171,19 +171,19 @@ public class SleepTests
                 scene.World.SetFlags(low, BodyFlags.NeverSleeps, BodyFlags.None);
                 break;
             case "Force":
-                scene.Forces = () => scene.World.WakeUp(high);
+                scene.Forces = () => scene.World.Sleep.WakeUp(high);
                 break;
         }
 
         scene.Step();
-        Assert.True(scene.World.IsAwake(low), "the lower one sleeps");
-        Assert.True(scene.World.IsAwake(high), "the upper one sleeps");
+        Assert.True(scene.World.Sleep.IsAwake(low), "the lower one sleeps");
+        Assert.True(scene.World.Sleep.IsAwake(high), "the upper one sleeps");
         bool all = cause is "Gravity" or "Off";
-        Assert.Equal(all, scene.World.IsAwake(aside));
+        Assert.Equal(all, scene.World.Sleep.IsAwake(aside));
         if (cause == "NeverSleeps")
         {
             scene.Step(600);
-            Assert.True(scene.World.IsAwake(high));
+            Assert.True(scene.World.Sleep.IsAwake(high));
         }
     }
 
@@ -194,10 +194,10 @@ public class SleepTests
         var scene = new SleepScene();
         Handle belt = scene.Box(0, 0.25f, 50, 0.5f, BodyFlags.Kinematic);
         Handle box = scene.Box(0, 1, 1, 1);
-        scene.World.Collider(scene.World.Shapes.ColliderIds.HandleOf(scene.World.FirstCollider(belt.Index))).Friction = -0.6f;
+        scene.World.Collider(scene.World.Shapes.ColliderIds.HandleOf(scene.World.Colliders.First(belt.Index))).Friction = -0.6f;
         scene.SetVelocity(belt, 0.1f, 0);
         scene.Step(400);
-        Assert.True(scene.World.IsAwake(box));
+        Assert.True(scene.World.Sleep.IsAwake(box));
     }
 
     [Fact]
@@ -216,11 +216,11 @@ public class SleepTests
         scene.Settle(3000);
         scene.SetVelocity(lower, 0, 0);
         scene.Step();
-        Assert.False(scene.World.IsAwake(lower));
+        Assert.False(scene.World.Sleep.IsAwake(lower));
         scene.SetVelocity(lower, 1, 0);
         scene.Step();
-        Assert.True(scene.World.IsAwake(upper) && scene.World.IsAwake(lower));
-        Assert.False(scene.World.IsAwake(sprung));
+        Assert.True(scene.World.Sleep.IsAwake(upper) && scene.World.Sleep.IsAwake(lower));
+        Assert.False(scene.World.Sleep.IsAwake(sprung));
     }
 
     [Fact]
@@ -243,7 +243,7 @@ public class SleepTests
                     }
 
                     scene.Step(180);
-                    Assert.True(scene.World.AsleepCount == 0, $"scale {scale}, size {size}, gravity {gravity}");
+                    Assert.True(scene.World.Sleep.AsleepCount == 0, $"scale {scale}, size {size}, gravity {gravity}");
                 }
             }
         }
@@ -262,9 +262,9 @@ public class SleepTests
         scene.SetVelocity(large, 1e-3f, 0);
         scene.World.Bodies.State[spinning.Index].AngularVelocity = 1e-7f;
         scene.Step(300);
-        Assert.True(scene.World.IsAwake(large));
-        Assert.True(scene.World.IsAwake(spinning));
-        Assert.False(scene.World.IsAwake(standing));
+        Assert.True(scene.World.Sleep.IsAwake(large));
+        Assert.True(scene.World.Sleep.IsAwake(spinning));
+        Assert.False(scene.World.Sleep.IsAwake(standing));
     }
 
     [Fact]
@@ -292,10 +292,10 @@ public class SleepTests
         {
             small.Step();
             large.Step();
-            Assert.Equal(small.World.AsleepCount, large.World.AsleepCount);
+            Assert.Equal(small.World.Sleep.AsleepCount, large.World.Sleep.AsleepCount);
         }
 
-        Assert.Equal(10, small.World.AsleepCount);
+        Assert.Equal(10, small.World.Sleep.AsleepCount);
         for (int body = 1; body < small.World.Bodies.Ids.End; body++)
         {
             Assert.Equal(small.World.Bodies.Pose[body].Y * Scale, large.World.Bodies.Pose[body].Y);
@@ -324,10 +324,10 @@ public class SleepTests
         {
             with.Step();
             without.Step();
-            Assert.Equal(without.World.StateHash(), with.World.StateHash());
+            Assert.Equal(without.World.Bodies.MotionHash(), with.World.Bodies.MotionHash());
         }
 
-        Assert.Equal(0, with.World.AsleepCount);
+        Assert.Equal(0, with.World.Sleep.AsleepCount);
     }
 
     [Fact]
@@ -340,7 +340,7 @@ public class SleepTests
         scene.Events.Clear();
         scene.Step(20);
         Assert.Empty(scene.Events);
-        scene.World.WakeUp(top);
+        scene.World.Sleep.WakeUp(top);
         scene.Step();
         Assert.Equal(new[] { "touch 0 1", "touch 1 2" }, scene.Events);
         scene.Settle();
@@ -379,7 +379,7 @@ public class SleepTests
         scene.Cover(ghost, 1, 1, ColliderFlags.None);
         scene.SetVelocity(ghost, 2, 0);
         scene.Step(120);
-        Assert.False(scene.World.IsAwake(box));
+        Assert.False(scene.World.Sleep.IsAwake(box));
         Assert.True(scene.World.Bodies.Pose[ghost.Index].X > 0.9);
     }
 
@@ -395,13 +395,13 @@ public class SleepTests
 
         Handle hanging = scene.Box(5, 8, 1, 1, BodyFlags.Asleep);
         scene.Step(100);
-        Assert.All(boxes, b => Assert.False(scene.World.IsAwake(b)));
-        Assert.Equal(6, scene.World.AsleepCount);
+        Assert.All(boxes, b => Assert.False(scene.World.Sleep.IsAwake(b)));
+        Assert.Equal(6, scene.World.Sleep.AsleepCount);
         Assert.Equal(8, scene.World.Bodies.Pose[hanging.Index].Y);
         scene.SetVelocity(scene.Box(-3, 2.5f, 0.3f, 0.3f), 20, 2);
         scene.Step(20);
-        Assert.All(boxes, b => Assert.True(scene.World.IsAwake(b)));
-        Assert.False(scene.World.IsAwake(hanging));
+        Assert.All(boxes, b => Assert.True(scene.World.Sleep.IsAwake(b)));
+        Assert.False(scene.World.Sleep.IsAwake(hanging));
     }
 
     [Fact]
@@ -412,16 +412,16 @@ public class SleepTests
         Handle high = scene.Box(0, 1.5f, 1, 1);
         Handle alone = scene.Box(9, 0.5f, 1, 1);
         scene.Step(3);
-        scene.World.PutToSleep(low);
-        scene.World.PutToSleep(alone);
-        Assert.False(scene.World.IsAwake(low));
+        scene.World.Sleep.PutToSleep(low);
+        scene.World.Sleep.PutToSleep(alone);
+        Assert.False(scene.World.Sleep.IsAwake(low));
         scene.Step();
-        Assert.True(scene.World.IsAwake(low) && scene.World.IsAwake(high));
-        Assert.False(scene.World.IsAwake(alone));
-        scene.World.PutToSleep(low);
-        scene.World.PutToSleep(high);
+        Assert.True(scene.World.Sleep.IsAwake(low) && scene.World.Sleep.IsAwake(high));
+        Assert.False(scene.World.Sleep.IsAwake(alone));
+        scene.World.Sleep.PutToSleep(low);
+        scene.World.Sleep.PutToSleep(high);
         scene.Step();
-        Assert.Equal(3, scene.World.AsleepCount);
+        Assert.Equal(3, scene.World.Sleep.AsleepCount);
     }
 
     [Fact]
@@ -432,7 +432,7 @@ public class SleepTests
         for (int i = 0; i < 3; i++)
         {
             scene.Settle();
-            scene.World.WakeUp(boxes[0]);
+            scene.World.Sleep.WakeUp(boxes[0]);
         }
 
         long before = GC.GetAllocatedBytesForCurrentThread();
@@ -441,13 +441,13 @@ public class SleepTests
             scene.World.Step(SleepScene.Dt);
         }
 
-        scene.World.WakeUp(boxes[0]);
+        scene.World.Sleep.WakeUp(boxes[0]);
         for (int i = 0; i < 400; i++)
         {
             scene.World.Step(SleepScene.Dt);
         }
 
         Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
-        Assert.Equal(boxes.Count, scene.World.AsleepCount);
+        Assert.Equal(boxes.Count, scene.World.Sleep.AsleepCount);
     }
 }

@@ -4,8 +4,8 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
-/// <content>Who works in a step: the calling thread, and others if they are wanted and the step is worth it.</content>
-internal sealed partial class World : IDisposable
+/// <summary>Who works in a step: the calling thread, and others if they are wanted and the step is worth it.</summary>
+internal sealed class StepWorkers : IDisposable
 {
     // What a step takes one worker, nanoseconds: rough, since it only decides whether others are woken.
     private const double BodyCost = 60;
@@ -16,21 +16,26 @@ internal sealed partial class World : IDisposable
     private StageRunner _runner = new StageRunner(1, null);
     [NotState(Why.Running)]
     private int _workers = 1;
+
     [NotState(Why.Running)]
     private Action<int, Action>? _scheduler;
+
     [NotState(Why.Calm)]
     private bool _isDisposed;
+
+    public StageRunner Runner => _runner;
 
     /// <summary>Sets how many threads share a step, from the next one on.</summary>
     /// <param name="workers">At least 1, or 0: as many as there are processors.</param>
     /// <param name="processors">How many there are: more threads of the runner's own would only stand in each other's way.</param>
     /// <param name="scheduler">See <see cref="StageRunner"/>; the host that brings one knows how many threads it has.</param>
-    public void SetWorkers(int workers, int processors, Action<int, Action>? scheduler)
+    /// <param name="isStepping">A step is under way, and keeps those that it began with.</param>
+    public void Set(int workers, int processors, Action<int, Action>? scheduler, bool isStepping)
     {
         int wanted = workers == 0 ? processors : scheduler == null ? Math.Min(workers, processors) : workers;
         _workers = Math.Min(wanted, StageRunner.MostWorkers);
         _scheduler = scheduler;
-        if (!IsStepping)
+        if (!isStepping)
         {
             MakeRunner();
         }
@@ -43,11 +48,13 @@ internal sealed partial class World : IDisposable
         _runner.Dispose();
     }
 
-    private void BeginWork()
+    /// <summary>Decides who works in a step.</summary>
+    public void Begin(WorldStores stores, int awake)
     {
         MakeRunner();
-        double perSubstep = (RowSubstepCost * _graph.RowCount) + (JointSubstepCost * Joints.Count);
-        _runner.Begin((BodyCost * (Bodies.Ids.End - AsleepCount)) + (PairCost * (_contacts.IdleCount + _graph.RowCount)) + (perSubstep * Settings.Substeps));
+        int rows = stores.Graph.RowCount;
+        double perSubstep = (RowSubstepCost * rows) + (JointSubstepCost * stores.Joints.Count);
+        _runner.Begin((BodyCost * awake) + (PairCost * (stores.Contacts.IdleCount + rows)) + (perSubstep * stores.Settings.Substeps));
     }
 
     private void MakeRunner()

@@ -4,8 +4,10 @@ using Farseer.Engine.Accuracy;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Contacts;
-using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Graph;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
@@ -16,25 +18,72 @@ internal interface IContactVisitor
     void Visit(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points);
 }
 
-/// <summary>What readers ask of the world between steps.</summary>
-internal sealed partial class World
+/// <summary>What readers ask of contacts between steps.</summary>
+internal sealed class ContactReader
 {
+    private readonly WorldStores _stores;
+    private readonly BodyStore _bodies;
+    private readonly ShapeStore _shapes;
+    private readonly ProxyStore _proxies;
+    private readonly ContactStore _contacts;
+    private readonly ConstraintGraph _graph;
+    private readonly WorldSettings _settings;
+    private readonly Removals _removals;
+    private readonly ContactStage _contactStage;
+    private readonly PushReport _pushes;
+
     [NotState(Why.OfOneStep)]
     private readonly Column<ulong> _visitKeys = new Column<ulong>();
+
     [NotState(Why.OfOneStep)]
     private readonly Column<int> _visitContacts = new Column<int>();
+
     [NotState(Why.OfOneStep)]
     private readonly Column<ContactPoint> _visitPoints = new Column<ContactPoint>();
+
+    public ContactReader(WorldStores stores, Removals removals, ContactStage contactStage, PushReport pushes)
+    {
+        _stores = stores;
+        _bodies = stores.Bodies;
+        _shapes = stores.Shapes;
+        _proxies = stores.Proxies;
+        _contacts = stores.Contacts;
+        _graph = stores.Graph;
+        _settings = stores.Settings;
+        _removals = removals;
+        _contactStage = contactStage;
+        _pushes = pushes;
+    }
+
+    /// <summary>Pairs of pieces in contact.</summary>
+    public int Count
+    {
+        get
+        {
+            _removals.Purge();
+            int count = 0;
+            for (int i = 0; i < _contacts.End; i++)
+            {
+                ref ContactRecord record = ref _contacts.Records[i];
+                if (record.PieceA >= 0 && (record.Flags & ContactFlags.Touching) != 0)
+                {
+                    count++;
+                }
+            }
+
+            return count;
+        }
+    }
 
     /// <summary>World box of a collider at its present pose.</summary>
     public void GetColliderBox(Handle collider, out Vector2 min, out Vector2 max)
     {
-        ref ColliderInfo info = ref Collider(collider);
+        ref ColliderInfo info = ref _shapes.Require(collider, nameof(collider));
         min = new Vector2(float.MaxValue, float.MaxValue);
         max = new Vector2(float.MinValue, float.MinValue);
-        for (int piece = info.FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
+        for (int piece = info.FirstPiece; piece >= 0; piece = _shapes.NextPiece[piece])
         {
-            Box box = Shapes.TightBox(piece, Bodies.Pose[info.Body]);
+            Box box = _shapes.TightBox(piece, _bodies.Pose[info.Body]);
             min = Vector2.Min(min, new Vector2(box.MinX, box.MinY));
             max = Vector2.Max(max, new Vector2(box.MaxX, box.MaxY));
         }
@@ -44,9 +93,9 @@ internal sealed partial class World
     /// Calls <paramref name="visitor"/> for every pair of colliders that touched in the last step, in the order of the colliders,
     /// with the points at the present poses and the impulses of the last substep taken for the whole step.
     /// </summary>
-    public unsafe void VisitContacts(IContactVisitor visitor)
+    public unsafe void Visit(IContactVisitor visitor)
     {
-        Purge();
+        _removals.Purge();
         int count = 0;
         _visitKeys.EnsureCapacity(Math.Max(1, _contacts.Count));
         _visitContacts.EnsureCapacity(Math.Max(1, _contacts.Count));
@@ -55,13 +104,13 @@ internal sealed partial class World
             ref ContactRecord record = ref _contacts.Records[i];
             if (record.PieceA >= 0 && (record.Flags & ContactFlags.Touching) != 0)
             {
-                _visitKeys[count] = ((ulong)(uint)Shapes.ColliderAt(record.PieceA).Order << 32)
-                    | (uint)Shapes.ColliderAt(record.PieceB).Order;
+                _visitKeys[count] = ((ulong)(uint)_shapes.ColliderAt(record.PieceA).Order << 32)
+                    | (uint)_shapes.ColliderAt(record.PieceB).Order;
                 _visitContacts[count++] = i;
             }
         }
 
-        RadixSort.Sort(Scratch, _visitKeys.Pointer, _visitContacts.Pointer, count);
+        RadixSort.Sort(_stores.Scratch, _visitKeys.Pointer, _visitContacts.Pointer, count);
         int start = 0;
         while (start < count)
         {
@@ -72,13 +121,13 @@ internal sealed partial class World
                 _visitPoints.EnsureCapacity(points + 2);
                 ref ContactRecord record = ref _contacts.Records[_visitContacts[end]];
                 Manifold manifold = CollideNow(record);
-                points += ContactEvents.WritePoints(this, record, manifold, _visitPoints.Pointer + points);
+                points += ContactEvents.WritePoints(_bodies, record, manifold, _visitPoints.Pointer + points);
                 AddImpulses(_visitContacts[end], record, points - manifold.Count, manifold.Count);
                 end++;
             }
 
             ref ContactRecord first = ref _contacts.Records[_visitContacts[start]];
-            visitor.Visit(Shapes.ColliderOf(first.PieceA), Shapes.ColliderOf(first.PieceB), new ReadOnlySpan<ContactPoint>(_visitPoints.Pointer, points));
+            visitor.Visit(_shapes.ColliderOf(first.PieceA), _shapes.ColliderOf(first.PieceB), new ReadOnlySpan<ContactPoint>(_visitPoints.Pointer, points));
             start = end;
         }
     }
@@ -86,10 +135,10 @@ internal sealed partial class World
     /// <summary>Whether the fat boxes of two colliders of one piece each overlap: the pair then is known, or was refused.</summary>
     public bool AreNear(Handle colliderA, Handle colliderB)
     {
-        int a = Collider(colliderA).FirstPiece;
-        int b = Collider(colliderB).FirstPiece;
-        return (Proxies.Info[a].Flags & Proxies.Info[b].Flags & ProxyFlags.Alive) != 0
-            && Box.Overlap(Proxies.Fat[a], Proxies.Fat[b]);
+        int a = _shapes.Require(colliderA, nameof(colliderA)).FirstPiece;
+        int b = _shapes.Require(colliderB, nameof(colliderB)).FirstPiece;
+        return (_proxies.Info[a].Flags & _proxies.Info[b].Flags & ProxyFlags.Alive) != 0
+            && Box.Overlap(_proxies.Fat[a], _proxies.Fat[b]);
     }
 
     /// <summary>
@@ -100,7 +149,7 @@ internal sealed partial class World
     {
         normal = 0;
         tangent = 0;
-        ulong key = PairBuffer.Pack(Collider(colliderA).FirstPiece, Collider(colliderB).FirstPiece);
+        ulong key = PairBuffer.Pack(_shapes.Require(colliderA, nameof(colliderA)).FirstPiece, _shapes.Require(colliderB, nameof(colliderB)).FirstPiece);
         if (!_contacts.Map.TryGet(key, out int index) || _contacts.Records[index].Color < 0)
         {
             return false;
@@ -108,7 +157,7 @@ internal sealed partial class World
 
         ref ContactRecord record = ref _contacts.Records[index];
         ContactBundle* bundle = _graph.BundleOf(record.Row);
-        int lane = Graph.RowArena.LaneOf(record.Row);
+        int lane = RowArena.LaneOf(record.Row);
         if (bundle->Id0[lane] == feature)
         {
             normal = ImpulseOf(bundle, lane, bundle->Point0.Normal[lane]);
@@ -127,7 +176,7 @@ internal sealed partial class World
     }
 
     private unsafe float RubOf(int contact, ContactBundle* bundle, int lane, float tangent) =>
-        (tangent * Settings.Substeps) + (_contactStage.Lone.TangentOf(contact) * ShareOfPoint(bundle, lane));
+        (tangent * _settings.Substeps) + (_contactStage.Lone.TangentOf(contact) * ShareOfPoint(bundle, lane));
 
     private static unsafe float ShareOfPoint(ContactBundle* bundle, int lane) => (bundle->Flags[lane] & ContactBundle.SingleMark) != 0 ? 1f : 0.5f;
 
@@ -135,35 +184,13 @@ internal sealed partial class World
     private unsafe float ImpulseOf(ContactBundle* bundle, int lane, float normal)
     {
         float blow = bundle->Struck[lane] * ShareOfPoint(bundle, lane);
-        return (normal * Settings.Substeps) + blow;
-    }
-
-    /// <summary>64-bit hash (FNV-1a) of the poses and velocities of all live bodies, in order; equal on every platform.</summary>
-    public unsafe ulong StateHash()
-    {
-        ulong hash = 14695981039346656037UL;
-        for (int body = 1; body < Bodies.Ids.End; body++)
-        {
-            if ((Bodies.Flags[body] & BodyFlags.Alive) != 0)
-            {
-                BodyPose pose = Bodies.Pose[body];
-                BodyState state = Bodies.State[body];
-                hash = Hash(hash, *(ulong*)&pose.X);
-                hash = Hash(hash, *(ulong*)&pose.Y);
-                hash = Hash(hash, *(ulong*)&pose.Angle);
-                hash = Hash(hash, (uint)FloatBits.ToInt(state.LinearVelocity.X));
-                hash = Hash(hash, (uint)FloatBits.ToInt(state.LinearVelocity.Y));
-                hash = Hash(hash, (uint)FloatBits.ToInt(state.AngularVelocity));
-            }
-        }
-
-        return hash;
+        return (normal * _settings.Substeps) + blow;
     }
 
     /// <summary>Deepest overlap of two responding colliders at the present poses, 0 if none.</summary>
     public float LargestPenetration()
     {
-        Purge();
+        _removals.Purge();
         float deepest = 0;
         for (int i = 0; i < _contacts.End; i++)
         {
@@ -179,29 +206,18 @@ internal sealed partial class World
         return deepest;
     }
 
-    private static ulong Hash(ulong hash, ulong value)
-    {
-        for (int i = 0; i < 8; i++)
-        {
-            hash = (hash ^ (value & 0xFF)) * 1099511628211UL;
-            value >>= 8;
-        }
-
-        return hash;
-    }
-
     private Manifold CollideNow(in ContactRecord record)
     {
-        ContactProbe.Collide(Bodies, Shapes, record, out Manifold manifold);
+        ContactProbe.Collide(_bodies, _shapes, record, out Manifold manifold);
         return manifold;
     }
 
     private unsafe void AddImpulses(int contact, in ContactRecord record, int from, int count)
     {
         // What sleeps bears what it bore when it fell asleep.
-        if (HasSums && !record.IsDormant)
+        if (_pushes.HasSums && !record.IsDormant)
         {
-            AddSums(contact, record, from, count);
+            _pushes.AddSums(contact, record, _visitPoints.Pointer, from, count);
             return;
         }
 
@@ -211,19 +227,19 @@ internal sealed partial class World
         }
 
         ContactBundle* bundle = _graph.BundleOf(record.Row);
-        int lane = Graph.RowArena.LaneOf(record.Row);
+        int lane = RowArena.LaneOf(record.Row);
         for (int k = from; k < from + count; k++)
         {
             ref ContactPoint point = ref _visitPoints[k];
             if (point.FeatureId == bundle->Id0[lane])
             {
-                point.NormalImpulse = bundle->Point0.Normal[lane] * _substeps;
-                point.TangentImpulse = bundle->Point0.Tangent[lane] * _substeps;
+                point.NormalImpulse = bundle->Point0.Normal[lane] * _stores.Substeps;
+                point.TangentImpulse = bundle->Point0.Tangent[lane] * _stores.Substeps;
             }
             else if (point.FeatureId == bundle->Id1[lane])
             {
-                point.NormalImpulse = bundle->Point1.Normal[lane] * _substeps;
-                point.TangentImpulse = bundle->Point1.Tangent[lane] * _substeps;
+                point.NormalImpulse = bundle->Point1.Normal[lane] * _stores.Substeps;
+                point.TangentImpulse = bundle->Point1.Tangent[lane] * _stores.Substeps;
             }
         }
     }

@@ -1,17 +1,39 @@
 using System;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Continuous;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Joints;
 using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Queries;
+using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
 /// <summary>The sweep of fast bodies along the way that they took.</summary>
-internal sealed partial class World : IImpactListener
+internal sealed partial class SweepStage : IImpactListener
 {
+    private readonly WorldStores _stores;
+    private readonly BodyStore _bodies;
+    private readonly ShapeStore _shapes;
+    private readonly ColliderLists _colliders;
+    private readonly ProxyStore _proxies;
+    private readonly JointStore _joints;
+    private readonly ContactStore _contacts;
+    private readonly ConstraintGraph _graph;
+    private readonly BodyLists _lists;
+    private readonly WorldSettings _settings;
+    private readonly WorldQueries _queries;
+    private readonly BoxStage _boxes;
+    private readonly PairFinder _pairs;
+    private readonly ContactStage _contactStage;
+    private readonly ContactEvents _events;
+    private readonly PushReport _pushes;
+    private readonly AccuracyStage _accuracy;
     private readonly FastBodySweep _sweep = new FastBodySweep();
     private readonly FastBodySweep _secondSweep = new FastBodySweep();
     private readonly SweepWork _sweepWork = new SweepWork();
@@ -25,19 +47,39 @@ internal sealed partial class World : IImpactListener
     // Where the pairs of each place begin, and how many one has at most.
     private unsafe int* _sweepFirst;
     private int _mostSwept;
+
     [NotState(Why.OfOneStep)]
     private int _sweepNext;
+
     [NotState(Why.OfOneStep)]
     private bool _sweepGathered;
 
+    public SweepStage(WorldStores stores, BoxStage boxes, PairFinder pairs, ContactStage contactStage, ContactEvents events, PushReport pushes, AccuracyStage accuracy)
+    {
+        _stores = stores;
+        _bodies = stores.Bodies;
+        _shapes = stores.Shapes;
+        _colliders = stores.Colliders;
+        _proxies = stores.Proxies;
+        _joints = stores.Joints;
+        _contacts = stores.Contacts;
+        _graph = stores.Graph;
+        _lists = stores.Lists;
+        _settings = stores.Settings;
+        _queries = stores.Queries;
+        _boxes = boxes;
+        _pairs = pairs;
+        _contactStage = contactStage;
+        _events = events;
+        _pushes = pushes;
+        _accuracy = accuracy;
+        _pairFlight = new PairFlight(_sweep, _secondSweep);
+    }
+
     bool IImpactListener.OnImpact(int contact, in Manifold manifold) =>
-        _events.RaiseImpact(this, _contacts, contact, manifold);
+        _events.RaiseImpact(_contacts, contact, manifold);
 
-    /// <summary>Whether something besides contacts may move a body.</summary>
-    internal bool IsHeldApart(int body) =>
-        Joints.Degree(body) > 0 || _springs.Touches(body) || (UserJoints != null && UserJoints.Any);
-
-    private void FlyLonePairs(float dt, float substep)
+    public void FlyLonePairs(float dt, float substep)
     {
         SweepInput input = BeginSweep(dt, substep);
         LonePairs pairs = _contactStage.Lone;
@@ -50,8 +92,8 @@ internal sealed partial class World : IImpactListener
             bool b = IsThere(pair.B.Body);
             if (a && b && _contacts.Records[pair.Contact].PieceA >= 0)
             {
-                Audit?.BeginImpacts(pair.A.Body);
-                Audit?.BeginImpacts(pair.B.Body);
+                _accuracy.Audit?.BeginImpacts(pair.A.Body);
+                _accuracy.Audit?.BeginImpacts(pair.B.Body);
                 PairImpulse given = _pairFlight.Run(input, pair);
                 pairs.Write(i, _contacts, _graph, given);
             }
@@ -69,13 +111,13 @@ internal sealed partial class World : IImpactListener
         bool any = _immovable.Count > 0;
         for (int i = 0; i < _lists.Fast.Count && !any; i++)
         {
-            any = IsBullet(_lists.Fast[i].Body);
+            any = _bodies.IsBullet(_lists.Fast[i].Body);
         }
 
         return any;
     }
 
-    private unsafe void SweepFastBodies(float dt, float substep)
+    public unsafe void Sweep(float dt, float substep)
     {
         if (!CanMeetAny())
         {
@@ -85,7 +127,7 @@ internal sealed partial class World : IImpactListener
         SweepInput input = BeginSweep(dt, substep);
         FastList fast = _lists.Fast;
         int first = 2 * _contactStage.Lone.Count;
-        byte* clear = _sweepWork.FindClear(_runner, this, fast.Count, _mostSwept, dt, substep, Scratch);
+        byte* clear = _sweepWork.FindClear(_stores.Runner, this, fast.Count, _mostSwept, dt, substep, _stores.Scratch);
         int heard = _events.ImpactsHeard;
         for (int i = 0; i < fast.Count; i++)
         {
@@ -110,7 +152,7 @@ internal sealed partial class World : IImpactListener
     {
         if (motion.Free != 0)
         {
-            Audit?.BeginImpacts(motion.Body);
+            _accuracy.Audit?.BeginImpacts(motion.Body);
         }
     }
 
@@ -118,7 +160,7 @@ internal sealed partial class World : IImpactListener
     /// Whether the sweep would leave a fast body as it is. What cannot move is where it is whatever happens to others, and pairs with it are found for one body and not for another,
     /// so the answer stands; of a body that is looked after against others that move it is no.
     /// </summary>
-    internal unsafe bool MeetsNothing(FastBodySweep sweep, int position, float dt, float substep)
+    public unsafe bool MeetsNothing(FastBodySweep sweep, int position, float dt, float substep)
     {
         int place = (2 * _contactStage.Lone.Count) + position;
         sweep.Begin();
@@ -126,7 +168,7 @@ internal sealed partial class World : IImpactListener
         {
             int contact = (int)(uint)_sweepKeys[i];
             ref ContactRecord record = ref _contacts.Records[contact];
-            if (IsMovable(_sweepPlace[record.BodyA] == place ? record.BodyB : record.BodyA))
+            if (_bodies.IsMovable(_sweepPlace[record.BodyA] == place ? record.BodyB : record.BodyA))
             {
                 return false;
             }
@@ -143,9 +185,9 @@ internal sealed partial class World : IImpactListener
     private unsafe void SortSweepPairs(int places)
     {
         int count = _sweepKeys.Count;
-        _sweepFirst = Scratch.Take<int>(places + 2);
-        int mark = Scratch.Mark;
-        ulong* sorted = Scratch.Take<ulong>(count);
+        _sweepFirst = _stores.Scratch.Take<int>(places + 2);
+        int mark = _stores.Scratch.Mark;
+        ulong* sorted = _stores.Scratch.Take<ulong>(count);
         Unsafe.InitBlock(_sweepFirst, 0, (uint)(places + 2) * sizeof(int));
         for (int i = 0; i < count; i++)
         {
@@ -166,13 +208,13 @@ internal sealed partial class World : IImpactListener
         }
 
         Unsafe.CopyBlock(_sweepKeys.Pointer, sorted, (uint)count * sizeof(ulong));
-        Scratch.Release(mark);
+        _stores.Scratch.Release(mark);
     }
 
     private bool IsThere(int body)
     {
         const BodyFlags Both = BodyFlags.Alive | BodyFlags.Enabled;
-        return (Bodies.Flags[body] & Both) == Both;
+        return (_bodies.Flags[body] & Both) == Both;
     }
 
     private SweepInput BeginSweep(float dt, float substep)
@@ -190,14 +232,14 @@ internal sealed partial class World : IImpactListener
     private SweepInput SweepOf(float dt, float substep)
     {
         SweepInput input;
-        input.Driven = DrivenBoundOf(dt);
-        input.Bodies = Bodies;
-        input.Shapes = Shapes;
+        input.Driven = _stores.DrivenBoundOf(dt);
+        input.Bodies = _bodies;
+        input.Shapes = _shapes;
         input.Contacts = _contacts;
-        input.Joints = Joints;
-        input.Settings = Settings;
+        input.Joints = _joints;
+        input.Settings = _settings;
         input.Listener = this;
-        input.Impulses = Impulses;
+        input.Impulses = _pushes.Impulses;
         input.Dt = dt;
         input.Substep = substep;
         return input;
@@ -218,7 +260,7 @@ internal sealed partial class World : IImpactListener
             ref ContactRecord record = ref _contacts.Records[contact];
             if (contact != without)
             {
-                sweep.Add(contact, IsMovable(_sweepPlace[record.BodyA] == place ? record.BodyB : record.BodyA));
+                sweep.Add(contact, _bodies.IsMovable(_sweepPlace[record.BodyA] == place ? record.BodyB : record.BodyA));
             }
         }
     }
@@ -231,14 +273,14 @@ internal sealed partial class World : IImpactListener
     {
         FastList fast = _lists.Fast;
         LonePairs pairs = _contactStage.Lone;
-        int end = Bodies.Ids.End;
-        _sweepPlace = Scratch.Take<int>(end);
-        _sweepRoles = Scratch.Take<SweepRoles>(end);
-        _sweepKeys = new ScratchList<ulong>(Scratch);
+        int end = _bodies.Ids.End;
+        _sweepPlace = _stores.Scratch.Take<int>(end);
+        _sweepRoles = _stores.Scratch.Take<SweepRoles>(end);
+        _sweepKeys = new ScratchList<ulong>(_stores.Scratch);
         SweepRoles* roles = _sweepRoles;
         for (int i = 0; i < end; i++)
         {
-            roles[i] = IsMovable(i) ? SweepRoles.None : SweepRoles.Wall;
+            roles[i] = _bodies.IsMovable(i) ? SweepRoles.None : SweepRoles.Wall;
             _sweepPlace[i] = -1;
         }
 
@@ -254,7 +296,7 @@ internal sealed partial class World : IImpactListener
         }
 
         ContactRecord* records = _contacts.Records.Pointer;
-        ulong* marks = _sweepWork.MarkPairs(_runner, this, _contacts.End, Scratch);
+        ulong* marks = _sweepWork.MarkPairs(_stores.Runner, this, _contacts.End, _stores.Scratch);
         for (int word = 0; word * BitSet.WordBits < _contacts.End; word++)
         {
             for (ulong left = marks[word]; left != 0; left &= left - 1)
@@ -277,7 +319,7 @@ internal sealed partial class World : IImpactListener
     }
 
     /// <summary>Marks those of some pairs in which one body is looked after against the other; the first is the first of a word of marks.</summary>
-    internal unsafe void MarkSwept(ulong* marks, int from, int to)
+    public unsafe void MarkSwept(ulong* marks, int from, int to)
     {
         const SweepRoles FastAtWall = SweepRoles.Fast | SweepRoles.Wall;
         ContactRecord* records = _contacts.Records.Pointer;
@@ -315,16 +357,12 @@ internal sealed partial class World : IImpactListener
     private unsafe void SetPlace(int body, int place, SweepRoles role)
     {
         _sweepPlace[body] = place;
-        _sweepRoles[body] |= IsBullet(body) ? role | SweepRoles.Bullet : role;
+        _sweepRoles[body] |= _bodies.IsBullet(body) ? role | SweepRoles.Bullet : role;
     }
-
-    private bool IsMovable(int body) => (Bodies.Flags[body] & (BodyFlags.Static | BodyFlags.Kinematic)) == 0;
-
-    private bool IsBullet(int body) => (Bodies.Flags[body] & BodyFlags.Bullet) != 0;
 
     private bool Responds(in ContactRecord record)
     {
-        ColliderFlags both = Shapes.ColliderAt(record.PieceA).Flags & Shapes.ColliderAt(record.PieceB).Flags;
+        ColliderFlags both = _shapes.ColliderAt(record.PieceA).Flags & _shapes.ColliderAt(record.PieceB).Flags;
         return (both & (ColliderFlags.Alive | ColliderFlags.ResponseEnabled)) == (ColliderFlags.Alive | ColliderFlags.ResponseEnabled);
     }
 
@@ -343,5 +381,19 @@ internal sealed partial class World : IImpactListener
 
         /// <summary>One of a pair that flies alone.</summary>
         Paired = 8,
+    }
+
+    /// <summary>Makes room for what cannot move.</summary>
+    public void Reserve(int immovable) => _immovable.Reserve(Math.Min(immovable, MostInARow + 1));
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _mostSwept);
+        if (s.IsReading)
+        {
+            _immovableListed = false;
+            _queriesSeeStep = false;
+        }
     }
 }

@@ -1,18 +1,33 @@
+using System;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
 /// <summary>Pairs whose surfaces are not what the coefficients of their colliders say.</summary>
-internal sealed partial class World
+internal sealed class SurfaceStage
 {
+    private readonly WorldStores _stores;
+    private readonly ShapeStore _shapes;
+    private readonly ContactStore _contacts;
+    private readonly WorldSettings _settings;
+
+    public SurfaceStage(WorldStores stores)
+    {
+        _stores = stores;
+        _shapes = stores.Shapes;
+        _contacts = stores.Contacts;
+        _settings = stores.Settings;
+    }
+
     /// <summary>Says what surfaces are; null: all are what their colliders say.</summary>
     [NotState(Why.Elsewhere)]
-    public IPairSurfaces? Surfaces { get; set; }
+    public IPairSurfaces? Judge { get; set; }
 
     /// <summary>From now on some collider has a surface of its own, or all pairs are judged.</summary>
-    public void UseSurfaces()
+    public void Use()
     {
         if (!_contacts.Surfaces.IsOn)
         {
@@ -22,23 +37,23 @@ internal sealed partial class World
             {
                 if (_contacts.Records[i].PieceA >= 0)
                 {
-                    BeginSurface(i);
+                    Begin(i);
                 }
             }
         }
     }
 
     /// <summary>A pair is new.</summary>
-    private void BeginSurface(int contact)
+    public void Begin(int contact)
     {
         _contacts.Surfaces.EnsureCapacity(_contacts.Records.Capacity);
         ref ContactRecord record = ref _contacts.Records[contact];
         _contacts.Surfaces[contact] = new PairSurface { SegmentA = PlaceOf(record.PieceA), SegmentB = PlaceOf(record.PieceB) };
-        RefreshSurface(contact);
+        Refresh(contact);
     }
 
     /// <summary>Coefficients may have changed since the last step: each pair that has surfaces of its own is asked about anew.</summary>
-    private void RefreshSurfaces()
+    public void RefreshAll()
     {
         _contacts.Surfaces.AnySpecial = false;
         if (!_contacts.Surfaces.IsOn)
@@ -51,47 +66,47 @@ internal sealed partial class World
             ref ContactRecord record = ref _contacts.Records[i];
             if (record.PieceA >= 0 && !record.IsDormant)
             {
-                RefreshSurface(i);
+                Refresh(i);
             }
         }
     }
 
-    private void RefreshSurface(int contact)
+    private void Refresh(int contact)
     {
         ref ContactRecord record = ref _contacts.Records[contact];
         ref PairSurface surface = ref _contacts.Surfaces[contact];
-        ColliderFlags either = Shapes.ColliderAt(record.PieceA).Flags | Shapes.ColliderAt(record.PieceB).Flags;
+        ColliderFlags either = _shapes.ColliderAt(record.PieceA).Flags | _shapes.ColliderAt(record.PieceB).Flags;
         surface.IsSet = 0;
-        if (Surfaces == null || !(Surfaces.JudgesAll || (either & ColliderFlags.OwnSurface) != 0))
+        if (Judge == null || !(Judge.JudgesAll || (either & ColliderFlags.OwnSurface) != 0))
         {
             return;
         }
 
-        surface.Friction = Settings.FreezePairFriction
+        surface.Friction = _settings.FreezePairFriction
             ? _contacts.FirstFriction[contact]
-            : ContactUpdate.MixFriction(Shapes, Settings.FrictionMix, record);
-        surface.Restitution = (float)ContactUpdate.MixRestitution(Shapes, Settings.RestitutionMix, record);
+            : ContactUpdate.MixFriction(_shapes, _settings.FrictionMix, record);
+        surface.Restitution = (float)ContactUpdate.MixRestitution(_shapes, _settings.RestitutionMix, record);
         surface.Speed = 0;
         surface.RollingArm = 0;
         surface.IsSet = 1;
-        Surfaces.Describe(Shapes.ColliderOf(record.PieceA), Shapes.ColliderOf(record.PieceB), ref surface);
+        Judge.Describe(_shapes.ColliderOf(record.PieceA), _shapes.ColliderOf(record.PieceB), ref surface);
         surface.RollingArm *= SizeOf(record);
-        _makesEnergy |= surface.Restitution > 1;
+        _stores.MakesEnergy |= surface.Restitution > 1;
         _contacts.Surfaces.AnySpecial |= surface.IsSpecial;
     }
 
     /// <summary>Half the width of the smaller of two pieces; lines have none.</summary>
     private float SizeOf(in ContactRecord record)
     {
-        float a = Shapes.Pieces[record.PieceA].Extent;
-        float b = Shapes.Pieces[record.PieceB].Extent;
-        return !(a > 0) ? b : !(b > 0) ? a : System.Math.Min(a, b);
+        float a = _shapes.Pieces[record.PieceA].Extent;
+        float b = _shapes.Pieces[record.PieceB].Extent;
+        return !(a > 0) ? b : !(b > 0) ? a : Math.Min(a, b);
     }
 
     private int PlaceOf(int piece)
     {
         int place = 0;
-        for (int at = Shapes.ColliderAt(piece).FirstPiece; at >= 0 && at != piece; at = Shapes.NextPiece[at])
+        for (int at = _shapes.ColliderAt(piece).FirstPiece; at >= 0 && at != piece; at = _shapes.NextPiece[at])
         {
             place++;
         }

@@ -4,18 +4,27 @@ using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.NarrowPhase;
+using Farseer.Engine.Settings;
+using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
 /// <summary>What contacts give in a step, and who pushed whom. Nothing of it runs unless somebody asks.</summary>
-internal sealed partial class World
+internal sealed class PushReport
 {
     /// <summary>Substeps of gravity up to whose speed an approach is rest, as for a bounce.</summary>
     private const float RestSubsteps = BounceKernel.RestSubsteps;
+    private readonly WorldStores _stores;
+    private readonly BodyStore _bodies;
+    private readonly ShapeStore _shapes;
+    private readonly ContactStore _contacts;
+    private readonly ConstraintGraph _graph;
+    private readonly WorldSettings _settings;
 
     [NotState(Why.OfOneStep)]
     private readonly Column<ulong> _hitKeys = new Column<ulong>();
+
     [NotState(Why.OfOneStep)]
     private readonly Column<int> _hitContacts = new Column<int>();
 
@@ -25,6 +34,16 @@ internal sealed partial class World
     private ContactImpulses? _impulses;
     private bool _sums;
     private bool _tellsPushes;
+
+    public PushReport(WorldStores stores)
+    {
+        _stores = stores;
+        _bodies = stores.Bodies;
+        _shapes = stores.Shapes;
+        _contacts = stores.Contacts;
+        _graph = stores.Graph;
+        _settings = stores.Settings;
+    }
 
     /// <summary>Each step sums the impulses of each contact.</summary>
     public bool SumsImpulses { get; set; }
@@ -36,14 +55,14 @@ internal sealed partial class World
     public float HitSpeed { get; set; }
 
     /// <summary>The sums of this step, or of the last one; null if there are none.</summary>
-    private ContactImpulses? Impulses => _sums ? _impulses : null;
+    public ContactImpulses? Impulses => _sums ? _impulses : null;
 
     /// <summary>What the points of a row gave in the last step that summed it, if it did.</summary>
     public bool HasSums => Impulses != null;
 
     private void MakeImpulses() => _impulses ??= new ContactImpulses();
 
-    private unsafe void BeginImpulses()
+    public unsafe void Begin()
     {
         // As they were when the step began: a handler may switch within it.
         _tellsPushes = TellsPushes;
@@ -56,25 +75,25 @@ internal sealed partial class World
         MakeImpulses();
         if (_tellsPushes)
         {
-            int end = Bodies.Ids.End;
+            int end = _bodies.Ids.End;
             _hitStarts.EnsureCapacity(end);
-            new ReadOnlySpan<BodyPose>(Bodies.Pose.Pointer, end).CopyTo(new Span<BodyPose>(_hitStarts.Pointer, end));
+            new ReadOnlySpan<BodyPose>(_bodies.Pose.Pointer, end).CopyTo(new Span<BodyPose>(_hitStarts.Pointer, end));
         }
     }
 
     /// <summary>The pairs of this step are known.</summary>
-    private void MakeRoomForImpulses() => Impulses?.Begin(_contacts.Records.Capacity);
+    public void MakeRoom() => Impulses?.Begin(_contacts.Records.Capacity);
 
     /// <summary>Tells of the pairs that pushed each other in the step, in the order of their colliders.</summary>
-    private unsafe void RaisePushes(float substep)
+    public unsafe void Raise(float substep)
     {
-        IStepHooks? hooks = Hooks;
+        IStepHooks? hooks = _stores.Hooks;
         if (!_tellsPushes || hooks == null)
         {
             return;
         }
 
-        Vector2 g = Settings.Gravity;
+        Vector2 g = _settings.Gravity;
         float rest = RestSubsteps * substep * (float)Math.Sqrt(((double)g.X * g.X) + ((double)g.Y * g.Y));
         float least = Math.Max(HitSpeed, rest);
         int count = 0;
@@ -86,12 +105,12 @@ internal sealed partial class World
             ref ContactRecord record = ref _contacts.Records[i];
             if (given.Normal > 0 && record.PieceA >= 0)
             {
-                _hitKeys[count] = ((ulong)(uint)Shapes.ColliderAt(record.PieceA).Order << 32) | (uint)Shapes.ColliderAt(record.PieceB).Order;
+                _hitKeys[count] = ((ulong)(uint)_shapes.ColliderAt(record.PieceA).Order << 32) | (uint)_shapes.ColliderAt(record.PieceB).Order;
                 _hitContacts[count++] = i;
             }
         }
 
-        RadixSort.Sort(Scratch, _hitKeys.Pointer, _hitContacts.Pointer, count);
+        RadixSort.Sort(_stores.Scratch, _hitKeys.Pointer, _hitContacts.Pointer, count);
         int start = 0;
         while (start < count)
         {
@@ -104,7 +123,7 @@ internal sealed partial class World
             PushRecord push = Gather(start, end);
             push.IsHit = push.Approach > least;
             ref ContactRecord record = ref _contacts.Records[_hitContacts[start]];
-            hooks.OnPush(Shapes.ColliderOf(record.PieceA), Shapes.ColliderOf(record.PieceB), push);
+            hooks.OnPush(_shapes.ColliderOf(record.PieceA), _shapes.ColliderOf(record.PieceB), push);
             start = end;
         }
     }
@@ -151,11 +170,11 @@ internal sealed partial class World
         ref ContactRecord record = ref _contacts.Records[contact];
         Manifold manifold = _contacts.Manifolds[contact];
         ManifoldPoint point = given.Normal1 > given.Normal0 ? manifold.Point1 : manifold.Point0;
-        bool onB = Bodies.Mass[record.BodyB].InverseMass < Bodies.Mass[record.BodyA].InverseMass;
+        bool onB = _bodies.Mass[record.BodyB].InverseMass < _bodies.Mass[record.BodyA].InverseMass;
         BodyPose a = _hitStarts[record.BodyA];
         Vector2 offset = point.Anchor + ((onB ? 0.5f : -0.5f) * point.Separation * manifold.Normal);
         BodyPose before = _hitStarts[onB ? record.BodyB : record.BodyA];
-        BodyPose after = Bodies.Pose[onB ? record.BodyB : record.BodyA];
+        BodyPose after = _bodies.Pose[onB ? record.BodyB : record.BodyA];
         double x = a.X + offset.X - before.X;
         double y = a.Y + offset.Y - before.Y;
         double cos = ((double)after.Cos * before.Cos) + ((double)after.Sin * before.Sin);
@@ -166,7 +185,7 @@ internal sealed partial class World
     }
 
     /// <summary>The impulses of the last step for the points of a reader. What a point gave that is there no more goes to the first one.</summary>
-    private unsafe void AddSums(int contact, in ContactRecord record, int from, int count)
+    public unsafe void AddSums(int contact, in ContactRecord record, ContactPoint* points, int from, int count)
     {
         if (count == 0)
         {
@@ -180,14 +199,31 @@ internal sealed partial class World
         int place1 = from;
         for (int k = from; k < from + count && bundle != null; k++)
         {
-            uint id = _visitPoints[k].FeatureId;
+            uint id = points[k].FeatureId;
             place0 = id == bundle->Id0[lane] ? k : place0;
             place1 = id == bundle->Id1[lane] ? k : place1;
         }
 
-        _visitPoints[place0].NormalImpulse += (float)given.Normal0;
-        _visitPoints[place0].TangentImpulse += (float)given.Tangent0;
-        _visitPoints[place1].NormalImpulse += (float)given.Normal1;
-        _visitPoints[place1].TangentImpulse += (float)given.Tangent1;
+        points[place0].NormalImpulse += (float)given.Normal0;
+        points[place0].TangentImpulse += (float)given.Tangent0;
+        points[place1].NormalImpulse += (float)given.Normal1;
+        points[place1].TangentImpulse += (float)given.Tangent1;
+    }
+
+    /// <summary>Writes, or reads, what readers of contacts see, and what is to be summed.</summary>
+    public void Visit(StateStream s)
+    {
+        SumsImpulses = s.Value(SumsImpulses);
+        TellsPushes = s.Value(TellsPushes);
+        HitSpeed = s.Value(HitSpeed);
+        s.Value(ref _sums);
+        s.Value(ref _tellsPushes);
+        if (s.Lacks(_impulses))
+        {
+            MakeImpulses();
+        }
+
+        s.Reference(ref _impulses);
+        _impulses?.Visit(s);
     }
 }

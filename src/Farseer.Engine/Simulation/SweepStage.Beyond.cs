@@ -1,22 +1,23 @@
 using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Continuous;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Queries;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
-/// <summary>
+/// <content>
 /// What a fast body may meet beyond the boxes around its foreseen way: after a bounce it flies where nothing foresaw it, and the
 /// solver may have thrown it there. Only then is the world asked for it.
-/// </summary>
-internal sealed partial class World
+/// </content>
+internal sealed partial class SweepStage
 {
     /// <summary>More immovable boxes than this are not looked at one by one.</summary>
     private const int MostInARow = 2048;
-
     private readonly BoxPacks _immovable = new BoxPacks();
+
     [NotState(Why.OfOneStep)]
     private readonly IndexList _beyond = new IndexList();
     private bool _immovableListed;
@@ -24,25 +25,25 @@ internal sealed partial class World
 
     /// <summary>The sweep that is to look at what is found.</summary>
     [NotState(Why.OfOneStep)]
-    private Continuous.FastBodySweep _seeker = null!;
+    private FastBodySweep _seeker = null!;
 
-    bool Continuous.IImpactListener.AddsNothing(int body, in BodyPath way)
+    bool IImpactListener.AddsNothing(int body, in BodyPath way)
     {
-        BodyPose pose = Bodies.Pose[body];
+        BodyPose pose = _bodies.Pose[body];
         BodyReach reach = ReachOf(body, way);
         if (_boxes.Hold(pose, body, reach))
         {
             return true;
         }
 
-        if (IsBullet(body) || _immovable.Count > MostInARow)
+        if (_bodies.IsBullet(body) || _immovable.Count > MostInARow)
         {
             return false;
         }
 
-        for (int collider = FirstCollider(body); collider >= 0; collider = NextCollider(collider))
+        for (int collider = _colliders.First(body); collider >= 0; collider = _colliders.Next(collider))
         {
-            for (int piece = Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
+            for (int piece = _shapes.Colliders[collider].FirstPiece; piece >= 0; piece = _shapes.NextPiece[piece])
             {
                 if (MeetsUnknown(piece, Around(piece, pose, reach)))
                 {
@@ -54,19 +55,19 @@ internal sealed partial class World
         return true;
     }
 
-    void Continuous.IImpactListener.OnWay(Continuous.FastBodySweep sweep, int body, in BodyPath way)
+    void IImpactListener.OnWay(FastBodySweep sweep, int body, in BodyPath way)
     {
         _seeker = sweep;
-        BodyPose pose = Bodies.Pose[body];
+        BodyPose pose = _bodies.Pose[body];
         BodyReach reach = ReachOf(body, way);
         if (_boxes.Hold(pose, body, reach))
         {
             return;
         }
 
-        for (int collider = FirstCollider(body); collider >= 0; collider = NextCollider(collider))
+        for (int collider = _colliders.First(body); collider >= 0; collider = _colliders.Next(collider))
         {
-            for (int piece = Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
+            for (int piece = _shapes.Colliders[collider].FirstPiece; piece >= 0; piece = _shapes.NextPiece[piece])
             {
                 SeekPairs(body, piece, Around(piece, pose, reach));
             }
@@ -76,8 +77,8 @@ internal sealed partial class World
     /// <summary>A box that holds a piece wherever it gets to.</summary>
     private Box Around(int piece, in BodyPose pose, in BodyReach reach)
     {
-        Box box = Shapes.TightBox(piece, pose);
-        double swing = reach.Turn * Shapes.Pieces[piece].Reach;
+        Box box = _shapes.TightBox(piece, pose);
+        double swing = reach.Turn * _shapes.Pieces[piece].Reach;
         return Box.FromDouble(
             box.MinX + reach.MinX - swing,
             box.MinY + reach.MinY - swing,
@@ -107,7 +108,7 @@ internal sealed partial class World
     /// <summary>How far a way leads from where a body is.</summary>
     private BodyReach ReachOf(int body, in BodyPath way)
     {
-        BodyPose pose = Bodies.Pose[body];
+        BodyPose pose = _bodies.Pose[body];
         double endX = way.XAt(1) - pose.X;
         double endY = way.YAt(1) - pose.Y;
 
@@ -123,8 +124,10 @@ internal sealed partial class World
         return reach;
     }
 
-    private void ForgetBeyond()
+    /// <summary>A step has moved its bodies.</summary>
+    public void Begin()
     {
+        _sweepGathered = false;
         _immovableListed = false;
         _queriesSeeStep = false;
     }
@@ -133,7 +136,7 @@ internal sealed partial class World
     private void SeekPairs(int body, int piece, in Box box)
     {
         ListImmovable();
-        if (IsBullet(body) || _immovable.Count > MostInARow)
+        if (_bodies.IsBullet(body) || _immovable.Count > MostInARow)
         {
             AskForPairs(body, piece, box);
             return;
@@ -151,7 +154,7 @@ internal sealed partial class World
     }
 
     /// <summary>Lists what cannot move, if it is not listed yet in this step.</summary>
-    internal void ListImmovable()
+    public void ListImmovable()
     {
         if (_immovableListed)
         {
@@ -160,12 +163,12 @@ internal sealed partial class World
 
         _immovableListed = true;
         _immovable.Clear();
-        for (int piece = 0; piece < Proxies.End; piece++)
+        for (int piece = 0; piece < _proxies.End; piece++)
         {
-            ref ProxyInfo info = ref Proxies.Info[piece];
-            if ((info.Flags & ProxyFlags.Alive) != 0 && !IsMovable(info.Body))
+            ref ProxyInfo info = ref _proxies.Info[piece];
+            if ((info.Flags & ProxyFlags.Alive) != 0 && !_bodies.IsMovable(info.Body))
             {
-                _immovable.Add(piece, Proxies.Fat[piece]);
+                _immovable.Add(piece, _proxies.Fat[piece]);
             }
         }
     }
@@ -175,16 +178,16 @@ internal sealed partial class World
         if (!_queriesSeeStep)
         {
             _queriesSeeStep = true;
-            Queries.Version++;
+            _queries.Version++;
         }
 
         QueryFilter filter = QueryFilter.All;
         filter.IgnoredBody = body;
-        Queries.FindInBox(box, filter, _beyond);
+        _queries.FindInBox(box, filter, _beyond);
         for (int i = 0; i < _beyond.Count; i++)
         {
-            bool moves = IsMovable(Shapes.Colliders[_beyond[i]].Body);
-            for (int other = Shapes.Colliders[_beyond[i]].FirstPiece; other >= 0 && (!moves || IsBullet(body)); other = Shapes.NextPiece[other])
+            bool moves = _bodies.IsMovable(_shapes.Colliders[_beyond[i]].Body);
+            for (int other = _shapes.Colliders[_beyond[i]].FirstPiece; other >= 0 && (!moves || _bodies.IsBullet(body)); other = _shapes.NextPiece[other])
             {
                 SeekPair(piece, other, moves);
             }
@@ -199,7 +202,7 @@ internal sealed partial class World
             return;
         }
 
-        TryCreatePair(key);
+        _pairs.TryCreate(key);
         if (_contacts.Map.TryGet(key, out int contact) && Responds(_contacts.Records[contact]))
         {
             _seeker.Add(contact, moves);

@@ -1,21 +1,48 @@
+using System;
 using Farseer.Engine.Accuracy;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Joints;
+using Farseer.Engine.Settings;
+using Farseer.Engine.Shapes;
 using Farseer.Engine.Solver;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
 /// <summary>What a step reports of itself, and the substeps that a budget of error asks for.</summary>
-internal sealed partial class World
+internal sealed class AccuracyStage
 {
+    private readonly WorldStores _stores;
+    private readonly BodyStore _bodies;
+    private readonly ShapeStore _shapes;
+    private readonly ContactStore _contacts;
+    private readonly ConstraintGraph _graph;
+    private readonly JointStore _joints;
+    private readonly BodyLists _lists;
+    private readonly WorldSettings _settings;
     private ErrorMeter? _meter;
     private EnergyAudit? _audit;
     private ImpactLaw? _impactLaw;
     private StepMeasures _measures;
-    private int _substeps = 1;
     private int _mostSubsteps;
 
     // As they were when the step began: a handler may switch within it.
     private bool _reports;
     private bool _budgeted;
+
+    public AccuracyStage(WorldStores stores)
+    {
+        _stores = stores;
+        _bodies = stores.Bodies;
+        _shapes = stores.Shapes;
+        _contacts = stores.Contacts;
+        _graph = stores.Graph;
+        _joints = stores.Joints;
+        _lists = stores.Lists;
+        _settings = stores.Settings;
+    }
 
     /// <summary>Each step measures what it did. Off by default: then nothing of it runs, and no bit changes either way.</summary>
     public bool ReportEnabled { get; set; }
@@ -29,28 +56,28 @@ internal sealed partial class World
     public ref readonly StepMeasures Measures => ref _measures;
 
     /// <summary>The audit of this step, or null if nobody wants it.</summary>
-    private EnergyAudit? Audit => _reports ? _audit : null;
+    public EnergyAudit? Audit => _reports ? _audit : null;
 
-    private void BeginAccuracy()
+    public void Begin()
     {
         // Once for the whole step: a handler may turn the dial, and the substeps must add up to the step.
-        _substeps = Budget.Choose(Settings.Substeps);
-        _mostSubsteps = _substeps;
+        _stores.Substeps = Budget.Choose(_settings.Substeps);
+        _mostSubsteps = _stores.Substeps;
         _budgeted = Budget.IsOn;
         _reports = ReportEnabled || _budgeted;
         if (_reports)
         {
-            MakeAudit().BeginStep(Bodies);
+            MakeAudit().BeginStep(_bodies);
         }
     }
 
     private EnergyAudit MakeAudit() => _audit ??= new EnergyAudit();
 
-    private ErrorMeter MakeMeter() => _meter ??= new ErrorMeter(Bodies, Shapes, _contacts, _graph, Joints);
+    private ErrorMeter MakeMeter() => _meter ??= new ErrorMeter(_bodies, _shapes, _contacts, _graph, _joints);
 
-    private ImpactLaw MakeImpactLaw() => _impactLaw ??= new ImpactLaw(Bodies, _contacts, _graph, Joints, MakeMeter());
+    private ImpactLaw MakeImpactLaw() => _impactLaw ??= new ImpactLaw(_bodies, _contacts, _graph, _joints, MakeMeter());
 
-    private void EndAccuracy(float dt)
+    public void End(float dt)
     {
         HasMeasured = _reports;
         if (!HasMeasured || _audit == null)
@@ -61,11 +88,11 @@ internal sealed partial class World
         ErrorMeter meter = MakeMeter();
         ImpactLaw impactLaw = MakeImpactLaw();
         _measures = default;
-        _measures.Substeps = _substeps;
+        _measures.Substeps = _stores.Substeps;
         _measures.MostSubsteps = _mostSubsteps;
-        meter.Measure(ref _measures, Settings, _audit);
+        meter.Measure(ref _measures, _settings, _audit);
         _audit.EndStep(ref _measures, meter.Groups, dt);
-        if (UserJoints == null || !UserJoints.Any)
+        if (!_stores.AnyUserJoints)
         {
             impactLaw.Run(ref _measures, _audit, dt);
         }
@@ -88,9 +115,41 @@ internal sealed partial class World
         }
     }
 
-    private unsafe void AuditSolve(in SolverInput input)
+    public unsafe void BeginSolve(in SolverInput input)
     {
-        _mostSubsteps = System.Math.Max(_mostSubsteps, input.Substeps);
+        _mostSubsteps = Math.Max(_mostSubsteps, input.Substeps);
         Audit?.BeginSolve(input.List, input.PaddedCount, input.Substep, input.Joints);
+    }
+
+    /// <summary>Writes, or reads, what later steps and readers read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        ReportEnabled = s.Value(ReportEnabled);
+        HasMeasured = s.Value(HasMeasured);
+        Budget.Visit(s);
+        s.Value(ref _measures);
+        s.Value(ref _mostSubsteps);
+        s.Value(ref _reports);
+        s.Value(ref _budgeted);
+        if (s.Lacks(_audit))
+        {
+            MakeAudit();
+        }
+
+        s.Reference(ref _audit);
+        _audit?.Visit(s);
+        if (s.Lacks(_meter))
+        {
+            MakeMeter();
+        }
+
+        s.Reference(ref _meter);
+        _meter?.Visit(s);
+        if (s.Lacks(_impactLaw))
+        {
+            MakeImpactLaw();
+        }
+
+        s.Reference(ref _impactLaw);
     }
 }

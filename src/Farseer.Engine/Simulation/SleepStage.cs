@@ -1,10 +1,14 @@
 using System.Numerics;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Queries;
+using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
+using Farseer.Engine.Springs;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
@@ -13,11 +17,25 @@ namespace Farseer.Engine.Simulation;
 /// Bodies that rest fall asleep, all at once that hang together by contacts, joints and springs. No phase of a step looks at them. Their
 /// contacts keep rows and impulses, and come back warm when something wakes them; listeners hear of neither.
 /// </summary>
-internal sealed partial class World
+internal sealed partial class SleepStage
 {
     /// <summary>Springs come and go in each step: a group that one of them has left is found after so many.</summary>
     private const int MostStepsUngrouped = 32;
-
+    private readonly WorldStores _stores;
+    private readonly BodyStore _bodies;
+    private readonly ShapeStore _shapes;
+    private readonly ColliderLists _colliders;
+    private readonly ProxyStore _proxies;
+    private readonly JointStore _joints;
+    private readonly ContactStore _contacts;
+    private readonly ConstraintGraph _graph;
+    private readonly IslandStore _islands;
+    private readonly SpringStore _springs;
+    private readonly BodyLists _lists;
+    private readonly WorldSettings _settings;
+    private readonly WorldQueries _queries;
+    private readonly ContactEvents _events;
+    private readonly ContactStage _contactStage;
     private readonly RestJudge _rest = new RestJudge();
     private readonly DormantContacts _dormant = new DormantContacts();
     private readonly IndexList _put = new IndexList();
@@ -25,48 +43,72 @@ internal sealed partial class World
     private readonly IndexList _handled = new IndexList();
     private readonly IndexList _layDown = new IndexList();
     private int _stepsUngrouped;
-    private bool _groupsChanged;
     private Vector2 _gravityAsleep;
     private float _dt;
     private bool _bodiesCollected;
 
+    public SleepStage(WorldStores stores, ContactEvents events, ContactStage contactStage)
+    {
+        _stores = stores;
+        _bodies = stores.Bodies;
+        _shapes = stores.Shapes;
+        _colliders = stores.Colliders;
+        _proxies = stores.Proxies;
+        _joints = stores.Joints;
+        _contacts = stores.Contacts;
+        _graph = stores.Graph;
+        _islands = stores.Islands;
+        _springs = stores.Springs;
+        _lists = stores.Lists;
+        _settings = stores.Settings;
+        _queries = stores.Queries;
+        _events = events;
+        _contactStage = contactStage;
+    }
+
     /// <summary>Bodies asleep.</summary>
     public int AsleepCount { get; private set; }
 
+    /// <summary>Bodies have come into touch, or parted.</summary>
+    public bool GroupsChanged { get; set; }
+
+    /// <summary>Makes room for more bodies.</summary>
+    public void EnsureBodies(int end)
+    {
+        if (_settings.AllowSleep)
+        {
+            _rest.EnsureBodies(end);
+        }
+    }
+
+    /// <summary>A body has to rest anew before it falls asleep.</summary>
+    public void Restart(int body) => _rest.Restart(body);
+
     public bool IsAwake(Handle body)
     {
-        Require(body);
-        return !IsAsleep(body.Index);
+        _bodies.Ids.Require(body, nameof(body));
+        return !_bodies.IsAsleep(body.Index);
     }
 
     /// <summary>Wakes a body and all that hangs together with it. An awake one has to rest anew before it falls asleep.</summary>
     public void WakeUp(Handle body)
     {
-        Require(body);
+        _bodies.Ids.Require(body, nameof(body));
         Wake(body.Index);
     }
 
     /// <summary>Wakes the body in a slot, if one is there.</summary>
     public void WakeUp(int body)
     {
-        if (body > 0 && body < Bodies.Ids.End)
+        if (body > 0 && body < _bodies.Ids.End)
         {
             Wake(body);
         }
     }
 
-    /// <summary>Material or listeners of a collider changed: its body wakes, and so does what rests on it.</summary>
-    public void NoteChanged(Handle collider)
-    {
-        Require(collider, Shapes.ColliderIds, nameof(collider));
-        ref ColliderInfo info = ref Shapes.Colliders[collider.Index];
-        _makesEnergy |= info.Restitution > 1;
-        Disturb(info.Body);
-    }
-
     public void WakeAll()
     {
-        for (int body = 1; AsleepCount > 0 && body < Bodies.Ids.End; body++)
+        for (int body = 1; AsleepCount > 0 && body < _bodies.Ids.End; body++)
         {
             Wake(body);
         }
@@ -78,8 +120,8 @@ internal sealed partial class World
     /// </summary>
     public void PutToSleep(Handle body)
     {
-        Require(body);
-        if (IsStepping)
+        _bodies.Ids.Require(body, nameof(body));
+        if (_stores.IsStepping)
         {
             _putInStep.Add(body.Index);
         }
@@ -93,54 +135,37 @@ internal sealed partial class World
     /// <summary>Somebody got hold of a sleeping body's velocity and may set it: the next step looks.</summary>
     public void NoteHandled(int body)
     {
-        if ((Bodies.Flags[body] & (BodyFlags.Asleep | BodyFlags.Handled)) == BodyFlags.Asleep)
+        if ((_bodies.Flags[body] & (BodyFlags.Asleep | BodyFlags.Handled)) == BodyFlags.Asleep)
         {
-            Bodies.Flags[body] |= BodyFlags.Handled;
+            _bodies.Flags[body] |= BodyFlags.Handled;
             _handled.Add(body);
         }
     }
 
-    /// <summary>Whether nothing moves a body: it sleeps, or is static or kinematic and has no velocity.</summary>
-    internal bool IsStill(int body)
-    {
-        BodyFlags flags = Bodies.Flags[body];
-        if ((flags & (BodyFlags.Static | BodyFlags.Kinematic)) != 0)
-        {
-            ref BodyState state = ref Bodies.State[body];
-            return state.LinearVelocity == Vector2.Zero && state.AngularVelocity == 0;
-        }
-
-        return (flags & BodyFlags.Asleep) != 0 || (flags & BodyFlags.Enabled) == 0;
-    }
-
-    private bool IsAsleep(int body) => (Bodies.Flags[body] & BodyFlags.Asleep) != 0;
-
-    private bool CanMove(int body) => (Bodies.Flags[body] & (BodyFlags.Static | BodyFlags.Kinematic)) == 0;
-
     /// <summary>Joints that a user wrote may hold any body, which only they know.</summary>
-    private bool IsSleepBarred => UserJoints != null && UserJoints.Any;
+    private bool IsSleepBarred => _stores.AnyUserJoints;
 
     /// <summary>At the end of a step: lays down what has rested for long enough.</summary>
-    private unsafe void FallAsleep(float dt)
+    public unsafe void FallAsleep(float dt)
     {
         _bodiesCollected = false;
         bool any = _put.Count > 0;
         _rest.Resting.Clear();
-        if (Settings.AllowSleep && !IsSleepBarred)
+        if (_settings.AllowSleep && !IsSleepBarred)
         {
             RestInput input;
-            input.Bodies = Bodies;
-            input.Settings = Settings;
+            input.Bodies = _bodies;
+            input.Settings = _settings;
             input.Active = _lists.Active;
             input.ActiveCount = _lists.ActiveCount;
             input.Moves = _lists.Moves;
             input.Degrees = _graph.Degrees;
             input.Islands = _islands;
             input.Dt = dt;
-            bool isDue = _rest.Watch(_runner, input);
-            if (_rest.AnyRested && (!_graph.Changed || _graph.RowCount == 0) && (isDue || _groupsChanged || ++_stepsUngrouped >= MostStepsUngrouped))
+            bool isDue = _rest.Watch(_stores.Runner, input);
+            if (_rest.AnyRested && (!_graph.Changed || _graph.RowCount == 0) && (isDue || GroupsChanged || ++_stepsUngrouped >= MostStepsUngrouped))
             {
-                _groupsChanged = false;
+                GroupsChanged = false;
                 _stepsUngrouped = 0;
                 FormGroups(input);
             }
@@ -155,7 +180,7 @@ internal sealed partial class World
         if (any)
         {
             LayDownContacts();
-            _events.LeaveOut(this);
+            _events.LeaveOut();
             Leave(_rest.Resting);
             Leave(_put);
         }
@@ -164,7 +189,7 @@ internal sealed partial class World
         for (int i = 0; i < _putInStep.Count; i++)
         {
             int body = _putInStep[i];
-            if (Bodies.Ids.IsUsed(body) && MayLieDown(body))
+            if (_bodies.Ids.IsUsed(body) && MayLieDown(body))
             {
                 LieDown(body);
                 _put.Add(body);
@@ -179,11 +204,11 @@ internal sealed partial class World
         // Not only those that the step began with: a handler may have set one going since.
         RestartBesideDriven();
         _rest.Open(input);
-        for (int joint = 0; joint < Joints.Ids.End; joint++)
+        for (int joint = 0; joint < _joints.Ids.End; joint++)
         {
             const JointFlags Acts = JointFlags.Alive | JointFlags.Enabled;
-            JointLink link = Joints.Links[joint];
-            if ((Joints.Flags[joint] & Acts) == Acts && (input.Moves[link.BodyA] & input.Moves[link.BodyB]) != 0)
+            JointLink link = _joints.Links[joint];
+            if ((_joints.Flags[joint] & Acts) == Acts && (input.Moves[link.BodyA] & input.Moves[link.BodyB]) != 0)
             {
                 _rest.Join(link.BodyA, link.BodyB);
             }
@@ -220,27 +245,27 @@ internal sealed partial class World
     }
 
     private bool Sleeps(int bodyA, int bodyB) =>
-        (IsAsleep(bodyA) || IsAsleep(bodyB)) && IsStill(bodyA) && IsStill(bodyB);
+        (_bodies.IsAsleep(bodyA) || _bodies.IsAsleep(bodyB)) && _bodies.IsStill(bodyA) && _bodies.IsStill(bodyB);
 
-    private bool IsDriven(int body) => !CanMove(body) && !IsStill(body);
+    private bool IsDriven(int body) => !_bodies.IsMovable(body) && !_bodies.IsStill(body);
 
     private bool MayLieDown(int body)
     {
         const BodyFlags Awake = BodyFlags.Alive | BodyFlags.Enabled;
         const BodyFlags All = Awake | BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.Asleep | BodyFlags.NeverSleeps;
-        return (Bodies.Flags[body] & All) == Awake && Settings.AllowSleep && !IsSleepBarred;
+        return (_bodies.Flags[body] & All) == Awake && _settings.AllowSleep && !IsSleepBarred;
     }
 
     private void LieDown(int body)
     {
         AsleepCount++;
-        Bodies.Flags[body] |= BodyFlags.Asleep;
-        ref BodyState state = ref Bodies.State[body];
+        _bodies.Flags[body] |= BodyFlags.Asleep;
+        ref BodyState state = ref _bodies.State[body];
         state.LinearVelocity = Vector2.Zero;
         state.AngularVelocity = 0;
-        Bodies.Motion[body] = default;
-        Bodies.ClearResidual(body);
-        Bodies.Force[body] = default;
+        _bodies.Motion[body] = default;
+        _bodies.ClearResidual(body);
+        _bodies.Force[body] = default;
         _lists.SetMoving(body, false);
     }
 
@@ -274,7 +299,7 @@ internal sealed partial class World
 
         if (_layDown.Count > 0)
         {
-            _dormant.Reserve(_contacts.Records.Capacity, Bodies.State.Capacity);
+            _dormant.Reserve(_contacts.Records.Capacity, _bodies.State.Capacity);
         }
 
         for (int i = 0; i < _layDown.Count; i++)
@@ -300,24 +325,41 @@ internal sealed partial class World
         for (int i = 0; i < bodies.Count; i++)
         {
             int body = bodies[i];
-            if (!IsAsleep(body))
+            if (!_bodies.IsAsleep(body))
             {
                 continue;
             }
 
-            Bodies.Visited.Clear(body);
-            for (int collider = _firstCollider[body]; collider >= 0; collider = _nextCollider[collider])
+            _bodies.Visited.Clear(body);
+            for (int collider = _colliders.First(body); collider >= 0; collider = _colliders.Next(collider))
             {
-                for (int piece = Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
+                for (int piece = _shapes.Colliders[collider].FirstPiece; piece >= 0; piece = _shapes.NextPiece[piece])
                 {
-                    Shapes.VisitedPieces.Clear(piece);
-                    _contactStage.WriteSides(this, _lists.Moves, piece);
-                    if (Queries.IsUsed)
+                    _shapes.VisitedPieces.Clear(piece);
+                    _contactStage.WriteSides(_stores, _lists.Moves, piece);
+                    if (_queries.IsUsed)
                     {
-                        Queries.Changed(piece);
+                        _queries.Changed(piece);
                     }
                 }
             }
         }
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        _rest.Visit(s);
+        _dormant.Visit(s);
+        _put.Visit(s);
+        _putInStep.Visit(s);
+        _handled.Visit(s);
+        _layDown.Visit(s);
+        s.Value(ref _stepsUngrouped);
+        GroupsChanged = s.Value(GroupsChanged);
+        s.Value(ref _gravityAsleep);
+        s.Value(ref _dt);
+        s.Value(ref _bodiesCollected);
+        AsleepCount = s.Value(AsleepCount);
     }
 }

@@ -1,14 +1,19 @@
 using System;
+using Farseer.Engine.Bodies;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Islands;
 using Farseer.Engine.Shapes;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
-/// <content>
+/// <summary>
 /// Room for contacts to come. Bodies that touch nothing yet will pile up, and a pile has several contacts a body: what grew with them
 /// went on allocating for seconds. A pile that was built as one and does not bounce has its contacts in its first step, and gets no more room
 /// than these need. What is not used is address space that nobody touches.
-/// </content>
-internal sealed partial class World
+/// </summary>
+internal sealed class ContactRoom
 {
     /// <summary>
     /// Pairs and rows for each piece: of the timing scenes smash and spinner come to 9 pairs and 4.9 rows, piles of discs or polygons to 4
@@ -27,11 +32,37 @@ internal sealed partial class World
     private const int ScratchAPair = 16;
     private const int ScratchARow = 12;
     private const int ScratchAPiece = 64;
-
+    private readonly WorldStores _stores;
+    private readonly BodyStore _bodies;
+    private readonly ShapeStore _shapes;
+    private readonly ContactStore _contacts;
+    private readonly ConstraintGraph _graph;
+    private readonly IslandStore _islands;
+    private readonly ContactStage _contactStage;
+    private readonly PairFinder _pairs;
+    private readonly SweepStage _sweeps;
+    private readonly SolveStage _solve;
     private bool _roomIsDue;
 
+    public ContactRoom(WorldStores stores, ContactStage contactStage, PairFinder pairs, SweepStage sweeps, SolveStage solve)
+    {
+        _stores = stores;
+        _bodies = stores.Bodies;
+        _shapes = stores.Shapes;
+        _contacts = stores.Contacts;
+        _graph = stores.Graph;
+        _islands = stores.Islands;
+        _contactStage = contactStage;
+        _pairs = pairs;
+        _sweeps = sweeps;
+        _solve = solve;
+    }
+
+    /// <summary>Colliders have come.</summary>
+    public void NoteDue() => _roomIsDue = true;
+
     /// <summary>Makes room once colliders have come, after their first contacts are known.</summary>
-    private void MakeRoomAhead()
+    public void MakeAhead()
     {
         if (!_roomIsDue || _contacts.Count == 0)
         {
@@ -39,18 +70,16 @@ internal sealed partial class World
         }
 
         _roomIsDue = false;
-        _islands.Reserve(Bodies.State.Capacity, _graph.RowCount);
+        _islands.Reserve(_bodies.State.Capacity, _graph.RowCount);
         int pieces = CountPieces(out int hulls, out int immovable, out bool anySeveral);
-        _immovable.Reserve(Math.Min(immovable, MostInARow + 1));
+        _sweeps.Reserve(immovable);
         if (_graph.RowCount * 2L >= (long)DenseTwice * pieces && !_contactStage.AnyBounce)
         {
             return;
         }
 
-        Bodies.EnsureResiduals();
-        _sagForecast.Reserve(Bodies.State.Capacity);
-        _feedForward.Reserve(Bodies.State.Capacity);
-        _carriedPushes.Reserve(Bodies.State.Capacity);
+        _bodies.EnsureResiduals();
+        _solve.ReserveBodies(_bodies.State.Capacity);
         pieces = Math.Min(pieces, MostPieces);
         int pairs = PairsAPiece * pieces;
         int rows = RowsAPiece * pieces;
@@ -58,12 +87,12 @@ internal sealed partial class World
         _contacts.Compounds.EnsureCapacity(anySeveral ? Math.Max(2 * _contacts.Compounds.Count, pieces / 4) : 0);
         _pairs.Expect(pairs);
         _graph.Reserve(rows);
-        _solver.Reserve(_graph.Arena.Capacity);
-        _islands.Reserve(Bodies.State.Capacity, rows);
-        Scratch.Reserve((ScratchAPair * pairs) + (ScratchARow * rows) + (ScratchAPiece * Shapes.PieceIds.End));
+        _solve.ReserveRows(_graph.Arena.Capacity);
+        _islands.Reserve(_bodies.State.Capacity, rows);
+        _stores.Scratch.Reserve((ScratchAPair * pairs) + (ScratchARow * rows) + (ScratchAPiece * _shapes.PieceIds.End));
         if (hulls * 2 > pieces)
         {
-            _contactStage.ReserveForGaps(this, _contacts);
+            _contactStage.ReserveForGaps(_stores, _contacts);
         }
     }
 
@@ -74,20 +103,20 @@ internal sealed partial class World
         anySeveral = false;
         hulls = 0;
         immovable = 0;
-        for (int i = 0; i < Shapes.PieceIds.End; i++)
+        for (int i = 0; i < _shapes.PieceIds.End; i++)
         {
-            ref Piece piece = ref Shapes.Pieces[i];
-            if (!Shapes.PieceIds.IsUsed(i))
+            ref Piece piece = ref _shapes.Pieces[i];
+            if (!_shapes.PieceIds.IsUsed(i))
             {
                 continue;
             }
 
-            anySeveral |= Shapes.NextPiece[i] >= 0;
-            if (!IsMovable(piece.Body))
+            anySeveral |= _shapes.NextPiece[i] >= 0;
+            if (!_bodies.IsMovable(piece.Body))
             {
                 immovable++;
             }
-            else if (Shapes.Colliders[piece.Collider].Group == 0)
+            else if (_shapes.Colliders[piece.Collider].Group == 0)
             {
                 count++;
                 hulls += piece.Kind != ShapeKind.Box && piece.Kind != ShapeKind.Circle ? 1 : 0;
@@ -95,5 +124,12 @@ internal sealed partial class World
         }
 
         return count;
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        s.Value(ref _roomIsDue);
+        _roomIsDue |= s.IsReading && s.Room is not null;
     }
 }

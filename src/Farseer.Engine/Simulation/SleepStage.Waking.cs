@@ -8,26 +8,26 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
-/// <summary>What wakes bodies: changes from outside, awake bodies that come into touch, springs, and the ground when it moves.</summary>
-internal sealed partial class World
+/// <content>What wakes bodies: changes from outside, awake bodies that come into touch, springs, and the ground when it moves.</content>
+internal sealed partial class SleepStage
 {
     [NotState(Why.OfOneStep)]
     private readonly IndexList _flood = new IndexList();
 
     /// <summary>A pair that is about to touch wakes the side that sleeps.</summary>
     /// <returns>False if both sides go on sleeping: nothing has come near, they were put to sleep where they touch.</returns>
-    internal bool WakeByContact(in ContactRecord record)
+    public bool WakeByContact(in ContactRecord record)
     {
-        bool asleepA = IsAsleep(record.BodyA);
-        bool asleepB = IsAsleep(record.BodyB);
+        bool asleepA = _bodies.IsAsleep(record.BodyA);
+        bool asleepB = _bodies.IsAsleep(record.BodyB);
         if (!asleepA && !asleepB)
         {
             return true;
         }
 
         int piece = asleepA ? record.PieceA : record.PieceB;
-        bool isFresh = (Proxies.Info[piece].Flags & ProxyFlags.Moved) != 0;
-        if ((asleepA && asleepB) || (isFresh && IsStill(asleepA ? record.BodyB : record.BodyA)))
+        bool isFresh = (_proxies.Info[piece].Flags & ProxyFlags.Moved) != 0;
+        if ((asleepA && asleepB) || (isFresh && _bodies.IsStill(asleepA ? record.BodyB : record.BodyA)))
         {
             return false;
         }
@@ -38,11 +38,11 @@ internal sealed partial class World
 
     /// <summary>A spring wakes a sleeping end if the other end moves.</summary>
     /// <returns>False if no end is awake: the spring has nothing to do.</returns>
-    private bool WakesBySpring(int bodyA, int bodyB)
+    public bool WakesBySpring(int bodyA, int bodyB)
     {
-        bool asleepA = IsAsleep(bodyA);
-        bool asleepB = IsAsleep(bodyB);
-        if ((asleepA && IsStill(bodyB)) || (asleepB && IsStill(bodyA)))
+        bool asleepA = _bodies.IsAsleep(bodyA);
+        bool asleepB = _bodies.IsAsleep(bodyB);
+        if ((asleepA && _bodies.IsStill(bodyB)) || (asleepB && _bodies.IsStill(bodyA)))
         {
             return false;
         }
@@ -59,7 +59,7 @@ internal sealed partial class World
     /// A body was changed from outside: it wakes, and so does what rests on it. One that was put to sleep and has not seen a step since is
     /// still being built.
     /// </summary>
-    private void Disturb(int body)
+    public void Disturb(int body)
     {
         _rest.Restart(body);
         if (AsleepCount == 0 || body == 0)
@@ -67,21 +67,21 @@ internal sealed partial class World
             return;
         }
 
-        if (!IsAsleep(body))
+        if (!_bodies.IsAsleep(body))
         {
             WakeTouching(body);
         }
-        else if ((Bodies.Flags[body] & BodyFlags.Moved) == 0)
+        else if ((_bodies.Flags[body] & BodyFlags.Moved) == 0)
         {
             Wake(body);
         }
     }
 
     /// <summary>A joint at the body changed.</summary>
-    private void DisturbByJoint(int body)
+    public void DisturbByJoint(int body)
     {
         _rest.Restart(body);
-        if (IsAsleep(body) && (Bodies.Flags[body] & BodyFlags.Moved) == 0)
+        if (_bodies.IsAsleep(body) && (_bodies.Flags[body] & BodyFlags.Moved) == 0)
         {
             Wake(body);
         }
@@ -95,24 +95,24 @@ internal sealed partial class World
             WakeBodiesOf(_contacts.Records[entry >> 1]);
         }
 
-        for (int entry = Joints.First(body); entry >= 0; entry = Joints.Next(entry))
+        for (int entry = _joints.First(body); entry >= 0; entry = _joints.Next(entry))
         {
-            JointLink link = Joints.Links[entry >> 1];
+            JointLink link = _joints.Links[entry >> 1];
             Wake(link.BodyA == body ? link.BodyB : link.BodyA);
         }
     }
 
-    private void WakeBodiesOf(ContactRecord record)
+    public void WakeBodiesOf(ContactRecord record)
     {
         Wake(record.BodyA);
         Wake(record.BodyB);
     }
 
     /// <summary>Floods from a body over the rows and joints that sleep.</summary>
-    private void Wake(int body)
+    public void Wake(int body)
     {
         _rest.Restart(body);
-        if (!IsAsleep(body))
+        if (!_bodies.IsAsleep(body))
         {
             return;
         }
@@ -127,10 +127,10 @@ internal sealed partial class World
                 TakeUp(entry >> 1, woken);
             }
 
-            for (int entry = Joints.First(woken); entry >= 0; entry = Joints.Next(entry))
+            for (int entry = _joints.First(woken); entry >= 0; entry = _joints.Next(entry))
             {
-                JointLink link = Joints.Links[entry >> 1];
-                if ((Joints.Flags[entry >> 1] & JointFlags.Enabled) != 0)
+                JointLink link = _joints.Links[entry >> 1];
+                if ((_joints.Flags[entry >> 1] & JointFlags.Enabled) != 0)
                 {
                     Reach(link.BodyA == woken ? link.BodyB : link.BodyA);
                 }
@@ -141,27 +141,27 @@ internal sealed partial class World
     /// <summary>Gets a body up, if it sleeps.</summary>
     private void Reach(int body)
     {
-        if (!IsAsleep(body))
+        if (!_bodies.IsAsleep(body))
         {
             return;
         }
 
         AsleepCount--;
-        Bodies.Flags[body] &= ~(BodyFlags.Asleep | BodyFlags.Handled);
-        Bodies.Visited.Set(body);
+        _bodies.Flags[body] &= ~(BodyFlags.Asleep | BodyFlags.Handled);
+        _bodies.Visited.Set(body);
         _rest.Restart(body);
-        for (int collider = _firstCollider[body]; collider >= 0; collider = _nextCollider[collider])
+        for (int collider = _colliders.First(body); collider >= 0; collider = _colliders.Next(collider))
         {
-            for (int piece = Shapes.Colliders[collider].FirstPiece; piece >= 0; piece = Shapes.NextPiece[piece])
+            for (int piece = _shapes.Colliders[collider].FirstPiece; piece >= 0; piece = _shapes.NextPiece[piece])
             {
-                Shapes.VisitedPieces.Set(piece);
+                _shapes.VisitedPieces.Set(piece);
             }
         }
 
         _lists.SetMoving(body, true);
         if (_bodiesCollected)
         {
-            _lists.Join(Bodies, body, _dt);
+            _lists.Join(_bodies, body, _dt);
         }
 
         _flood.Add(body);
@@ -173,7 +173,7 @@ internal sealed partial class World
         _dormant.Remove(contact, record);
         if (record.Color == ContactRecord.DormantRow)
         {
-            _graph.TakeUp(contact, ref record, _contacts.Records, CanMove(record.BodyA), CanMove(record.BodyB));
+            _graph.TakeUp(contact, ref record, _contacts.Records, _bodies.IsMovable(record.BodyA), _bodies.IsMovable(record.BodyB));
             Reach(record.BodyA == woken ? record.BodyB : record.BodyA);
         }
         else
@@ -181,26 +181,26 @@ internal sealed partial class World
             _contacts.AddIdle(contact);
         }
 
-        _events.Woke(this, record);
+        _events.Woke(record);
     }
 
     /// <summary>At the start of a step: what has been set from outside since the last one.</summary>
-    private void WakeWhatChanged(float dt)
+    public void WakeWhatChanged(float dt)
     {
         _dt = dt;
-        bool isTurned = _lastSubstep > 0 && Settings.GravityWakes && Settings.Gravity != _gravityAsleep;
-        if (AsleepCount > 0 && (!Settings.AllowSleep || isTurned || IsSleepBarred))
+        bool isTurned = _stores.LastSubstep > 0 && _settings.GravityWakes && _settings.Gravity != _gravityAsleep;
+        if (AsleepCount > 0 && (!_settings.AllowSleep || isTurned || IsSleepBarred))
         {
             WakeAll();
         }
 
-        _gravityAsleep = Settings.Gravity;
+        _gravityAsleep = _settings.Gravity;
         for (int i = 0; i < _handled.Count; i++)
         {
             int body = _handled[i];
-            ref BodyState state = ref Bodies.State[body];
-            Bodies.Flags[body] &= ~BodyFlags.Handled;
-            if (IsAsleep(body) && (state.LinearVelocity != Vector2.Zero || state.AngularVelocity != 0))
+            ref BodyState state = ref _bodies.State[body];
+            _bodies.Flags[body] &= ~BodyFlags.Handled;
+            if (_bodies.IsAsleep(body) && (state.LinearVelocity != Vector2.Zero || state.AngularVelocity != 0))
             {
                 Wake(body);
             }
@@ -215,7 +215,7 @@ internal sealed partial class World
     }
 
     /// <summary>After the bodies are known: what stands on something that has a velocity does not sleep.</summary>
-    private void WakeByDriven()
+    public void WakeByDriven()
     {
         _bodiesCollected = true;
         for (int i = 0; AsleepCount > 0 && i < _lists.Driven.Count; i++)
@@ -250,10 +250,10 @@ internal sealed partial class World
     {
         for (int i = 0; i < _put.Count; i++)
         {
-            for (int entry = Joints.First(_put[i]); IsAsleep(_put[i]) && entry >= 0; entry = Joints.Next(entry))
+            for (int entry = _joints.First(_put[i]); _bodies.IsAsleep(_put[i]) && entry >= 0; entry = _joints.Next(entry))
             {
-                JointLink link = Joints.Links[entry >> 1];
-                if ((Joints.Flags[entry >> 1] & JointFlags.Enabled) != 0 && !(IsStill(link.BodyA) && IsStill(link.BodyB)))
+                JointLink link = _joints.Links[entry >> 1];
+                if ((_joints.Flags[entry >> 1] & JointFlags.Enabled) != 0 && !(_bodies.IsStill(link.BodyA) && _bodies.IsStill(link.BodyB)))
                 {
                     _layDown.Add(_put[i]);
                 }
@@ -271,9 +271,9 @@ internal sealed partial class World
                 {
                     int a = row->BodyA[lane];
                     int b = row->BodyB[lane];
-                    if (IsAsleep(a) != IsAsleep(b) && !(IsStill(a) && IsStill(b)))
+                    if (_bodies.IsAsleep(a) != _bodies.IsAsleep(b) && !(_bodies.IsStill(a) && _bodies.IsStill(b)))
                     {
-                        _layDown.Add(IsAsleep(a) ? a : b);
+                        _layDown.Add(_bodies.IsAsleep(a) ? a : b);
                     }
                 }
             }

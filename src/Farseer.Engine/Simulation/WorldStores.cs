@@ -1,0 +1,147 @@
+using Farseer.Engine.Bodies;
+using Farseer.Engine.BroadPhase;
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Graph;
+using Farseer.Engine.Islands;
+using Farseer.Engine.Joints;
+using Farseer.Engine.Queries;
+using Farseer.Engine.Settings;
+using Farseer.Engine.Shapes;
+using Farseer.Engine.Springs;
+using Farseer.Engine.Stepping;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Simulation;
+
+/// <summary>What all phases of a step share: the stores, the settings, who listens and who works.</summary>
+internal sealed class WorldStores
+{
+    private float _lastSubstep;
+    private bool _makesEnergy;
+    private int _substeps = 1;
+
+    public WorldStores()
+    {
+        Contacts = new ContactStore(Shapes);
+        JointSolver = new JointSolver(Joints);
+        Queries = new WorldQueries(Shapes, Bodies);
+    }
+
+    public WorldSettings Settings { get; } = new WorldSettings();
+
+    public StepProfile Profile { get; } = new StepProfile();
+
+    public StepWorkers Workers { get; } = new StepWorkers();
+
+    public BodyStore Bodies { get; } = new BodyStore();
+
+    public ShapeStore Shapes { get; } = new ShapeStore();
+
+    public ColliderLists Colliders { get; } = new ColliderLists();
+
+    public ProxyStore Proxies { get; } = new ProxyStore();
+
+    public ContactStore Contacts { get; }
+
+    public ConstraintGraph Graph { get; } = new ConstraintGraph();
+
+    public IslandStore Islands { get; } = new IslandStore();
+
+    public JointStore Joints { get; } = new JointStore();
+
+    public JointSolver JointSolver { get; }
+
+    public SpringStore Springs { get; } = new SpringStore();
+
+    /// <summary>The bodies of a step, by what is done with them.</summary>
+    public BodyLists Lists { get; } = new BodyLists();
+
+    /// <summary>Rays, boxes, shapes and points against all colliders, at any time.</summary>
+    public WorldQueries Queries { get; }
+
+    public IBroadPhase BroadPhase { get; set; } = new LevelGrid();
+
+    [NotState(Why.Fixed)]
+    public IStepHooks? Hooks { get; set; }
+
+    /// <summary>Who hears of broken joints and solves those that a user wrote.</summary>
+    [NotState(Why.Fixed)]
+    public IUserJoints? UserJoints { get; set; }
+
+    /// <summary>True while a step runs: removals then wait for the next one.</summary>
+    [NotState(Why.Calm)]
+    public bool IsStepping { get; set; }
+
+    /// <summary>Some restitution is above 1.</summary>
+    public bool MakesEnergy
+    {
+        get => _makesEnergy;
+        set => _makesEnergy = value;
+    }
+
+    /// <summary>Of the step under way, or of the last one.</summary>
+    public int Substeps
+    {
+        get => _substeps;
+        set => _substeps = value;
+    }
+
+    /// <summary>Seconds of a substep of the last step; 0 before the first.</summary>
+    public float LastSubstep
+    {
+        get => _lastSubstep;
+        set => _lastSubstep = value;
+    }
+
+    /// <summary>Shares the work of a step out.</summary>
+    public StageRunner Runner => Workers.Runner;
+
+    /// <summary>Memory of the phases of a step, which all that is taken is given back to at its end.</summary>
+    public Scratch Scratch => Proxies.Scratch;
+
+    /// <summary>Joints that a user wrote act, which may hold any body: only they know.</summary>
+    public bool AnyUserJoints => UserJoints != null && UserJoints.Any;
+
+    public DrivenBound DrivenBoundOf(float dt) => new DrivenBound(dt, _substeps, Settings.MostDrivenSpeed, Settings.MostDrivenSpin);
+
+    /// <summary>Whether something besides contacts may move a body.</summary>
+    public bool IsHeldApart(int body) => Joints.Degree(body) > 0 || Springs.Touches(body) || AnyUserJoints;
+
+    /// <summary>Makes room for more bodies.</summary>
+    public void EnsureBodies(int end)
+    {
+        Bodies.Set.EnsureCapacity(end);
+        Graph.EnsureBodies(end);
+        Colliders.EnsureBodies(end);
+    }
+
+    /// <summary>Makes room for more colliders.</summary>
+    public void EnsureColliders(int end)
+    {
+        Shapes.Colliders.EnsureCapacity(end);
+        Colliders.EnsureColliders(end);
+    }
+
+    /// <summary>Writes, or reads, what later steps read of it.</summary>
+    public void Visit(StateStream s)
+    {
+        Settings.Visit(s);
+        Bodies.Visit(s);
+        Shapes.Visit(s);
+        Colliders.Visit(s);
+        Proxies.Visit(s);
+        Contacts.Visit(s);
+        Graph.Visit(s);
+        Islands.Visit(s);
+        Joints.Visit(s);
+        JointSolver.Visit(s);
+        Springs.Visit(s);
+        Lists.Visit(s);
+        BroadPhase = s.Reference(BroadPhase)!;
+        BroadPhase.Visit(s);
+        Queries.Visit(s);
+        s.Value(ref _makesEnergy);
+        s.Value(ref _substeps);
+        s.Value(ref _lastSubstep);
+    }
+}
