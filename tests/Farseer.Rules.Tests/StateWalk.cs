@@ -197,7 +197,9 @@ internal sealed class StateWalk
         List<(OpCode Code, MemberInfo? Member)> il = [.. Read(constructor)];
         for (int i = 1; i < il.Count; i++)
         {
-            if (il[i].Code == OpCodes.Stfld && il[i - 1].Code.Name!.StartsWith("ldarg", StringComparison.Ordinal))
+            // As it was given, or read from a property of what was given.
+            int from = i > 1 && il[i - 1].Member is MethodBase called && IsProperty(called) ? i - 2 : i - 1;
+            if (il[i].Code == OpCodes.Stfld && il[from].Code.Name!.StartsWith("ldarg", StringComparison.Ordinal))
             {
                 _given.Add(Key((FieldInfo)il[i].Member!));
             }

@@ -19,6 +19,7 @@ internal interface IContactVisitor
 }
 
 /// <summary>What readers ask of contacts between steps.</summary>
+[NotState(Why.OfOneStep)]
 internal sealed class ContactReader
 {
     private readonly WorldStores _stores;

@@ -7,6 +7,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Simulation;
 
 /// <summary>Pairs whose surfaces are not what the coefficients of their colliders say.</summary>
+[NotState(Why.Fixed)]
 internal sealed class SurfaceStage
 {
     private readonly WorldStores _stores;
@@ -23,7 +24,6 @@ internal sealed class SurfaceStage
     }
 
     /// <summary>Says what surfaces are; null: all are what their colliders say.</summary>
-    [NotState(Why.Elsewhere)]
     public IPairSurfaces? Judge { get; set; }
 
     /// <summary>From now on some collider has a surface of its own, or all pairs are judged.</summary>

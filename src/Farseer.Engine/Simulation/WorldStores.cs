@@ -31,6 +31,7 @@ internal sealed class WorldStores
 
     public StepProfile Profile { get; } = new StepProfile();
 
+    [NotState(Why.Running)]
     public StepWorkers Workers { get; } = new StepWorkers();
 
     public BodyStore Bodies { get; } = new BodyStore();
