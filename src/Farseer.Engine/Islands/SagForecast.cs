@@ -3,7 +3,7 @@ using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
-using Farseer.Engine.Joints;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Storage;
 
@@ -364,14 +364,14 @@ internal sealed unsafe class SagForecast
             }
 
             byte doublings = 0;
-            for (double limit = LargestShare; share > limit && doublings < JointSolver.MostDoublings; limit *= Growth)
+            for (double limit = LargestShare; share > limit && doublings < JointLoads.MostDoublings; limit *= Growth)
             {
                 doublings++;
             }
 
             int levels = islands.FirstSlot[i + 1] - islands.FirstSlot[i];
             bool wide = _islands[i].Bodies > WideShare * levels;
-            if (doublings > 0 && doublings < JointSolver.MostDoublings && levels >= ManyLevels && wide)
+            if (doublings > 0 && doublings < JointLoads.MostDoublings && levels >= ManyLevels && wide)
             {
                 doublings++;
             }

@@ -2,53 +2,16 @@ using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Joints.Chains;
+using Farseer.Engine.Joints.Lanes;
+using Farseer.Engine.Joints.Loose;
 using Farseer.Engine.Joints.Nets;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints;
-
-/// <summary>What the joints see of a step.</summary>
-[NotState(Why.OfOneStep)]
-internal unsafe struct JointStep
-{
-    public StageRunner Runner;
-    public BodyStore Bodies;
-
-    /// <summary>1 for a body that the solver may move.</summary>
-    public byte* Moves;
-    public double Dt;
-    public double Substep;
-
-    /// <summary>Contact rows at each body.</summary>
-    public int* Touches;
-
-    /// <summary>Ratio of this step's substep to the last one's.</summary>
-    public double ImpulseScale;
-
-    /// <summary>
-    /// The share of the last impulses to start from: those of a longer substep by the ratio, those of a shorter one as they are. Of an impulse
-    /// nothing says how much was a blow, which does not go by the length of the substep; a step of 1/60 s after one of 10⁻⁴ s would repeat
-    /// it 167 times as hard.
-    /// </summary>
-    public readonly double StartScale => Math.Min(1, ImpulseScale);
-
-    /// <summary>Errors stay: joints only stop what would make them larger.</summary>
-    public bool Drifts;
-
-    /// <summary>Somebody asks for the work of motors and springs, or for what contacts give.</summary>
-    public bool Audited;
-
-    /// <summary>Sums what contacts give, if somebody reads it.</summary>
-    public ContactImpulses? Impulses;
-
-    /// <summary>Others look at velocities between the passes, or change them: springs, joints that a user wrote, accounts.</summary>
-    public bool Watched;
-
-    /// <summary>A joint that breaks still acts in the step.</summary>
-    public bool BreaksLate;
-}
 
 /// <summary>
 /// The joints' part of a substep. Hard rows of a tree and the limits that hold are eliminated exactly; all other rows (contacts,
@@ -56,30 +19,105 @@ internal unsafe struct JointStep
 /// a light chain is felt as heavy. Then positions are corrected along the same directions, which makes the motion symplectic: it
 /// keeps its energy. Velocities are double here; the store's floats are read and written once a pass.
 /// </summary>
-internal sealed unsafe partial class JointSolver : IStageWork
+internal sealed unsafe class JointSolver
 {
-    private readonly JointStore _store;
-    private readonly JointForest _forest = new JointForest();
-    private readonly Column<ActiveJoint> _active = new Column<ActiveJoint>();
-    private readonly Column<JointRows> _rows = new Column<JointRows>();
-    private readonly JointPass _pass = new JointPass();
-    private readonly TreeContactPass _contactPass = new TreeContactPass();
-    private readonly TreeLoops _loops;
-    private readonly JointKinds _kinds = new JointKinds();
+    private readonly JointWork _work;
+    private readonly Column<ActiveJoint> _active;
+    private readonly Column<int> _agenda;
+    private readonly ChainSolver _chains;
+    private readonly TreeContactPass _contactPass;
+    private readonly JointForest _forest;
+    private readonly Column<int> _joints;
+    private readonly TreeLanes _lanes;
+    private readonly LooseSolver _loose;
     private readonly NetSolver _nets;
-    private JointStep _step;
-    private int _count;
+    private readonly Column<int> _nodes;
+    private readonly JointPass _pass;
+    private readonly Column<JointRows> _rows;
+    private readonly JointStore _store;
+    private readonly Column<int> _trees;
 
-    public JointSolver(JointStore store)
+    public JointSolver(JointWork work)
     {
-        _store = store;
-        _loops = new TreeLoops(_forest, _active, _rows);
-        _nets = new NetSolver(store);
-        _chains = new ChainSolver(store);
+        _work = work;
+        _active = work.Active;
+        _agenda = work.Agenda;
+        _chains = work.Chains;
+        _contactPass = work.ContactPass;
+        _forest = work.Forest;
+        _joints = work.Joints;
+        _lanes = work.Lanes;
+        _loose = work.Loose;
+        _nets = work.Nets;
+        _nodes = work.Nodes;
+        _pass = work.Pass;
+        _rows = work.Rows;
+        _store = work.Store;
+        _trees = work.Trees;
+        Collection = new JointCollection(this, work);
+        Bodies = new TreeBodies(work);
+        Rows = new TreeRows(this, work);
+        Limits = new TreeLimits(this, work);
+        Responses = new TreeResponses(this, work);
+        Positions = new TreePositions(this, work);
+        Projection = new TreeProjection(this, work);
+        Overruns = new JointOverruns(this, work);
+        Impacts = new TreeImpacts(this, work);
+        Contacts = new TreeContacts(this, work);
+        Wishes = new JointWishes(this, work);
+        Loads = new JointLoads(work);
+        Lanes = new TreesOnLanes(this, work);
+        Chains = new TreesAsChains(this, work);
+        Sweeps = new TreeSweeps(this, work);
     }
 
+    /// <summary>Which joints act, and the trees they make.</summary>
+    public JointCollection Collection { get; }
+
+    /// <summary>Bodies of trees: masses, poses and velocities in double.</summary>
+    public TreeBodies Bodies { get; }
+
+    /// <summary>Rows, their errors and their targets.</summary>
+    public TreeRows Rows { get; }
+
+    /// <summary>Which limits hold.</summary>
+    public TreeLimits Limits { get; }
+
+    /// <summary>What a tree answers to impulses.</summary>
+    public TreeResponses Responses { get; }
+
+    /// <summary>Corrections of positions, and displacements.</summary>
+    public TreePositions Positions { get; }
+
+    /// <summary>Trees whose corrections went astray.</summary>
+    public TreeProjection Projection { get; }
+
+    /// <summary>Limits that were passed.</summary>
+    public JointOverruns Overruns { get; }
+
+    /// <summary>Impacts of bodies of trees.</summary>
+    public TreeImpacts Impacts { get; }
+
+    /// <summary>Contacts with bodies of trees.</summary>
+    public TreeContacts Contacts { get; }
+
+    /// <summary>What motors and springs would do, which contacts may forbid.</summary>
+    public JointWishes Wishes { get; }
+
+    /// <summary>Which trees need more substeps than others.</summary>
+    public JointLoads Loads { get; }
+
+    /// <summary>Trees of equal form, solved side by side.</summary>
+    public TreesOnLanes Lanes { get; }
+
+    /// <summary>Trees that are chains of hinges.</summary>
+    public TreesAsChains Chains { get; }
+
+    /// <summary>The passes over the trees.</summary>
+    public TreeSweeps Sweeps { get; }
+
     /// <summary>Joints act in this step.</summary>
-    public bool Any => _count > 0 || _nets.Any;
+    public bool Any => _work.Count > 0 || _nets.Any;
 
     /// <summary>The pivots of nets, which have rows on lanes.</summary>
     public NetSolver Nets => _nets;
@@ -93,12 +131,12 @@ internal sealed unsafe partial class JointSolver : IStageWork
     public void NetsPulled()
     {
         _nets.Displaced();
-        for (int at = 0; at < _nodeCount; at++)
+        for (int at = 0; at < _work.NodeCount; at++)
         {
             TreeNode* node = _forest.Nodes + _nodes[at];
             if (_nets.Search.IsNet(node->Body))
             {
-                LoadMove(node);
+                Bodies.LoadMove(node);
             }
         }
     }
@@ -109,43 +147,43 @@ internal sealed unsafe partial class JointSolver : IStageWork
     /// <summary>Starts the substeps: contacts with trees have been taken.</summary>
     public void Start(in ContactCoefficients coefficients)
     {
-        _chains.Select(_class, _step);
-        FreeOverruns();
-        AdmitTouched();
-        int own = _nodeCount;
-        Collate();
-        _pass.Enter(_forest.View, _step.Bodies.State.Pointer);
-        _contactPass.Enter(_forest.View, _step.Bodies, coefficients, _fineness);
-        for (int at = 0; at < _jointCount; at++)
+        _chains.Select(_work.Class, _work.Step);
+        Overruns.FreeOverruns();
+        Chains.AdmitTouched();
+        int own = _work.NodeCount;
+        Contacts.Collate();
+        _pass.Enter(_forest.View, _work.Step.Bodies.State.Pointer);
+        _contactPass.Enter(_forest.View, _work.Step.Bodies, coefficients, _work.Fineness);
+        for (int at = 0; at < _work.JointCount; at++)
         {
             int i = _joints[at];
             ref JointState state = ref _store.States[_active[i].Joint];
             for (int k = 0; k < JointRows.Most; k++)
             {
-                _active[i].Lambda[k] = state.Impulse[k] * _step.StartScale / _fineness;
+                _active[i].Lambda[k] = state.Impulse[k] * _work.Step.StartScale / _work.Fineness;
             }
 
             _active[i].Given[0] = 0;
             _active[i].Given[1] = 0;
             _active[i].Given[2] = 0;
-            if (!_forest.Trees[TreeOf(_active[i].Ends)].HasRows)
+            if (!_forest.Trees[_forest.TreeOf(_active[i].Ends)].HasRows)
             {
-                ForgetBends(_active.Pointer + i);
+                TreePositions.ForgetBends(_active.Pointer + i);
             }
         }
 
-        MarkFree();
-        BoundWishes();
+        Bodies.MarkFree();
+        Wishes.BoundWishes();
 
         // Nothing has moved since the rows were written, unless somebody was told of a broken joint; guests are new.
-        LoadMoves(BrokenCount > 0 ? 0 : own);
-        RecallGaps();
-        TakeToLanes();
-        TakeToChains();
+        Bodies.LoadMoves(Collection.BrokenCount > 0 ? 0 : own);
+        Contacts.RecallGaps();
+        Lanes.TakeToLanes();
+        Chains.TakeToChains();
         _chains.Start();
-        Factor();
-        PrepareOnLanes(false);
-        _nets.Start(_step);
+        Sweeps.FactorAll();
+        Lanes.PrepareOnLanes(false);
+        _nets.Start(_work.Step);
     }
 
     /// <summary>
@@ -154,17 +192,17 @@ internal sealed unsafe partial class JointSolver : IStageWork
     /// </summary>
     public void Enter()
     {
-        BodyMotion* motions = _step.Bodies.Motion.Pointer;
+        BodyMotion* motions = _work.Step.Bodies.Motion.Pointer;
         _lanes.Enter();
-        WarmStartOnLanes();
+        Lanes.WarmStartOnLanes();
         if (_loose.Any)
         {
             _loose.Enter();
         }
 
         _chains.Enter();
-        MarkExact();
-        for (int at = 0; at < _nodeCount; at++)
+        Bodies.MarkExact();
+        for (int at = 0; at < _work.NodeCount; at++)
         {
             int i = _nodes[at];
             TreeNode* node = _forest.Nodes + i;
@@ -182,17 +220,17 @@ internal sealed unsafe partial class JointSolver : IStageWork
             }
         }
 
-        Foresee();
-        DriveDoubles();
-        Kick(-0.5f);
-        LoadVelocities();
+        Bodies.ForeseeRows();
+        Bodies.DriveDoubles();
+        Bodies.Kick(-0.5f);
+        Bodies.LoadVelocities();
         _chains.EnterPressed();
-        WarmStart(_trees, _treeCount, _agenda, _agendaCount);
+        Contacts.WarmStart(_trees, _work.TreeCount, _agenda, _work.AgendaCount);
         _chains.TakeWarmStart();
 
-        ForgetLimits();
-        HoldWheels();
-        StoreVelocities();
+        Limits.ForgetLimits();
+        Contacts.HoldWheels();
+        Bodies.StoreVelocities();
         _nets.Enter();
     }
 
@@ -202,10 +240,10 @@ internal sealed unsafe partial class JointSolver : IStageWork
     public void Solve(bool again, int sweeps)
     {
         _nets.SolveBiased();
-        SolveLanes(Pass.Biased, again, sweeps);
-        SolvePressed(false, again);
-        LoadVelocities();
-        Run(TargetKind.Biased, Pass.Biased, again, sweeps);
+        Lanes.SolveLanes(SweepKind.Biased, again, sweeps);
+        Chains.SolvePressed(false, again);
+        Bodies.LoadVelocities();
+        Sweeps.RunPass(TargetKind.Biased, SweepKind.Biased, again, sweeps);
     }
 
     /// <summary>The relax pass at the new positions: no errors, no bias.</summary>
@@ -215,275 +253,109 @@ internal sealed unsafe partial class JointSolver : IStageWork
     public void Relax(bool again, bool rub, int sweeps)
     {
         _nets.Relax(again);
-        Pass pass = rub ? Pass.Relaxed : Pass.RelaxedSmooth;
-        SolveLanes(pass, again, sweeps);
-        SolvePressed(true, again);
-        LoadVelocities();
-        Run(TargetKind.Relaxed, pass, again, sweeps);
+        SweepKind pass = rub ? SweepKind.Relaxed : SweepKind.RelaxedSmooth;
+        Lanes.SolveLanes(pass, again, sweeps);
+        Chains.SolvePressed(true, again);
+        Bodies.LoadVelocities();
+        Sweeps.RunPass(TargetKind.Relaxed, pass, again, sweeps);
     }
 
     /// <summary>Keeps the impulses for the next step.</summary>
     public void Finish()
     {
         _chains.Finish();
-        FinishLanes();
-        for (int at = 0; at < _jointCount; at++)
+        Lanes.FinishLanes();
+        for (int at = 0; at < _work.JointCount; at++)
         {
             int i = _joints[at];
             ref JointState state = ref _store.States[_active[i].Joint];
             for (int k = 0; k < JointRows.Most; k++)
             {
-                state.Impulse[k] = k < _rows[i].Count ? _active[i].Lambda[k] * _fineness : 0;
+                state.Impulse[k] = k < _rows[i].Count ? _active[i].Lambda[k] * _work.Fineness : 0;
             }
 
             if (_active[i].Kind == JointKind.Gear && _rows[i].Hard > 0)
             {
-                Mesh(_active.Pointer + i);
+                Bodies.Mesh(_active.Pointer + i);
             }
 
             if (_active[i].Limited)
             {
-                KeepRange(i);
+                Overruns.KeepRange(i);
             }
 
             double* given = _active.Pointer[i].Given;
             if (!double.IsInfinity(_active[i].Settings.Breakpoint))
             {
-                state.Drift = (state.Drift * (1 - Math.Min(1, _active[i].Settings.BiasFactor))) + StraightDrift(i);
+                state.Drift = (state.Drift * (1 - Math.Min(1, _active[i].Settings.BiasFactor))) + Rows.StraightDrift(i);
             }
 
-            state.ForceX = given[0] / _step.Dt;
-            state.ForceY = given[1] / _step.Dt;
-            state.Torque = (given[2] - ((_rows[i].ArmX * given[1]) - (_rows[i].ArmY * given[0]))) / _step.Dt;
+            state.ForceX = given[0] / _work.Step.Dt;
+            state.ForceY = given[1] / _work.Step.Dt;
+            state.Torque = (given[2] - ((_rows[i].ArmX * given[1]) - (_rows[i].ArmY * given[0]))) / _work.Step.Dt;
         }
 
-        KeepMoves();
-        NoteGaps();
-        GiveContactsBack();
-        _contactCount = 0;
-        _wheelContactCount = 0;
+        Bodies.KeepMoves();
+        Contacts.NoteGaps();
+        Contacts.GiveContactsBack();
+        _work.ContactCount = 0;
+        _work.WheelContactCount = 0;
         _forest.ClearGuests();
     }
 
-    private enum Pass
-    {
-        Biased,
-        Relaxed,
-        RelaxedSmooth,
-        Impact,
-        Settle,
-        Correction,
-        PushOut,
-        Pull,
-    }
-
     /// <summary>
-    /// The trees, then the rows. Where rows pushed at limits, which then are to be held or let go, both once more: a contact that opens
-    /// a limit would have a whole substep for it otherwise.
+    /// Work of the motors and springs of the joints in the substep that has just ended: impulse times mean speed of each row. What is no
+    /// number was done to a body that is about to be taken out.
     /// </summary>
-    private void Run(TargetKind kind, Pass pass, bool again, int sweeps)
+    /// <param name="before">Velocities at the substep's start, three numbers a body of the solver.</param>
+    public double MotorWork(double* before)
     {
-        SolveTrees(kind, again);
-        bool kept = KeepBeforeRows();
-        Sweep(pass, sweeps);
-        if (_agendaCount > 0 && SolveTrees(kind, true))
+        double work = 0;
+        for (int at = 0; at < _work.JointCount; at++)
         {
-            Sweep(pass, some: true);
-            if (kept)
+            int i = _joints[at];
+            ActiveJoint* joint = _active.Pointer + i;
+            JointRows* rows = _rows.Pointer + i;
+            ref JointLink link = ref _store.Links[joint->Joint];
+            for (int k = rows->Hard; k < rows->Count; k++)
             {
-                AskAgainWithoutLimits(kind, pass, sweeps);
-            }
-        }
-
-        StoreVelocities();
-    }
-
-    /// <summary>
-    /// Sweeps over all iterated rows, in the order of the trees. Several are one walk: the bodies between the rows wait for their velocities
-    /// until the last of them.
-    /// </summary>
-    /// <param name="pass">What the rows do.</param>
-    /// <param name="sweeps">How often; friction waits for the second half.</param>
-    /// <param name="some">Only in the groups of trees that are marked: what others do is no concern of a tree that no row ties to them.</param>
-    private void Sweep(Pass pass, int sweeps = 1, bool some = false)
-    {
-        if (_agendaCount == 0)
-        {
-            return;
-        }
-
-        JointForestView view = _forest.View;
-        bool chains = _chains.AnyPressed && (pass <= Pass.RelaxedSmooth || pass == Pass.Correction);
-        if (chains)
-        {
-            _chains.BeginWalks(some);
-        }
-
-        Walk(_trees, _treeCount, _agenda, _agendaCount, pass, sweeps, some);
-        if (chains)
-        {
-            _chains.EndWalks(some, pass == Pass.Correction);
-        }
-
-        for (int at = 0; at < _treeCount; at++)
-        {
-            int i = _trees[at];
-            JointTree* tree = _forest.Trees + i;
-            if (tree->HasRows && Acts(tree, some) && tree->Carries)
-            {
-                if (pass < Pass.PushOut)
+                RowType type = (RowType)rows->Type[k];
+                if (type == RowType.Motor || type == RowType.Spring)
                 {
-                    TreeReactions.EndWalk(_forest, tree, _active.Pointer, _rows.Pointer);
-                }
-                else
-                {
-                    TreeWalk.End(view, tree);
+                    double a = MeanSpeed(link.BodyA, rows->A + (k * 3), before);
+                    double b = MeanSpeed(link.BodyB, rows->B + (k * 3), before);
+                    double done = joint->Lambda[k] * (a + b);
+                    work += FloatBits.IsFinite(done) ? done : 0;
                 }
             }
         }
+
+        return work;
     }
 
-    /// <summary>Begins a walk of trees and sweeps over their rows.</summary>
-    private void Walk(Column<int> trees, int treeCount, Column<int> agenda, int agendaCount, Pass pass, int sweeps, bool some)
+    /// <summary>A body that cannot be moved keeps its velocity through the substep; no energy of it is counted.</summary>
+    private double MeanSpeed(int body, double* j, double* before)
     {
-        JointForestView view = _forest.View;
-        for (int at = 0; at < treeCount; at++)
+        if (_work.Step.Moves[body] == 0)
         {
-            JointTree* tree = _forest.Trees + trees[at];
-            if (tree->HasRows && Acts(tree, some))
-            {
-                TreeWalk.Begin(view, tree);
-            }
+            return 0;
         }
 
-        for (int sweep = 0; sweep < sweeps; sweep++)
-        {
-            SweepOnce(agenda, agendaCount, pass == Pass.Relaxed && sweep * 2 < sweeps - 1 ? Pass.RelaxedSmooth : pass, some);
-        }
+        ref BodyState s = ref _work.Step.Bodies.State[body];
+        double* v = before + (body * 3);
+        return 0.5 * ((j[0] * (v[0] + s.LinearVelocity.X)) + (j[1] * (v[1] + s.LinearVelocity.Y)) + (j[2] * (v[2] + s.AngularVelocity)));
     }
 
-    private void SweepOnce(Column<int> agenda, int agendaCount, Pass pass, bool some)
+    /// <summary>Writes, or reads, what later steps read of it: the trees and what was found out about them, last impulses and errors.</summary>
+    public void Visit(StateStream s)
     {
-        for (int i = 0; i < agendaCount; i++)
-        {
-            int item = agenda[i];
-            if (some && !_forest.Trees[_forest.Trees[TreeOf(EndsOf(item))].Group].GroupActs)
-            {
-                continue;
-            }
-
-            if (_anyWishes && pass <= Pass.RelaxedSmooth && (GroupAt(item)->Wishes && IsWish(item)) != _wishing)
-            {
-                continue;
-            }
-
-            if (item < 0)
-            {
-                Solve(_contacts.Pointer + ~item, pass);
-            }
-            else
-            {
-                if (_active[item].LeadsLoops)
-                {
-                    _loops.Sweep(_forest.Trees + TreeOf(_active[item].Ends));
-                }
-
-                Solve(_active.Pointer + item, _rows.Pointer + item, pass);
-            }
-        }
-    }
-
-    private bool Acts(JointTree* tree, bool some) => !some || _forest.Trees[tree->Group].GroupActs;
-
-    private void ClearGroups()
-    {
-        for (int at = 0; at < _treeCount; at++)
-        {
-            _forest.Trees[_trees[at]].GroupActs = false;
-        }
-
-        _chains.ClearGroups();
-    }
-
-    private ref RowEnds EndsOf(int item) => ref item < 0 ? ref _contacts[~item].Ends : ref _active[item].Ends;
-
-    private void Solve(TreeContact* contact, Pass pass)
-    {
-        if (contact->Held && pass != Pass.Impact)
-        {
-            return;
-        }
-
-        switch (pass)
-        {
-            case Pass.Biased:
-                _contactPass.SolveBiased(contact);
-                break;
-            case Pass.Relaxed:
-            case Pass.RelaxedSmooth:
-                _contactPass.Relax(contact, pass == Pass.Relaxed);
-                break;
-            case Pass.Impact:
-                _contactPass.Strike(contact);
-                break;
-            case Pass.Correction:
-                _contactPass.Hold(contact);
-                break;
-            case Pass.PushOut:
-                _contactPass.PushOut(contact, _pushRate);
-                break;
-            case Pass.Pull:
-                _contactPass.Block(contact);
-                break;
-        }
-    }
-
-    private void Solve(ActiveJoint* joint, JointRows* rows, Pass pass)
-    {
-        switch (pass)
-        {
-            case Pass.Biased:
-            case Pass.Relaxed:
-            case Pass.RelaxedSmooth:
-            case Pass.Settle:
-                _pass.Solve(joint, rows, _step, pass == Pass.Biased);
-                break;
-            case Pass.Correction:
-                _pass.HoldPoint(joint, rows);
-                break;
-            case Pass.Pull:
-                _pass.Pull(joint, rows, _step);
-                break;
-        }
-    }
-
-    private void Factor()
-    {
-        for (int at = 0; at < _treeCount; at++)
-        {
-            int i = _trees[at];
-            JointTree* tree = _forest.Trees + i;
-            Factor(tree);
-            if (tree->HasRows)
-            {
-                TreeFactor.CompleteMasses(_forest, tree);
-            }
-
-            tree->Refactored = false;
-        }
-
-        PrepareFrom(0);
-    }
-
-    private void Prepare(int item)
-    {
-        if (item < 0)
-        {
-            _contactPass.Prepare(_contacts.Pointer + ~item);
-        }
-        else
-        {
-            _pass.Prepare(_active.Pointer + item, _rows.Pointer + item, _step.Substep);
-        }
+        _work.Visit(s);
+        Collection.Visit(s);
+        Bodies.Visit(s);
+        Impacts.Visit(s);
+        Contacts.Visit(s);
+        Loads.Visit(s);
+        Lanes.Visit(s);
+        Chains.Visit(s);
     }
 }

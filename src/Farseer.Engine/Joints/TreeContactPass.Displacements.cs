@@ -1,9 +1,10 @@
 using System;
+using System.Runtime.CompilerServices;
 using Farseer.Engine.Joints.Trees;
 
 namespace Farseer.Engine.Joints;
 
-/// <content>While the bodies of trees are displaced.</content>
+/// <content>Displacements, and the gaps that they leave.</content>
 internal sealed unsafe partial class TreeContactPass
 {
     /// <summary>Keeps surfaces out of each other while bodies are pulled about; the impulses count within the pull only.</summary>
@@ -43,5 +44,60 @@ internal sealed unsafe partial class TreeContactPass
         point.PreviousNormal = 0;
         point.PreviousTangent = 0;
         point.Feed = 0;
+    }
+
+    /// <summary>Rounding of a gap that the narrow phase finds, as a share of the lengths it is the difference of: four last places of a float.</summary>
+    private const double GapRounding = 2.384185791015625e-7;
+
+    /// <summary>Before the first substep: points that press go on from the gaps of the last step, if these are what was found within rounding.</summary>
+    public void Recall(TreeContact* contact, in HeldGap held)
+    {
+        PlacePoints(contact);
+        Recall(contact, ref contact->Point0, contact->Bundle->Id0[contact->Lane], held);
+        if (contact->Points > 1)
+        {
+            Recall(contact, ref contact->Point1, contact->Bundle->Id1[contact->Lane], held);
+        }
+    }
+
+    /// <summary>At the end of a step.</summary>
+    public static void Note(TreeContact* contact, ref HeldGap held)
+    {
+        held.Id0 = contact->Bundle->Id0[contact->Lane];
+        held.Gap0 = contact->Point0.Separation;
+        held.Id1 = contact->Points > 1 ? contact->Bundle->Id1[contact->Lane] : 0;
+        held.Gap1 = contact->Point1.Separation;
+    }
+
+    private static void Recall(TreeContact* contact, ref TreeContactPoint point, uint id, in HeldGap held)
+    {
+        // The impulse has followed its point by the name: one without it is new, or pressed by nothing.
+        bool first = id == held.Id0;
+        if (point.Normal > 0 && (first || id == held.Id1))
+        {
+            double change = (first ? held.Gap0 : held.Gap1) - point.Separation;
+            if (Math.Abs(change) <= GapRounding * LengthsOf(contact, point))
+            {
+                point.Base += change;
+            }
+        }
+    }
+
+    /// <summary>The lengths that a gap is the difference of: the arms along the normal, axis by axis, and the size of the smaller body there.</summary>
+    private static double LengthsOf(TreeContact* contact, in TreeContactPoint point)
+    {
+        double a = Math.Abs(point.NormalArmA) + Math.Abs(point.TangentArmA);
+        double b = Math.Abs(point.NormalArmB) + Math.Abs(point.TangentArmB);
+        return Along(contact, point.NormalArmA, point.TangentArmA) + Along(contact, point.NormalArmB, point.TangentArmB)
+            + Math.Min(a, b) + contact->RadiusA + contact->RadiusB;
+    }
+
+    /// <summary>|nx·rx| + |ny·ry| of the arm r = an·n + at·t.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double Along(TreeContact* contact, double normalArm, double tangentArm)
+    {
+        double x = (normalArm * contact->NormalX) + (tangentArm * contact->NormalY);
+        double y = (normalArm * contact->NormalY) - (tangentArm * contact->NormalX);
+        return Math.Abs(contact->NormalX * x) + Math.Abs(contact->NormalY * y);
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Storage;
 
@@ -305,7 +306,7 @@ internal sealed unsafe partial class TreeContactPass
             double bound = 1 - (k / (Bound * RowEnds.Own(nodes, &contact->Ends, a, b)));
             double inverseInertia = nodes[contact->Ends.NodeA].InverseInertia + nodes[contact->Ends.NodeB].InverseInertia;
             double turn2 = p->Separation * p->Separation * inverseInertia / k;
-            double beyond = (turn2 / (JointSolver.LargestBend * JointSolver.LargestBend)) - 1;
+            double beyond = (turn2 / (TreePositions.LargestBend * TreePositions.LargestBend)) - 1;
             double share = Math.Max(0, bound) * Math.Max(0, beyond);
             p->Reach = 1 / (1 + (share * share));
         }

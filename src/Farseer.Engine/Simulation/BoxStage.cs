@@ -1,5 +1,4 @@
 using System;
-using System.Numerics;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;

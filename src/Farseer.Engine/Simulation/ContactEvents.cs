@@ -1,5 +1,4 @@
 using System;
-using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;

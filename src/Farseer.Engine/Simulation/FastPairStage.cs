@@ -6,7 +6,6 @@ using Farseer.Engine.Continuous;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
 using Farseer.Engine.NarrowPhase;
-using Farseer.Engine.Numerics;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;

@@ -4,7 +4,6 @@ using Farseer.Engine.Contacts;
 using Farseer.Engine.Continuous;
 using Farseer.Engine.Graph;
 using Farseer.Engine.NarrowPhase;
-using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;

@@ -202,10 +202,10 @@ internal sealed class SolveStage
         float substep = Substep;
         _accuracy.Audit?.BeginMotion(_settings.Gravity);
         bool anyJoints = BeginJoints(dt, substep);
-        if (_stores.JointSolver.BrokenCount > 0)
+        if (_stores.JointSolver.Collection.BrokenCount > 0)
         {
             UpdateAfterCallbacks(dt);
-            anyJoints = anyJoints && _stores.JointSolver.Renew();
+            anyJoints = anyJoints && _stores.JointSolver.Collection.Renew();
         }
 
         bool anyUserJoints = _stores.AnyUserJoints;
@@ -255,7 +255,7 @@ internal sealed class SolveStage
             input.PaddedCount = _classes.PaddedCount(0);
         }
 
-        joints?.Select(0, substep, 1);
+        joints?.Collection.Select(0, substep, 1);
         _queries.PosesChange = anyUserJoints;
         input.Audit = _accuracy.Audit;
         input.Impulses = _pushes.Impulses;
@@ -336,7 +336,7 @@ internal sealed class SolveStage
                 substep, c.Gravity, c.BounceThreshold, 1f, _recovery / fineness, c.Driven);
             input.Springs = null;
             _classes.Ease(index, _sagForecast, _islands, input.Coefficients);
-            joints?.Select(index, substep, fineness);
+            joints?.Collection.Select(index, substep, fineness);
             _accuracy.BeginSolve(input);
             _solver.Solve(input);
         }
@@ -364,10 +364,10 @@ internal sealed class SolveStage
         step.BreaksLate = _settings.JointsBreakLate;
         step.ImpulseScale = !_settings.KeepImpulses ? 0 : _stores.LastSubstep > 0 ? (double)substep / _stores.LastSubstep : 1;
         step.Drifts = !_settings.CorrectPositions;
-        _stores.JointSolver.Begin(step);
-        for (int i = 0; i < _stores.JointSolver.BrokenCount; i++)
+        _stores.JointSolver.Collection.Begin(step);
+        for (int i = 0; i < _stores.JointSolver.Collection.BrokenCount; i++)
         {
-            _stores.UserJoints?.Broke(_stores.JointSolver.Broken(i));
+            _stores.UserJoints?.Broke(_stores.JointSolver.Collection.Broken(i));
         }
 
         return _stores.JointSolver.Any;

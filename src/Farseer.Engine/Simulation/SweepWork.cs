@@ -40,7 +40,7 @@ internal sealed unsafe class SweepWork : IStageWork
 
     /// <summary>Finds the fast bodies that meet nothing.</summary>
     /// <param name="runner">Who shares the work out.</param>
-    /// <param name="world">Their stage.</param>
+    /// <param name="stage">Whose sweep it is.</param>
     /// <param name="bodies">How many fast bodies there are.</param>
     /// <param name="most">Pairs that one of them is looked after in.</param>
     /// <param name="dt">The step, seconds.</param>

@@ -11,21 +11,21 @@ internal sealed partial class World
     /// <summary>Trees of joints go side by side where they can; both ways give the same bits, which tests compare.</summary>
     internal bool TreesOnLanes
     {
-        get => _stores.JointSolver.UsesLanes;
-        set => _stores.JointSolver.UsesLanes = value;
+        get => _stores.JointSolver.Lanes.UsesLanes;
+        set => _stores.JointSolver.Lanes.UsesLanes = value;
     }
 
     /// <summary>Trees that were side by side in the last step from its start to its end.</summary>
-    internal int TreesSideBySide => _stores.JointSolver.TreesSideBySide;
+    internal int TreesSideBySide => _stores.JointSolver.Lanes.TreesSideBySide;
 
     /// <summary>Joints between single bodies that were iterated side by side in the last step.</summary>
-    internal int JointsSideBySide => _stores.JointSolver.JointsSideBySide;
+    internal int JointsSideBySide => _stores.JointSolver.Lanes.JointsSideBySide;
 
     /// <summary>Trees that are chains of hinges are solved as such: other roundings than those of the passes for all trees.</summary>
     internal bool TreesAsChains
     {
-        get => _stores.JointSolver.UsesChains;
-        set => _stores.JointSolver.UsesChains = value;
+        get => _stores.JointSolver.Chains.UsesChains;
+        set => _stores.JointSolver.Chains.UsesChains = value;
     }
 
     /// <summary>The frame of the world: joints with a fixed point hold on to it.</summary>

@@ -4,6 +4,7 @@ using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Queries;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
@@ -23,7 +24,7 @@ internal sealed class WorldStores
     public WorldStores()
     {
         Contacts = new ContactStore(Shapes);
-        JointSolver = new JointSolver(Joints);
+        JointSolver = new JointSolver(new JointWork(Joints));
         Queries = new WorldQueries(Shapes, Bodies);
     }
 

@@ -413,7 +413,7 @@ internal sealed unsafe partial class ImpactPass
     {
         BodyStore bodies = input.Bodies;
         ListMet();
-        bool some = input.Joints is not { TiesBodies: true } && passes.Choose(FindStruckIslands(input.Islands), input.Islands.OfSlot);
+        bool some = input.Joints is not { Impacts.TiesBodies: true } && passes.Choose(FindStruckIslands(input.Islands), input.Islands.OfSlot);
         for (int turn = 0; turn < Turns && (turn < LeastTurns || _visits < MostVisits); turn++)
         {
             _visits += _count;

@@ -19,9 +19,9 @@ internal sealed unsafe partial class IslandClasses
             all |= flags[list[i]];
         }
 
-        for (int i = 0; joints != null && i < joints.Count; i++)
+        for (int i = 0; joints != null && i < joints.Loads.Count; i++)
         {
-            joints.GetBodies(i, out int a, out int b);
+            joints.Loads.GetBodies(i, out int a, out int b);
             all |= (ChosenForKinematic(flags[a]) | ChosenForKinematic(flags[b])) != 0 ? BodyFlags.Substeps : BodyFlags.None;
         }
 

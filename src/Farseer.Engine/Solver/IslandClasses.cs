@@ -4,6 +4,7 @@ using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Springs;
 using Farseer.Engine.Storage;
@@ -18,7 +19,7 @@ namespace Farseer.Engine.Solver;
 /// </summary>
 internal sealed unsafe partial class IslandClasses
 {
-    public const int Count = JointSolver.MostDoublings + 1;
+    public const int Count = JointLoads.MostDoublings + 1;
 
     /// <summary>In <see cref="_listed"/>: the island of this root has joints.</summary>
     private const byte Jointed = 0x80;
@@ -111,7 +112,7 @@ internal sealed unsafe partial class IslandClasses
         any |= adapts && graph.RowCount > 0 && forecast.Find(islands, feedForward, graph, bodies, list, count, c, scratch);
         if (joints != null)
         {
-            joints.ClearLoads();
+            joints.Loads.ClearLoads();
         }
 
         if (adapts && joints != null)
@@ -120,11 +121,11 @@ internal sealed unsafe partial class IslandClasses
             {
                 foreach (ContactBundle* bundle in color.Bundles)
                 {
-                    joints.AddLoads(bundle);
+                    joints.Loads.AddLoads(bundle);
                 }
             }
 
-            any |= joints.FindLoads();
+            any |= joints.Loads.FindLoads();
         }
 
         if (!any)
@@ -163,7 +164,7 @@ internal sealed unsafe partial class IslandClasses
         for (int i = 0; i < count && joints != null; i++)
         {
             int root = Root(list[i]);
-            _class[root] = moves[list[i]] != 0 ? (byte)Math.Max(_class[root], joints.DoublingsOf(list[i])) : (byte)0;
+            _class[root] = moves[list[i]] != 0 ? (byte)Math.Max(_class[root], joints.Loads.DoublingsOf(list[i])) : (byte)0;
         }
 
         MarkJointed(joints);
@@ -203,7 +204,7 @@ internal sealed unsafe partial class IslandClasses
             int index = moves[list[i]] != 0 ? _class[Root(list[i])] : 0;
             if (moves[list[i]] != 0)
             {
-                joints?.SetClass(list[i], index);
+                joints?.Loads.SetClass(list[i], index);
             }
 
             Enlist(list[i], index);
@@ -329,9 +330,9 @@ internal sealed unsafe partial class IslandClasses
 
     private void MarkJointed(JointSolver? joints)
     {
-        for (int i = 0; joints != null && i < joints.Count; i++)
+        for (int i = 0; joints != null && i < joints.Loads.Count; i++)
         {
-            joints.GetBodies(i, out int a, out int b);
+            joints.Loads.GetBodies(i, out int a, out int b);
             _listed[Root(a)] |= Jointed;
             _listed[Root(b)] |= Jointed;
         }
@@ -352,9 +353,9 @@ internal sealed unsafe partial class IslandClasses
     /// <summary>Calls it with the two bodies of each joint and of each row.</summary>
     private static void ForEachTie(TieAction act, JointSolver? joints, ConstraintGraph graph, BodyStore bodies, byte* moves)
     {
-        for (int i = 0; joints != null && i < joints.Count; i++)
+        for (int i = 0; joints != null && i < joints.Loads.Count; i++)
         {
-            joints.GetBodies(i, out int a, out int b);
+            joints.Loads.GetBodies(i, out int a, out int b);
             act(a, b, bodies, moves);
         }
 

@@ -5,7 +5,6 @@ using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
-using Farseer.Engine.Numerics;
 using Farseer.Engine.Springs;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
@@ -112,7 +111,7 @@ internal sealed unsafe class SubstepSolver
         {
             colors = TakeTreeContacts(colors, input.Joints) ? colors : default;
             input.Joints.Start(coefficients);
-            _bodies.Use(input.Joints.Movers(input.List, input.PaddedCount, out int movers), movers);
+            _bodies.Use(input.Joints.Chains.Movers(input.List, input.PaddedCount, out int movers), movers);
         }
 
         bool impacts = FindImpacts(input);
@@ -145,7 +144,7 @@ internal sealed unsafe class SubstepSolver
             input.Audit?.Book(SolverPart.Contacts);
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
-                input.Joints?.SolveWishes(biased: true);
+                input.Joints?.Wishes.SolveWishes(biased: true);
                 input.Audit?.Book(SolverPart.Joints);
                 _passes.SolveBiased(colors, input.AnyDeep);
                 input.Audit?.Book(SolverPart.Contacts);
@@ -183,7 +182,7 @@ internal sealed unsafe class SubstepSolver
             for (int sweep = 0; sweep < sweeps; sweep++)
             {
                 bool rub = sweep * 2 >= sweeps - 1;
-                input.Joints?.SolveWishes(biased: false);
+                input.Joints?.Wishes.SolveWishes(biased: false);
                 input.Audit?.Book(SolverPart.Joints);
                 _passes.Relax(colors, rub, sweep == 0);
                 input.Audit?.Book(SolverPart.Contacts);
@@ -201,13 +200,13 @@ internal sealed unsafe class SubstepSolver
             }
 
             surfaces?.Solve();
-            input.Joints?.NoteLoads();
+            input.Joints?.Contacts.NoteLoads();
             if (impacts)
             {
                 _impacts.Finish(input, _passes);
-                input.Joints?.Bounce();
+                input.Joints?.Impacts.Bounce();
                 input.Audit?.Book(SolverPart.Impacts);
-                input.Joints?.Settle();
+                input.Joints?.Impacts.Settle();
                 input.Audit?.Book(SolverPart.Joints);
             }
 
@@ -223,7 +222,7 @@ internal sealed unsafe class SubstepSolver
         if (input.Impulses != null)
         {
             AddImpulses(input.Colors, input.Impulses, 1);
-            input.Joints?.AddImpulses(input.Impulses, 1);
+            input.Joints?.Impacts.AddImpulses(input.Impulses, 1);
         }
     }
 
@@ -270,20 +269,20 @@ internal sealed unsafe class SubstepSolver
             }
         }
 
-        input.Joints?.WatchApproaches(impulses);
+        input.Joints?.Impacts.WatchApproaches(impulses);
     }
 
     /// <summary>Positions by the joints; bodies that only they moved may be for all to move from here on.</summary>
     private void CorrectJoints(in SolverInput input, JointSolver joints, double recovery)
     {
-        joints.CorrectPositions(recovery);
+        joints.Positions.CorrectPositions(recovery);
         if (joints.NetsDisturbed)
         {
             PullNets(joints);
         }
 
-        joints.EndPositions();
-        if (joints.GivesBodiesBack)
+        joints.Positions.EndPositions();
+        if (joints.Chains.GivesBodiesBack)
         {
             _bodies.Use(input.List, input.PaddedCount);
         }
@@ -298,7 +297,7 @@ internal sealed unsafe class SubstepSolver
             BundleRuns runs = colors[i].Runs;
             while (runs.Next())
             {
-                left |= joints.Take(runs.Bundles, runs.Count);
+                left |= joints.Contacts.Take(runs.Bundles, runs.Count);
             }
         }
 
@@ -307,13 +306,13 @@ internal sealed unsafe class SubstepSolver
 
     private static bool IsApart(ReadOnlySpan<GraphColor> colors, JointSolver joints)
     {
-        bool apart = joints.SweepsByItself();
+        bool apart = joints.Contacts.SweepsByItself();
         for (int i = 0; apart && i < colors.Length; i++)
         {
             BundleRuns runs = colors[i].Runs;
             while (apart && runs.Next())
             {
-                apart = !joints.SharesBodies(runs.Bundles, runs.Count);
+                apart = !joints.Contacts.SharesBodies(runs.Bundles, runs.Count);
             }
         }
 
@@ -351,7 +350,7 @@ internal sealed unsafe class SubstepSolver
     private void PrepareImpacts(in SolverInput input)
     {
         _impacts.Prepare(input.Bodies, input.Coefficients);
-        input.Joints?.PrepareBounce();
+        input.Joints?.Impacts.PrepareBounce();
     }
 
     /// <summary>Moves everything with the velocities that push deep islands apart, and then takes these velocities away again.</summary>

@@ -3,7 +3,6 @@ using System.Numerics;
 using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Graph;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Storage;
 
@@ -51,9 +50,9 @@ internal sealed unsafe class SurfacePass
 
         _sort.Reserve(Math.Max(1, _count));
         _sort.Sort(_keys.Pointer, _order.Pointer, _count);
-        for (int i = 0; input.Joints != null && i < input.Joints.TakenCount; i++)
+        for (int i = 0; input.Joints != null && i < input.Joints.Impacts.TakenCount; i++)
         {
-            TreeContact* taken = input.Joints.Taken(i);
+            TreeContact* taken = input.Joints.Impacts.Taken(i);
             int place = new ReadOnlySpan<ulong>(_keys.Pointer, _count).BinarySearch((ulong)(uint)taken->Bundle->Contact[taken->Lane]);
             if (place >= 0)
             {

@@ -55,16 +55,16 @@ internal sealed unsafe partial class SpringMesh
     private void Forget(int body)
     {
         _slots[body] = -1;
-        _joints?.MarkStrung(body);
-        int tree = _joints?.TreeOf(body) ?? -1;
+        _joints?.Responses.MarkStrung(body);
+        int tree = _joints?.Responses.TreeOfBody(body) ?? -1;
         if (tree >= 0)
         {
-            _joints!.MarkPulled(tree);
+            _joints!.Responses.MarkPulled(tree);
         }
 
-        for (int i = 0; tree >= 0 && i < _joints!.SizeOf(tree); i++)
+        for (int i = 0; tree >= 0 && i < _joints!.Responses.SizeOf(tree); i++)
         {
-            _slots[_joints.BodyOf(tree, i)] = -1;
+            _slots[_joints.Responses.BodyOf(tree, i)] = -1;
         }
     }
 
@@ -102,7 +102,7 @@ internal sealed unsafe partial class SpringMesh
     /// <summary>Of gravity and forces on a tree its joints leave a part.</summary>
     private void StartTree(in Mesh mesh, in TreeSlots tree, BodyStore bodies)
     {
-        int size = _joints!.SizeOf(tree.Tree);
+        int size = _joints!.Responses.SizeOf(tree.Tree);
         double* drive = _scaled.Pointer + (3 * tree.FirstSlot);
         for (int i = 0; i < size; i++)
         {
@@ -112,7 +112,7 @@ internal sealed unsafe partial class SpringMesh
             drive[(3 * i) + 2] = mesh.Theta * from.W;
         }
 
-        _joints.Project(tree.Tree, drive);
+        _joints.Responses.Project(tree.Tree, drive);
         for (int i = 0; i < size; i++)
         {
             EndState end = EndState.Read(bodies, _bodies[tree.FirstSlot + i], 1, 1);

@@ -81,7 +81,7 @@ internal sealed unsafe partial class SpringMesh
         }
 
         _nextSlot = 0;
-        int size = Math.Max(1, (6 * next) + (3 * (_joints?.TreeBodies ?? 0)));
+        int size = Math.Max(1, (6 * next) + (3 * (_joints?.Responses.TreeBodies ?? 0)));
         _trees.EnsureCapacity(Math.Max(1, 2 * next));
         _scaled.EnsureCapacity(size);
         _bodies.EnsureCapacity(size);
@@ -194,7 +194,7 @@ internal sealed unsafe partial class SpringMesh
             return;
         }
 
-        int tree = _joints?.TreeOf(body) ?? -1;
+        int tree = _joints?.Responses.TreeOfBody(body) ?? -1;
         if (tree < 0)
         {
             AddSlot(ref mesh, body, held, bodies);
@@ -203,9 +203,9 @@ internal sealed unsafe partial class SpringMesh
 
         _trees[_treeCount++] = new TreeSlots { Tree = tree, FirstSlot = _nextSlot };
         mesh.TreeCount++;
-        for (int i = 0; i < _joints!.SizeOf(tree); i++)
+        for (int i = 0; i < _joints!.Responses.SizeOf(tree); i++)
         {
-            AddSlot(ref mesh, _joints.BodyOf(tree, i), InTree, bodies);
+            AddSlot(ref mesh, _joints.Responses.BodyOf(tree, i), InTree, bodies);
         }
     }
 
@@ -282,7 +282,7 @@ internal sealed unsafe partial class SpringMesh
         for (int i = mesh.FirstTree; i < mesh.FirstTree + mesh.TreeCount; i++)
         {
             int slot = 3 * _trees[i].FirstSlot;
-            _joints!.Respond(_trees[i].Tree, r + slot, z + slot);
+            _joints!.Responses.Respond(_trees[i].Tree, r + slot, z + slot);
         }
 
         double sum = 0;

@@ -208,7 +208,7 @@ internal sealed unsafe class SpringStore
     /// </summary>
     private void JoinMeshes(JointSolver? joints)
     {
-        int trees = joints?.TreeCount ?? 0;
+        int trees = joints?.Responses.TreeCount ?? 0;
         _treeBodies.EnsureCapacity(trees);
         for (int i = 0; i < trees; i++)
         {
@@ -264,7 +264,7 @@ internal sealed unsafe class SpringStore
     /// <summary>Springs at one tree of joints pull at each other through it.</summary>
     private void JoinByTree(JointSolver joints, int body, int moves)
     {
-        int tree = moves != 0 ? joints.TreeOf(body) : -1;
+        int tree = moves != 0 ? joints.Responses.TreeOfBody(body) : -1;
         if (tree >= 0 && _treeBodies[tree] < 0)
         {
             _treeBodies[tree] = body;

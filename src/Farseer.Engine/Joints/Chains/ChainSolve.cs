@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 
@@ -22,7 +23,7 @@ internal static unsafe class ChainSolve
         {
             WideDouble x = WideDouble.Load(error + i);
             WideDouble y = WideDouble.Load(error + s + i);
-            WideDouble most = WideDouble.Splat(JointSolver.Small) * WideDouble.Load(size + i);
+            WideDouble most = WideDouble.Splat(TreeRows.Small) * WideDouble.Load(size + i);
             large |= ~(WideDouble.Abs(x) <= most) | ~(WideDouble.Abs(y) <= most);
             Speed(chain, i, out WideDouble vx, out WideDouble vy);
             (WideDouble.Negate(x * rate) - vx).Store(residual + i);
@@ -70,7 +71,7 @@ internal static unsafe class ChainSolve
         double* last = chain[ChainColumn.Bend];
         double* next = chain[ChainColumn.Foreseen];
         WideDouble perSquare = WideDouble.Splat(1 / (h * h));
-        WideDouble alike = WideDouble.Splat(JointSolver.AlikeInChains);
+        WideDouble alike = WideDouble.Splat(TreePositions.AlikeInChains);
         for (int i = 0; i < chain.Joints; i += WideDouble.Count)
         {
             WideDouble x = (WideDouble.Load(error + i) * perSquare) + WideDouble.Load(next + i);

@@ -1,6 +1,7 @@
 using System;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 
@@ -175,7 +176,7 @@ internal sealed unsafe partial class ChainSolver
     private bool LoadStill(Chain* chain, int at, ref double known, out double angle)
     {
         ChainView view = ViewOf(chain);
-        angle = JointSolver.ReadStill(_step.Bodies, _places[chain->PlaceFirst + at].Body, out double x, out double y);
+        angle = TreesOnLanes.ReadStill(_step.Bodies, _places[chain->PlaceFirst + at].Body, out double x, out double y);
         Put(view[ChainColumn.Place] + at, view.Stride, x, y);
         bool turned = angle != known;
         known = angle;
@@ -375,7 +376,7 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>What the floats of the displacements leave out of the step goes into the poses directly: see <see cref="JointSolver"/>.</summary>
     private void KeepMoves(Chain* chain)
     {
-        double held = JointSolver.HeldShare * _step.Substep;
+        double held = TreeBodies.HeldShare * _step.Substep;
         ChainView view = ViewOf(chain);
         int s = view.Stride;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
@@ -386,9 +387,9 @@ internal sealed unsafe partial class ChainSolver
             BodyState* state = _step.Bodies.State.Pointer + places[i].Body;
             BodyPose* pose = _step.Bodies.Pose.Pointer + places[i].Body;
             ref float turned = ref _step.Bodies.Motion[places[i].Body].Turned;
-            pose->X += JointSolver.Kept(move[0], held * drive[0], ref state->DeltaPosition.X);
-            pose->Y += JointSolver.Kept(move[s], held * drive[s], ref state->DeltaPosition.Y);
-            pose->Angle += JointSolver.Kept(move[2 * s], held * drive[2 * s], ref turned);
+            pose->X += TreeBodies.Kept(move[0], held * drive[0], ref state->DeltaPosition.X);
+            pose->Y += TreeBodies.Kept(move[s], held * drive[s], ref state->DeltaPosition.Y);
+            pose->Angle += TreeBodies.Kept(move[2 * s], held * drive[2 * s], ref turned);
         }
     }
 

@@ -1,7 +1,7 @@
 using System;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
-using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Joints.Chains;
 
@@ -235,7 +235,7 @@ internal sealed unsafe partial class ChainSolver
         for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
         {
             JointTree* tree = _forest.Trees + chain->Tree;
-            tree->Corrects = chain->Worst > JointSolver.PressedTolerance;
+            tree->Corrects = chain->Worst > TreePositions.PressedTolerance;
             _forest.Trees[tree->Group].GroupActs |= tree->Corrects;
             any |= tree->Corrects;
         }
@@ -381,7 +381,7 @@ internal sealed unsafe partial class ChainSolver
         {
             if (_forest.Trees[chain->Tree].Corrects)
             {
-                chain->Astray |= JointSolver.IsAstray(chain->Worst, chain->Before, chain->Bent, last);
+                chain->Astray |= TreesOnLanes.IsAstray(chain->Worst, chain->Before, chain->Bent, last);
                 chain->Before = chain->Worst;
             }
         }

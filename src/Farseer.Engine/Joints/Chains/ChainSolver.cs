@@ -1,4 +1,5 @@
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
@@ -106,7 +107,7 @@ internal sealed unsafe partial class ChainSolver : TreesAside
         }
     }
 
-    /// <summary>See <see cref="JointSolver.CorrectPositions"/>; the chains that are given back went astray, and are to be projected.</summary>
+    /// <summary>See <see cref="TreePositions.CorrectPositions"/>; the chains that are given back went astray, and are to be projected.</summary>
     public void CorrectPositions()
     {
         GivenCount = 0;
@@ -157,7 +158,7 @@ internal sealed unsafe partial class ChainSolver : TreesAside
         chain->Before = double.PositiveInfinity;
         ChainPoses.Turn(view);
         chain->Worst = ChainPoses.Place(view);
-        for (int round = 0; round < JointSolver.Corrections && chain->Worst > JointSolver.Tolerance && !chain->Astray; round++)
+        for (int round = 0; round < TreePositions.Corrections && chain->Worst > TreePositions.Tolerance && !chain->Astray; round++)
         {
             if (round == 0)
             {
@@ -169,7 +170,7 @@ internal sealed unsafe partial class ChainSolver : TreesAside
             double bent = ChainSolve.Correct(view, h);
             ChainPoses.Turn(view);
             chain->Worst = ChainPoses.Place(view);
-            chain->Astray = JointSolver.IsAstray(chain->Worst, chain->Before, bent, round == JointSolver.Corrections - 1);
+            chain->Astray = TreesOnLanes.IsAstray(chain->Worst, chain->Before, bent, round == TreePositions.Corrections - 1);
             chain->Before = chain->Worst;
         }
     }

@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Joints.Lanes;
@@ -134,7 +135,7 @@ internal static unsafe class LaneGoals
             largestChange = Larger(largestChange, share * WideDouble.Abs(change[row]));
         }
 
-        WideDoubleMask alike = largestChange <= WideDouble.Splat(JointSolver.Alike) * largest;
+        WideDoubleMask alike = largestChange <= WideDouble.Splat(TreePositions.Alike) * largest;
         for (int row = 0; row < place->Rows; row++)
         {
             WideDouble next = WideDouble.Load(bends->Bend + (row * Y)) + change[row];
@@ -205,7 +206,7 @@ internal static unsafe class LaneGoals
     {
         WideDouble error = WideDouble.Load(joint->Error + (row * Y));
         (WideDouble.Negate(error) / h).Store(joint->Goal + (row * Y));
-        return ~(WideDouble.Abs(error) <= WideDouble.Splat(JointSolver.Small) * SizeOf(joint, place, row));
+        return ~(WideDouble.Abs(error) <= WideDouble.Splat(TreeRows.Small) * SizeOf(joint, place, row));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Joints.Lanes;
@@ -121,7 +122,7 @@ internal static unsafe class LaneLimits
                     + Term(at->LineB, b, 0) + Term(at->LineB, b, Y) + Term(at->LineB, b, W);
             }
 
-            terms = WideDouble.Splat(JointSolver.SpeedRounding) * terms;
+            terms = WideDouble.Splat(TreeLimits.SpeedRounding) * terms;
             WideDouble slop = WideDouble.Load(at->Slop);
             WideDouble least = LeastGap(at, place);
             WideDoubleMask lower = speed < Target(WideDouble.Load(at->Gap), slop, least, time, relaxed, turns) - terms;
@@ -169,7 +170,7 @@ internal static unsafe class LaneLimits
     /// <summary>Up to this gap a limit is at its place.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideDouble LeastGap(LaneJoint* joint, LanePlace* place) =>
-        WideDouble.Splat(JointSolver.Small) * (place->LimitTurns ? WideDouble.Splat(1) : WideDouble.Load(joint->Size));
+        WideDouble.Splat(TreeRows.Small) * (place->LimitTurns ? WideDouble.Splat(1) : WideDouble.Load(joint->Size));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideDouble HeldGap(LaneJoint* joint) =>
@@ -190,7 +191,7 @@ internal static unsafe class LaneLimits
         }
         else
         {
-            WideDouble fastest = WideDouble.Splat(JointSolver.FastestReturn);
+            WideDouble fastest = WideDouble.Splat(TreeLimits.FastestReturn);
             WideDouble over = gap + slop;
             over = WideDouble.Select(over > WideDouble.Zero, WideDouble.Zero, over);
             back = WideDouble.Splat(-JointPass.LimitRecovery) * over / h;

@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 
@@ -197,7 +198,7 @@ internal sealed unsafe partial class TreeLanes
                 LaneAnchor* anchor = DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + i, lane);
                 int body = place->Body[lane < trees->Count ? lane : 0];
                 ref BodyState state = ref _step.Bodies.State[body];
-                double angle = JointSolver.ReadStill(_step.Bodies, body, out anchor->X[0], out anchor->Y[0]);
+                double angle = TreesOnLanes.ReadStill(_step.Bodies, body, out anchor->X[0], out anchor->Y[0]);
                 if (angle != anchor->Angle[0])
                 {
                     anchor->Angle[0] = angle;

@@ -1,3 +1,4 @@
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 
@@ -21,7 +22,7 @@ internal sealed unsafe partial class TreeLanes
         for (int round = 0; ; round++)
         {
             LaneSolve.Run(bundle);
-            lanes = round == JointSolver.LimitRounds - 1 ? 0 : Revise(bundle, relaxed, round < JointSolver.ReleaseRounds, lanes);
+            lanes = round == TreeLimits.LimitRounds - 1 ? 0 : Revise(bundle, relaxed, round < TreeLimits.ReleaseRounds, lanes);
             if (lanes == 0)
             {
                 return changed;

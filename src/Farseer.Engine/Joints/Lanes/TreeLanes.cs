@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Bodies;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
@@ -242,7 +243,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
     }
 
     /// <summary>
-    /// See <see cref="JointSolver.CorrectPositions"/>; the trees that are given back went astray, and are to be projected. Of trees with contacts
+    /// See <see cref="TreePositions.CorrectPositions"/>; the trees that are given back went astray, and are to be projected. Of trees with contacts
     /// the rounds follow: see <see cref="BeginRound"/>.
     /// </summary>
     public void CorrectPositions()
@@ -261,7 +262,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
             LanePoses.Move(_nodes.Pointer + trees->First, trees->Nodes, _step.Substep);
             LoadStill(trees);
             FindErrors(trees);
-            for (int round = 0; !trees->Touched && round < JointSolver.Corrections && Choose(trees); round++)
+            for (int round = 0; !trees->Touched && round < TreePositions.Corrections && Choose(trees); round++)
             {
                 Correct(trees);
                 EndRound(trees, round);
@@ -321,13 +322,13 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         LanePoses.MoveOn(bundle.Nodes, bundle.Count, _step.Substep, trees);
         Place(trees);
         LaneGoals.FindWorst(bundle, _step.Substep, trees);
-        FindAstray(trees, round == JointSolver.Corrections - 1);
+        FindAstray(trees, round == TreePositions.Corrections - 1);
     }
 
     private static bool Choose(LaneTrees* trees)
     {
         bool any = false;
-        double tolerance = trees->Touched ? JointSolver.PressedTolerance : JointSolver.Tolerance;
+        double tolerance = trees->Touched ? TreePositions.PressedTolerance : TreePositions.Tolerance;
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
         {
             bool takes = IsLive(trees, lane) && trees->Worst[lane] > tolerance && !trees->Astray[lane];
@@ -345,7 +346,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
             if (trees->Corrects[lane] != 0)
             {
                 double worst = trees->Worst[lane];
-                trees->Astray[lane] |= JointSolver.IsAstray(worst, trees->Before[lane], trees->Bent[lane], last);
+                trees->Astray[lane] |= TreesOnLanes.IsAstray(worst, trees->Before[lane], trees->Bent[lane], last);
                 trees->Before[lane] = worst;
             }
         }

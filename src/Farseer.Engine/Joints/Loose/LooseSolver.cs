@@ -1,5 +1,6 @@
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Lanes;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
@@ -181,7 +182,7 @@ internal sealed unsafe partial class LooseSolver
         StoreVelocities();
     }
 
-    /// <summary>Exact bodies move by h·v in double; the others have been moved. See <see cref="JointSolver.CorrectPositions"/>.</summary>
+    /// <summary>Exact bodies move by h·v in double; the others have been moved. See <see cref="TreePositions.CorrectPositions"/>.</summary>
     /// <param name="pushed">The store has also moved bodies by velocities that push them apart.</param>
     public void Move(bool pushed)
     {
@@ -291,7 +292,7 @@ internal sealed unsafe partial class LooseSolver
             return;
         }
 
-        double angle = JointSolver.ReadStill(_step.Bodies, body->Body, out body->Pose[0], out body->Pose[1]);
+        double angle = TreesOnLanes.ReadStill(_step.Bodies, body->Body, out body->Pose[0], out body->Pose[1]);
         if (angle != body->Pose[2])
         {
             body->Pose[2] = angle;
@@ -306,7 +307,7 @@ internal sealed unsafe partial class LooseSolver
             LooseBody* body = _bodies.Pointer + i;
             if (body->Node >= 0 && (body->Free || !freeOnly))
             {
-                JointSolver.StoreVelocity(body->Velocity, _step.Bodies.State.Pointer + body->Body);
+                TreeBodies.StoreVelocity(body->Velocity, _step.Bodies.State.Pointer + body->Body);
             }
         }
     }

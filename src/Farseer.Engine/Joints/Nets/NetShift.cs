@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Joints.Nets;
@@ -32,7 +33,7 @@ internal static class NetShift
     public static Wide Of(Wide last, Wide now, Wide outside, Wide size, float keep)
     {
         Wide jump = now - last;
-        jump = Wide.Select(Wide.Abs(jump) > Wide.Splat((float)JointSolver.Small) * size, jump, Wide.Zero);
+        jump = Wide.Select(Wide.Abs(jump) > Wide.Splat((float)TreeRows.Small) * size, jump, Wide.Zero);
         Wide shift = jump + (Wide.Splat(1 - keep) * (now - jump));
         return Wide.Select(Wide.Abs(outside + shift) > Wide.Splat(Rest) * size, shift, Wide.Zero - outside);
     }

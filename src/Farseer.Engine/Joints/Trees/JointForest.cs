@@ -48,6 +48,12 @@ internal sealed unsafe partial class JointForest
 
     public int AnchorCount { get; private set; }
 
+    /// <summary>The first tree of a tree's group.</summary>
+    public JointTree* GroupOf(JointTree* tree) => Trees + tree->Group;
+
+    /// <summary>The tree of a row's bodies.</summary>
+    public int TreeOf(in RowEnds ends) => Nodes[ends.NodeA >= 0 ? ends.NodeA : ends.NodeB].Tree;
+
     /// <summary>Node of a body, -1: none.</summary>
     public int NodeOf(int body) => body < _mapped ? _nodeOf[body] : -1;
 

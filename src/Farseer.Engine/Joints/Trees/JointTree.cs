@@ -1,4 +1,5 @@
 using System.Runtime.InteropServices;
+using Farseer.Engine.Joints.Solving;
 
 namespace Farseer.Engine.Joints.Trees;
 
@@ -140,7 +141,7 @@ internal struct JointTree
     public double Since;
 
     /// <summary>Whether an error, in terms of its joint's size, is one from outside.</summary>
-    public readonly bool IsOutside(double error) => error > (Disturbed || Unsettled ? JointSolver.Loose : JointSolver.Small);
+    public readonly bool IsOutside(double error) => error > (Disturbed || Unsettled ? TreePositions.Loose : TreeRows.Small);
 
     /// <summary>Largest error of the tree now and a round ago, in terms of its joints' sizes.</summary>
     public double Worst;

@@ -1,0 +1,250 @@
+using Farseer.Engine.Contacts;
+using Farseer.Engine.Joints.Chains;
+using Farseer.Engine.Joints.Nets;
+using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Storage;
+
+namespace Farseer.Engine.Joints.Solving;
+
+/// <summary>The passes over the trees of a substep: trees exactly, then the rows that are iterated, in their order.</summary>
+internal sealed unsafe class TreeSweeps
+{
+    private readonly JointSolver _solver;
+    private readonly JointWork _work;
+    private readonly Column<ActiveJoint> _active;
+    private readonly Column<int> _agenda;
+    private readonly ChainSolver _chains;
+    private readonly TreeContactPass _contactPass;
+    private readonly Column<TreeContact> _contacts;
+    private readonly JointForest _forest;
+    private readonly TreeLoops _loops;
+    private readonly JointPass _pass;
+    private readonly Column<JointRows> _rows;
+    private readonly Column<int> _trees;
+
+    public TreeSweeps(JointSolver solver, JointWork work)
+    {
+        _solver = solver;
+        _work = work;
+        _active = work.Active;
+        _agenda = work.Agenda;
+        _chains = work.Chains;
+        _contactPass = work.ContactPass;
+        _contacts = work.Contacts;
+        _forest = work.Forest;
+        _loops = work.Loops;
+        _pass = work.Pass;
+        _rows = work.Rows;
+        _trees = work.Trees;
+    }
+
+    /// <summary>
+    /// The trees, then the rows. Where rows pushed at limits, which then are to be held or let go, both once more: a contact that opens
+    /// a limit would have a whole substep for it otherwise.
+    /// </summary>
+    public void RunPass(TargetKind kind, SweepKind pass, bool again, int sweeps)
+    {
+        _solver.Limits.SolveTrees(kind, again);
+        bool kept = _solver.Limits.KeepBeforeRows();
+        Sweep(pass, sweeps);
+        if (_work.AgendaCount > 0 && _solver.Limits.SolveTrees(kind, true))
+        {
+            Sweep(pass, some: true);
+            if (kept)
+            {
+                _solver.Limits.AskAgainWithoutLimits(kind, pass, sweeps);
+            }
+        }
+
+        _solver.Bodies.StoreVelocities();
+    }
+
+    /// <summary>
+    /// Sweeps over all iterated rows, in the order of the trees. Several are one walk: the bodies between the rows wait for their velocities
+    /// until the last of them.
+    /// </summary>
+    /// <param name="pass">What the rows do.</param>
+    /// <param name="sweeps">How often; friction waits for the second half.</param>
+    /// <param name="some">Only in the groups of trees that are marked: what others do is no concern of a tree that no row ties to them.</param>
+    public void Sweep(SweepKind pass, int sweeps = 1, bool some = false)
+    {
+        if (_work.AgendaCount == 0)
+        {
+            return;
+        }
+
+        JointForestView view = _forest.View;
+        bool chains = _chains.AnyPressed && (pass <= SweepKind.RelaxedSmooth || pass == SweepKind.Correction);
+        if (chains)
+        {
+            _chains.BeginWalks(some);
+        }
+
+        Walk(_trees, _work.TreeCount, _agenda, _work.AgendaCount, pass, sweeps, some);
+        if (chains)
+        {
+            _chains.EndWalks(some, pass == SweepKind.Correction);
+        }
+
+        for (int at = 0; at < _work.TreeCount; at++)
+        {
+            int i = _trees[at];
+            JointTree* tree = _forest.Trees + i;
+            if (tree->HasRows && TakesPart(tree, some) && tree->Carries)
+            {
+                if (pass < SweepKind.PushOut)
+                {
+                    TreeReactions.EndWalk(_forest, tree, _active.Pointer, _rows.Pointer);
+                }
+                else
+                {
+                    TreeWalk.End(view, tree);
+                }
+            }
+        }
+    }
+
+    /// <summary>Begins a walk of trees and sweeps over their rows.</summary>
+    public void Walk(Column<int> trees, int treeCount, Column<int> agenda, int agendaCount, SweepKind pass, int sweeps, bool some)
+    {
+        JointForestView view = _forest.View;
+        for (int at = 0; at < treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + trees[at];
+            if (tree->HasRows && TakesPart(tree, some))
+            {
+                TreeWalk.Begin(view, tree);
+            }
+        }
+
+        for (int sweep = 0; sweep < sweeps; sweep++)
+        {
+            SweepOnce(agenda, agendaCount, pass == SweepKind.Relaxed && sweep * 2 < sweeps - 1 ? SweepKind.RelaxedSmooth : pass, some);
+        }
+    }
+
+    private void SweepOnce(Column<int> agenda, int agendaCount, SweepKind pass, bool some)
+    {
+        for (int i = 0; i < agendaCount; i++)
+        {
+            int item = agenda[i];
+            if (some && !_forest.Trees[_forest.Trees[_forest.TreeOf(EndsOf(item))].Group].GroupActs)
+            {
+                continue;
+            }
+
+            if (_work.AnyWishes && pass <= SweepKind.RelaxedSmooth && (_solver.Contacts.GroupAt(item)->Wishes && _solver.Wishes.IsWish(item)) != _work.Wishing)
+            {
+                continue;
+            }
+
+            if (item < 0)
+            {
+                Solve(_contacts.Pointer + ~item, pass);
+            }
+            else
+            {
+                if (_active[item].LeadsLoops)
+                {
+                    _loops.Sweep(_forest.Trees + _forest.TreeOf(_active[item].Ends));
+                }
+
+                Solve(_active.Pointer + item, _rows.Pointer + item, pass);
+            }
+        }
+    }
+
+    private bool TakesPart(JointTree* tree, bool some) => !some || _forest.Trees[tree->Group].GroupActs;
+
+    public void ClearGroups()
+    {
+        for (int at = 0; at < _work.TreeCount; at++)
+        {
+            _forest.Trees[_trees[at]].GroupActs = false;
+        }
+
+        _chains.ClearGroups();
+    }
+
+    public ref RowEnds EndsOf(int item) => ref item < 0 ? ref _contacts[~item].Ends : ref _active[item].Ends;
+
+    public void Solve(TreeContact* contact, SweepKind pass)
+    {
+        if (contact->Held && pass != SweepKind.Impact)
+        {
+            return;
+        }
+
+        switch (pass)
+        {
+            case SweepKind.Biased:
+                _contactPass.SolveBiased(contact);
+                break;
+            case SweepKind.Relaxed:
+            case SweepKind.RelaxedSmooth:
+                _contactPass.Relax(contact, pass == SweepKind.Relaxed);
+                break;
+            case SweepKind.Impact:
+                _contactPass.Strike(contact);
+                break;
+            case SweepKind.Correction:
+                _contactPass.Hold(contact);
+                break;
+            case SweepKind.PushOut:
+                _contactPass.PushOut(contact, _work.PushRate);
+                break;
+            case SweepKind.Pull:
+                _contactPass.Block(contact);
+                break;
+        }
+    }
+
+    public void Solve(ActiveJoint* joint, JointRows* rows, SweepKind pass)
+    {
+        switch (pass)
+        {
+            case SweepKind.Biased:
+            case SweepKind.Relaxed:
+            case SweepKind.RelaxedSmooth:
+            case SweepKind.Settle:
+                _pass.Solve(joint, rows, _work.Step, pass == SweepKind.Biased);
+                break;
+            case SweepKind.Correction:
+                _pass.HoldPoint(joint, rows);
+                break;
+            case SweepKind.Pull:
+                _pass.Pull(joint, rows, _work.Step);
+                break;
+        }
+    }
+
+    public void FactorAll()
+    {
+        for (int at = 0; at < _work.TreeCount; at++)
+        {
+            int i = _trees[at];
+            JointTree* tree = _forest.Trees + i;
+            _solver.Responses.Factor(tree);
+            if (tree->HasRows)
+            {
+                TreeFactor.CompleteMasses(_forest, tree);
+            }
+
+            tree->Refactored = false;
+        }
+
+        _solver.Lanes.PrepareFrom(0);
+    }
+
+    public void Prepare(int item)
+    {
+        if (item < 0)
+        {
+            _contactPass.Prepare(_contacts.Pointer + ~item);
+        }
+        else
+        {
+            _pass.Prepare(_active.Pointer + item, _rows.Pointer + item, _work.Step.Substep);
+        }
+    }
+}
