@@ -71,6 +71,15 @@ internal static unsafe class ContactLanes
     public static void ClearLane(ContactBundle* row, int lane)
     {
         Unname(row, lane);
+        Rest(row, lane);
+        row->Struck[lane] = 0;
+        row->Slot[lane] = 0;
+        Mute(row, lane);
+    }
+
+    /// <summary>All that the narrow phase writes into a row, as it is where there is no contact.</summary>
+    public static void Rest(ContactBundle* row, int lane)
+    {
         row->NormalX[lane] = 0;
         row->NormalY[lane] = 0;
         row->Friction[lane] = 0;
@@ -85,9 +94,8 @@ internal static unsafe class ContactLanes
         row->FeedRate[lane] = 0;
         row->FeedShare[lane] = 0;
         row->Restitution[lane] = 0;
-        row->Struck[lane] = 0;
-        row->Slot[lane] = 0;
-        Mute(row, lane);
+        ClearArms(&row->Point0, lane);
+        ClearArms(&row->Point1, lane);
     }
 
     /// <summary>Notes impacts that were not the solver's: the row holds no impulse that would act on.</summary>
@@ -135,15 +143,20 @@ internal static unsafe class ContactLanes
 
     private static void ClearPoint(ContactPointLanes* point, int lane)
     {
-        point->NormalArmA[lane] = 0;
-        point->NormalArmB[lane] = 0;
-        point->TangentArmA[lane] = 0;
-        point->TangentArmB[lane] = 0;
-        point->Base[lane] = ContactBundle.NoPoint;
+        ClearArms(point, lane);
         point->Normal[lane] = 0;
         point->Tangent[lane] = 0;
         point->PreviousNormal[lane] = 0;
         point->PreviousTangent[lane] = 0;
         point->Feed[lane] = 0;
+    }
+
+    private static void ClearArms(ContactPointLanes* point, int lane)
+    {
+        point->NormalArmA[lane] = 0;
+        point->NormalArmB[lane] = 0;
+        point->TangentArmA[lane] = 0;
+        point->TangentArmB[lane] = 0;
+        point->Base[lane] = ContactBundle.NoPoint;
     }
 }

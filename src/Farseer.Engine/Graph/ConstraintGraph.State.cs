@@ -28,15 +28,16 @@ internal sealed unsafe partial class ConstraintGraph
 
         for (int i = 0; i < _colors.Count; i++)
         {
-            foreach (GraphColor color in _colors[i])
+            GraphColor[] colors = _colors[i];
+            for (int k = 0; k < colors.Length; k++)
             {
                 if (i < groups)
                 {
-                    color.Visit(s);
+                    colors[k].Visit(s.Of("Color", k), areDormant: k == Dormant);
                 }
                 else
                 {
-                    color.ForgetAll();
+                    colors[k].ForgetAll();
                 }
             }
         }

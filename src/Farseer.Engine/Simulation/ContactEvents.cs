@@ -327,7 +327,7 @@ internal sealed unsafe class ContactEvents
     private static ulong Key(World world, in ContactRecord record) => Key(world, world.Shapes.ColliderOf(record.PieceA), world.Shapes.ColliderOf(record.PieceB));
 
     private static ulong Key(World world, int colliderA, int colliderB) =>
-        ((ulong)(uint)world.Shapes.Colliders[colliderA].Order << 32) | (uint)world.Shapes.Colliders[colliderB].Order;
+        ((ulong)(uint)world.Shapes.Order[colliderA] << 32) | (uint)world.Shapes.Order[colliderB];
 
     /// <returns>False if the pair gives no response in this step.</returns>
     private bool RaiseContact(

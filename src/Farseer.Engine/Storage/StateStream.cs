@@ -12,7 +12,7 @@ namespace Farseer.Engine.Storage;
 /// turn; the same method saves and restores, so that the two cannot disagree. Memory is kept: a stream that has grown allocates
 /// nothing.
 /// </summary>
-internal sealed unsafe class StateStream
+internal sealed unsafe partial class StateStream
 {
     /// <summary>Sections begin at multiples of it.</summary>
     public const int Alignment = 8;
@@ -26,9 +26,6 @@ internal sealed unsafe class StateStream
     // Where the bytes are, and where the room ends, or what was written: fields are visited by the hundred thousand.
     private byte* _start;
     private int _end;
-
-    /// <summary>Names of the fields and where each begins, for those who look for a difference; null: nobody does.</summary>
-    public List<(int At, int ObjectAt, string Name)>? Trace { get; set; }
 
     /// <summary>True while fields are set from the stream, false while they are written to it.</summary>
     public bool IsReading { get; private set; }
@@ -70,48 +67,8 @@ internal sealed unsafe class StateStream
         return true;
     }
 
-    /// <summary>The names of all fields that differ; both were traced.</summary>
-    public List<string> Differences(StateStream other)
-    {
-        var names = new List<string>();
-        for (int i = 0; i < Math.Min(Trace!.Count, other.Trace!.Count); i++)
-        {
-            int end = i + 1 < Trace.Count ? Trace[i + 1].At : Length;
-            int otherEnd = i + 1 < other.Trace.Count ? other.Trace[i + 1].At : other.Length;
-            ReadOnlySpan<byte> mine = Bytes.Slice(Trace[i].At, end - Trace[i].At);
-            if (!mine.SequenceEqual(other.Bytes.Slice(other.Trace[i].At, otherEnd - other.Trace[i].At)))
-            {
-                names.Add(Trace[i].Name);
-            }
-        }
-
-        return names;
-    }
-
-    /// <summary>The names of the fields around the first difference; this one was traced.</summary>
-    public string FirstDifference(StateStream other)
-    {
-        int at = 0;
-        while (at < Length && at < other.Length && _bytes[at] == other._bytes[at])
-        {
-            at++;
-        }
-
-        if (at < Math.Max(Length, other.Length))
-        {
-            int index = Trace!.FindLastIndex(t => t.At <= at);
-            return $"byte {at} of {Length}, {other.Length}: {string.Join(", ", Trace.GetRange(Math.Max(0, index - 3), 4))}";
-        }
-
-        int item = 0;
-        while (item < Math.Min(ObjectCount, other.ObjectCount) && ReferenceEquals(_objects[item], other._objects[item]))
-        {
-            item++;
-        }
-
-        int place = Trace!.FindLastIndex(t => t.ObjectAt <= item);
-        return $"object {item} of {ObjectCount}, {other.ObjectCount}: {string.Join(", ", Trace.GetRange(Math.Max(0, place - 3), 4))}";
-    }
+    /// <summary>Holds no reference any more.</summary>
+    public void ForgetObjects() => CutObjects(0);
 
     /// <summary>Forgets what was written and writes anew.</summary>
     public void BeginWriting()
@@ -119,11 +76,14 @@ internal sealed unsafe class StateStream
         IsReading = false;
         SectionCount = 0;
         Begin(_bytes.Capacity);
-        Trace?.Clear();
+        _names = Trace;
+        _names?.Begin();
+        _localCount = 0;
     }
 
     public void EndWriting()
     {
+        _names = null;
         Align();
         Length = _at;
         CutObjects(_objectAt);
@@ -193,9 +153,9 @@ internal sealed unsafe class StateStream
     public void Value<T>(ref T value, [CallerArgumentExpression(nameof(value))] string name = "")
         where T : unmanaged
     {
-        if (Trace is not null)
+        if (_names is not null)
         {
-            Note(name);
+            Note<T>(name);
         }
 
         byte* place = Advance(sizeof(T));
@@ -225,12 +185,13 @@ internal sealed unsafe class StateStream
         where T : unmanaged
     {
         Section();
-        int count = IsReading ? 0 : Used((byte*)column.Pointer, (long)column.Capacity * sizeof(T), sizeof(T));
-        Value(ref count, name);
+        int count = IsReading ? 0 : StateBlock.Used((byte*)column.Pointer, (long)column.Capacity * sizeof(T), sizeof(T));
+        count = Counted(count, name);
+        _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
         Records(column, count);
         if (IsReading && column.Capacity > count)
         {
-            Clear((byte*)(column.Pointer + count), (long)(column.Capacity - count) * sizeof(T));
+            StateBlock.Clear((byte*)(column.Pointer + count), (long)(column.Capacity - count) * sizeof(T));
         }
     }
 
@@ -239,7 +200,7 @@ internal sealed unsafe class StateStream
         where T : unmanaged
     {
         Section();
-        Trace?.Add((_at, _objectAt, name));
+        _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
         Records(column, count);
     }
 
@@ -247,7 +208,7 @@ internal sealed unsafe class StateStream
     public void Array<T>(T[] items, [CallerArgumentExpression(nameof(items))] string name = "")
         where T : unmanaged
     {
-        Trace?.Add((_at, _objectAt, name));
+        _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
         if (items.Length > 0)
         {
             fixed (T* first = items)
@@ -261,7 +222,7 @@ internal sealed unsafe class StateStream
     public void Sized<T>(ref T[] items, [CallerArgumentExpression(nameof(items))] string name = "")
         where T : unmanaged
     {
-        int count = Value(items.Length, name);
+        int count = Counted(items.Length, name);
         if (items.Length != count)
         {
             items = new T[count];
@@ -273,7 +234,8 @@ internal sealed unsafe class StateStream
     public void List<T>(List<T> items, [CallerArgumentExpression(nameof(items))] string name = "")
         where T : unmanaged
     {
-        int count = Value(items.Count, name);
+        int count = Counted(items.Count, name);
+        _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
 #if NET8_0_OR_GREATER
         if (IsReading)
         {
@@ -289,7 +251,8 @@ internal sealed unsafe class StateStream
         {
             for (int i = 0; i < count; i++)
             {
-                Value(items[i]);
+                T item = items[i];
+                Raw(&item, sizeof(T));
             }
 
             return;
@@ -298,7 +261,9 @@ internal sealed unsafe class StateStream
         items.Clear();
         for (int i = 0; i < count; i++)
         {
-            items.Add(Value(default(T)));
+            T item;
+            Raw(&item, sizeof(T));
+            items.Add(item);
         }
 #endif
     }
@@ -306,12 +271,14 @@ internal sealed unsafe class StateStream
     public void References<T>(List<T> items, [CallerArgumentExpression(nameof(items))] string name = "")
         where T : class
     {
-        int count = Value(items.Count, name);
+        int count = Counted(items.Count, name);
+        _names?.Note(_at, _objectAt, name, null, isColumn: true);
         if (!IsReading)
         {
+            EnsureObjects(_objectAt + count);
             for (int i = 0; i < count; i++)
             {
-                Reference(items[i]);
+                Put(items[i]);
             }
 
             return;
@@ -320,7 +287,7 @@ internal sealed unsafe class StateStream
         items.Clear();
         for (int i = 0; i < count; i++)
         {
-            items.Add(Reference<T>(null)!);
+            items.Add((T)_objects[_objectAt++]!);
         }
     }
 
@@ -330,30 +297,23 @@ internal sealed unsafe class StateStream
     public T? Reference<T>(T? item, [CallerArgumentExpression(nameof(item))] string name = "")
         where T : class
     {
-        if (Trace is not null)
-        {
-            Note(name);
-        }
-
-        int at = _objectAt++;
+        _names?.Note(_at, _objectAt, name, null);
         if (IsReading)
         {
-            return (T?)_objects[at];
+            return (T?)_objects[_objectAt++];
         }
 
-        EnsureObjects(at + 1);
-
-        // Mostly it is the same as in the state before: to write it again costs more than to look.
-        if (!ReferenceEquals(_objects[at], item))
-        {
-            _objects[at] = item;
-        }
-
+        EnsureObjects(_objectAt + 1);
+        Put(item);
         return item;
     }
 
     /// <summary>Bytes that somebody else writes or reads at once; the span holds until anything else is asked of the stream.</summary>
-    public Span<byte> Take(int bytes) => new Span<byte>(Advance(bytes), bytes);
+    public Span<byte> Take(int bytes, string name)
+    {
+        _names?.Note(_at, _objectAt, name, new StateKind<byte>(), isColumn: true);
+        return new Span<byte>(Advance(bytes), bytes);
+    }
 
     /// <summary>Memory of a length that both sides know.</summary>
     public void Raw(void* start, long bytes)
@@ -366,26 +326,6 @@ internal sealed unsafe class StateStream
         else
         {
             Buffer.MemoryCopy(start, place, bytes, bytes);
-        }
-    }
-
-    private static int Used(byte* start, long bytes, int size)
-    {
-        long end = bytes;
-        while (end > 0 && start[end - 1] == 0)
-        {
-            end -= end >= sizeof(ulong) && *(ulong*)(start + end - sizeof(ulong)) == 0 ? sizeof(ulong) : 1;
-        }
-
-        return (int)((end + size - 1) / size);
-    }
-
-    private static void Clear(byte* start, long bytes)
-    {
-        const long Most = 1 << 30;
-        for (; bytes > 0; bytes -= Most, start += Most)
-        {
-            Unsafe.InitBlockUnaligned(start, 0, (uint)Math.Min(bytes, Most));
         }
     }
 
@@ -466,6 +406,28 @@ internal sealed unsafe class StateStream
         ObjectCount = count;
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Note(string name) => Trace!.Add((_at, _objectAt, name));
+    /// <summary>The number of what follows.</summary>
+    private int Counted(int count, string name)
+    {
+        _names?.Note(_at, _objectAt, name + ".Count", new StateKind<int>(), isCount: true);
+        byte* place = Advance(sizeof(int));
+        if (IsReading)
+        {
+            return Unsafe.ReadUnaligned<int>(place);
+        }
+
+        Unsafe.WriteUnaligned(place, count);
+        return count;
+    }
+
+    // Mostly it is the same as in the state before: to write it again costs more than to look. There is room.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Put(object? item)
+    {
+        ref object? place = ref _objects[_objectAt++];
+        if (!ReferenceEquals(place, item))
+        {
+            place = item;
+        }
+    }
 }

@@ -12,7 +12,7 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// Gives a <see cref="Body"/> a shape that collides: any simple polygon, convex or not, or one of the shapes that
 /// <see cref="GeomFactory"/> makes. Several geoms may share a body.
 /// </summary>
-public partial class Geom : IDisposable, IEquatable<Geom>
+public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
 {
     private static int s_lastId;
 
@@ -30,6 +30,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
 
     // Null until somebody wants one of them.
     private GeomExtras? _extras;
+    private StateMark _mark;
     private float _collisionGridCellSize;
 
     /// <summary>Makes a geom without body and vertices; give it both before it is added to a simulator.</summary>

@@ -13,7 +13,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 /// All members work before the body is added to a <see cref="PhysicsSimulator"/> and after it is removed. Units are the
 /// scene's own; angles are radians, a positive one turns the x axis towards the y axis.
 /// </summary>
-public partial class Body : IDisposable
+public partial class Body : IDisposable, IStatePart
 {
     private const float DefaultDragCoefficient = 0.001f;
 
@@ -24,6 +24,7 @@ public partial class Body : IDisposable
 
     /// <summary>Null until somebody wants one of them.</summary>
     private BodyExtras? _extras;
+    private StateMark _mark;
 
     /// <summary>Makes a body of mass 1 and moment of inertia 1 at the origin.</summary>
     public Body()

@@ -10,6 +10,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
 /// </summary>
 public abstract class Spring : IDisposable, IItem
 {
+    private StateMark _mark;
     private float _springConstant;
     private float _dampingConstant;
     private float _breakpoint = float.MaxValue;
@@ -94,6 +95,8 @@ public abstract class Spring : IDisposable, IItem
     }
 
     Membership IItem.Membership { get; set; }
+
+    ref StateMark IStatePart.Mark => ref _mark;
 
     internal PhysicsSimulator? Simulator { get; private set; }
 
