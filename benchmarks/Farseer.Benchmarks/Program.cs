@@ -35,6 +35,8 @@ switch (args.Length > 0 ? args[0] : "")
         return AllocationCommand.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "rollback":
         return StateTiming.Run(args.AsSpan(1), Console.Out, Console.Error);
+    case "state":
+        return StateCommand.Run(args.AsSpan(1), Console.Out, Console.Error);
     case "unused":
         return UnusedFeatures.Run(Console.Out);
     default:
@@ -52,6 +54,8 @@ switch (args.Length > 0 ? args[0] : "")
         Console.WriteLine("          two result files of scenes --csv side by side; one: beside a run made now");
         Console.WriteLine($"  {SuiteCommand.Usage}");
         Console.WriteLine("          the suites of BenchmarkDotNet: kernels, pairs, joints, whole scenes; FILE takes the figures as CSV");
+        Console.WriteLine($"  {StateCommand.Usage}");
+        Console.WriteLine("          every scene back from each seventh step and forward again: how often the state is another one");
         Console.WriteLine($"  {TreeTiming.Usage}");
         Console.WriteLine("          time of trees of joints, ns a body and substep");
         Console.WriteLine($"  {MemoryCommand.Usage}");

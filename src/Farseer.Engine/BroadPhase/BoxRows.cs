@@ -78,10 +78,11 @@ internal sealed unsafe class BoxRows
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        s.Column(_minX);
-        s.Column(_minY);
-        s.Column(_maxX);
-        s.Column(_maxY);
         Count = s.Value(Count);
+        int end = s.Value(System.Math.Min(Count + Padding, _minX.Capacity));
+        s.Column(_minX, end);
+        s.Column(_minY, end);
+        s.Column(_maxX, end);
+        s.Column(_maxY, end);
     }
 }

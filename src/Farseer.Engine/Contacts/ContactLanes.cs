@@ -5,6 +5,8 @@ namespace Farseer.Engine.Contacts;
 /// <summary>Names, empties and moves single lanes of the bundles of rows.</summary>
 internal static unsafe class ContactLanes
 {
+    private const int EmptyMarks = ContactBundle.SingleMark | ContactBundle.BlockMark;
+
     /// <summary>Makes a lane inert: no contact, or one that gives no impulse in this step.</summary>
     public static void Mute(ContactBundle* row, int lane)
     {
@@ -44,7 +46,7 @@ internal static unsafe class ContactLanes
         row->PieceA[lane] = ContactSides.NoPiece;
         row->PieceB[lane] = ContactSides.NoPiece;
         row->Contact[lane] = -1;
-        row->Flags[lane] = ContactBundle.SingleMark | ContactBundle.BlockMark;
+        row->Flags[lane] = EmptyMarks;
     }
 
     /// <summary>A bundle without pairs, the first of a record in which there is no other, to be named and then written.</summary>
@@ -75,6 +77,19 @@ internal static unsafe class ContactLanes
         row->Struck[lane] = 0;
         row->Slot[lane] = 0;
         Mute(row, lane);
+    }
+
+    /// <summary>The marks of lanes without a contact are those of an empty lane again, in all bundles of a record.</summary>
+    /// <param name="first">The first of its bundles.</param>
+    public static void RestMarks(ContactBundle* first)
+    {
+        for (int lane = 0; lane < ContactBundle.LineLanes; lane++)
+        {
+            if (first->Contact[lane] < 0)
+            {
+                first->Flags[lane] = EmptyMarks;
+            }
+        }
     }
 
     /// <summary>All that the narrow phase writes into a row, as it is where there is no contact.</summary>

@@ -13,6 +13,12 @@ internal static unsafe class ContactRowState
     /// <summary>Writes, or reads, whole records.</summary>
     public static void Visit(StateStream s, ContactBundle* records, int count, bool areDormant)
     {
+        for (int i = 0; i < count && !s.IsReading; i++)
+        {
+            // What the marks of a lane without a contact are depends on how many lanes are written at once, and is read by nobody.
+            ContactLanes.RestMarks(records + i);
+        }
+
         if (s.IsNaming)
         {
             VisitColumns(s, records, count, areDormant);

@@ -442,9 +442,9 @@ internal sealed unsafe class ContactEvents
     {
         s.Column(_points);
         s.Column(_contacts);
-        s.Column(_keys);
+        s.Local(_keys);
         s.Column(_pairs);
-        s.Column(_oldKeys);
+        s.Local(_oldKeys);
         s.Column(_oldPairs);
         s.Column(_woken);
         s.Value(ref _oldCount);

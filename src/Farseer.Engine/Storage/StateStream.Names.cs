@@ -5,7 +5,7 @@ namespace Farseer.Engine.Storage;
 /// <content>The names of fields, and what differs in every simulation.</content>
 internal sealed unsafe partial class StateStream
 {
-    // Stretches that are not the same in simulations that were made in the same way.
+    // Stretches that are not the same in all simulations that were made in the same way.
     private readonly Column<(int At, int End)> _locals = new Column<(int At, int End)>(1);
     private int _localCount;
 
@@ -46,7 +46,8 @@ internal sealed unsafe partial class StateStream
     }
 
     /// <summary>
-    /// A column of numbers that say who is older, which differ in every simulation: they are a part of its state, and not of its hash.
+    /// A column that is not the same in all simulations that were made in the same way: numbers that say who is older, and what lies side by side in
+    /// lanes, of which there are more on some processors. It is a part of the state, and not of its hash.
     /// </summary>
     public void Local<T>(Column<T> column, [CallerArgumentExpression(nameof(column))] string name = "")
         where T : unmanaged

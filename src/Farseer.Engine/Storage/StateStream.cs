@@ -189,10 +189,7 @@ internal sealed unsafe partial class StateStream
         count = Counted(count, name);
         _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
         Records(column, count);
-        if (IsReading && column.Capacity > count)
-        {
-            StateBlock.Clear((byte*)(column.Pointer + count), (long)(column.Capacity - count) * sizeof(T));
-        }
+        ClearBehind(column, count);
     }
 
     /// <summary>A column of which nobody reads what lies behind so many records before it is written.</summary>
@@ -202,6 +199,17 @@ internal sealed unsafe partial class StateStream
         Section();
         _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
         Records(column, count);
+        ClearBehind(column, count);
+    }
+
+    /// <summary>What lies behind so many records is zero when a state was read, as in new memory: what follows does not depend on what was there.</summary>
+    public void ClearBehind<T>(Column<T> column, int count)
+        where T : unmanaged
+    {
+        if (IsReading && column.Capacity > count)
+        {
+            StateBlock.Clear((byte*)(column.Pointer + count), (long)(column.Capacity - count) * sizeof(T));
+        }
     }
 
     /// <summary>An array whose length never changes.</summary>

@@ -462,7 +462,7 @@ internal sealed unsafe partial class JointForest
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        s.Column(_nodes);
+        s.Local(_nodes);
         s.Column(_ordered);
         s.Column(_trees);
         s.Column(_anchors);
