@@ -50,6 +50,18 @@ internal sealed class StateNames
         return item is null ? 0 : _places.TryGetValue(item, out int place) ? Others + (ulong)place : 1;
     }
 
+    /// <summary>The hash of a state, references by their numbers.</summary>
+    public ulong Hash(StateStream s)
+    {
+        ulong hash = StateHasher.Add(StateHasher.Start, s);
+        for (int i = 0; i < s.ObjectCount; i++)
+        {
+            hash = StateHasher.Add(hash, Number(s.Objects[i]));
+        }
+
+        return hash;
+    }
+
     /// <summary>Numbers those of a world.</summary>
     public void Enter(StateRoster roster)
     {

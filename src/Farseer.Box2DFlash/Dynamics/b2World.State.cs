@@ -78,12 +78,7 @@ public partial class b2World
         Bridge.StateNames names = Names(this);
         StateStream s = _hashed ??= new StateStream();
         Write(s, Roster);
-        ulong hash = StateHasher.Add(StateHasher.Start, s);
-        for (int i = 0; i < s.ObjectCount; i++)
-        {
-            hash = StateHasher.Add(hash, names.Number(s.Objects[i]));
-        }
-
+        ulong hash = names.Hash(s);
         s.ForgetObjects();
         return hash;
     }
@@ -119,7 +114,7 @@ public partial class b2World
     internal b2Body? BodyOf(int slot)
     {
         b2Body? body = _bodies;
-        while (body is not null && body.Link.Handle.Index != slot)
+        while (body is not null && !body.Link.IsIn(slot))
         {
             body = body.Next;
         }
