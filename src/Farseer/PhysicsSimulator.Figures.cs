@@ -26,7 +26,7 @@ public partial class PhysicsSimulator
 
     /// <summary>
     /// A 64-bit hash of all that <see cref="Capture(PhysicsSimulatorState)"/> captures: two simulators that were made by the same program and
-    /// have the same hash go on alike. It is the same on every platform and processor and with every number of workers, and takes about as long as a capture.
+    /// have the same hash go on alike. It is the same on every platform and processor and with every number of workers, and takes as long as two or three captures.
     /// </summary>
     /// <remarks>
     /// References count by whom they refer to, counted as they were added; of handlers it counts only whether there is one. Items of your own
