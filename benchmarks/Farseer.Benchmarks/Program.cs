@@ -28,6 +28,7 @@ return Farseer.CommandLines.CommandLine.Run(
         WorldMemory.Create(),
         AllocationCommand.Create(),
         StateTiming.Create(),
+        StateCommand.Create(),
         TurnTiming.Create(),
         Verb.Plain("unused", "Time and bits of features that have nothing to do.", UnusedFeatures.Run),
     },

@@ -76,7 +76,7 @@ internal static class SleepTiming
         }
 
         ratios.Sort();
-        bool same = worlds[0].StateHash() == worlds[1].StateHash();
+        bool same = worlds[0].MotionHash() == worlds[1].MotionHash();
         Console.WriteLine($"{bodies,7} balls that bounce, none asleep ({worlds[1].AsleepCount}): time with sleep allowed "
             + $"{ratios[ratios.Count / 2]:F4} of that without, {(same ? "same bits" : "OTHER BITS")}");
     }

@@ -130,7 +130,7 @@ internal static class TreeTiming
             times.EndRun();
             substeps = world.Settings.Substeps;
             bodies = MovingBodies(world);
-            hash = world.StateHash();
+            hash = world.MotionHash();
 
             // As many runs more as the compiler takes to be done with the passes of a small scene.
             run -= run == 0 && Stopwatch.GetElapsedTime(begin).TotalSeconds < WarmSeconds ? 1 : 0;

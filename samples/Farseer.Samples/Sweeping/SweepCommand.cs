@@ -117,7 +117,7 @@ internal static class SweepCommand
             Dt = dt,
             Seed = item.Seed,
             Steps = steps,
-            State = simulator.StateHash().ToString("x16", CultureInfo.InvariantCulture),
+            State = simulator.MotionHash().ToString("x16", CultureInfo.InvariantCulture),
             Contacts = simulator.ContactCount,
             LargestPenetration = simulator.LargestPenetration,
         };

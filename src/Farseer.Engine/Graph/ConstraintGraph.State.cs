@@ -30,9 +30,9 @@ internal sealed unsafe partial class ConstraintGraph
         {
             for (int color = 0; color <= ColorCount; color++)
             {
-                if (i < groups && s.Value(_colors[i][color]?.HoldsAny == true))
+                if (i < groups && s.Of("Color", color).Value(_colors[i][color]?.HoldsAny == true, nameof(GraphColor.HoldsAny)))
                 {
-                    ColorOf(i, color).Visit(s);
+                    ColorOf(i, color).Visit(s, areDormant: color == Dormant);
                 }
                 else
                 {

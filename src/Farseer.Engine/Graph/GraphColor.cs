@@ -206,7 +206,9 @@ internal sealed unsafe class GraphColor
     /// <summary>
     /// Writes, or reads, what later steps read of it; the arena comes before. Of its memory only the bundles that have rows.
     /// </summary>
-    public void Visit(StateStream s)
+    /// <param name="s">The stream.</param>
+    /// <param name="areDormant">Its rows sleep: when they wake they are solved as they are.</param>
+    public void Visit(StateStream s, bool areDormant)
     {
         s.Section();
         s.Value(ref _first);
@@ -223,7 +225,7 @@ internal sealed unsafe class GraphColor
         {
             int bundles = extent == _last ? _inLast : _arena.Extents[extent].Count;
             int records = (bundles + ContactBundle.Beside - 1) / ContactBundle.Beside;
-            s.Raw(_arena.Extents[extent].Bundles, (long)records * ContactBundle.Bytes);
+            ContactRowState.Visit(s, _arena.Extents[extent].Bundles, records, areDormant);
             if (extent == _last)
             {
                 break;

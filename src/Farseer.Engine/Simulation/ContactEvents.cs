@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
@@ -327,7 +328,7 @@ internal sealed unsafe class ContactEvents
     private static ulong Key(World world, in ContactRecord record) => Key(world, world.Shapes.ColliderOf(record.PieceA), world.Shapes.ColliderOf(record.PieceB));
 
     private static ulong Key(World world, int colliderA, int colliderB) =>
-        ((ulong)(uint)world.Shapes.Colliders[colliderA].Order << 32) | (uint)world.Shapes.Colliders[colliderB].Order;
+        ((ulong)(uint)world.Shapes.Order[colliderA] << 32) | (uint)world.Shapes.Order[colliderB];
 
     /// <returns>False if the pair gives no response in this step.</returns>
     private bool RaiseContact(
@@ -429,6 +430,7 @@ internal sealed unsafe class ContactEvents
         }
     }
 
+    [StructLayout(LayoutKind.Sequential, Pack = 1)]
     private struct PairOfColliders
     {
         public int A;
@@ -442,9 +444,9 @@ internal sealed unsafe class ContactEvents
     {
         s.Column(_points);
         s.Column(_contacts);
-        s.Column(_keys);
+        s.Local(_keys);
         s.Column(_pairs);
-        s.Column(_oldKeys);
+        s.Local(_oldKeys);
         s.Column(_oldPairs);
         s.Column(_woken);
         s.Value(ref _oldCount);

@@ -112,9 +112,9 @@ internal sealed partial class World
             Group = def.Group,
             Categories = def.Categories,
             CollidesWith = def.CollidesWith,
-            Order = _colliderOrder++,
             UserIndex = def.UserIndex,
         };
+        Shapes.Order[collider] = _colliderOrder++;
         _roomIsDue = true;
         int piece = Shapes.AttachPieces(shape, body.Index, collider, def.Offset, StableMath.FromAngle(def.RotationOffset));
         _nextCollider[collider] = _firstCollider[body.Index];
@@ -265,6 +265,7 @@ internal sealed partial class World
     private void EnsureColliders(int end)
     {
         Shapes.Colliders.EnsureCapacity(end);
+        Shapes.Order.EnsureCapacity(end);
         _nextCollider.EnsureCapacity(end);
     }
 

@@ -86,7 +86,7 @@ internal sealed partial class World
             ref ContactRecord record = ref _contacts.Records[i];
             if (given.Normal > 0 && record.PieceA >= 0)
             {
-                _hitKeys[count] = ((ulong)(uint)Shapes.ColliderAt(record.PieceA).Order << 32) | (uint)Shapes.ColliderAt(record.PieceB).Order;
+                _hitKeys[count] = ((ulong)(uint)Shapes.OrderAt(record.PieceA) << 32) | (uint)Shapes.OrderAt(record.PieceB);
                 _hitContacts[count++] = i;
             }
         }

@@ -271,7 +271,7 @@ internal sealed partial class World
         int b = PairBuffer.Higher(key);
         int colliderA = Shapes.Pieces[a].Collider;
         int colliderB = Shapes.Pieces[b].Collider;
-        if (Shapes.Colliders[colliderA].Order > Shapes.Colliders[colliderB].Order)
+        if (Shapes.Order[colliderA] > Shapes.Order[colliderB])
         {
             (a, b) = (b, a);
         }

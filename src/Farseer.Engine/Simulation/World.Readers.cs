@@ -55,8 +55,8 @@ internal sealed partial class World
             ref ContactRecord record = ref _contacts.Records[i];
             if (record.PieceA >= 0 && (record.Flags & ContactFlags.Touching) != 0)
             {
-                _visitKeys[count] = ((ulong)(uint)Shapes.ColliderAt(record.PieceA).Order << 32)
-                    | (uint)Shapes.ColliderAt(record.PieceB).Order;
+                _visitKeys[count] = ((ulong)(uint)Shapes.OrderAt(record.PieceA) << 32)
+                    | (uint)Shapes.OrderAt(record.PieceB);
                 _visitContacts[count++] = i;
             }
         }
@@ -139,7 +139,7 @@ internal sealed partial class World
     }
 
     /// <summary>64-bit hash (FNV-1a) of the poses and velocities of all live bodies, in order; equal on every platform.</summary>
-    public unsafe ulong StateHash()
+    public unsafe ulong MotionHash()
     {
         ulong hash = 14695981039346656037UL;
         for (int body = 1; body < Bodies.Ids.End; body++)

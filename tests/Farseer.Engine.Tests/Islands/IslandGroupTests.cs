@@ -30,7 +30,7 @@ public sealed class IslandGroupTests
 
             together.World.Step(SleepScene.Dt);
             grouped.World.Step(SleepScene.Dt);
-            Assert.Equal(together.World.StateHash(), grouped.World.StateHash());
+            Assert.Equal(together.World.MotionHash(), grouped.World.MotionHash());
         }
 
         Assert.Equal(0, together.World.IslandGroups.Sorts);

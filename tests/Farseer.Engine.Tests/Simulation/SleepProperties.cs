@@ -75,7 +75,7 @@ public class SleepProperties
             AssertSound(scene, bodies);
         }
 
-        return (scene.World.StateHash(), slept);
+        return (scene.World.MotionHash(), slept);
     }
 
     private static void Make(SleepScene scene, Random random, List<Handle> bodies)

@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 namespace Farseer.Engine.Joints.Trees;
 
 /// <summary>One tree: a range of nodes in pre-order, its anchors, and what holds for all of it.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal struct JointTree
 {
     public int First;
