@@ -288,7 +288,9 @@ internal sealed unsafe class ErrorMeter
             double separation = Math.Sqrt(sum);
             squares += sum;
             m.LargestSeparation = Math.Max(m.LargestSeparation, separation);
-            m.JointSpeed = Math.Max(m.JointSpeed, Math.Sqrt(speeds));
+
+            // Of a body whose numbers left their range there is no speed: that it is out of action is an error of its own.
+            m.JointSpeed = double.IsNaN(speeds) ? m.JointSpeed : Math.Max(m.JointSpeed, Math.Sqrt(speeds));
             Judge(ref m, ErrorCause.Separation, separation, separation, rows.Size, link.BodyA, link.BodyB, i);
             _sags.Add(link.BodyA, link.BodyB, Moves(link.BodyA), Moves(link.BodyB), separation);
         }

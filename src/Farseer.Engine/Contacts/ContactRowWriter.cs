@@ -337,7 +337,10 @@ internal static unsafe class ContactRowWriter
         return Wide.Min(Wide.Splat(input.Settings.AllowedPenetration), Wide.Splat(input.Settings.AllowedPenetrationShare) * size);
     }
 
-    /// <summary>How fully the load is fed forward, and deepness: a row stays deep until its depth is under half of what made it so.</summary>
+    /// <summary>
+    /// How fully the load is fed forward, and deepness. Nothing stays deep once its depth is below what made it so: what is pushed apart is not corrected softly, and
+    /// heaps that were jammed up to half of that depth stayed so, and awake, for good.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void WriteStiffness(in ContactUpdateInput input, ContactBundle* row, int lane, WideMask one, WideMask two)
     {
@@ -354,14 +357,13 @@ internal static unsafe class ContactRowWriter
         Wide sags = Wide.Splat(DeepSags) * WideCoefficients.Sag(input.Coefficients, load);
         limit = limit + Wide.Min(sags, Wide.Splat(MostSag) * size);
         WideMask deep = depth > limit;
-        WideMask still = ContactBundle.Has(row, lane, ContactBundle.DeepMark) & (depth > Wide.Splat(0.5f) * limit);
         if (!input.Settings.CorrectPositions)
         {
             // What is deep is held hard where it is, and its overlap goes in a pass of its own, which is left out then.
             deep = WideLanes.AllSet;
         }
 
-        ContactBundle.Mark(row, lane, one & (deep | still), ContactBundle.DeepMark);
+        ContactBundle.Mark(row, lane, one & deep, ContactBundle.DeepMark);
     }
 
     /// <summary>Coefficients of pairs that have surfaces of their own.</summary>

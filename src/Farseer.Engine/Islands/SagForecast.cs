@@ -35,10 +35,12 @@ internal sealed unsafe class SagForecast
 
     /// <summary>
     /// An island of so many levels that all but rests for so many times to sleep, the longer watch of <see cref="RestJudge"/>, and does not fall asleep takes twice
-    /// the substeps: with the usual ones the loads of a heap go to and fro at the limit of friction, and it creeps. Asleep it costs nothing.
+    /// the substeps, and after as long again four times as many: with the usual ones the loads of a heap go to and fro at the limit of friction, and it creeps.
+    /// Asleep it costs nothing.
     /// </summary>
-    private const int ManyLevelsToSleep = 8;
+    private const int ManyLevelsToSleep = 4;
     private const float TimesToSleep = 8;
+    private const float MostForSleep = 2;
 
     /// <summary>A surface that leans carries its load by pressing harder, as in an arch; not beyond this (cosine), where others carry it.</summary>
     private const double LeastSteepness = 0.25;
@@ -202,7 +204,7 @@ internal sealed unsafe class SagForecast
         for (int i = 0; i < _islandCount; i++)
         {
             ref Island island = ref _islands[i];
-            bool rests = island.Fastest <= slow * (island.WasFine ? UnrestSteps : RestSteps);
+            bool rests = island.Fastest <= slow * (island.WasFine || island.MayCreep ? UnrestSteps : RestSteps);
             island.Calm = rests ? island.Calm + _dt : 0;
             island.Wanted = island.Open && island.Wait == 0 && rests;
             unknown |= island.Wanted && !island.Known;
@@ -258,7 +260,7 @@ internal sealed unsafe class SagForecast
     }
 
     private byte DoublingsOf(in Island island) =>
-        island.MayCreep ? (byte)(island.Calm > TimesToSleep * _timeToSleep ? 1 : 0) : island.Doublings;
+        island.MayCreep ? (byte)Math.Min(island.Calm / (TimesToSleep * _timeToSleep), MostForSleep) : island.Doublings;
 
     private void CollectMotion(IslandStore islands, FeedForwardSettings feedForward, BodyStore bodies, int* list, int count)
     {
