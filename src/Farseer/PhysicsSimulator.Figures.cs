@@ -25,12 +25,13 @@ public partial class PhysicsSimulator
     public ulong MotionHash() => World.MotionHash();
 
     /// <summary>
-    /// A 64-bit hash of all that <see cref="Capture(PhysicsSimulatorState)"/> captures: two simulators that were made by the same program and
-    /// have the same hash go on alike. It is the same on every platform and processor and with every number of workers, and takes as long as two or three captures.
+    /// A 64-bit hash of all that <see cref="Capture(PhysicsSimulatorState)"/> captures: two simulators that were made by the same program
+    /// and have the same hash go on alike. It is the same on every platform and processor and with every number of workers, and takes as
+    /// long as two or three captures.
     /// </summary>
     /// <remarks>
-    /// References count by whom they refer to, counted as they were added; of handlers it counts only whether there is one. Items of your own
-    /// count with what they save (<see cref="Interfaces.ISavedState"/>). <see cref="Compare"/> tells where two states differ.
+    /// References count by whom they refer to, counted as they were added; of handlers it counts only whether there is one. Items of your
+    /// own count with what they save (<see cref="Interfaces.ISavedState"/>). <see cref="Compare"/> tells where two states differ.
     /// </remarks>
     /// <returns>The hash.</returns>
     /// <exception cref="System.ObjectDisposedException">The simulator is disposed.</exception>

@@ -14,7 +14,7 @@ namespace FarseerGames.FarseerPhysics;
 /// </remarks>
 /// <example>
 /// <code>
-/// StateComparison comparison = simulator.Compare(other);
+/// StateComparison comparison = simulator.Compare(peer);
 /// if (!comparison.IsSame)
 /// {
 ///     Console.WriteLine(comparison);

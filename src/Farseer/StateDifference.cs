@@ -5,7 +5,7 @@ namespace FarseerGames.FarseerPhysics;
 /// <summary>A field of the state that has one value here and another one there: see <see cref="StateComparison"/>.</summary>
 /// <example>
 /// <code>
-/// foreach (StateDifference difference in simulator.Compare(other).Differences)
+/// foreach (StateDifference difference in simulator.Compare(peer).Differences)
 /// {
 ///     Console.WriteLine(difference.Item + " " + difference.Field + ": " + difference.FirstBits + ", " + difference.SecondBits);
 /// }

@@ -47,7 +47,8 @@ internal static class StateCommand
         (int restores, int differences) = (0, 0);
         output.WriteLine("| scene | workers | restores | steps compared | differences |");
         output.WriteLine("|---|---|---|---|---|");
-        foreach (string name in names.Length > 0 ? names : [.. SceneLibrary.All.Select(s => s.Name), .. PerformanceScenes.All.Select(s => s.Name)])
+        string[] all = [.. SceneLibrary.All.Select(s => s.Name), .. PerformanceScenes.All.Select(s => s.Name)];
+        foreach (string name in names.Length > 0 ? names : all)
         {
             for (int workers = 1; workers <= 2; workers++)
             {

@@ -100,7 +100,8 @@ internal sealed class StateNames
     /// <summary>Of one world: a part of the engine is made when it is first needed, and is compared by what it remembers.</summary>
     private static bool AreSame(object? one, object? other) =>
         ReferenceEquals(one, other)
-        || (one is not null && one.GetType() == other?.GetType() && one.GetType().Namespace!.StartsWith("Farseer.Engine", StringComparison.Ordinal));
+        || (one is not null && one.GetType() == other?.GetType()
+            && one.GetType().Namespace?.StartsWith("Farseer.Engine", StringComparison.Ordinal) == true);
 
     private bool AreAlike(object? one, object? other) =>
         one is not null && other is not null && one.GetType() == other.GetType() && Number(one) == Number(other);

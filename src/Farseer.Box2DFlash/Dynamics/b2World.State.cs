@@ -67,10 +67,13 @@ public partial class b2World
     }
 
     /// <summary>
-    /// A 64-bit hash of all that <see cref="Capture(b2WorldState)"/> captures: two worlds that were made by the same program and have the same hash go on
-    /// alike. It is the same on every platform and processor and with every number of workers, and takes as long as two or three captures. (An addition to the original.)
+    /// A 64-bit hash of all that <see cref="Capture(b2WorldState)"/> captures: two worlds that were made by the same program and have the
+    /// same hash go on alike. It is the same on every platform and processor and with every number of workers, and takes as long as two or
+    /// three captures. (An addition to the original.)
     /// </summary>
-    /// <remarks>References count by whom they refer to, counted in the order of the lists; of listeners it counts only whether there is one.</remarks>
+    /// <remarks>
+    /// References count by whom they refer to, counted in the order of the lists; of listeners it counts only whether there is one.
+    /// </remarks>
     /// <returns>The hash.</returns>
     /// <exception cref="InvalidOperationException">A step runs.</exception>
     public ulong StateHash()

@@ -59,7 +59,9 @@ internal static class StateNames
 
     /// <summary>Of one simulator: a part of the engine is made when it is first needed, and is compared by what it remembers.</summary>
     private static bool AreSame(object? one, object? other) =>
-        Equals(one, other) || (one is not null && one.GetType() == other?.GetType() && one.GetType().Namespace!.StartsWith("Farseer.Engine", System.StringComparison.Ordinal));
+        Equals(one, other)
+        || (one is not null && one.GetType() == other?.GetType()
+            && one.GetType().Namespace?.StartsWith("Farseer.Engine", System.StringComparison.Ordinal) == true);
 
     /// <summary>Of two simulators: who was added as the same one in turn, and what calls the same method.</summary>
     private static bool AreAlike(object? one, object? other) => (one, other) switch
