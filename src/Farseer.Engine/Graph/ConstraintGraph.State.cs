@@ -32,7 +32,7 @@ internal sealed unsafe partial class ConstraintGraph
             {
                 if (i < groups && s.Of("Color", color).Value(_colors[i][color]?.HoldsAny == true, nameof(GraphColor.HoldsAny)))
                 {
-                    ColorOf(i, color).Visit(s, areDormant: color == Dormant);
+                    ColorOf(i, color).Visit(s);
                 }
                 else
                 {

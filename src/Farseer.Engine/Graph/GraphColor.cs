@@ -206,9 +206,7 @@ internal sealed unsafe class GraphColor
     /// <summary>
     /// Writes, or reads, what later steps read of it; the arena comes before. Of its memory only the bundles that have rows.
     /// </summary>
-    /// <param name="s">The stream.</param>
-    /// <param name="areDormant">Its rows sleep: when they wake they are solved as they are.</param>
-    public void Visit(StateStream s, bool areDormant)
+    public void Visit(StateStream s)
     {
         s.Section();
         s.Value(ref _first);
@@ -225,7 +223,7 @@ internal sealed unsafe class GraphColor
         {
             int bundles = extent == _last ? _inLast : _arena.Extents[extent].Count;
             int records = (bundles + ContactBundle.Beside - 1) / ContactBundle.Beside;
-            ContactRowState.Visit(s, _arena.Extents[extent].Bundles, records, areDormant);
+            ContactRowState.Visit(s, _arena.Extents[extent].Bundles, records);
             if (extent == _last)
             {
                 break;
