@@ -12,16 +12,15 @@ namespace Farseer.Scenes;
 /// </summary>
 internal static class Make
 {
-    /// <summary>Resting depth of the contacts in the scenes that are built in metres.</summary>
-    public const float Depth = 0.001f;
+    /// <summary>What a resting place may be off by, in the scenes that are built in metres, or a share of it.</summary>
+    public const float Tolerance = 0.001f;
 
     public const float Gravity = 10f;
 
-    /// <summary>y up, 10 m/s², contacts that rest 1 mm deep.</summary>
+    /// <summary>y up, 10 m/s².</summary>
     public static void Metres(PhysicsSimulator simulator)
     {
         simulator.Gravity = new Vector2(0f, -Gravity);
-        simulator.AllowedPenetration = Depth;
     }
 
     public static Geom Box(PhysicsSimulator simulator, Vector2 position, float width, float height, float friction = 0.5f)

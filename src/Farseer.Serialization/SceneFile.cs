@@ -216,14 +216,11 @@ public static class SceneFile
             using var json = options.Format == SceneFormat.Json ? new JsonSink() : null;
             SceneSink sink = json is null ? new BinarySink() : json;
             sink.BeginObject();
-            sink.Name("format");
-            sink.Text(format);
-            sink.Name("version");
-            sink.Whole(Version);
+            sink.Text("format", format);
+            sink.Whole("version", Version);
             if (options.ExactState == true)
             {
-                sink.Name(SceneDocument.ChecksumName);
-                sink.Text(checksum);
+                sink.Text(SceneDocument.ChecksumName, checksum);
             }
 
             write(sink);

@@ -3,8 +3,6 @@ using System.Diagnostics;
 using Farseer.Engine.Accuracy;
 using Farseer.Engine.Settings;
 
-using FarseerGames.FarseerPhysics.Bridge;
-
 namespace FarseerGames.FarseerPhysics;
 
 /// <content>What an update says of its own error, and the error that is asked for. (Additions to the original.)</content>
@@ -54,14 +52,14 @@ public partial class PhysicsSimulator
         TimeSpan limit = _errorBudget.TimeLimit;
         if (limit == TimeSpan.Zero || !_errorBudget.IsBounded)
         {
-            SharedScratch.Step(World, dt);
+            World.Step(dt);
             FillReport(TimeSpan.Zero, TimeSpan.Zero);
             return;
         }
 
         World.Budget.MostSubsteps = Math.Min(_errorBudget.MostIterations, _pace.Most(limit.TotalSeconds));
         long start = Stopwatch.GetTimestamp();
-        SharedScratch.Step(World, dt);
+        World.Step(dt);
         double seconds = (Stopwatch.GetTimestamp() - start) / (double)Stopwatch.Frequency;
         if (World.HasMeasured)
         {

@@ -92,8 +92,7 @@ public partial class PhysicsSimulator
 
             if (step > 0 && Enabled)
             {
-                bool heard = StepSignals.AreHeard;
-                World.Profile.Enabled = EnableDiagnostics || heard;
+                World.Profile.Enabled = EnableDiagnostics;
                 _arbiters.IsStale = true;
                 if (_relay.Collider is null)
                 {
@@ -109,11 +108,6 @@ public partial class PhysicsSimulator
 
                 StepCount++;
                 StepWorld(step);
-                if (heard)
-                {
-                    TellStep();
-                }
-
                 if (World.QuarantinedCount > 0)
                 {
                     TellQuarantined();

@@ -1,7 +1,10 @@
+using System;
+using System.Reflection;
 using Box2D.Collision;
 using Box2D.Collision.Shapes;
 using Box2D.Common.Math;
 using Box2D.Dynamics;
+using Xunit;
 
 namespace Farseer.Box2DFlash.Tests;
 
@@ -9,6 +12,10 @@ namespace Farseer.Box2DFlash.Tests;
 internal static class Bench
 {
     public const float Dt = 1f / 60;
+
+    /// <summary>A name that the manual uses and the sources lack: it is there, and says the other one.</summary>
+    public static void AssertOldName(MemberInfo? member, string name) =>
+        Assert.Contains(name, member!.GetCustomAttribute<ObsoleteAttribute>()!.Message!, StringComparison.Ordinal);
 
     public static b2AABB Box(float half) => new() { lowerBound = new b2Vec2(-half, -half), upperBound = new b2Vec2(half, half) };
 

@@ -55,8 +55,6 @@ public sealed class PackedLibrary : IDisposable
 
     public string PackageOf(string project) => Path.Combine(Feed, $"{project}.{Version}.nupkg");
 
-    public string SavingPackage => Path.Combine(Feed, $"Farseer.Serialization.{Version}.nupkg");
-
     public string Symbols => Path.Combine(Feed, $"Farseer.{Version}.snupkg");
 
     /// <summary>Copies a consumer's projects from <c>Consumers</c> beside the package and runs the project named.</summary>

@@ -2,24 +2,19 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Farseer.Tests.Shared;
 
 namespace Farseer.Rules.Tests;
 
 /// <summary>Where things are: the tests read the sources and the built libraries of the clone they run in.</summary>
 internal static class Repository
 {
-#if DEBUG
-    private const string Configuration = "Debug";
-#else
-    private const string Configuration = "Release";
-#endif
-
-    public static string Root { get; } = FindRoot();
+    public static string Root => Clone.Root;
 
     public static string EngineFolder => Path.Combine(Root, "src", "Farseer.Engine");
 
     public static string Library(string name, string framework) =>
-        Path.Combine(Root, "src", name, "bin", Configuration, framework, name + ".dll");
+        Path.Combine(Root, "src", name, "bin", Clone.Configuration, framework, name + ".dll");
 
     /// <summary>Files under a folder of the clone, without what a build made.</summary>
     public static IEnumerable<string> Files(string folder, string pattern) =>
@@ -31,15 +26,4 @@ internal static class Repository
 
     private static bool IsBuilt(string path) =>
         path.Split('/', '\\').Any(part => part is "bin" or "obj" or ".git" or "TestResults" or "artifacts");
-
-    private static string FindRoot()
-    {
-        string? folder = AppContext.BaseDirectory;
-        while (folder is not null && !File.Exists(Path.Combine(folder, "Farseer.sln")))
-        {
-            folder = Path.GetDirectoryName(folder);
-        }
-
-        return folder ?? throw new InvalidOperationException("no Farseer.sln above " + AppContext.BaseDirectory);
-    }
 }

@@ -3,6 +3,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Box2D.Dynamics;
+using Farseer.Tests.Shared;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Controllers;
@@ -14,7 +15,7 @@ namespace Farseer.Serialization.Tests;
 /// <summary>What the tests of files share.</summary>
 internal static class Saves
 {
-    public static string Folder { get; } = Path.Combine(Root(), "tests", "data", "saves");
+    public static string Folder { get; } = Path.Combine(Clone.Root, "tests", "data", "saves");
 
     public static SceneFileOptions Options(SceneFormat format, bool state) => new() { Format = format, ExactState = state };
 
@@ -51,16 +52,5 @@ internal static class Saves
         string[] others = Encoding.UTF8.GetString(other).Split('\n');
         int line = lines.Zip(others).TakeWhile(pair => pair.First == pair.Second).Count();
         return string.Join('\n', lines.Skip(Math.Max(0, line - 4)).Take(6)) + "\n--\n" + string.Join('\n', others.Skip(Math.Max(0, line - 4)).Take(6));
-    }
-
-    private static string Root([System.Runtime.CompilerServices.CallerFilePath] string file = "")
-    {
-        string? folder = Path.GetDirectoryName(file);
-        while (folder is not null && !File.Exists(Path.Combine(folder, "Farseer.sln")))
-        {
-            folder = Path.GetDirectoryName(folder);
-        }
-
-        return folder ?? throw new InvalidOperationException("The sources of the tests are not where they were built.");
     }
 }

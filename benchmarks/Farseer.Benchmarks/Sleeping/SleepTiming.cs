@@ -85,7 +85,6 @@ internal static class SleepTiming
     {
         var world = new World();
         world.Settings.Gravity = new Vector2(0, -10);
-        world.Settings.AllowedPenetration = 0.005f;
         world.Settings.AllowSleep = allowSleep;
         return world;
     }

@@ -300,7 +300,6 @@ internal static class TreeScenes
     {
         var world = new World();
         world.Settings.Gravity = new Vector2(0, -10);
-        world.Settings.AllowedPenetration = 0.005f;
         return world;
     }
 

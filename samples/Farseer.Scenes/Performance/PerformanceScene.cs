@@ -34,7 +34,6 @@ public abstract class PerformanceScene
 
         simulator.Gravity = new System.Numerics.Vector2(0f, -10f);
         simulator.Iterations = 4;
-        simulator.AllowedPenetration = 0.005f;
         simulator.BroadPhaseCollider = new GridCollider(simulator);
         Fill(new Bricks(simulator), size);
     }

@@ -70,7 +70,7 @@ public sealed class BitmapBody : Scene
     [
         SceneOutcome.AtLeast("polygons", _parts.Count, 2),
         SceneOutcome.Error("their area (m²)", _area, ((16 * 10) - 2 - 4 - 32) * Pixel * Pixel, 1e-4),
-        SceneOutcome.Error("height of the body (m)", _body!.PositionY, 5 * Pixel, 2.0 * Make.Depth),
+        SceneOutcome.Error("height of the body (m)", _body!.PositionY, 5 * Pixel, 2.0 * Make.Tolerance),
         SceneOutcome.AtMost("tilt (rad)", System.Math.Abs(Measure.Angle(_body)), 1e-3),
     ];
 }

@@ -88,7 +88,7 @@ public sealed class BouncingLadder : Scene
 
             // Ten seconds are five bounces of the ball that loses nothing.
             SceneOutcome.Error("height kept by the ball with e = 1 (m)", energy, Drop, 0.02 * Drop),
-            SceneOutcome.Error("height of the ball with e = 0 (m)", _balls[0].Body.Position.Y, Radius - Make.Depth, 0.1 * Make.Depth),
+            SceneOutcome.Error("height of the ball with e = 0 (m)", _balls[0].Body.Position.Y, Radius, 0.1 * Make.Tolerance),
         ];
     }
 }

@@ -67,13 +67,13 @@ public sealed class ChainTerrain : Scene
         chain.FrictionCoefficient = 0f;
 
         _startX = 1f;
-        _box = Make.Box(simulator, new Vector2(_startX, 0.25f - Make.Depth), 0.5f, 0.5f, 0f);
+        _box = Make.Box(simulator, new Vector2(_startX, 0.25f), 0.5f, 0.5f, 0f);
         _box.Body.LinearVelocity = new Vector2(Speed, 0f);
         _lift = 0.0;
     }
 
     public override void Act(PhysicsSimulator simulator, int step, float dt) =>
-        _lift = Math.Max(_lift, Math.Abs(_box!.Body.Position.Y - (0.25 - Make.Depth)));
+        _lift = Math.Max(_lift, Math.Abs(_box!.Body.Position.Y - 0.25));
 
     public override IReadOnlyList<SceneOutcome> Check()
     {
@@ -81,7 +81,7 @@ public sealed class ChainTerrain : Scene
         for (int i = 0; i < Valleys; i++)
         {
             double x = (SeamPitch * Seams) + (ValleyWidth * (i + 0.5));
-            double y = -_depth + ((Radius - Make.Depth) / Math.Cos(Math.PI / 6.0));
+            double y = -_depth + (Radius / Math.Cos(Math.PI / 6.0));
             Vector2 position = _balls[i].Body.Position;
             settled = Math.Max(settled, Math.Max(Math.Abs(position.X - x), Math.Abs(position.Y - y)));
         }
@@ -91,7 +91,7 @@ public sealed class ChainTerrain : Scene
         [
             SceneOutcome.Error("way of the gliding box (m)", _box!.Body.Position.X, _startX + (Speed * time), 1e-3),
             SceneOutcome.Error("speed of the gliding box (m/s)", _box.Body.LinearVelocity.X, Speed, 1e-3),
-            SceneOutcome.AtMost("bump of the gliding box (m)", _lift, 0.1 * Make.Depth),
+            SceneOutcome.AtMost("bump of the gliding box (m)", _lift, 0.1 * Make.Tolerance),
             SceneOutcome.AtMost("ball off the bottom of its valley (m)", settled, 5e-3),
         ];
     }

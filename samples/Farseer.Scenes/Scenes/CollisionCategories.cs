@@ -59,7 +59,7 @@ public sealed class CollisionCategories : Scene
         double height = 0.0;
         for (int i = 0; i < _balls.Count; i++)
         {
-            double error = Math.Abs(_balls[i].Body.Position.Y - (ShelfTop(i % _kinds.Length) + Radius - Make.Depth));
+            double error = Math.Abs(_balls[i].Body.Position.Y - (ShelfTop(i % _kinds.Length) + Radius));
             onShelf += error < 0.1 ? 1 : 0;
             height = Math.Max(height, error);
         }
@@ -67,16 +67,16 @@ public sealed class CollisionCategories : Scene
         double grouped = 0.0;
         foreach (Geom box in _group)
         {
-            grouped = Math.Max(grouped, Math.Abs(box.Body.Position.Y - (0.5 - Make.Depth)));
+            grouped = Math.Max(grouped, Math.Abs(box.Body.Position.Y - 0.5));
         }
 
         return
         [
             SceneOutcome.Exactly("balls on the shelf of their category", onShelf, _balls.Count),
-            SceneOutcome.AtMost("height error of any ball (m)", height, 0.2 * Make.Depth),
+            SceneOutcome.AtMost("height error of any ball (m)", height, 0.2 * Make.Tolerance),
 
             // The three boxes overlap by 0.8 m: each rests on the floor as if it were alone.
-            SceneOutcome.AtMost("height error of the grouped boxes (m)", grouped, 0.2 * Make.Depth),
+            SceneOutcome.AtMost("height error of the grouped boxes (m)", grouped, 0.2 * Make.Tolerance),
         ];
     }
 

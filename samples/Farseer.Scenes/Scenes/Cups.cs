@@ -46,18 +46,17 @@ public sealed class Cups : Scene
 
     public override IReadOnlyList<SceneOutcome> Check()
     {
-        double floor = -Make.Depth;
-        double innerFloor = floor + Outer.Wall - Make.Depth;
-        double ballFloor = innerFloor + Inner.Wall - Make.Depth;
+        double innerFloor = Outer.Wall;
+        double ballFloor = innerFloor + Inner.Wall;
 
         // A contact may rest a fifth of its resting depth off; the ball stands on three of them.
-        const double Limit = 0.2 * 3 * Make.Depth;
+        const double Limit = 0.2 * 3 * Make.Tolerance;
         return
         [
-            SceneOutcome.Error("height of the outer cup (m)", _outer!.Body.Position.Y, floor + Outer.CentroidHeight, Limit),
+            SceneOutcome.Error("height of the outer cup (m)", _outer!.Body.Position.Y, Outer.CentroidHeight, Limit),
             SceneOutcome.Error("height of the inner cup (m)", _inner!.Body.Position.Y, innerFloor + Inner.CentroidHeight, Limit),
             SceneOutcome.Error("height of the ball (m)", _ball!.Body.Position.Y, ballFloor + Radius, Limit),
-            SceneOutcome.Error("height of the cup on the post (m)", _cap!.Body.Position.Y, Post - Make.Depth + Cap.Wall - Cap.CentroidHeight, Limit),
+            SceneOutcome.Error("height of the cup on the post (m)", _cap!.Body.Position.Y, Post + Cap.Wall - Cap.CentroidHeight, Limit),
             SceneOutcome.AtMost("tilt of the cup on the post (rad)", Math.Abs(Measure.Angle(_cap.Body)), 0.01),
             SceneOutcome.AtMost("fastest point at the end (m/s)", Measure.FastestSpeed([_outer, _inner, _ball, _cap]), 5e-3),
         ];

@@ -45,7 +45,7 @@ public sealed class FallingStack : Scene
         for (int i = 0; i < Count; i++)
         {
             Vector2 position = _boxes[i].Body.Position;
-            double ideal = i + 0.5 - ((i + 1) * Make.Depth);
+            double ideal = i + 0.5;
             sag = Math.Max(sag, Math.Abs(position.Y - ideal));
             drift = Math.Max(drift, Math.Abs(position.X));
             tilt = Math.Max(tilt, Math.Abs(Measure.Angle(_boxes[i].Body)));
@@ -54,7 +54,7 @@ public sealed class FallingStack : Scene
         return
         [
             // Each of the ten contacts below a box may be off by a tenth of its resting depth of 1 mm, and the top box sums them.
-            SceneOutcome.AtMost("height error of any box (m)", sag, Count * 0.1 * Make.Depth),
+            SceneOutcome.AtMost("height error of any box (m)", sag, Count * 0.1 * Make.Tolerance),
 
             // The fall is symmetrical, nothing pushes sideways: only rounding, far below a millimetre.
             SceneOutcome.AtMost("sideways drift (m)", drift, 1e-3),

@@ -70,7 +70,7 @@ public sealed class FixedJoints : Scene
             SceneOutcome.AtMost("energy of the pendulum off (J)", _gained, 0.15),
             SceneOutcome.AtMost("length of the pendulum off (m)", arm, 1e-3),
             SceneOutcome.AtMost("tilt of the upright box (rad)", Math.Abs(Measure.Angle(_upright!)), 1e-3),
-            SceneOutcome.Error("its height on the block (m)", _upright!.PositionY, 1.75, 2.0 * Make.Depth),
+            SceneOutcome.Error("its height on the block (m)", _upright!.PositionY, 1.75, 2.0 * Make.Tolerance),
 
             // A limit lets an angle be past it by its Slop of 0.01 without turning it back.
             SceneOutcome.AtMost("flap past its limits in the whole run (rad)", _widest, 0.02),

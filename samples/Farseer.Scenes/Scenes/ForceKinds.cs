@@ -42,7 +42,6 @@ public sealed class ForceKinds : Scene
     public override void Build(PhysicsSimulator simulator)
     {
         simulator.Gravity = new Vector2(0f, Weight);
-        simulator.AllowedPenetration = 0.05f;
         _limited.Clear();
         _fastestLimited = 0.0;
         _leastRadius = double.PositiveInfinity;

@@ -36,7 +36,7 @@ public sealed class FrictionRamp : Scene
         _start.Clear();
         for (int i = 0; i < _pairFriction.Length; i++)
         {
-            Vector2 position = (Along * (2.5f - (3f * i))) + (Normal * (0.5f + (0.5f * Side) - Make.Depth));
+            Vector2 position = (Along * (2.5f - (3f * i))) + (Normal * (0.5f + (0.5f * Side)));
 
             // Friction of a pair is the mean of the two.
             Geom box = Make.Box(simulator, position, Side, Side, (2f * _pairFriction[i]) - RampFriction);
@@ -58,7 +58,7 @@ public sealed class FrictionRamp : Scene
             string name = FormattableString.Invariant($"way error at mu = {_pairFriction[i]:0.00} (m)");
 
             // Half a per cent of the way for the sliding ones; a box that sticks may not creep by its resting depth.
-            outcomes.Add(SceneOutcome.Error(name, run, ideal, ideal > 0.0 ? 0.005 * ideal : Make.Depth));
+            outcomes.Add(SceneOutcome.Error(name, run, ideal, ideal > 0.0 ? 0.005 * ideal : Make.Tolerance));
         }
 
         return outcomes;

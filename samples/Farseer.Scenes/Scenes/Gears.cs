@@ -61,7 +61,7 @@ public sealed class Gears : Scene
             SceneOutcome.Error("turn of the driven wheel against the ratio (rad)", driven, ideal, play),
 
             // The bearing has a play of 1 mm and each of its contacts rests up to 1 mm deep.
-            SceneOutcome.AtMost("hub off the axle (m)", (_driven.Body.Position - _axle).Length(), 4f * Make.Depth),
+            SceneOutcome.AtMost("hub off the axle (m)", (_driven.Body.Position - _axle).Length(), 4f * Make.Tolerance),
         ];
     }
 
@@ -95,7 +95,7 @@ public sealed class Gears : Scene
         hub.CollidesWith = CollisionCategory.Cat2;
         wheel.CollisionCategories = CollisionCategory.Cat1;
         wheel.CollidesWith = CollisionCategory.Cat1;
-        float distance = Hub + Make.Depth + 0.25f;
+        float distance = Hub + Make.Tolerance + 0.25f;
         Vector2[] sides = [new(1f, 0f), new(-1f, 0f), new(0f, 1f), new(0f, -1f)];
         foreach (Vector2 side in sides)
         {

@@ -30,7 +30,6 @@ public sealed class NewtonsLine : Scene
     public override void Build(PhysicsSimulator simulator)
     {
         simulator.Gravity = Vector2.Zero;
-        simulator.AllowedPenetration = Make.Depth;
         _balls.Clear();
         for (int i = 0; i < Count; i++)
         {

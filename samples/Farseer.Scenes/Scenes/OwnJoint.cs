@@ -80,7 +80,7 @@ public sealed class OwnJoint : Scene
             SceneOutcome.Error("way fallen in the first second (m)", _fallen, due, 0.01 * due),
             SceneOutcome.Error("turn of the pinion by then (rad)", _turned, -due / Radius, 0.01 * due),
             SceneOutcome.AtMost("largest slip (m)", _slip, 0.01),
-            SceneOutcome.Error("height of the rack on the floor (m)", _rack.PositionY, 0.5 * RackHeight, 2.0 * Make.Depth),
+            SceneOutcome.Error("height of the rack on the floor (m)", _rack.PositionY, 0.5 * RackHeight, 2.0 * Make.Tolerance),
             SceneOutcome.AtMost("speed of the pinion at the end (rad/s)", Math.Abs(_pinion.AngularVelocity), 0.01),
         ];
     }

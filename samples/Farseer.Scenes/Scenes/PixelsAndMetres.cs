@@ -77,7 +77,6 @@ public sealed class PixelsAndMetres : Scene
     private static void Fill(PhysicsSimulator simulator, List<Geom> geoms, float unit)
     {
         simulator.Gravity = new Vector2(0f, -Make.Gravity * unit);
-        simulator.AllowedPenetration = Make.Depth * unit;
         Make.Wall(simulator, new Vector2(0f, -0.5f) * unit, 10f * unit, 1f * unit);
         Make.Wall(simulator, new Vector2(-5f, 1f) * unit, 0.5f * unit, 2f * unit);
         Make.Wall(simulator, new Vector2(5f, 1f) * unit, 0.5f * unit, 2f * unit);

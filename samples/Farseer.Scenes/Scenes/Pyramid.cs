@@ -33,7 +33,7 @@ public sealed class Pyramid : Scene
             for (int i = 0; i < Base - row; i++)
             {
                 float x = Pitch * (i - (0.5f * (Base - row - 1)));
-                float y = row + 0.5f - ((row + 1) * Make.Depth);
+                float y = row + 0.5f;
                 _boxes.Add(Make.Box(simulator, new Vector2(x, y), 1f, 1f, 0.6f));
                 _ideal.Add(new Vector2(x, y));
             }
@@ -52,7 +52,7 @@ public sealed class Pyramid : Scene
         return
         [
             // Twenty contacts in line, each allowed to be off by its own resting depth (1 mm).
-            SceneOutcome.AtMost("height error of the top box (m)", top, Base * Make.Depth),
+            SceneOutcome.AtMost("height error of the top box (m)", top, Base * Make.Tolerance),
 
             // Half of the resting depth of all rows in line.
             SceneOutcome.AtMost("farthest any box moved (m)", moved, 0.01),

@@ -113,7 +113,7 @@ public sealed class Ragdoll : Scene
 
             // Half a degree, for one update, at a hard landing.
             SceneOutcome.AtMost("farthest past a limit in the whole run (rad)", _bent, 0.01),
-            SceneOutcome.AtLeast("lowest point of a part (m)", lowest, -2.0 * Make.Depth),
+            SceneOutcome.AtLeast("lowest point of a part (m)", lowest, -2.0 * Make.Tolerance),
             SceneOutcome.AtMost("energy gained (J)", Measure.Energy(_simulator!) - _startEnergy, 0.0),
 
             // The friction of its joints brings it to rest, and nothing trembles.

@@ -69,7 +69,7 @@ public sealed class SimpleBody : Scene
             // 300 velocities of 100 in single precision: rounding of 1e-5 each.
             SceneOutcome.Error("way of the box: a t²/2, then v t", _body!.PositionX, due, 0.01),
 
-            // The floor's top is at 300, and contacts rest up to AllowedPenetration (0.05) deep.
+            // The floor's top is at 300; the sag is a share of the box's size.
             SceneOutcome.Error("height of the box", _body.PositionY, 300.0 - (0.5 * Side), 0.06),
             SceneOutcome.Error("speed of the box", _body.LinearVelocity.X, acceleration * pushed, 1e-3),
             SceneOutcome.AtMost("tilt (rad)", System.Math.Abs(Measure.Angle(_body)), 1e-4),

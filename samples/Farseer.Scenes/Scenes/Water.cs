@@ -28,7 +28,6 @@ public sealed class Water : Scene
     public override void Build(PhysicsSimulator simulator)
     {
         simulator.Gravity = new Vector2(0f, 200f);
-        simulator.AllowedPenetration = 0.05f;
         _floats.Clear();
         _entered = 0;
         Make.Wall(simulator, new Vector2(300f, 310f), 640f, 20f);

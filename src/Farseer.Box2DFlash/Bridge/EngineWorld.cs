@@ -23,7 +23,7 @@ internal sealed class EngineWorld : IStepHooks
     private const float RestShare = 0.5f;
 
     /// <summary>For small bodies that would be much: they rest no deeper than this share of their size.</summary>
-    private const float MostRestShare = 1f / 256;
+    private const float UsualMostRestShare = 1f / 256;
 
     /// <summary>
     /// Share of half its size that a resting body may move: what the original's slowest speed makes of a body of a metre in the time to
@@ -47,7 +47,7 @@ internal sealed class EngineWorld : IStepHooks
         _relay = new ListenerRelay(world, this);
         WorldSettings settings = World.Settings;
         settings.AllowedPenetration = RestShare * Box2D.Common.b2Settings.b2_linearSlop;
-        settings.AllowedPenetrationShare = MostRestShare;
+        settings.AllowedPenetrationShare = UsualMostRestShare;
         settings.BounceThreshold = Box2D.Common.b2Settings.b2_velocityThreshold;
         settings.FrictionMix = FrictionMix.GeometricMean;
         settings.RestitutionMix = RestitutionMix.Maximum;
@@ -62,6 +62,13 @@ internal sealed class EngineWorld : IStepHooks
     }
 
     public World World { get; } = new World();
+
+    /// <summary>Share of their size that bodies rest in each other at most: half a slop, where that is less.</summary>
+    public float MostRestShare
+    {
+        get => World.Settings.AllowedPenetrationShare;
+        set => World.Settings.AllowedPenetrationShare = value;
+    }
 
     public ContactBook Contacts { get; } = new ContactBook();
 
@@ -86,7 +93,7 @@ internal sealed class EngineWorld : IStepHooks
     {
         World.Settings.Substeps = iterations;
         _step++;
-        SharedScratch.Step(World, dt);
+        World.Step(dt);
         _relay.Results();
         EndDistantContacts();
     }

@@ -33,6 +33,7 @@ internal sealed unsafe class BoxRows
         _minY = _set.Add<float>();
         _maxX = _set.Add<float>();
         _maxY = _set.Add<float>();
+        SetCount(0);
     }
 
     public int Count { get; private set; }
@@ -48,14 +49,9 @@ internal sealed unsafe class BoxRows
         Point();
     }
 
-    /// <summary>Sets the length; old boxes stay, new ones are undefined, the padding is empty. Without a box there may be no memory yet.</summary>
+    /// <summary>Sets the length; old boxes stay, new ones are undefined, the padding is empty.</summary>
     public void SetCount(int count)
     {
-        if (count == 0 && _set.Capacity == 0)
-        {
-            return;
-        }
-
         EnsureCapacity(count);
         Count = count;
         Pad(Wide, count);

@@ -109,7 +109,7 @@ internal static unsafe class ContactKernel
     /// <summary>
     /// The biased pass: normal impulses that also remove overlap, softly. With φ in place of 0 as the value towards which the
     /// impulse leaks, the static sag is a tenth of the plain soft contact's. The surfaces hold from the moment they touch and
-    /// sink from there, slowly, to the depth of rest, or to where they are held. Contacts of deep islands are solved hard here;
+    /// sink from there, slowly, to the depth of rest. Contacts of deep islands are solved hard here;
     /// their overlap goes in <see cref="PushOut"/>.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]

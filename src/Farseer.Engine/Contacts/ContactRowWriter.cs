@@ -44,6 +44,12 @@ internal static unsafe class ContactRowWriter
     private const float DeepShare = 0.02f;
     private const float DeepSags = 3f;
 
+    /// <summary>
+    /// What is deep stays so down to this share of what made it so. What is pushed apart is not corrected softly: down to a half, heaps that were jammed by one or
+    /// two hundredths of their bodies stayed so, and awake, for good.
+    /// </summary>
+    private const float DeepEnd = 0.75f;
+
     /// <summary>Share of the smaller piece up to which the sags count: what a load presses in further than that is deep, whatever the load.</summary>
     private const float MostSag = 0.1f;
 
@@ -337,10 +343,7 @@ internal static unsafe class ContactRowWriter
         return Wide.Min(Wide.Splat(input.Settings.AllowedPenetration), Wide.Splat(input.Settings.AllowedPenetrationShare) * size);
     }
 
-    /// <summary>
-    /// How fully the load is fed forward, and deepness. Nothing stays deep once its depth is below what made it so: what is pushed apart is not corrected softly, and
-    /// heaps that were jammed up to half of that depth stayed so, and awake, for good.
-    /// </summary>
+    /// <summary>How fully the load is fed forward, and deepness.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void WriteStiffness(in ContactUpdateInput input, ContactBundle* row, int lane, WideMask one, WideMask two)
     {
@@ -363,7 +366,8 @@ internal static unsafe class ContactRowWriter
             deep = WideLanes.AllSet;
         }
 
-        ContactBundle.Mark(row, lane, one & deep, ContactBundle.DeepMark);
+        WideMask still = ContactBundle.Has(row, lane, ContactBundle.DeepMark) & (depth > Wide.Splat(DeepEnd) * limit);
+        ContactBundle.Mark(row, lane, one & (deep | still), ContactBundle.DeepMark);
     }
 
     /// <summary>Coefficients of pairs that have surfaces of their own.</summary>

@@ -93,15 +93,10 @@ internal static unsafe class FastPairs
     }
 
     /// <summary>The extent by which a pair is measured on its way.</summary>
-    public static float Extent(in Shapes.Piece a, in Shapes.Piece b, bool movesA, bool movesB)
-    {
-        if (movesA && movesB)
-        {
-            return a.Extent < b.Extent ? a.Extent : b.Extent;
-        }
+    public static float Extent(in Shapes.Piece a, in Shapes.Piece b, bool movesA, bool movesB) => Extent(a.Extent, b.Extent, movesA, movesB);
 
-        return movesA ? a.Extent : b.Extent;
-    }
+    /// <summary>The same of the extents of its pieces: that of the one that moves, the smaller one if both do.</summary>
+    public static float Extent(float a, float b, bool movesA, bool movesB) => !movesA ? b : !movesB ? a : Math.Min(a, b);
 
     public static double Tolerance(float extent) => (double)ToleranceShare * extent;
 

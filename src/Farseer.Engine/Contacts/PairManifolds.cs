@@ -46,7 +46,9 @@ internal static unsafe class PairManifolds
     public static bool WillTouch(in ContactUpdateInput input, int lane, bool touched, float time)
     {
         PairLanes* pairs = input.Pairs;
-        float reach = touched ? FastPairs.TouchShare * PairStage.MovingExtent(pairs, lane) : 0;
+        bool movesA = (pairs->A.Flags[lane] & (int)SideFlags.Moves) != 0;
+        bool movesB = (pairs->B.Flags[lane] & (int)SideFlags.Moves) != 0;
+        float reach = touched ? FastPairs.TouchShare * FastPairs.Extent(pairs->A.Extent[lane], pairs->B.Extent[lane], movesA, movesB) : 0;
         Vector2 n = new Vector2(pairs->NormalX[lane], pairs->NormalY[lane]);
         Vector2 pull = Vector2.Zero;
         pull += (pairs->B.Flags[lane] & (int)SideFlags.Pulled) != 0 ? input.Settings.Gravity : Vector2.Zero;

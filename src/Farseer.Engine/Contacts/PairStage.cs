@@ -167,16 +167,6 @@ internal static unsafe class PairStage
         return bits;
     }
 
-    /// <summary>The extent of the piece that moves, the smaller one if both do.</summary>
-    public static float MovingExtent(PairLanes* pairs, int lane)
-    {
-        float a = pairs->A.Extent[lane];
-        float b = pairs->B.Extent[lane];
-        return (pairs->A.Flags[lane] & (int)SideFlags.Moves) == 0 ? b
-            : (pairs->B.Flags[lane] & (int)SideFlags.Moves) == 0 ? a
-            : System.Math.Min(a, b);
-    }
-
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideMask TouchPoint(PairLanes* pairs, PointLanes* point, int lane, Wide speed, Wide gain, Wide reach, Wide dt, out Wide sunk)
     {

@@ -28,15 +28,15 @@ internal sealed unsafe partial class ConstraintGraph
 
         for (int i = 0; i < _colors.Count; i++)
         {
-            for (int color = 0; color <= ColorCount; color++)
+            for (int color = 0; color < _colors[i].Length; color++)
             {
-                if (i < groups && s.Of("Color", color).Value(_colors[i][color]?.HoldsAny == true, nameof(GraphColor.HoldsAny)))
+                if (i < groups)
                 {
-                    ColorOf(i, color).Visit(s);
+                    _colors[i][color].Visit(s.Of("Color", color));
                 }
                 else
                 {
-                    _colors[i][color]?.ForgetAll();
+                    _colors[i][color].ForgetAll();
                 }
             }
         }

@@ -35,7 +35,7 @@ internal sealed unsafe class StruckPairs : IStageWork
     private readonly Column<float> _throws = new Column<float>();
 
     /// <summary>A bundle for each worker.</summary>
-    private WorkerLanes* _lanes;
+    private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
     private readonly ColorRanges _ranges = new ColorRanges();
 
     /// <summary>In scratch memory: pairs that are to get rows, a bit for each place of the idle list.</summary>
@@ -59,7 +59,8 @@ internal sealed unsafe class StruckPairs : IStageWork
 
     public void Begin(StageRunner runner, BodyStore bodies, JointStore joints, Scratch scratch)
     {
-        _lanes = scratch.Lasting<WorkerLanes>(runner.Workers);
+        // Not when the first blow comes, which may be after a thousand steps.
+        _bundles.EnsureCapacity(runner.Workers);
         _joints = joints;
         _struck = new ScratchList<int>(scratch);
         _found = new ScratchList<int>(scratch);
@@ -121,8 +122,8 @@ internal sealed unsafe class StruckPairs : IStageWork
     void IStageWork.Run(int worker, int from, int to)
     {
         ContactUpdateInput input = _input;
-        input.Pairs = &(_lanes + worker)->Pairs;
-        ContactBundle* bundle = &(_lanes + worker)->Struck;
+        input.Pairs = _input.Pairs + worker;
+        ContactBundle* bundle = _bundles.Pointer + worker;
         for (int block = from; block < to; block++)
         {
             if (_widens)

@@ -28,8 +28,7 @@ internal sealed partial class World
         _graph.Visit(s.Of(nameof(_graph)));
         _islands.Visit(s.Of(nameof(_islands)));
         Joints.Visit(s.Of(nameof(Joints)));
-        s.Of(nameof(World)).Reference(ref _jointSolver);
-        _jointSolver?.Visit(s.Of(nameof(_jointSolver)));
+        _jointSolver.Visit(s.Of(nameof(_jointSolver)));
         _springs.Visit(s.Of(nameof(_springs)));
         VisitMemories(s);
         VisitItems(s);

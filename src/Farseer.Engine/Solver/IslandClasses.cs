@@ -67,8 +67,8 @@ internal sealed unsafe partial class IslandClasses
         for (int i = 0; i < Count; i++)
         {
             _lists[i] = new Column<int>();
-            _borrowed[i] = Array.Empty<GraphColor>();
-            _pool[i] = Array.Empty<GraphColor?>();
+            _borrowed[i] = new GraphColor[ConstraintGraph.ColorCount];
+            _pool[i] = new GraphColor?[ConstraintGraph.ColorCount];
         }
     }
 
@@ -302,7 +302,7 @@ internal sealed unsafe partial class IslandClasses
         if (target == null || target.Place != source.Place)
         {
             target = Take(index, source);
-            AddColor(index, target);
+            _borrowed[index][_used[index]++] = target;
         }
 
         float share = 1f / (1 << index);
@@ -414,25 +414,8 @@ internal sealed unsafe partial class IslandClasses
     }
 
     /// <summary>The class's own copy of a colour, empty.</summary>
-    private GraphColor Take(int index, GraphColor source)
-    {
-        if (_pool[index].Length == 0)
-        {
-            _pool[index] = new GraphColor?[ConstraintGraph.ColorCount];
-        }
-
-        return _pool[index][source.Place] ??= new GraphColor(_graph.Arena, source.IsSequential, source.IsGrounded, source.Place, shared: source.IsShared);
-    }
-
-    private void AddColor(int index, GraphColor color)
-    {
-        if (_borrowed[index].Length == 0)
-        {
-            _borrowed[index] = new GraphColor[ConstraintGraph.ColorCount];
-        }
-
-        _borrowed[index][_used[index]++] = color;
-    }
+    private GraphColor Take(int index, GraphColor source) =>
+        _pool[index][source.Place] ??= new GraphColor(_graph.Arena, source.IsSequential, source.IsGrounded, source.Place, shared: source.IsShared);
 
     private struct Loan
     {

@@ -25,7 +25,7 @@ internal sealed unsafe partial class IslandImpact
                 continue;
             }
 
-            FindGaps(row, lane, bodies, c, out double gap0, out double gap1);
+            FindGaps(row, lane, bodies, out double gap0, out double gap1);
             BounceLanes* bounce = entry.Bounce < 0 ? null : bounces + entry.Bounce;
             bool struck = bounce != null && ((bounce->Struck >> lane) & 1) != 0;
             bool touches0 = Touches(&row->Point0, lane, gap0, c) || (struck && bounce->Point0.Pushed[lane] > 0);

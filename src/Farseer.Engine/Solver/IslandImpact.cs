@@ -15,7 +15,7 @@ namespace Farseer.Engine.Solver;
 /// </summary>
 internal sealed unsafe partial class IslandImpact
 {
-    private const int MostPoints = ContactSystem.MostPoints;
+    private const int MostPoints = 2 * SmallIslands.MostContacts;
 
     /// <summary>Turns of what pushes and what rubs, and sweeps of friction in each.</summary>
     private const int Turns = 32;
@@ -45,10 +45,9 @@ internal sealed unsafe partial class IslandImpact
     public void Begin(int bodyEnd)
     {
         _changes.EnsureCapacity(bodyEnd);
-        int points = Math.Min(MostPoints, 2 * bodyEnd);
-        _system.Reserve(points);
-        _sides.EnsureCapacity(points);
-        _bodies.Reserve(points);
+        _system.Reserve(MostPoints);
+        _sides.EnsureCapacity(MostPoints);
+        _bodies.Reserve(MostPoints);
     }
 
     /// <summary>Solves the impacts of an island at one moment.</summary>
@@ -215,7 +214,7 @@ internal sealed unsafe partial class IslandImpact
 
     private void AddTouching(ContactBundle* row, int lane, BodyStore bodies, in ContactCoefficients c)
     {
-        FindGaps(row, lane, bodies, c, out double gap0, out double gap1);
+        FindGaps(row, lane, bodies, out double gap0, out double gap1);
         Moment a = At(bodies, row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane], 0, c);
         Moment b = At(bodies, row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane], 0, c);
         if (Touches(&row->Point0, lane, gap0, c))
@@ -238,7 +237,7 @@ internal sealed unsafe partial class IslandImpact
     }
 
     /// <summary>How far apart the surfaces of both points are.</summary>
-    private static void FindGaps(ContactBundle* row, int lane, BodyStore bodies, in ContactCoefficients c, out double gap0, out double gap1)
+    private static void FindGaps(ContactBundle* row, int lane, BodyStore bodies, out double gap0, out double gap1)
     {
         ref BodyState a = ref bodies.State[row->BodyA[lane]];
         ref BodyState b = ref bodies.State[row->BodyB[lane]];
@@ -270,7 +269,6 @@ internal sealed unsafe partial class IslandImpact
         side.AlongA = (a.Cos * point->NormalArmA[lane]) + (a.Sin * point->TangentArmA[lane]) + row->RadiusA[lane];
         side.AlongB = (b.Cos * point->NormalArmB[lane]) + (b.Sin * point->TangentArmB[lane]) - row->RadiusB[lane];
         side.Slip = (ny * (b.X - a.X)) - (nx * (b.Y - a.Y)) + (a.W * side.AlongA) - (b.W * side.AlongB);
-        _sides.EnsureCapacity(_system.Count + 1);
         _sides[_system.Count] = side;
         _system.Add(added);
     }

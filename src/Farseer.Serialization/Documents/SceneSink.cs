@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 
 namespace FarseerGames.FarseerPhysics.Serialization.Documents;
@@ -36,6 +37,66 @@ internal abstract class SceneSink
     public abstract void Wholes(ReadOnlySpan<int> values);
 
     public void Vector(Vector2 value) => Numbers([value.X, value.Y]);
+
+    public void Flag(string name, bool value)
+    {
+        Name(name);
+        Flag(value);
+    }
+
+    public void Whole(string name, long value)
+    {
+        Name(name);
+        Whole(value);
+    }
+
+    public void Number(string name, float value)
+    {
+        Name(name);
+        Number(value);
+    }
+
+    public void Number(string name, double value)
+    {
+        Name(name);
+        Number(value);
+    }
+
+    public void Text(string name, string value)
+    {
+        Name(name);
+        Text(value);
+    }
+
+    public void Vector(string name, Vector2 value)
+    {
+        Name(name);
+        Vector(value);
+    }
+
+    /// <summary>An object as a member.</summary>
+    public void Member(string name, Action write)
+    {
+        Name(name);
+        BeginObject();
+        write();
+        EndObject();
+    }
+
+    /// <summary>A list of objects as a member.</summary>
+    public void Items<T>(string name, List<T> items, Action<T> write)
+    {
+        Name(name);
+        BeginArray();
+        foreach (T item in items)
+        {
+            BeginObject();
+            write(item);
+            EndObject();
+        }
+
+        EndArray();
+    }
 
     public void Vectors(ReadOnlySpan<Vector2> values)
     {

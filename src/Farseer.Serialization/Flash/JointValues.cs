@@ -35,8 +35,7 @@ internal static class JointValues
     {
         foreach (KeyValuePair<string, Value> value in s_all)
         {
-            sink.Name(value.Key);
-            sink.Number(value.Value(ref settings));
+            sink.Number(value.Key, value.Value(ref settings));
         }
     }
 

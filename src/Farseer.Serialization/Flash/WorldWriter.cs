@@ -29,67 +29,51 @@ internal sealed class WorldWriter
         b2World world = _contents.World;
         _sink.Name("world");
         _sink.BeginObject();
-        Vector("lowerBound", world.Lower);
-        Vector("upperBound", world.Upper);
-        Vector("gravity", world.Engine.Gravity);
-        Flag("doSleep", world.DoSleep);
+        _sink.Vector("lowerBound", world.Lower);
+        _sink.Vector("upperBound", world.Upper);
+        _sink.Vector("gravity", world.Engine.Gravity);
+        _sink.Flag("doSleep", world.DoSleep);
         WorldTables.World.Write(world, _sink);
         _sink.EndObject();
-        WriteItems("bodies", _contents.Bodies, WriteBody);
-        WriteItems("shapes", _contents.Shapes, WriteShape);
-        WriteItems("joints", _contents.Joints, WriteJoint);
-    }
-
-    private void WriteItems<T>(string name, List<T> items, Action<T> write)
-    {
-        _sink.Name(name);
-        _sink.BeginArray();
-        foreach (T item in items)
-        {
-            _sink.BeginObject();
-            write(item);
-            _sink.EndObject();
-        }
-
-        _sink.EndArray();
+        _sink.Items("bodies", _contents.Bodies, WriteBody);
+        _sink.Items("shapes", _contents.Shapes, WriteShape);
+        _sink.Items("joints", _contents.Joints, WriteJoint);
     }
 
     private void WriteBody(b2Body body)
     {
-        Flag("isGround", ReferenceEquals(body, _contents.World.GetGroundBody()));
-        Flag("isAttached", body.Link.IsAttached);
-        Flag("fixedRotation", body.IsFixedRotation);
+        _sink.Flag("isGround", ReferenceEquals(body, _contents.World.GetGroundBody()));
+        _sink.Flag("isAttached", body.Link.IsAttached);
+        _sink.Flag("fixedRotation", body.IsFixedRotation);
         b2Vec2 position = body.GetPosition();
-        Vector("position", new Vector2(position.x, position.y));
-        _sink.Name("angle");
-        _sink.Number(body.GetAngle());
-        Number("mass", body.GetMass());
-        Number("inertia", body.GetInertia());
-        Double("centerX", body.Link.CenterX);
-        Double("centerY", body.Link.CenterY);
-        Double("worldCenterX", body.Link.WorldCenterX);
-        Double("worldCenterY", body.Link.WorldCenterY);
-        Double("fullAngle", body.Link.Angle);
+        _sink.Vector("position", new Vector2(position.x, position.y));
+        _sink.Number("angle", body.GetAngle());
+        _sink.Number("mass", body.GetMass());
+        _sink.Number("inertia", body.GetInertia());
+        _sink.Number("centerX", body.Link.CenterX);
+        _sink.Number("centerY", body.Link.CenterY);
+        _sink.Number("worldCenterX", body.Link.WorldCenterX);
+        _sink.Number("worldCenterY", body.Link.WorldCenterY);
+        _sink.Number("fullAngle", body.Link.Angle);
         WorldTables.Body.Write(body, _sink);
-        Flag("keepsVelocity", body.Link.KeepsVelocity);
-        Vector("linearVelocity", body.Link.Velocity);
-        Number("angularVelocity", body.Link.Spin);
+        _sink.Flag("keepsVelocity", body.Link.KeepsVelocity);
+        _sink.Vector("linearVelocity", body.Link.Velocity);
+        _sink.Number("angularVelocity", body.Link.Spin);
         BodyForce force = body.Link.Force;
-        Vector("force", force.Force);
-        Number("torque", force.Torque);
-        Flag("isFrozen", body.IsFrozen());
-        Flag("isSleeping", body.IsSleeping());
+        _sink.Vector("force", force.Force);
+        _sink.Number("torque", force.Torque);
+        _sink.Flag("isFrozen", body.IsFrozen());
+        _sink.Flag("isSleeping", body.IsSleeping());
         Tag(body.GetUserData());
     }
 
     private void WriteShape(b2Shape shape)
     {
-        _sink.Name("body");
-        _sink.Whole(_contents.Bodies.IndexOf(shape.GetBody()!));
+        _sink.Whole("body", _contents.Bodies.IndexOf(shape.GetBody()!));
         if (shape is b2CircleShape circle)
         {
-            Number("radius", circle.GetRadius());
-            Vector("center", circle.Center);
+            _sink.Number("radius", circle.GetRadius());
+            _sink.Vector("center", circle.Center);
         }
         else
         {
@@ -99,34 +83,30 @@ internal sealed class WorldWriter
 
         WorldTables.Shape.Write(shape, _sink);
         b2FilterData filter = shape.Filter;
-        _sink.Name("categoryBits");
-        _sink.Whole(filter.categoryBits);
-        _sink.Name("maskBits");
-        _sink.Whole(filter.maskBits);
-        _sink.Name("groupIndex");
-        _sink.Whole(filter.groupIndex);
+        _sink.Whole("categoryBits", filter.categoryBits);
+        _sink.Whole("maskBits", filter.maskBits);
+        _sink.Whole("groupIndex", filter.groupIndex);
         Tag(shape.GetUserData());
     }
 
     private void WriteJoint(b2Joint joint)
     {
-        _sink.Name("kind");
-        _sink.Text(WorldJoints.NameOf(joint));
+        _sink.Text("kind", WorldJoints.NameOf(joint));
         if (joint is b2GearJoint gear)
         {
-            Place("joint1", _contents.Joints.IndexOf(gear.Joint1));
-            Place("joint2", _contents.Joints.IndexOf(gear.Joint2));
+            _sink.Whole("joint1", _contents.Joints.IndexOf(gear.Joint1));
+            _sink.Whole("joint2", _contents.Joints.IndexOf(gear.Joint2));
         }
         else
         {
-            Place("body1", _contents.Bodies.IndexOf(joint.GetBody1()));
-            Place("body2", _contents.Bodies.IndexOf(joint.GetBody2()));
+            _sink.Whole("body1", _contents.Bodies.IndexOf(joint.GetBody1()));
+            _sink.Whole("body2", _contents.Bodies.IndexOf(joint.GetBody2()));
         }
 
-        Flag("collideConnected", joint.CollideConnected);
-        Flag("isLimitEnabled", joint.Link.Limit);
-        Flag("isMotorEnabled", joint.Link.Motor);
-        Flag("isSpring", joint.Link.Spring);
+        _sink.Flag("collideConnected", joint.CollideConnected);
+        _sink.Flag("isLimitEnabled", joint.Link.Limit);
+        _sink.Flag("isMotorEnabled", joint.Link.Motor);
+        _sink.Flag("isSpring", joint.Link.Spring);
         (b2Vec2? local1, b2Vec2? local2) = WorldJoints.LocalsOf(joint);
         Anchor("localAnchor1", local1);
         Anchor("localAnchor2", local2);
@@ -138,46 +118,15 @@ internal sealed class WorldWriter
     {
         if (value is not null)
         {
-            Vector(name, new Vector2(value.x, value.y));
+            _sink.Vector(name, new Vector2(value.x, value.y));
         }
-    }
-
-    private void Place(string name, int place)
-    {
-        _sink.Name(name);
-        _sink.Whole(place);
     }
 
     private void Tag(object? tag)
     {
         if (_options.Text(tag) is { } text)
         {
-            _sink.Name("userData");
-            _sink.Text(text);
+            _sink.Text("userData", text);
         }
-    }
-
-    private void Flag(string name, bool value)
-    {
-        _sink.Name(name);
-        _sink.Flag(value);
-    }
-
-    private void Number(string name, float value)
-    {
-        _sink.Name(name);
-        _sink.Number(value);
-    }
-
-    private void Double(string name, double value)
-    {
-        _sink.Name(name);
-        _sink.Number(value);
-    }
-
-    private void Vector(string name, Vector2 value)
-    {
-        _sink.Name(name);
-        _sink.Vector(value);
     }
 }

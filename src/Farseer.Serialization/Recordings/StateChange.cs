@@ -61,18 +61,15 @@ internal sealed class StateChange
         sink.BeginObject();
         Number(sink, "from", _from);
         Number(sink, "to", _to);
-        sink.Name("keepsReferences");
-        sink.Flag(_keepsReferences);
-        sink.Name("keepsRoom");
-        sink.Flag(_keepsRoom);
+        sink.Flag("keepsReferences", _keepsReferences);
+        sink.Flag("keepsRoom", _keepsRoom);
         _difference.Write(sink);
         sink.EndObject();
     }
 
     public static void Number(SceneSink sink, string name, ulong value)
     {
-        sink.Name(name);
-        sink.Whole((long)value);
+        sink.Whole(name, (long)value);
     }
 
     public static ulong Number(SceneNode node) => (ulong)node.Long();

@@ -31,46 +31,24 @@ internal sealed class SceneWriter
     /// <summary>The members of the root, but for what tells which file it is and for the state.</summary>
     public void Write()
     {
-        Member("simulator", WriteSimulator);
-        WriteItems("bodies", _contents.BodyItems, WriteBody);
-        WriteItems("geoms", _contents.GeomItems, WriteGeom);
-        WriteItems("joints", _contents.JointItems, WriteJoint);
-        WriteItems("springs", _contents.SpringItems, WriteSpring);
-        WriteItems("controllers", _contents.ControllerItems, WriteController);
-        WriteItems("paths", _contents.PathItems, WritePath);
-    }
-
-    private void Member(string name, Action write)
-    {
-        _sink.Name(name);
-        _sink.BeginObject();
-        write();
-        _sink.EndObject();
-    }
-
-    private void WriteItems<T>(string name, List<T> items, Action<T> write)
-    {
-        _sink.Name(name);
-        _sink.BeginArray();
-        foreach (T item in items)
-        {
-            _sink.BeginObject();
-            write(item);
-            _sink.EndObject();
-        }
-
-        _sink.EndArray();
+        _sink.Member("simulator", WriteSimulator);
+        _sink.Items("bodies", _contents.BodyItems, WriteBody);
+        _sink.Items("geoms", _contents.GeomItems, WriteGeom);
+        _sink.Items("joints", _contents.JointItems, WriteJoint);
+        _sink.Items("springs", _contents.SpringItems, WriteSpring);
+        _sink.Items("controllers", _contents.ControllerItems, WriteController);
+        _sink.Items("paths", _contents.PathItems, WritePath);
     }
 
     private void WriteSimulator()
     {
         PhysicsSimulator simulator = _contents.Simulator;
         SimulatorTables.Settings.Write(simulator, _sink);
-        Text("broadPhaseCollider", KindOf(simulator.BroadPhaseCollider));
-        Member("errorBudget", () => WriteBudget(simulator.ErrorBudget));
-        Member("scaling", () =>
+        _sink.Text("broadPhaseCollider", KindOf(simulator.BroadPhaseCollider));
+        _sink.Member("errorBudget", () => WriteBudget(simulator.ErrorBudget));
+        _sink.Member("scaling", () =>
         {
-            Number("preferredUpdateInterval", simulator.Scaling.PreferredUpdateInterval);
+            _sink.Number("preferredUpdateInterval", simulator.Scaling.PreferredUpdateInterval);
             SimulatorTables.Scaling.Write(simulator.Scaling, _sink);
             simulator.Scaling.VisitHidden(new HiddenWriter(_sink));
         });
@@ -93,12 +71,10 @@ internal sealed class SceneWriter
 
     private void WriteBudget(ErrorBudget budget)
     {
-        Number("length", budget.Length);
-        Number("share", budget.Share);
-        _sink.Name("mostIterations");
-        _sink.Whole(budget.MostIterations);
-        _sink.Name("timeLimit");
-        _sink.Whole(budget.TimeLimit.Ticks);
+        _sink.Number("length", budget.Length);
+        _sink.Number("share", budget.Share);
+        _sink.Whole("mostIterations", budget.MostIterations);
+        _sink.Whole("timeLimit", budget.TimeLimit.Ticks);
     }
 
     private void WriteBody(Body body)
@@ -114,12 +90,11 @@ internal sealed class SceneWriter
         WriteShape(geom.Form!, geom.LocalVertices);
         if (geom.Offset != Vector2.Zero || geom.RotationOffset != 0)
         {
-            _sink.Name("offset");
-            _sink.Vector(geom.Offset);
-            Number("rotationOffset", geom.RotationOffset);
+            _sink.Vector("offset", geom.Offset);
+            _sink.Number("rotationOffset", geom.RotationOffset);
         }
 
-        Number("collisionGridCellSize", geom.CollisionGridCellSize);
+        _sink.Number("collisionGridCellSize", geom.CollisionGridCellSize);
         GeomTable.All.Write(geom, _sink);
         if (geom.HasSegments)
         {
@@ -131,28 +106,26 @@ internal sealed class SceneWriter
 
     private void WriteShape(GeomForm form, Vertices outline)
     {
-        Text("shape", form.Kind.ToString());
+        _sink.Text("shape", form.Kind.ToString());
         switch (form.Kind)
         {
             case FormKind.Box:
-                Vector("size", form.Size);
+                _sink.Vector("size", form.Size);
                 return;
             case FormKind.Circle:
-                Number("radius", form.Radius);
-                _sink.Name("numberOfEdges");
-                _sink.Whole(outline.Count);
+                _sink.Number("radius", form.Radius);
+                _sink.Whole("numberOfEdges", outline.Count);
                 return;
             case FormKind.Rounded:
                 // The corner at the upper right is half the size.
-                Vector("size", 2 * form.Points[2]);
-                Number("radius", form.Radius);
+                _sink.Vector("size", 2 * form.Points[2]);
+                _sink.Number("radius", form.Radius);
                 return;
             case FormKind.Capsule:
-                Number("radius", form.Radius);
+                _sink.Number("radius", form.Radius);
                 break;
             case FormKind.Chain:
-                _sink.Name("isLoop");
-                _sink.Flag(form.IsLoop);
+                _sink.Flag("isLoop", form.IsLoop);
                 break;
         }
 
@@ -173,10 +146,10 @@ internal sealed class SceneWriter
             }
 
             _sink.BeginObject();
-            Number("friction", material.Friction);
-            Number("restitution", material.Restitution);
-            Number("speed", material.Speed);
-            Number("rollingResistance", material.RollingResistance);
+            _sink.Number("friction", material.Friction);
+            _sink.Number("restitution", material.Restitution);
+            _sink.Number("speed", material.Speed);
+            _sink.Number("rollingResistance", material.RollingResistance);
             _sink.EndObject();
         }
 
@@ -186,7 +159,7 @@ internal sealed class SceneWriter
     private void WriteJoint(Joint joint)
     {
         JointKindOfFile kind = JointTables.Kinds.FirstOrDefault(k => k.Type == joint.GetType()) ?? throw Unknown(joint);
-        Text("kind", kind.Name);
+        _sink.Text("kind", kind.Name);
         if (kind.OfPair is not null)
         {
             Place("body1", joint.FirstBody);
@@ -205,7 +178,7 @@ internal sealed class SceneWriter
     private void WriteSpring(Spring spring)
     {
         SpringKindOfFile kind = SpringTables.Kinds.FirstOrDefault(k => k.Type == spring.GetType()) ?? throw Unknown(spring);
-        Text("kind", kind.Name);
+        _sink.Text("kind", kind.Name);
         bool isPair = spring is AngleSpring or LinearSpring;
         if (isPair)
         {
@@ -221,18 +194,17 @@ internal sealed class SceneWriter
     private void WriteController(Controller controller)
     {
         ControllerKindOfFile kind = ControllerTables.Kinds.FirstOrDefault(k => k.Type == controller.GetType()) ?? throw Unknown(controller);
-        Text("kind", kind.Name);
+        _sink.Text("kind", kind.Name);
         kind.Table.Write(controller, _sink);
         controller.VisitHidden(new HiddenWriter(_sink));
         switch (controller)
         {
             case InactivityController when ReferenceEquals(controller, _contents.Simulator.InactivityController):
-                _sink.Name("isOfSimulator");
-                _sink.Flag(true);
+                _sink.Flag("isOfSimulator", true);
                 break;
             case WindController { Area: { } area }:
-                Vector("areaMin", area.Min);
-                Vector("areaMax", area.Max);
+                _sink.Vector("areaMin", area.Min);
+                _sink.Vector("areaMax", area.Max);
                 break;
             case FluidDragController fluid:
                 WriteFluid(fluid);
@@ -254,8 +226,8 @@ internal sealed class SceneWriter
             case AABBFluidContainer container when container.GetType() == typeof(AABBFluidContainer):
                 if (container.AABB is { } box)
                 {
-                    Vector("containerMin", box.Min);
-                    Vector("containerMax", box.Max);
+                    _sink.Vector("containerMin", box.Min);
+                    _sink.Vector("containerMax", box.Max);
                 }
 
                 break;
@@ -272,11 +244,10 @@ internal sealed class SceneWriter
 
     private void WritePath(Path path)
     {
-        Number("width", path.Width);
-        Number("height", path.Height);
-        Number("mass", path.Mass);
-        _sink.Name("isEndless");
-        _sink.Flag(path.IsEndless);
+        _sink.Number("width", path.Width);
+        _sink.Number("height", path.Height);
+        _sink.Number("mass", path.Mass);
+        _sink.Flag("isEndless", path.IsEndless);
         _sink.Name("controlPoints");
         _sink.Vectors(path.ControlPoints.ToArray());
         _sink.Name("placed");
@@ -301,8 +272,7 @@ internal sealed class SceneWriter
     {
         if (item is not null)
         {
-            _sink.Name(name);
-            _sink.Whole(_contents.PlaceOf(item));
+            _sink.Whole(name, _contents.PlaceOf(item));
         }
     }
 
@@ -310,26 +280,8 @@ internal sealed class SceneWriter
     {
         if (_options.Text(tag) is { } text)
         {
-            Text("tag", text);
+            _sink.Text("tag", text);
         }
-    }
-
-    private void Text(string name, string value)
-    {
-        _sink.Name(name);
-        _sink.Text(value);
-    }
-
-    private void Number(string name, float value)
-    {
-        _sink.Name(name);
-        _sink.Number(value);
-    }
-
-    private void Vector(string name, Vector2 value)
-    {
-        _sink.Name(name);
-        _sink.Vector(value);
     }
 
     private static NotSupportedException Unknown(object item) =>

@@ -11,35 +11,15 @@ internal sealed class HiddenWriter : IHiddenFields
 
     public HiddenWriter(SceneSink sink) => _sink = sink;
 
-    public void Value(string name, ref bool value)
-    {
-        _sink.Name(name);
-        _sink.Flag(value);
-    }
+    public void Value(string name, ref bool value) => _sink.Flag(name, value);
 
-    public void Value(string name, ref int value)
-    {
-        _sink.Name(name);
-        _sink.Whole(value);
-    }
+    public void Value(string name, ref int value) => _sink.Whole(name, value);
 
-    public void Value(string name, ref float value)
-    {
-        _sink.Name(name);
-        _sink.Number(value);
-    }
+    public void Value(string name, ref float value) => _sink.Number(name, value);
 
-    public void Value(string name, ref double value)
-    {
-        _sink.Name(name);
-        _sink.Number(value);
-    }
+    public void Value(string name, ref double value) => _sink.Number(name, value);
 
-    public void Value(string name, ref Vector2 value)
-    {
-        _sink.Name(name);
-        _sink.Vector(value);
-    }
+    public void Value(string name, ref Vector2 value) => _sink.Vector(name, value);
 
     public void Values(string name, ref float[] values)
     {

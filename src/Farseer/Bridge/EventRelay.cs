@@ -16,7 +16,7 @@ internal sealed class EventRelay : IStepHooks
     [NotState(Why.Elsewhere)]
     private readonly ObjectTable _table;
     [NotState(Why.OfOneStep)]
-    private readonly ContactList _contacts = new ContactList(4);
+    private readonly ContactList _contacts = new ContactList(16);
     [NotState(Why.Calm)]
     private ExceptionDispatchInfo? _failure;
 
@@ -78,7 +78,7 @@ internal sealed class EventRelay : IStepHooks
 
         if (a.OneWayDirection != System.Numerics.Vector2.Zero || b.OneWayDirection != System.Numerics.Vector2.Zero)
         {
-            if (!OneWay.Accepts(a, b, points, flip, began, _simulator.AllowedPenetration))
+            if (!OneWay.Accepts(a, b, points, flip, began))
             {
                 return false;
             }

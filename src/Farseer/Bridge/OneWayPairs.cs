@@ -33,14 +33,13 @@ internal sealed class OneWayPairs
     /// <param name="points">With normals from the one to the other.</param>
     /// <param name="flip">The normals point the other way.</param>
     /// <param name="began">They did not touch before.</param>
-    /// <param name="depth">Depth at which contacts rest.</param>
     /// <returns>False if they pass through each other.</returns>
-    public bool Accepts(Geom a, Geom b, ReadOnlySpan<ContactPoint> points, bool flip, bool began, float depth)
+    public bool Accepts(Geom a, Geom b, ReadOnlySpan<ContactPoint> points, bool flip, bool began)
     {
         ulong key = PairOrder.Of(a, b);
         if (began)
         {
-            bool passes = Passes(a, b, points, flip ? -1 : 1, depth) || Passes(b, a, points, flip ? 1 : -1, depth);
+            bool passes = Passes(a, b, points, flip ? -1 : 1) || Passes(b, a, points, flip ? 1 : -1);
             if (passes)
             {
                 _passing.Add(key);
@@ -80,7 +79,7 @@ internal sealed class OneWayPairs
     }
 
     /// <summary>Whether the other passes through a one-way geom.</summary>
-    private static bool Passes(Geom way, Geom other, ReadOnlySpan<ContactPoint> points, float sign, float depth)
+    private static bool Passes(Geom way, Geom other, ReadOnlySpan<ContactPoint> points, float sign)
     {
         Vector2 local = way.OneWayDirection;
         if (local == Vector2.Zero || points.IsEmpty)
@@ -104,6 +103,6 @@ internal sealed class OneWayPairs
         other.Body.GetVelocityAtWorldPoint(ref point, out Vector2 velocity);
         body.GetVelocityAtWorldPoint(ref point, out Vector2 own);
         float rises = Vector2.Dot(velocity - own, along);
-        return (rises > 0 && deepest < 0) || deepest < -Math.Max(2 * depth, DeepShare * other.AABB.GetShortestSide());
+        return (rises > 0 && deepest < 0) || deepest < -DeepShare * other.AABB.GetShortestSide();
     }
 }

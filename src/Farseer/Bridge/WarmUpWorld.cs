@@ -31,7 +31,7 @@ internal sealed class WarmUpWorld
     /// <summary>Radians a second, at which arms are turned no further than a limit.</summary>
     private const float FastSpin = 60f;
 
-    private readonly PhysicsSimulator _simulator = new PhysicsSimulator(new Vector2(0f, -10f)) { AllowedPenetration = 0.005f };
+    private readonly PhysicsSimulator _simulator = new PhysicsSimulator(new Vector2(0f, -10f));
 
     private WarmUpWorld(bool inGrid = false)
     {

@@ -333,12 +333,9 @@ public sealed partial class CharacterMover
             way.Radius = _radius;
             way.WayX = x;
             way.WayY = y;
-            using (QueryTurn turn = _simulator.Asking.Enter())
+            if (!_simulator.Asking.CastCapsule(way, _filter, out hit) || hit.Geom is null)
             {
-                if (!turn.Link.CastCapsule(way, _filter, out hit) || hit.Geom is null)
-                {
-                    return false;
-                }
+                return false;
             }
 
             if (!IsOpen(hit, x, y))

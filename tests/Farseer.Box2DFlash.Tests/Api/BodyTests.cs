@@ -38,7 +38,7 @@ public sealed class BodyTests
         Assert.True(none.IsStatic());
         Assert.Equal(0, new b2CircleDef().density);
         Assert.Equal(0.2f, new b2PolygonDef { friction = 0.2f }.friction);
-        Assert.Null(typeof(b2Body).GetMethod("SetMassFromShape"));
+        Bench.AssertOldName(typeof(b2Body).GetMethod("SetMassFromShape"), "SetMassFromShapes");
         b2Shape second = box.CreateShape(Bench.BoxDef(1, 1, 1));
         box.SetMassFromShapes();
         Assert.Equal(28, box.GetMass(), 1e-4);

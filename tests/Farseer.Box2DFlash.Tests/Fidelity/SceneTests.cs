@@ -12,7 +12,7 @@ namespace Farseer.Box2DFlash.Tests.Fidelity;
 /// <summary>Every recorded scene of the original, run through the public API and judged as the fidelity runner judges it.</summary>
 public sealed class SceneTests
 {
-    private static readonly IReadOnlyList<SceneFile> _scenes = SceneFile.ReadFolder(TestData.SceneFolder());
+    private static readonly IReadOnlyList<SceneFile> _scenes = SceneFile.ReadFolder(TestData.SceneFolder);
 
     public static TheoryData<string> Scenes => new(_scenes.Select(s => s.Name));
 
@@ -33,7 +33,7 @@ public sealed class SceneTests
         string folder = Directory.CreateTempSubdirectory("fidelity").FullName;
         try
         {
-            IReadOnlyDictionary<string, string> names = RenamedScenes.Write(TestData.SceneFolder(), folder);
+            IReadOnlyDictionary<string, string> names = RenamedScenes.Write(TestData.SceneFolder, folder);
             IEnumerable<Verdict> verdicts = SceneFile.ReadFolder(folder).Select(SceneJudge.Judge);
 
             Assert.Equal(_scenes.Count, names.Count);

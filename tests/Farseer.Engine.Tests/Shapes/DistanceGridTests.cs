@@ -3,6 +3,7 @@ using System.IO;
 using System.Numerics;
 using System.Text.Json;
 using Farseer.Engine.Shapes;
+using Farseer.Tests.Shared;
 using Xunit;
 
 namespace Farseer.Engine.Tests.Shapes;
@@ -15,7 +16,7 @@ public class DistanceGridTests
     [Fact]
     public void Intersect_AndNearestDistance_MatchTheOriginal()
     {
-        using JsonDocument scene = JsonDocument.Parse(File.ReadAllText(DataFile("fidelity/nearest_distance.json")));
+        using JsonDocument scene = JsonDocument.Parse(File.ReadAllText(Path.Combine(Clone.Root, "tests", "data", "fidelity", "nearest_distance.json")));
         JsonElement results = scene.RootElement.GetProperty("queryResults").GetProperty("5");
         int index = -1;
         int compared = 0;
@@ -90,15 +91,4 @@ public class DistanceGridTests
     }
 
     private static Vector2[] Rectangle(float w, float h) => ShapeBuilder.Box(w, h).Pieces[0].Vertices;
-
-    private static string DataFile(string name)
-    {
-        string? folder = AppContext.BaseDirectory;
-        while (folder != null && !File.Exists(Path.Combine(folder, "Farseer.sln")))
-        {
-            folder = Path.GetDirectoryName(folder);
-        }
-
-        return Path.Combine(folder!, "tests", "data", name);
-    }
 }

@@ -6,6 +6,7 @@ using Farseer.Accuracy;
 using Farseer.Accuracy.Dials;
 using Farseer.Accuracy.Reporting;
 using Farseer.Accuracy.Sweeping;
+using Farseer.Tests.Shared;
 using Xunit;
 
 namespace Farseer.Tests.Accuracy;
@@ -30,7 +31,7 @@ public class DialsTests
     [Fact]
     public void Page_Generated_HasARowAndAPlotOfEveryKindAndSetting()
     {
-        string docs = Path.Combine(Root(), "docs");
+        string docs = Path.Combine(Clone.Root, "docs");
         string part = GeneratedPart.Read(File.ReadAllText(Path.Combine(docs, DialsCommand.Document)), DialsCommand.Part);
         string[] lines = part.Split('\n');
         foreach (DialKind kind in DialKinds.All)
@@ -50,7 +51,7 @@ public class DialsTests
     [Fact]
     public void Plot_OfTheReadme_IsThatOfTheStoredSweeps() => Assert.Equal(
         OverallPlot.Draw([.. SweepData.Stored(), .. SweepData.Peers()]),
-        File.ReadAllText(Path.Combine(Root(), "docs", "plots", DialsCommand.Overall)));
+        File.ReadAllText(Path.Combine(Clone.Root, "docs", "plots", DialsCommand.Overall)));
 
     [Fact]
     public void Curve_OfKnownOrder_HasItAndComparesByTime()
@@ -119,16 +120,5 @@ public class DialsTests
         {
             folder.Delete(recursive: true);
         }
-    }
-
-    private static string Root()
-    {
-        DirectoryInfo? folder = new(AppContext.BaseDirectory);
-        while (folder is not null && !File.Exists(Path.Combine(folder.FullName, "Farseer.sln")))
-        {
-            folder = folder.Parent;
-        }
-
-        return folder?.FullName ?? throw new InvalidOperationException("The tests are not below the repository.");
     }
 }

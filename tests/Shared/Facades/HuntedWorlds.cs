@@ -75,7 +75,7 @@ public abstract class HuntedWorlds
     [Fact]
     public void ModelledMember_InSomeWorld_DoesWhatItSays()
     {
-        const int Worlds = 200;
+        const int Worlds = 300;
         var done = new HashSet<string>(StringComparer.Ordinal);
         for (ulong seed = 0; seed < Worlds; seed++)
         {
