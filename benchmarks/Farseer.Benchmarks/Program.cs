@@ -26,6 +26,7 @@ return Farseer.CommandLines.CommandLine.Run(
         MemoryCommand.Create(),
         AllocationCommand.Create(),
         StateTiming.Create(),
+        StateCommand.Create(),
         Verb.Plain("unused", "Time and bits of features that have nothing to do.", UnusedFeatures.Run),
     },
     args,

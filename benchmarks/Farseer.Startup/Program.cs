@@ -90,7 +90,7 @@ internal static class Program
         }
 
         Print("all", begin);
-        Console.WriteLine($"  hash {simulator.StateHash():x16}");
+        Console.WriteLine($"  hash {simulator.MotionHash():x16}");
     }
 
     private static void Print(string what, in Mark since) => Console.WriteLine(FormattableString.Invariant(

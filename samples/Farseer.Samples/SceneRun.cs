@@ -92,7 +92,7 @@ internal sealed class SceneRun
             LargestPenetration = Simulator.LargestPenetration,
             Energy = Measure.Energy(Simulator),
             BytesPerStep = Done <= _countFrom ? 0.0 : (double)_bytes / (Done - _countFrom),
-            StateHash = Simulator.StateHash(),
+            StateHash = Simulator.MotionHash(),
             Outcomes = outcomes,
         };
     }

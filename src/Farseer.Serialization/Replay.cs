@@ -108,7 +108,7 @@ public sealed class Replay
 
         _contents.Simulator.Update(frame.Dt);
         Frame++;
-        if (_contents.Simulator.StateHash() != frame.Hash)
+        if (_contents.Simulator.MotionHash() != frame.Hash)
         {
             Divergence = Math.Min(Divergence ?? int.MaxValue, Frame);
         }

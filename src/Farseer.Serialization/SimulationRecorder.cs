@@ -168,7 +168,7 @@ public sealed class SimulationRecorder
 
     private void Finish(RecordedFrame frame)
     {
-        frame.Hash = _shadow.Simulator.StateHash();
+        frame.Hash = _shadow.Simulator.MotionHash();
         StateImage? after = IsAsInTheFile() ? StateImage.Of(_contents) : null;
         if (after is null)
         {

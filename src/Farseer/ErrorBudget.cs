@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.InteropServices;
 
 namespace FarseerGames.FarseerPhysics;
 
@@ -10,6 +11,7 @@ namespace FarseerGames.FarseerPhysics;
 /// The bound on the work is a number of iterations: the same scene then gives the same bits on every machine. A bound on the time can be
 /// added (<see cref="WithTimeLimit"/>) and costs that: a clock has a say, and two runs of one scene may differ.
 /// </remarks>
+[StructLayout(LayoutKind.Sequential, Pack = 4)]
 public readonly struct ErrorBudget
 {
     /// <summary>Most iterations unless told otherwise.</summary>

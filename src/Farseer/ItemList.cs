@@ -231,7 +231,7 @@ public abstract class ItemList<T> : List<T>
     /// <summary>Writes, or reads, what is in it and who hears of it.</summary>
     internal void Visit(StateStream s)
     {
-        s.References(this);
+        s.References(this, GetType().Name);
         VisitHandlers(s);
     }
 

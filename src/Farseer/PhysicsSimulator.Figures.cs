@@ -1,8 +1,15 @@
+using Farseer.Engine.Storage;
+using FarseerGames.FarseerPhysics.Bridge;
+
 namespace FarseerGames.FarseerPhysics;
 
 /// <content>Figures of the state as a whole, for tests, benchmarks and displays. (Additions to the original.)</content>
 public partial class PhysicsSimulator
 {
+    // What a hash is made of: filled each time.
+    [NotState(Why.OfOneStep)]
+    private StateStream? _hashed;
+
     /// <summary>Pairs of pieces that touch after the last update; a geom of a concave outline or a chain has several pieces. Counted when asked for.</summary>
     public int ContactCount => World.Reader.Count;
 
@@ -11,8 +18,66 @@ public partial class PhysicsSimulator
 
     /// <summary>
     /// A 64-bit hash of places and velocities of all bodies. The same scene gives the same hash on every platform and processor;
-    /// two hashes that differ show that the states differ in at least one bit.
+    /// two hashes that differ show that the states differ in at least one bit. It is quick, and may be asked for at any time; what else
+    /// later updates depend on is in <see cref="StateHash"/>.
     /// </summary>
     /// <returns>The hash.</returns>
-    public ulong StateHash() => World.Bodies.MotionHash();
+    public ulong MotionHash() => World.Bodies.MotionHash();
+
+    /// <summary>
+    /// A 64-bit hash of all that <see cref="Capture(PhysicsSimulatorState)"/> captures: two simulators that were made by the same program
+    /// and have the same hash go on alike. It is the same on every platform and processor and with every number of workers, and takes as
+    /// long as two or three captures.
+    /// </summary>
+    /// <remarks>
+    /// References count by whom they refer to, counted as they were added; of handlers it counts only whether there is one. Items of your
+    /// own count with what they save (<see cref="Interfaces.ISavedState"/>). <see cref="Compare"/> tells where two states differ.
+    /// </remarks>
+    /// <returns>The hash.</returns>
+    /// <exception cref="System.ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="System.InvalidOperationException">An update runs.</exception>
+    public ulong StateHash()
+    {
+        ThrowIfDisposed();
+        RequireOutside(nameof(StateHash));
+        StateStream s = _hashed ??= new StateStream();
+        StateRoster present = Present;
+        Gather(present);
+        try
+        {
+            s.BeginWriting();
+            present.Visit(s);
+            Visit(s, present);
+            s.EndWriting();
+            ulong hash = StateHasher.Add(StateHasher.Start, s);
+            for (int i = 0; i < s.ObjectCount; i++)
+            {
+                hash = StateHasher.Add(hash, present.Number(s.Objects[i]));
+            }
+
+            return hash;
+        }
+        finally
+        {
+            present.Clear();
+            s.ForgetObjects();
+        }
+    }
+
+    /// <summary>Compares the state with that of another simulator that was made by the same program.</summary>
+    /// <param name="other">The other one.</param>
+    /// <param name="most">The search ends when it has found so many differences; at least 1. Default 100.</param>
+    /// <returns>What differs, by body, geom, joint or pair and by field, with both values and their bits.</returns>
+    /// <exception cref="System.ArgumentNullException"><paramref name="other"/> is null.</exception>
+    /// <exception cref="System.ArgumentOutOfRangeException"><paramref name="most"/> is less than 1.</exception>
+    /// <exception cref="System.ObjectDisposedException">One of them is disposed.</exception>
+    /// <exception cref="System.InvalidOperationException">
+    /// An update runs, or an item of your own does not implement <see cref="Interfaces.ISavedState"/>.
+    /// </exception>
+    public StateComparison Compare(PhysicsSimulator other, int most = 100)
+    {
+        Require.NotNull(other, nameof(other));
+        Require.AtLeast(most, 1, nameof(most));
+        return StateNames.Compare(this, StateNames.Named(this), StateNames.Named(other), false, most);
+    }
 }

@@ -102,6 +102,15 @@ public partial class PhysicsSimulator
         GatherParts(r);
     }
 
+    /// <summary>The body in a slot of the engine, if there is one.</summary>
+    internal Body? BodyOf(int slot) => slot < 0 ? null : _table.Body(slot);
+
+    /// <summary>The geom that a collider of the engine stands for.</summary>
+    internal Geom? GeomOf(int slot) => slot < 0 ? null : _table.Geom(slot);
+
+    /// <summary>The joint that one of the engine stands for.</summary>
+    internal Joint? JointOf(int slot) => slot < 0 ? null : _jointRelay.Find(slot);
+
     private void GatherItems(StateRoster r)
     {
         GatherListed(r.Joints, JointList);

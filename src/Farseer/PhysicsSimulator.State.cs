@@ -168,7 +168,7 @@ public partial class PhysicsSimulator
             throw new InvalidOperationException(item.GetType().FullName + "." + nameof(ISavedState.StateSize) + " must not be negative.");
         }
 
-        Span<byte> bytes = s.Take(size);
+        Span<byte> bytes = s.Of("Own", -1, item).Take(size, nameof(ISavedState));
         if (!s.IsReading)
         {
             bytes.Clear();
@@ -258,36 +258,41 @@ public partial class PhysicsSimulator
     {
         World.Visit(s);
         s.Section();
-        VisitSettings(s);
+        VisitSettings(s.Of("Simulator"));
         VisitLists(s);
         s.Section();
-        foreach (Body body in roster.Bodies)
+        for (int i = 0; i < roster.Bodies.Count; i++)
         {
-            body.Visit(s);
+            Body body = roster.Bodies[i];
+            body.Visit(s.Of(nameof(Body), i, body));
         }
 
         s.Section();
-        foreach (Geom geom in roster.Geoms)
+        for (int i = 0; i < roster.Geoms.Count; i++)
         {
-            geom.Visit(s);
+            Geom geom = roster.Geoms[i];
+            geom.Visit(s.Of(nameof(Geom), i, geom));
         }
 
         s.Section();
-        foreach (Joint joint in roster.Joints)
+        for (int i = 0; i < roster.Joints.Count; i++)
         {
-            joint.Visit(s);
+            Joint joint = roster.Joints[i];
+            joint.Visit(s.Of(nameof(Joint), i, joint));
         }
 
         s.Section();
-        foreach (Spring spring in roster.Springs)
+        for (int i = 0; i < roster.Springs.Count; i++)
         {
-            spring.Visit(s);
+            Spring spring = roster.Springs[i];
+            spring.Visit(s.Of(nameof(Spring), i, spring));
         }
 
         s.Section();
-        foreach (Controller controller in roster.Controllers)
+        for (int i = 0; i < roster.Controllers.Count; i++)
         {
-            controller.Visit(s);
+            Controller controller = roster.Controllers[i];
+            controller.Visit(s.Of(nameof(Controller), i, controller));
         }
 
         if (s.IsReading)
@@ -297,7 +302,7 @@ public partial class PhysicsSimulator
 
         ExceptionDispatchInfo? failure = null;
         s.Section();
-        VisitOwn(s, _broadPhaseCollider, ref failure);
+        VisitOwn(s.Of("Own"), _broadPhaseCollider, ref failure);
         VisitOwn(s, roster.Joints, ref failure);
         VisitOwn(s, roster.Springs, ref failure);
         VisitOwn(s, roster.Controllers, ref failure);

@@ -56,6 +56,6 @@ internal static class Program
             scene.Step(simulator, step, scene.Dt);
         }
 
-        return simulator.StateHash();
+        return simulator.MotionHash();
     }
 }

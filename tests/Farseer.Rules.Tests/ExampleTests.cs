@@ -37,7 +37,7 @@ public sealed class ExampleTests
 
         class Surroundings
         {
-            public static PhysicsSimulator simulator;
+            public static PhysicsSimulator simulator, peer;
             public static Body body, second, first;
             public static Geom geom, other;
             public static RevoluteJoint hinge;

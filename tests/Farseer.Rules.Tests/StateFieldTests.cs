@@ -24,4 +24,14 @@ public sealed class StateFieldTests
         Assert.True(!walk.Contradictory.Any(), "Contradictory: " + string.Join("\n", walk.Contradictory));
         Assert.True(!walk.Unasked.Any(), "Unasked: " + string.Join("\n", walk.Unasked));
     }
+
+    // What chance leaves between fields would be in the hash of a state.
+    [Fact]
+    public void Records_OfAState_HaveNoPadding()
+    {
+        var walk = new StateWalk(typeof(PhysicsSimulator).Assembly, typeof(b2World).Assembly);
+
+        Assert.True(walk.Records.Count > 80, $"the walk saw only {walk.Records.Count} records");
+        Assert.True(!walk.Padded.Any(), "Padded: " + string.Join("\n", walk.Padded));
+    }
 }

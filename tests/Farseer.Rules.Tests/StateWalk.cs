@@ -59,6 +59,12 @@ internal sealed class StateWalk
 
     public int Visited { get; private set; }
 
+    /// <summary>Types of records that a state has as they lie in memory.</summary>
+    public HashSet<Type> Records { get; } = [];
+
+    /// <summary>Records with bytes that belong to no field, whatever they are.</summary>
+    public IEnumerable<string> Padded => Records.SelectMany(Parts).Where(HasPadding).Select(t => t.FullName!).Distinct().Order();
+
     /// <summary>Reasons, by the field or type that gives them.</summary>
     public Dictionary<string, string> Reasons { get; } = [];
 
@@ -108,6 +114,14 @@ internal sealed class StateWalk
 
         Array.ForEach(type.GetFields(All), Look);
     }
+
+    private static IEnumerable<Type> Parts(Type type) => type.IsPrimitive || type.IsEnum || type.IsPointer
+        ? [] : type.GetFields(All).Where(f => !f.IsDefined(typeof(FixedBufferAttribute))).SelectMany(f => Parts(f.FieldType)).Prepend(type);
+
+    private static bool HasPadding(Type type) => Size(type) != type.GetFields(All).Sum(f => Size(f.FieldType));
+
+    private static int Size(Type type) => type.IsPointer ? IntPtr.Size
+        : (int)typeof(Unsafe).GetMethod(nameof(Unsafe.SizeOf))!.MakeGenericMethod(type).Invoke(null, null)!;
 
     private bool IsVisit(MethodBase method) =>
         method.DeclaringType != _stream && method.GetParameters().Any(p => p.ParameterType == _stream);
@@ -210,6 +224,11 @@ internal sealed class StateWalk
     {
         foreach ((OpCode code, MemberInfo? member) in Read(method))
         {
+            if (member is MethodInfo { IsGenericMethod: true } told && told.DeclaringType == _stream && told.Name != "ClearBehind")
+            {
+                Records.UnionWith(told.GetGenericArguments().Where(t => t is { IsValueType: true, ContainsGenericParameters: false }));
+            }
+
             if (member is FieldInfo field)
             {
                 (code == OpCodes.Ldfld ? _read : _set).Add(Key(field));

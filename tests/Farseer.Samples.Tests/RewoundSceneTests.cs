@@ -92,7 +92,7 @@ public sealed class RewoundSceneTests
         }
     }
 
-    private static ulong Hash(PhysicsSimulator[] worlds) => worlds.Aggregate(0ul, (hash, world) => (hash * 31) + world.StateHash());
+    private static ulong Hash(PhysicsSimulator[] worlds) => worlds.Aggregate(0ul, (hash, world) => (hash * 31) + world.MotionHash());
 
     private static int Values(PhysicsSimulator[] worlds) => PublicValues.HashOf(worlds.SelectMany(w =>
         w.BodyList.AsEnumerable<object>().Append(w)

@@ -66,7 +66,7 @@ public class SceneTests
             simulator.Update(scene.Dt);
         }
 
-        return simulator.StateHash();
+        return simulator.MotionHash();
     }
 
     [Theory]
@@ -145,7 +145,7 @@ public class SceneTests
             scene.Step(simulator, step, scene.Dt);
         }
 
-        return simulator.StateHash();
+        return simulator.MotionHash();
     }
 
     [Theory]

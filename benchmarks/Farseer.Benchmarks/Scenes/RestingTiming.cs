@@ -64,7 +64,7 @@ internal static class RestingTiming
             Array.Sort(times[i]);
             double microseconds = 1e6 * times[i][0] / BlockSteps;
             double median = 1e6 * times[i][Blocks / 2] / BlockSteps;
-            ulong hash = simulators[i].StateHash();
+            ulong hash = simulators[i].MotionHash();
             output.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
                 $"{Sizes[i],4} boxes: {microseconds,7:F3} us a step, {1e-3 * microseconds * Steps,7:F1} ms for {Steps} steps, hash {hash:x16}"));

@@ -136,7 +136,7 @@ internal sealed class SceneTiming
         }
 
         Contacts = simulator.ContactCount;
-        StateHash = simulator.StateHash();
+        StateHash = simulator.MotionHash();
         LargestPenetration = simulator.LargestPenetration;
     }
 

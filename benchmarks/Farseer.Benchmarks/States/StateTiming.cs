@@ -28,8 +28,8 @@ internal static class StateTiming
         string[] names = [.. (result.GetValue(_scenes) ?? []).Select(name => Verb.Scene(name).Name)];
         output.WriteLine($"one worker, after {WarmSteps} updates (half of a shorter scene), medians of {Turns} turns; shares are of the update of the same turn;");
         output.WriteLine($"rewind is by {Back} frames; bytes a frame are the mean of the frames but the newest, which is whole");
-        output.WriteLine("| scene | bodies | asleep | bytes a body | an update | bytes a body and frame | capture | restore | push | rewind |");
-        output.WriteLine("|---|---|---|---|---|---|---|---|---|---|");
+        output.WriteLine("| scene | bodies | asleep | bytes a body | an update | bytes a body and frame | capture | restore | push | rewind | hash |");
+        output.WriteLine("|---|---|---|---|---|---|---|---|---|---|---|");
         foreach (PerformanceScene scene in PerformanceScenes.All)
         {
             if (names.Length == 0 || names.Contains(scene.Name))
@@ -73,6 +73,7 @@ internal static class StateTiming
         var restore = new double[Turns];
         var push = new double[Turns];
         var rewind = new double[Turns];
+        var hash = new double[Turns];
         for (int turn = 0; turn < Turns; turn++)
         {
             capture[turn] = Time(() => simulator.Capture(state));
@@ -82,6 +83,7 @@ internal static class StateTiming
             step--;
             Step();
             push[turn] = Time(() => buffer.Push()) / update[turn];
+            hash[turn] = Time(() => simulator.StateHash()) / update[turn];
         }
 
         buffer.Clear();
@@ -113,7 +115,7 @@ internal static class StateTiming
         return FormattableString.Invariant(
             $"| {scene.Name} | {bodies:n0} | {sleepers:n0} | {(double)state.ByteCount / bodies:n0} | {Median(update):f3} ms | {frame:n1} ")
             + FormattableString.Invariant(
-                $"| {Median(capture):p0} | {Median(restore):p0} | {Median(push):p0} | {Median(rewind):p0} |");
+                $"| {Median(capture):p0} | {Median(restore):p0} | {Median(push):p0} | {Median(rewind):p0} | {Median(hash):p0} |");
 
         void Step()
         {

@@ -36,6 +36,9 @@ internal sealed class BodyLink
 
     public bool IsAttached { get; private set; }
 
+    /// <summary>Whether it is in this slot of the engine.</summary>
+    public bool IsIn(int slot) => IsAttached && _handle.Index == slot;
+
     /// <summary>Rates by which speed and spin die away, 1/s.</summary>
     public float LinearDamping
     {

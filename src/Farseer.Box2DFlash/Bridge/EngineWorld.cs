@@ -72,7 +72,7 @@ internal sealed class EngineWorld : IStepHooks
 
     public ContactBook Contacts { get; } = new ContactBook();
 
-    public ulong StateHash() => World.Bodies.MotionHash();
+    public ulong MotionHash() => World.Bodies.MotionHash();
 
     public void SetGravityWakes(bool wakes) => World.Settings.GravityWakes = wakes;
 
@@ -264,6 +264,9 @@ internal sealed class EngineWorld : IStepHooks
         World.Queries.FindInBox(new Box { MinX = lower.X, MinY = lower.Y, MaxX = upper.X, MaxY = upper.Y }, QueryFilter.All, _found);
         return _found.Count;
     }
+
+    /// <summary>The shape that a collider stands for, if there is one.</summary>
+    public b2Shape? ShapeOf(int collider) => collider >= 0 && collider < _shapes.Length ? _shapes[collider] : null;
 
     /// <summary>What <see cref="Find"/> found at a place; null if it is no shape any more.</summary>
     public b2Shape? Found(int place) => _shapes[_found[place]];

@@ -25,7 +25,7 @@ internal sealed class StateRoster
     /// <summary>Writes, or reads, who is in it.</summary>
     public void Visit(StateStream s)
     {
-        s.Section();
+        s.Of("Roster").Section();
         s.References(Bodies);
         s.Section();
         s.References(Shapes);

@@ -58,10 +58,10 @@ public partial class b2World
 
     /// <summary>
     /// A hash of the places and velocities of all bodies, equal on every platform for equal worlds: to compare runs, for example of two
-    /// players. (An addition to the original.)
+    /// players. What else later steps depend on is in <see cref="StateHash"/>. (An addition to the original.)
     /// </summary>
     /// <returns>The hash.</returns>
-    public ulong StateHash() => Engine.StateHash();
+    public ulong MotionHash() => Engine.MotionHash();
 
     /// <summary>
     /// Whether contacts and joints start a step from the impulses of the one before. Default true. Without, stacks sink into each other and

@@ -1,4 +1,4 @@
-using System.Collections.Generic;
+using System;
 using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics;
@@ -37,10 +37,42 @@ public sealed class b2WorldState
     public bool IsSameAs(b2WorldState? other) =>
         other is not null && ReferenceEquals(Owner, other.Owner) && (Owner is null || Stream.IsSameAs(other.Stream));
 
+    /// <summary>Compares it with another state, of the same world or of one that was made by the same program.</summary>
+    /// <remarks>
+    /// To find the names of the fields the world goes back to both states and then to what it is now. It is for those who look for a
+    /// fault, and takes some hundred times as long as a capture.
+    /// </remarks>
+    /// <param name="other">The other one.</param>
+    /// <param name="most">The search ends when it has found so many differences; at least 1. Default 100.</param>
+    /// <returns>What differs, by body, shape, joint or pair and by field, with both values and their bits.</returns>
+    /// <exception cref="ArgumentNullException"><paramref name="other"/> is null.</exception>
+    /// <exception cref="ArgumentException"><paramref name="other"/> holds nothing.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="most"/> is less than 1.</exception>
+    /// <exception cref="InvalidOperationException">This state holds nothing, or a step runs.</exception>
+    public b2StateComparison Compare(b2WorldState other, int most = 100)
+    {
+        Bridge.Require.NotNull(other, nameof(other));
+        Bridge.Require.Positive(most, nameof(most));
+        if (Owner is null)
+        {
+            throw new InvalidOperationException("The state holds nothing.");
+        }
+
+        if (other.Owner is null)
+        {
+            throw new ArgumentException("The state holds nothing.", nameof(other));
+        }
+
+        if (IsSameAs(other))
+        {
+            return new b2StateComparison([]);
+        }
+
+        Bridge.StateNames names = Owner.Names(other.Owner);
+        return names.Compare(
+            Owner, Bridge.StateNames.Named(this), Bridge.StateNames.Named(other), ReferenceEquals(Owner, other.Owner), most);
+    }
+
     /// <summary>From now on captures note the names of the fields, for those who look for a difference.</summary>
-    internal void BeginTrace() => Stream.Trace = new List<(int At, int ObjectAt, string Name)>();
-
-    internal IEnumerable<string> Differences(b2WorldState other) => Stream.Differences(other.Stream);
-
-    internal string FirstDifference(b2WorldState other) => Stream.FirstDifference(other.Stream);
+    internal void BeginTrace() => Stream.Trace = new StateTrace();
 }

@@ -1,8 +1,10 @@
+using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 
 namespace Farseer.Engine.Accuracy;
 
 /// <summary>A body as the step found it, and what is told of it on the way.</summary>
+[StructLayout(LayoutKind.Sequential, Pack = 4)]
 internal struct BodyStart
 {
     public double X;

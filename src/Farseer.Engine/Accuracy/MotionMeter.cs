@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Storage;
 
@@ -94,6 +95,7 @@ internal sealed class MotionMeter
         t.Length += h;
     }
 
+    [StructLayout(LayoutKind.Sequential, Pack = 4)]
     private struct Track
     {
         /// <summary>The way by the trapezoidal rule.</summary>

@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 namespace Farseer.Engine.Accuracy;
 
 /// <summary>What a step did, in its own units. Bodies are indices; -1: none.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 4)]
 internal struct StepMeasures
 {
     public int Substeps;

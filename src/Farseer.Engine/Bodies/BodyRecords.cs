@@ -137,7 +137,7 @@ internal struct BodySize
 }
 
 /// <summary>A body that moved by more than its size in a step, and where and how fast it was when the step began.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 4)]
 internal struct FastMotion
 {
     public double X;

@@ -78,15 +78,20 @@ internal sealed unsafe class BoxRows
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        s.Column(_minX);
-        s.Column(_minY);
-        s.Column(_maxX);
-        s.Column(_maxY);
         Count = s.Value(Count);
+        if (s.IsReading && Count > 0)
+        {
+            EnsureCapacity(Count);
+        }
+
+        s.Column(_minX, Count);
+        s.Column(_minY, Count);
+        s.Column(_maxX, Count);
+        s.Column(_maxY, Count);
         if (s.IsReading)
         {
-            // The columns of a world that was never as large have moved.
-            EnsureCapacity(Count);
+            // The columns of a world that was never as large have moved; the padding follows from the length.
+            SetCount(Count);
         }
     }
 }

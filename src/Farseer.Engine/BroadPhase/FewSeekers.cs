@@ -9,6 +9,7 @@ namespace Farseer.Engine.BroadPhase;
 /// at once. That costs 1 to 2 ns a box for each eight, where sorting all boxes into a grid costs some 20: a pile at rest, of which a few
 /// bodies leave their boxes in each step, is like that.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class FewSeekers
 {
     /// <summary>Up to here it is cheaper than a grid.</summary>
@@ -82,12 +83,5 @@ internal sealed unsafe class FewSeekers
                 }
             }
         }
-    }
-
-    /// <summary>Writes, or reads, what later steps read of it.</summary>
-    public void Visit(StateStream s)
-    {
-        _rows.Visit(s);
-        s.Column(_seekers);
     }
 }

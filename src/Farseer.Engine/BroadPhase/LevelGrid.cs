@@ -313,7 +313,6 @@ internal sealed unsafe partial class LevelGrid : IBroadPhase, IStageWork
         s.Value(ref _end);
         _levels.Visit(s);
         _tree.Visit(s);
-        _few.Visit(s);
         _mainGroup.Visit(s);
         s.Value(ref _reserved);
         s.Value(ref _debt);

@@ -230,11 +230,11 @@ internal sealed unsafe class PackedTree
     public void Visit(StateStream s)
     {
         _lanes.Visit(s);
-        s.Column(_proxies);
+        SlotCount = s.Value(SlotCount);
+        s.Column(_proxies, SlotCount);
         s.Array(_layerStart);
         s.Array(_layerEnd);
         s.Value(ref _layers);
-        SlotCount = s.Value(SlotCount);
         Count = s.Value(Count);
     }
 }

@@ -217,7 +217,7 @@ internal sealed unsafe class SweepLevel
     public void Visit(StateStream s)
     {
         _rows.Visit(s);
-        s.Column(_proxies);
+        s.Column(_proxies, Count);
         s.Value(ref _vertical);
         s.Value(ref _margin);
     }

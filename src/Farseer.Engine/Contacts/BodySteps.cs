@@ -21,8 +21,8 @@ internal struct BodyStep
     public float AheadTurn;
 
     /// <summary>Set by whoever sees it, until the flags above are written from both.</summary>
-    public byte IsAltered;
-    public byte HasNewBox;
+    public ushort IsAltered;
+    public ushort HasNewBox;
 }
 
 [Flags]
@@ -54,6 +54,9 @@ internal sealed unsafe class BodySteps
     private readonly Column<Place> _places = new Column<Place>();
     private readonly Column<byte> _left = new Column<byte>();
 
+    // Bodies of which motions were found: not how much room there happens to be.
+    private int _end;
+
     public BodyStep* Pointer => _steps.Pointer;
 
     /// <summary>Makes room for so many bodies.</summary>
@@ -71,6 +74,7 @@ internal sealed unsafe class BodySteps
     public void Begin(int end, bool afresh)
     {
         int words = Reserve(end);
+        _end = words * BitSet.WordBits;
         for (int word = 0; afresh && word < words; word++)
         {
             _left[word] = LastPasses;
@@ -80,7 +84,7 @@ internal sealed unsafe class BodySteps
     /// <summary>A body was put elsewhere or its pieces were changed.</summary>
     public void Alter(int body)
     {
-        if (body < _steps.Capacity)
+        if (body < _end)
         {
             _steps[body].IsAltered = 1;
         }
@@ -156,5 +160,6 @@ internal sealed unsafe class BodySteps
         s.Column(_steps);
         s.Column(_places);
         s.Column(_left);
+        s.Value(ref _end);
     }
 }

@@ -5,6 +5,8 @@ namespace Farseer.Engine.Contacts;
 /// <summary>Names, empties and moves single lanes of the bundles of rows.</summary>
 internal static unsafe class ContactLanes
 {
+    private const int EmptyMarks = ContactBundle.SingleMark | ContactBundle.BlockMark;
+
     /// <summary>Makes a lane inert: no contact, or one that gives no impulse in this step.</summary>
     public static void Mute(ContactBundle* row, int lane)
     {
@@ -44,7 +46,7 @@ internal static unsafe class ContactLanes
         row->PieceA[lane] = ContactSides.NoPiece;
         row->PieceB[lane] = ContactSides.NoPiece;
         row->Contact[lane] = -1;
-        row->Flags[lane] = ContactBundle.SingleMark | ContactBundle.BlockMark;
+        row->Flags[lane] = EmptyMarks;
     }
 
     /// <summary>A bundle without pairs, the first of a record in which there is no other, to be named and then written.</summary>
@@ -71,6 +73,28 @@ internal static unsafe class ContactLanes
     public static void ClearLane(ContactBundle* row, int lane)
     {
         Unname(row, lane);
+        Rest(row, lane);
+        row->Struck[lane] = 0;
+        row->Slot[lane] = 0;
+        Mute(row, lane);
+    }
+
+    /// <summary>The marks of lanes without a contact are those of an empty lane again, in all bundles of a record.</summary>
+    /// <param name="first">The first of its bundles.</param>
+    public static void RestMarks(ContactBundle* first)
+    {
+        for (int lane = 0; lane < ContactBundle.LineLanes; lane++)
+        {
+            if (first->Contact[lane] < 0)
+            {
+                first->Flags[lane] = EmptyMarks;
+            }
+        }
+    }
+
+    /// <summary>All that the narrow phase writes into a row, as it is where there is no contact.</summary>
+    public static void Rest(ContactBundle* row, int lane)
+    {
         row->NormalX[lane] = 0;
         row->NormalY[lane] = 0;
         row->Friction[lane] = 0;
@@ -85,9 +109,8 @@ internal static unsafe class ContactLanes
         row->FeedRate[lane] = 0;
         row->FeedShare[lane] = 0;
         row->Restitution[lane] = 0;
-        row->Struck[lane] = 0;
-        row->Slot[lane] = 0;
-        Mute(row, lane);
+        ClearArms(&row->Point0, lane);
+        ClearArms(&row->Point1, lane);
     }
 
     /// <summary>Notes impacts that were not the solver's: the row holds no impulse that would act on.</summary>
@@ -135,15 +158,20 @@ internal static unsafe class ContactLanes
 
     private static void ClearPoint(ContactPointLanes* point, int lane)
     {
-        point->NormalArmA[lane] = 0;
-        point->NormalArmB[lane] = 0;
-        point->TangentArmA[lane] = 0;
-        point->TangentArmB[lane] = 0;
-        point->Base[lane] = ContactBundle.NoPoint;
+        ClearArms(point, lane);
         point->Normal[lane] = 0;
         point->Tangent[lane] = 0;
         point->PreviousNormal[lane] = 0;
         point->PreviousTangent[lane] = 0;
         point->Feed[lane] = 0;
+    }
+
+    private static void ClearArms(ContactPointLanes* point, int lane)
+    {
+        point->NormalArmA[lane] = 0;
+        point->NormalArmB[lane] = 0;
+        point->TangentArmA[lane] = 0;
+        point->TangentArmB[lane] = 0;
+        point->Base[lane] = ContactBundle.NoPoint;
     }
 }

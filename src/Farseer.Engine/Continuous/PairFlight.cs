@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.NarrowPhase;
@@ -10,6 +11,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Continuous;
 
 /// <summary>Two bodies that meet fast and that nothing else holds, as they were when the step began.</summary>
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal struct LonePair
 {
     public FastMotion A;

@@ -28,15 +28,15 @@ internal sealed unsafe partial class ConstraintGraph
 
         for (int i = 0; i < _colors.Count; i++)
         {
-            foreach (GraphColor color in _colors[i])
+            for (int color = 0; color < _colors[i].Length; color++)
             {
                 if (i < groups)
                 {
-                    color.Visit(s);
+                    _colors[i][color].Visit(s.Of("Color", color));
                 }
                 else
                 {
-                    color.ForgetAll();
+                    _colors[i][color].ForgetAll();
                 }
             }
         }

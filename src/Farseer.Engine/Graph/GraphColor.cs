@@ -220,7 +220,7 @@ internal sealed unsafe class GraphColor
         {
             int bundles = extent == _last ? _inLast : _arena.Extents[extent].Count;
             int records = (bundles + ContactBundle.Beside - 1) / ContactBundle.Beside;
-            s.Raw(_arena.Extents[extent].Bundles, (long)records * ContactBundle.Bytes);
+            ContactRowState.Visit(s, _arena.Extents[extent].Bundles, records);
             if (extent == _last)
             {
                 break;

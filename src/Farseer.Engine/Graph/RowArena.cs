@@ -191,6 +191,8 @@ internal sealed unsafe class RowArena
             s.Value(ref _extents[i].Previous);
         }
 
+        s.ClearBehind(_extents, _granules);
+
         if (!s.IsReading)
         {
             return;

@@ -214,9 +214,10 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
                 }
             }
 
+            // The mark of an empty lane says nothing: it was given to all lanes of the bundle.
             for (int lane = 0; deep != 0; lane++, deep >>= 1)
             {
-                if ((deep & 1) != 0)
+                if ((deep & 1) != 0 && row->Contact[lane] >= 0)
                 {
                     _deep[_islands.OfSlot[row->Slot[lane]]] = 1;
                     _anyDeep = true;

@@ -278,7 +278,7 @@ internal sealed unsafe class RestJudge : IStageWork
         public readonly float Rested => Math.Max(Near.Time, Far.Time * (1f / LongTimes));
     }
 
-    [StructLayout(LayoutKind.Sequential)]
+    [StructLayout(LayoutKind.Sequential, Pack = 4)]
     private struct RestPlace
     {
         /// <summary>Where the body came to rest.</summary>

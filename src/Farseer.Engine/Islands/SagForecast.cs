@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
@@ -432,6 +433,7 @@ internal sealed unsafe class SagForecast
         public int Rows;
     }
 
+    [StructLayout(LayoutKind.Sequential, Pack = 1)]
     private struct Island
     {
         public int Bodies;

@@ -20,7 +20,7 @@ internal enum JointRole : byte
 }
 
 /// <summary>A joint that acts in this step, with what its iterated rows need.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal unsafe struct ActiveJoint
 {
     public int Joint;

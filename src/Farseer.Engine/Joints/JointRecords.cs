@@ -105,7 +105,7 @@ internal struct JointSettings
 }
 
 /// <summary>What connects a joint with its bodies.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal struct JointLink
 {
     public int BodyA;
@@ -145,7 +145,7 @@ internal unsafe struct JointState
 }
 
 /// <summary>Where a step left the limits of a joint, the lower one first.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal unsafe struct JointRange
 {
     /// <summary>Limits that a joint may have: a pulley has three.</summary>

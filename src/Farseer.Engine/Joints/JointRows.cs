@@ -69,7 +69,7 @@ internal struct JointFrame
 /// The rows of a joint at a pose: for each the Jacobian, with which dφ/dt = JA·(vA, ωA) + JB·(vB, ωB), the value φ and what
 /// its type needs. Hard and servo rows come first: they are solved as one block.
 /// </summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal unsafe struct JointRows
 {
     public const int Most = 6;

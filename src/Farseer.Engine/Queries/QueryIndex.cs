@@ -262,7 +262,15 @@ internal sealed unsafe class QueryIndex
 
         /// <summary>Slot in the tree, or −2 less the place among the loose boxes, or −1.</summary>
         public int Place;
-        public bool IsChanged;
+
+        /// <summary>1: it was moved, added or removed since. No byte of a record is left open: this is state.</summary>
+        public int Changed;
+
+        public bool IsChanged
+        {
+            readonly get => Changed != 0;
+            set => Changed = value ? 1 : 0;
+        }
     }
 
     /// <summary>

@@ -139,7 +139,7 @@ internal sealed unsafe partial class WorldQueries
         _values.EnsureCapacity(Math.Max(1, count));
         for (int i = 0; i < count; i++)
         {
-            _keys[i] = (uint)_shapes.Colliders[_hits[i].Collider].Order;
+            _keys[i] = (uint)_shapes.Order[_hits[i].Collider];
             _values[i] = i;
         }
 

@@ -152,7 +152,7 @@ internal sealed unsafe partial class WorldQueries
 
     private ref BodyPose PoseOf(int piece) => ref _bodies.Pose[_shapes.Pieces[piece].Body];
 
-    private bool IsOlder(int collider, int than) => _shapes.Colliders[collider].Order < _shapes.Colliders[than].Order;
+    private bool IsOlder(int collider, int than) => _shapes.Order[collider] < _shapes.Order[than];
 
     private void Begin(in QueryFilter filter)
     {
@@ -220,7 +220,7 @@ internal sealed unsafe partial class WorldQueries
         _values.EnsureCapacity(Math.Max(1, count));
         for (int i = 0; i < count; i++)
         {
-            _keys[i] = (uint)_shapes.Colliders[_found[i]].Order;
+            _keys[i] = (uint)_shapes.Order[_found[i]];
             _values[i] = _found[i];
         }
 

@@ -108,9 +108,6 @@ internal struct ColliderInfo
     public int FirstPiece;
     public int PieceCount;
 
-    /// <summary>Order of creation; the lower one of a pair is its A.</summary>
-    public int Order;
-
     public int UserIndex;
 }
 

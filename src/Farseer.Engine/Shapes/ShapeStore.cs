@@ -47,6 +47,9 @@ internal sealed class ShapeStore
     /// <summary>The collider of a piece.</summary>
     public int ColliderOf(int piece) => Pieces[piece].Collider;
 
+    /// <summary>Who was made earlier; the lower one of a pair is its A.</summary>
+    public int OrderAt(int piece) => Order[Pieces[piece].Collider];
+
     /// <summary>What that collider is.</summary>
     public ref ColliderInfo ColliderAt(int piece) => ref Colliders[Pieces[piece].Collider];
 
@@ -54,6 +57,9 @@ internal sealed class ShapeStore
     public Column<int> NextPiece { get; }
 
     public Column<ColliderInfo> Colliders { get; } = new Column<ColliderInfo>();
+
+    /// <summary>Order of creation of the colliders, which may count those of other worlds in between.</summary>
+    public Column<int> Order { get; } = new Column<int>();
 
     public IdPool PieceIds { get; } = new IdPool();
 
@@ -305,6 +311,7 @@ internal sealed class ShapeStore
         s.Column(Pieces);
         s.Column(NextPiece);
         s.Column(Colliders);
+        s.Local(Order);
         PieceIds.Visit(s);
         VisitedPieces.Visit(s);
         ColliderIds.Visit(s);

@@ -124,10 +124,10 @@ internal sealed class AccuracyStage
     /// <summary>Writes, or reads, what later steps and readers read of it.</summary>
     public void Visit(StateStream s)
     {
-        ReportEnabled = s.Value(ReportEnabled);
+        ReportEnabled = s.Of(nameof(AccuracyStage)).Value(ReportEnabled);
         HasMeasured = s.Value(HasMeasured);
-        Budget.Visit(s);
-        s.Value(ref _measures);
+        Budget.Visit(s.Of(nameof(Budget)));
+        s.Of(nameof(AccuracyStage)).Value(ref _measures);
         s.Value(ref _mostSubsteps);
         s.Value(ref _reports);
         s.Value(ref _budgeted);
@@ -137,19 +137,19 @@ internal sealed class AccuracyStage
         }
 
         s.Reference(ref _audit);
-        _audit?.Visit(s);
+        _audit?.Visit(s.Of(nameof(_audit)));
         if (s.Lacks(_meter))
         {
             MakeMeter();
         }
 
-        s.Reference(ref _meter);
-        _meter?.Visit(s);
+        s.Of(nameof(AccuracyStage)).Reference(ref _meter);
+        _meter?.Visit(s.Of(nameof(_meter)));
         if (s.Lacks(_impactLaw))
         {
             MakeImpactLaw();
         }
 
-        s.Reference(ref _impactLaw);
+        s.Of(nameof(AccuracyStage)).Reference(ref _impactLaw);
     }
 }

@@ -190,7 +190,7 @@ internal sealed class BodyStage
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        s.Value(ref _bodiesSwitched);
+        s.Of(nameof(BodyStage)).Value(ref _bodiesSwitched);
         s.Value(ref _switchedWithin);
     }
 }

@@ -361,6 +361,9 @@ internal sealed unsafe class BoxStage : IStageWork
         public float Down;
         public float Right;
         public float Up;
+
+        /// <summary>0: what lies between fields is not always the same, and this is state.</summary>
+        public float Spare;
     }
 
     /// <summary>Writes, or reads, what later steps read of it.</summary>

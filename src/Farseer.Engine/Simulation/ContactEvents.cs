@@ -1,4 +1,6 @@
 using System;
+using System.Numerics;
+using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
@@ -329,7 +331,7 @@ internal sealed unsafe class ContactEvents
     private ulong Key(in ContactRecord record) => Key(_stores.Shapes.ColliderOf(record.PieceA), _stores.Shapes.ColliderOf(record.PieceB));
 
     private ulong Key(int colliderA, int colliderB) =>
-        ((ulong)(uint)_stores.Shapes.Colliders[colliderA].Order << 32) | (uint)_stores.Shapes.Colliders[colliderB].Order;
+        ((ulong)(uint)_stores.Shapes.Order[colliderA] << 32) | (uint)_stores.Shapes.Order[colliderB];
 
     /// <returns>False if the pair gives no response in this step.</returns>
     private bool RaiseContact(ContactStore contacts, ConstraintGraph graph, IStepHooks hooks, int start, int end, in PairOfColliders pair, bool began)
@@ -430,6 +432,7 @@ internal sealed unsafe class ContactEvents
         }
     }
 
+    [StructLayout(LayoutKind.Sequential, Pack = 1)]
     private struct PairOfColliders
     {
         public int A;
@@ -443,9 +446,9 @@ internal sealed unsafe class ContactEvents
     {
         s.Column(_points);
         s.Column(_contacts);
-        s.Column(_keys);
+        s.Local(_keys);
         s.Column(_pairs);
-        s.Column(_oldKeys);
+        s.Local(_oldKeys);
         s.Column(_oldPairs);
         s.Column(_woken);
         s.Value(ref _oldCount);

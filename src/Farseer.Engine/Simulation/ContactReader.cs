@@ -76,6 +76,15 @@ internal sealed class ContactReader
         }
     }
 
+    /// <summary>The colliders of a pair, by its number; false if there is no such pair.</summary>
+    public bool TryGetPair(int contact, out int colliderA, out int colliderB)
+    {
+        bool exists = contact >= 0 && contact < _contacts.End && _contacts.Records[contact].PieceA >= 0;
+        colliderA = exists ? _shapes.ColliderOf(_contacts.Records[contact].PieceA) : -1;
+        colliderB = exists ? _shapes.ColliderOf(_contacts.Records[contact].PieceB) : -1;
+        return exists;
+    }
+
     /// <summary>World box of a collider at its present pose.</summary>
     public void GetColliderBox(Handle collider, out Vector2 min, out Vector2 max)
     {
@@ -105,8 +114,8 @@ internal sealed class ContactReader
             ref ContactRecord record = ref _contacts.Records[i];
             if (record.PieceA >= 0 && (record.Flags & ContactFlags.Touching) != 0)
             {
-                _visitKeys[count] = ((ulong)(uint)_shapes.ColliderAt(record.PieceA).Order << 32)
-                    | (uint)_shapes.ColliderAt(record.PieceB).Order;
+                _visitKeys[count] = ((ulong)(uint)_shapes.OrderAt(record.PieceA) << 32)
+                    | (uint)_shapes.OrderAt(record.PieceB);
                 _visitContacts[count++] = i;
             }
         }

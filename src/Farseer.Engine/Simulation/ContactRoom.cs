@@ -129,7 +129,7 @@ internal sealed class ContactRoom
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        s.Value(ref _roomIsDue);
+        s.Of(nameof(ContactRoom)).Value(ref _roomIsDue);
         _roomIsDue |= s.IsReading && s.Room is not null;
     }
 }

@@ -145,7 +145,7 @@ internal sealed unsafe class LonePairs
     public void Visit(StateStream s)
     {
         _candidates.Visit(s);
-        s.Column(_pairs);
         Count = s.Value(Count);
+        s.Column(_pairs, Count);
     }
 }

@@ -261,7 +261,7 @@ internal sealed class PairFinder
         int b = PairBuffer.Higher(key);
         int colliderA = _shapes.Pieces[a].Collider;
         int colliderB = _shapes.Pieces[b].Collider;
-        if (_shapes.Colliders[colliderA].Order > _shapes.Colliders[colliderB].Order)
+        if (_shapes.Order[colliderA] > _shapes.Order[colliderB])
         {
             (a, b) = (b, a);
         }
@@ -383,9 +383,9 @@ internal sealed class PairFinder
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        _verdicts.Visit(s);
-        _movedProxies.Visit(s);
-        AlwaysCollects = s.Value(AlwaysCollects);
+        _verdicts.Visit(s.Of(nameof(_verdicts)));
+        _movedProxies.VisitUnordered(s.Of(nameof(_movedProxies)));
+        AlwaysCollects = s.Of(nameof(PairFinder)).Value(AlwaysCollects);
         s.Value(ref _allFound);
     }
 

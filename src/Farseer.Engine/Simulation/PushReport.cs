@@ -105,7 +105,7 @@ internal sealed class PushReport
             ref ContactRecord record = ref _contacts.Records[i];
             if (given.Normal > 0 && record.PieceA >= 0)
             {
-                _hitKeys[count] = ((ulong)(uint)_shapes.ColliderAt(record.PieceA).Order << 32) | (uint)_shapes.ColliderAt(record.PieceB).Order;
+                _hitKeys[count] = ((ulong)(uint)_shapes.OrderAt(record.PieceA) << 32) | (uint)_shapes.OrderAt(record.PieceB);
                 _hitContacts[count++] = i;
             }
         }
@@ -213,7 +213,7 @@ internal sealed class PushReport
     /// <summary>Writes, or reads, what readers of contacts see, and what is to be summed.</summary>
     public void Visit(StateStream s)
     {
-        SumsImpulses = s.Value(SumsImpulses);
+        SumsImpulses = s.Of(nameof(PushReport)).Value(SumsImpulses);
         TellsPushes = s.Value(TellsPushes);
         HitSpeed = s.Value(HitSpeed);
         s.Value(ref _sums);
@@ -224,6 +224,6 @@ internal sealed class PushReport
         }
 
         s.Reference(ref _impulses);
-        _impulses?.Visit(s);
+        _impulses?.Visit(s.Of(nameof(_impulses)));
     }
 }

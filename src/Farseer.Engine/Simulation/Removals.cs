@@ -137,7 +137,7 @@ internal sealed class Removals
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        s.Value(ref _deadBodyCount);
+        s.Of(nameof(Removals)).Value(ref _deadBodyCount);
         s.Value(ref _deadColliderCount);
         s.Column(_deadBodies, _deadBodyCount);
         s.Column(_deadColliders, _deadColliderCount);

@@ -349,13 +349,13 @@ internal sealed partial class SleepStage
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        _rest.Visit(s);
-        _dormant.Visit(s);
-        _put.Visit(s);
-        _putInStep.Visit(s);
-        _handled.Visit(s);
-        _layDown.Visit(s);
-        s.Value(ref _stepsUngrouped);
+        _rest.Visit(s.Of(nameof(_rest)));
+        _dormant.Visit(s.Of(nameof(_dormant)));
+        _put.Visit(s.Of(nameof(_put)));
+        _putInStep.Visit(s.Of(nameof(_putInStep)));
+        _handled.Visit(s.Of(nameof(_handled)));
+        _layDown.Visit(s.Of(nameof(_layDown)));
+        s.Of(nameof(SleepStage)).Value(ref _stepsUngrouped);
         GroupsChanged = s.Value(GroupsChanged);
         s.Value(ref _gravityAsleep);
         s.Value(ref _dt);

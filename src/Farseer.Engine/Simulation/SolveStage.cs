@@ -387,14 +387,14 @@ internal sealed class SolveStage
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        _feedForward.Visit(s);
-        _sagForecast.Visit(s);
-        _classes.Visit(s);
-        _carriedPushes.Visit(s);
-        IslandGroups.Visit(s);
-        RowOrder.Visit(s);
-        RowHalves.Visit(s);
-        s.Value(ref _recovery);
+        _feedForward.Visit(s.Of(nameof(_feedForward)));
+        _sagForecast.Visit(s.Of(nameof(_sagForecast)));
+        _classes.Visit(s.Of(nameof(_classes)));
+        _carriedPushes.Visit(s.Of(nameof(_carriedPushes)));
+        IslandGroups.Visit(s.Of(nameof(IslandGroups)));
+        RowOrder.Visit(s.Of(nameof(RowOrder)));
+        RowHalves.Visit(s.Of(nameof(RowHalves)));
+        s.Of(nameof(SolveStage)).Value(ref _recovery);
         s.Value(ref _recoveryAge);
     }
 }

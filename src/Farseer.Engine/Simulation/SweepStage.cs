@@ -389,7 +389,7 @@ internal sealed partial class SweepStage : IImpactListener
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        s.Value(ref _mostSwept);
+        s.Of(nameof(SweepStage)).Value(ref _mostSwept);
         if (s.IsReading)
         {
             _immovableListed = false;

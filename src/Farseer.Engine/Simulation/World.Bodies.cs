@@ -103,9 +103,9 @@ internal sealed partial class World
             Group = def.Group,
             Categories = def.Categories,
             CollidesWith = def.CollidesWith,
-            Order = _colliderOrder++,
             UserIndex = def.UserIndex,
         };
+        Shapes.Order[collider] = _colliderOrder++;
         _room.NoteDue();
         int piece = Shapes.AttachPieces(shape, body.Index, collider, def.Offset, StableMath.FromAngle(def.RotationOffset));
         Colliders.Add(body.Index, collider);

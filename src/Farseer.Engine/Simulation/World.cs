@@ -304,10 +304,10 @@ internal sealed partial class World : IDisposable
         }
 
         _stores.Visit(s);
-        _lightened.Visit(s);
-        _contactStage.Visit(s);
-        _events.Visit(s);
-        _boxes.Visit(s);
+        _lightened.Visit(s.Of(nameof(_lightened)));
+        _contactStage.Visit(s.Of(nameof(_contactStage)));
+        _events.Visit(s.Of(nameof(_events)));
+        _boxes.Visit(s.Of(nameof(_boxes)));
         _removals.Visit(s);
         Pairs.Visit(s);
         _bodyStage.Visit(s);
@@ -317,6 +317,6 @@ internal sealed partial class World : IDisposable
         Sleep.Visit(s);
         Accuracy.Visit(s);
         Pushes.Visit(s);
-        s.Value(ref _colliderOrder);
+        s.Of(nameof(World)).Value(ref _colliderOrder);
     }
 }

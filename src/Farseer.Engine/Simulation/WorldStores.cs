@@ -121,28 +121,29 @@ internal sealed class WorldStores
     public void EnsureColliders(int end)
     {
         Shapes.Colliders.EnsureCapacity(end);
+        Shapes.Order.EnsureCapacity(end);
         Colliders.EnsureColliders(end);
     }
 
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        Settings.Visit(s);
-        Bodies.Visit(s);
-        Shapes.Visit(s);
-        Colliders.Visit(s);
-        Proxies.Visit(s);
-        Contacts.Visit(s);
-        Graph.Visit(s);
-        Islands.Visit(s);
-        Joints.Visit(s);
-        JointSolver.Visit(s);
-        Springs.Visit(s);
-        Lists.Visit(s);
-        BroadPhase = s.Reference(BroadPhase)!;
-        BroadPhase.Visit(s);
-        Queries.Visit(s);
-        s.Value(ref _makesEnergy);
+        Settings.Visit(s.Of(nameof(Settings)));
+        Bodies.Visit(s.Of(nameof(Bodies)));
+        Shapes.Visit(s.Of(nameof(Shapes)));
+        Colliders.Visit(s.Of(nameof(Colliders)));
+        Proxies.Visit(s.Of(nameof(Proxies)));
+        Contacts.Visit(s.Of(nameof(Contacts)));
+        Graph.Visit(s.Of(nameof(Graph)));
+        Islands.Visit(s.Of(nameof(Islands)));
+        Joints.Visit(s.Of(nameof(Joints)));
+        JointSolver.Visit(s.Of(nameof(JointSolver)));
+        Springs.Visit(s.Of(nameof(Springs)));
+        Lists.Visit(s.Of(nameof(Lists)));
+        BroadPhase = s.Of(nameof(WorldStores)).Reference(BroadPhase)!;
+        BroadPhase.Visit(s.Of(nameof(BroadPhase)));
+        Queries.Visit(s.Of(nameof(Queries)));
+        s.Of(nameof(WorldStores)).Value(ref _makesEnergy);
         s.Value(ref _substeps);
         s.Value(ref _lastSubstep);
     }

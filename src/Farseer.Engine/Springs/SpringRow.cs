@@ -26,6 +26,7 @@ internal enum SpringForm
 }
 
 /// <summary>What a facade asks for; body 0 is the world.</summary>
+[StructLayout(LayoutKind.Sequential, Pack = 4)]
 internal struct SpringDef
 {
     public SpringKind Kind;
@@ -54,7 +55,7 @@ internal struct SpringDef
 }
 
 /// <summary>One spring during a step: what was asked for, and what the substeps need.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 4)]
 internal struct SpringRow
 {
     public SpringDef Def;

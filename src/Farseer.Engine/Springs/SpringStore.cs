@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.InteropServices;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints;
 using Farseer.Engine.Storage;
@@ -309,6 +310,7 @@ internal sealed unsafe class SpringStore
     }
 
     /// <summary>What the springs of the step say of a body; of the root of a mesh also what they say of the mesh.</summary>
+    [StructLayout(LayoutKind.Sequential, Pack = 1)]
     private struct BodyRecord
     {
         public int Springs;

@@ -52,4 +52,11 @@ internal sealed unsafe class IndexList
         Count = s.Value(Count);
         s.Column(_items, Count);
     }
+
+    /// <summary>The same where the order is that in which workers came, and says nothing.</summary>
+    public void VisitUnordered(StateStream s)
+    {
+        Count = s.Value(Count);
+        s.Local(_items, Count);
+    }
 }

@@ -1,32 +1,32 @@
 using System;
-using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 
 namespace Farseer.Engine.Storage;
 
 /// <summary>
-/// How one state becomes another: words that differ, as exclusive or, and references that differ. Sections are compared from their
+/// How one state becomes another: blocks in which words differ, and references that differ. Sections are compared from their
 /// starts, so a record more or less in one of them does not shift all that follows.
 /// </summary>
 /// <remarks>
 /// Of words: whether the places of the sections are told, and if so, how many there are, each, and the end; then the number of
-/// references and where each is; then runs, each after a word that says how many words before it are the same and how many follow.
+/// references and where each is; then the number of bytes that follow. These are blocks of up to sixteen words: how many words further than the
+/// one before it begins, seven bits a byte; which of its words differ, a bit each; of how many bytes the difference of each of these is, less
+/// one, two bits each; and those bytes. Numbers that change change little: the upper bytes of most differences are zero.
 /// </remarks>
 internal sealed unsafe class StateDelta
 {
-    /// <summary>Most words that the head of a run counts, of either kind.</summary>
-    private const uint MostOfRun = ushort.MaxValue;
-    private const int SkipShift = 16;
+    /// <summary>Words that are compared at once: a cache line.</summary>
+    private const int Block = 16;
 
-    /// <summary>Words that are compared at once.</summary>
-    private const int Block = 8;
+    /// <summary>Most bytes that a block takes: its place, its marks, the sizes, and the differences.</summary>
+    private const int MostOfBlock = 5 + 2 + (Block / 4) + (Block * sizeof(uint));
 
     private readonly Column<uint> _words = new Column<uint>(1 << 10);
     private object?[] _objects = new object?[16];
 
-    // Where the head of the last run is, and the word of the state behind that run.
-    private int _head;
-    private int _runEnd;
+    // Where the last block begins, and where the next byte goes to.
+    private int _block;
+    private byte* _at;
 
     public int WordCount { get; private set; }
 
@@ -49,19 +49,15 @@ internal sealed unsafe class StateDelta
         Put(0);
         FindObjects(from, to);
         _words[count] = (uint)ObjectCount;
-        _head = -1;
-        _runEnd = 0;
-        for (int i = -1; i < to.SectionCount; i++)
-        {
-            FindWords(from, to, i);
-        }
+        FindWords(from, to);
     }
 
     /// <summary>Makes room for one that is read back.</summary>
     public void Prepare(int words, int objects, out Span<uint> wordSpan, out Span<object?> objectSpan)
     {
         Forget();
-        _words.EnsureCapacity(words);
+        // The last difference is read as a whole word.
+        _words.EnsureCapacity(words + 1);
         if (objects > _objects.Length)
         {
             Array.Resize(ref _objects, Math.Max(objects, _objects.Length * 2));
@@ -96,16 +92,8 @@ internal sealed unsafe class StateDelta
             to.Objects[_words[at++]] = _objects[i];
         }
 
-        uint* word = to.Words;
-        while (at < WordCount)
-        {
-            uint head = _words[at++];
-            word += head >> SkipShift;
-            for (uint i = head & MostOfRun; i > 0; i--)
-            {
-                *word++ ^= _words.Pointer[at++];
-            }
-        }
+        byte* place = (byte*)(_words.Pointer + at + 1);
+        ApplyBlocks(place, place + _words[at], to.Words);
     }
 
     /// <summary>Holds no reference any more.</summary>
@@ -179,6 +167,26 @@ internal sealed unsafe class StateDelta
         }
     }
 
+    private void FindWords(StateStream from, StateStream to)
+    {
+        // Each section ends with a block of its own.
+        long most = ((to.Length / (Block * sizeof(uint))) + to.SectionCount + 2L) * MostOfBlock;
+        _words.EnsureCapacity(checked((int)(WordCount + 2 + (most / sizeof(uint)))));
+        int head = WordCount++;
+        byte* start = (byte*)(_words.Pointer + WordCount);
+        _at = start;
+        _block = 0;
+        for (int i = -1; i < to.SectionCount; i++)
+        {
+            FindWords(from, to, i);
+        }
+
+        long bytes = _at - start;
+        *(uint*)_at = 0;
+        _words[head] = (uint)bytes;
+        WordCount += (int)((bytes + sizeof(uint) - 1) / sizeof(uint));
+    }
+
     private void FindWords(StateStream from, StateStream to, int section)
     {
         Range(from, section, out StatePlace source, out StatePlace sourceEnd);
@@ -188,75 +196,90 @@ internal sealed unsafe class StateDelta
         int count = (targetEnd.At - target.At) / sizeof(uint);
         int common = Math.Min((sourceEnd.At - source.At) / sizeof(uint), count);
         uint* now = to.Words + first;
-
-        // Sections have an even number of words. Room for all of them: each word in a run of its own, and the heads that only skip.
-        _words.EnsureCapacity(WordCount + (count * 2) + ((first + count - _runEnd) / (int)MostOfRun) + 1);
         int i = 0;
-        while (i < common)
+        for (; i + Block <= common; i += Block)
         {
-            if (i + Block <= common && AreSame((ulong*)(old + i), (ulong*)(now + i)))
+            uint differ = StateBlock.Differ(old + i, now + i);
+            if (differ != 0)
             {
-                i += Block;
-                continue;
-            }
-
-            for (int end = Math.Min(i + Block, common); i < end; i++)
-            {
-                if (old[i] != now[i])
-                {
-                    Enter(first + i, old[i] ^ now[i]);
-                }
+                Enter(first + i, old + i, now + i, differ);
             }
         }
 
-        for (; i < count; i++)
+        // What there was not before was zero.
+        uint* before = stackalloc uint[Block];
+        uint* after = stackalloc uint[Block];
+        for (; i < count; i += Block)
         {
-            if (now[i] != 0)
+            for (int k = 0; k < Block; k++)
             {
-                Enter(first + i, now[i]);
+                before[k] = i + k < common ? old[i + k] : 0;
+                after[k] = i + k < count ? now[i + k] : 0;
+            }
+
+            uint differ = StateBlock.Differ(before, after);
+            if (differ != 0)
+            {
+                Enter(first + i, before, after, differ);
             }
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool AreSame(ulong* one, ulong* other) =>
-        ((one[0] ^ other[0]) | (one[1] ^ other[1]) | (one[2] ^ other[2]) | (one[3] ^ other[3])) == 0;
-
-    /// <summary>
-    /// A word of the state that differs, and how; there is room. A single word that does not is cheaper within a run than between two.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Enter(int place, uint difference)
+    /// <summary>A block of the state that differs; there is room.</summary>
+    private void Enter(int place, uint* old, uint* now, uint differ)
     {
-        uint* words = _words.Pointer;
-        int gap = place - _runEnd;
-        _runEnd = place + 1;
-        if (gap <= 1 && _head >= 0 && (words[_head] & MostOfRun) + gap + 1 <= MostOfRun)
+        byte* at = _at;
+        uint gap = (uint)(place - _block);
+        _block = place;
+        for (; gap >= 0x80; gap >>= 7)
         {
-            words[_head] += (uint)gap + 1;
-            if (gap == 1)
-            {
-                words[WordCount++] = 0;
-            }
-        }
-        else
-        {
-            BeginRun(gap);
+            *at++ = (byte)(gap | 0x80);
         }
 
-        words[WordCount++] = difference;
+        *at++ = (byte)gap;
+        *(ushort*)at = (ushort)differ;
+        at += sizeof(ushort);
+        byte* sizes = at;
+        int count = BitSet.CountBits(differ);
+        *(uint*)sizes = 0;
+        at += (count + 3) / 4;
+        for (int n = 0; differ != 0; differ &= differ - 1, n++)
+        {
+            int k = BitSet.LowestBit(differ);
+            uint difference = StateBlock.Fold(now[k] - old[k]);
+            int bytes = StateBlock.Bytes(difference);
+            sizes[n >> 2] |= (byte)((bytes - 1) << ((n & 3) * 2));
+            *(uint*)at = difference;
+            at += bytes;
+        }
+
+        _at = at;
     }
 
-    /// <summary>The head of a run of one word, so many words behind the last.</summary>
-    private void BeginRun(int gap)
+    private static void ApplyBlocks(byte* at, byte* end, uint* words)
     {
-        for (; gap > MostOfRun; gap -= (int)MostOfRun)
+        while (at < end)
         {
-            _words[WordCount++] = MostOfRun << SkipShift;
-        }
+            uint gap = 0;
+            int shift = 0;
+            for (; (*at & 0x80) != 0; shift += 7)
+            {
+                gap |= (uint)(*at++ & 0x7F) << shift;
+            }
 
-        _head = WordCount;
-        _words[WordCount++] = ((uint)gap << SkipShift) | 1;
+            words += gap | ((uint)*at++ << shift);
+            uint differ = *(ushort*)at;
+            at += sizeof(ushort);
+            byte* sizes = at;
+            at += (BitSet.CountBits(differ) + 3) / 4;
+            for (int n = 0; differ != 0; differ &= differ - 1, n++)
+            {
+                int bytes = ((sizes[n >> 2] >> ((n & 3) * 2)) & 3) + 1;
+                uint difference = *(uint*)at & (uint.MaxValue >> (32 - (bytes * 8)));
+                words[BitSet.LowestBit(differ)] += StateBlock.Unfold(difference);
+                at += bytes;
+            }
+        }
     }
 
     private void Put(uint word)

@@ -27,9 +27,6 @@ internal sealed unsafe partial class StateStream
     private byte* _start;
     private int _end;
 
-    /// <summary>Names of the fields and where each begins, for those who look for a difference; null: nobody does.</summary>
-    public List<(int At, int ObjectAt, string Name)>? Trace { get; set; }
-
     /// <summary>True while fields are set from the stream, false while they are written to it.</summary>
     public bool IsReading { get; private set; }
 
@@ -70,48 +67,8 @@ internal sealed unsafe partial class StateStream
         return true;
     }
 
-    /// <summary>The names of all fields that differ; both were traced.</summary>
-    public List<string> Differences(StateStream other)
-    {
-        var names = new List<string>();
-        for (int i = 0; i < Math.Min(Trace!.Count, other.Trace!.Count); i++)
-        {
-            int end = i + 1 < Trace.Count ? Trace[i + 1].At : Length;
-            int otherEnd = i + 1 < other.Trace.Count ? other.Trace[i + 1].At : other.Length;
-            ReadOnlySpan<byte> mine = Bytes.Slice(Trace[i].At, end - Trace[i].At);
-            if (!mine.SequenceEqual(other.Bytes.Slice(other.Trace[i].At, otherEnd - other.Trace[i].At)))
-            {
-                names.Add(Trace[i].Name);
-            }
-        }
-
-        return names;
-    }
-
-    /// <summary>The names of the fields around the first difference; this one was traced.</summary>
-    public string FirstDifference(StateStream other)
-    {
-        int at = 0;
-        while (at < Length && at < other.Length && _bytes[at] == other._bytes[at])
-        {
-            at++;
-        }
-
-        if (at < Math.Max(Length, other.Length))
-        {
-            int index = Trace!.FindLastIndex(t => t.At <= at);
-            return $"byte {at} of {Length}, {other.Length}: {string.Join(", ", Trace.GetRange(Math.Max(0, index - 3), 4))}";
-        }
-
-        int item = 0;
-        while (item < Math.Min(ObjectCount, other.ObjectCount) && ReferenceEquals(_objects[item], other._objects[item]))
-        {
-            item++;
-        }
-
-        int place = Trace!.FindLastIndex(t => t.ObjectAt <= item);
-        return $"object {item} of {ObjectCount}, {other.ObjectCount}: {string.Join(", ", Trace.GetRange(Math.Max(0, place - 3), 4))}";
-    }
+    /// <summary>Holds no reference any more.</summary>
+    public void ForgetObjects() => CutObjects(0);
 
     /// <summary>Forgets what was written and writes anew.</summary>
     public void BeginWriting()
@@ -119,12 +76,15 @@ internal sealed unsafe partial class StateStream
         IsReading = false;
         SectionCount = 0;
         Begin(_bytes.Capacity);
-        Trace?.Clear();
         Room?.Clear();
+        _names = Trace;
+        _names?.Begin();
+        _localCount = 0;
     }
 
     public void EndWriting()
     {
+        _names = null;
         Align();
         Length = _at;
         CutObjects(_objectAt);
@@ -195,9 +155,9 @@ internal sealed unsafe partial class StateStream
     public void Value<T>(ref T value, [CallerArgumentExpression(nameof(value))] string name = "")
         where T : unmanaged
     {
-        if (Trace is not null)
+        if (_names is not null)
         {
-            Note(name);
+            Note<T>(name);
         }
 
         byte* place = Advance(sizeof(T));
@@ -227,14 +187,12 @@ internal sealed unsafe partial class StateStream
         where T : unmanaged
     {
         Section();
-        int count = IsReading ? 0 : Used((byte*)column.Pointer, (long)column.Capacity * sizeof(T), sizeof(T));
-        Value(ref count, name);
+        int count = IsReading ? 0 : StateBlock.Used((byte*)column.Pointer, (long)column.Capacity * sizeof(T), sizeof(T));
+        count = Counted(count, name);
+        _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
         MakeRoom(column);
         Records(column, count);
-        if (IsReading && column.Capacity > count)
-        {
-            Clear((byte*)(column.Pointer + count), (long)(column.Capacity - count) * sizeof(T));
-        }
+        ClearBehind(column, count);
     }
 
     /// <summary>A column of which nobody reads what lies behind so many records before it is written.</summary>
@@ -242,16 +200,27 @@ internal sealed unsafe partial class StateStream
         where T : unmanaged
     {
         Section();
-        Trace?.Add((_at, _objectAt, name));
+        _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
         MakeRoom(column);
         Records(column, count);
+        ClearBehind(column, count);
+    }
+
+    /// <summary>What lies behind so many records is zero when a state was read, as in new memory: what follows does not depend on what was there.</summary>
+    public void ClearBehind<T>(Column<T> column, int count)
+        where T : unmanaged
+    {
+        if (IsReading && column.Capacity > count)
+        {
+            StateBlock.Clear((byte*)(column.Pointer + count), (long)(column.Capacity - count) * sizeof(T));
+        }
     }
 
     /// <summary>An array whose length never changes.</summary>
     public void Array<T>(T[] items, [CallerArgumentExpression(nameof(items))] string name = "")
         where T : unmanaged
     {
-        Trace?.Add((_at, _objectAt, name));
+        _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
         if (items.Length > 0)
         {
             fixed (T* first = items)
@@ -265,7 +234,7 @@ internal sealed unsafe partial class StateStream
     public void Sized<T>(ref T[] items, [CallerArgumentExpression(nameof(items))] string name = "")
         where T : unmanaged
     {
-        int count = Value(items.Length, name);
+        int count = Counted(items.Length, name);
         if (items.Length != count)
         {
             items = new T[count];
@@ -277,7 +246,8 @@ internal sealed unsafe partial class StateStream
     public void List<T>(List<T> items, [CallerArgumentExpression(nameof(items))] string name = "")
         where T : unmanaged
     {
-        int count = Value(items.Count, name);
+        int count = Counted(items.Count, name);
+        _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
 #if NET8_0_OR_GREATER
         if (IsReading)
         {
@@ -293,7 +263,8 @@ internal sealed unsafe partial class StateStream
         {
             for (int i = 0; i < count; i++)
             {
-                Unsafe.WriteUnaligned(Advance(sizeof(T)), items[i]);
+                T item = items[i];
+                Raw(&item, sizeof(T));
             }
 
             return;
@@ -302,7 +273,9 @@ internal sealed unsafe partial class StateStream
         items.Clear();
         for (int i = 0; i < count; i++)
         {
-            items.Add(Unsafe.ReadUnaligned<T>(Advance(sizeof(T))));
+            T item;
+            Raw(&item, sizeof(T));
+            items.Add(item);
         }
 #endif
     }
@@ -310,12 +283,14 @@ internal sealed unsafe partial class StateStream
     public void References<T>(List<T> items, [CallerArgumentExpression(nameof(items))] string name = "")
         where T : class
     {
-        int count = Value(items.Count, name);
+        int count = Counted(items.Count, name);
+        _names?.Note(_at, _objectAt, name, null, isColumn: true);
         if (!IsReading)
         {
+            EnsureObjects(_objectAt + count);
             for (int i = 0; i < count; i++)
             {
-                Reference(items[i]);
+                Put<T>(items[i]);
             }
 
             return;
@@ -324,7 +299,7 @@ internal sealed unsafe partial class StateStream
         items.Clear();
         for (int i = 0; i < count; i++)
         {
-            items.Add(Reference<T>(null)!);
+            items.Add(Taken<T>(null)!);
         }
     }
 
@@ -334,35 +309,23 @@ internal sealed unsafe partial class StateStream
     public T? Reference<T>(T? item, [CallerArgumentExpression(nameof(item))] string name = "")
         where T : class
     {
-        if (Trace is not null)
-        {
-            Note(name);
-        }
-
-        int at = _objectAt++;
+        _names?.Note(_at, _objectAt, name, null);
         if (IsReading)
         {
-            return ReferenceEquals(_objects[at], this) ? item : (T?)_objects[at];
+            return Taken(item);
         }
 
-        EnsureObjects(at + 1);
-        if (StaysWithReader is not null && StaysWithReader(typeof(T)))
-        {
-            _objects[at] = this;
-            return item;
-        }
-
-        // Mostly it is the same as in the state before: to write it again costs more than to look.
-        if (!ReferenceEquals(_objects[at], item))
-        {
-            _objects[at] = item;
-        }
-
+        EnsureObjects(_objectAt + 1);
+        Put<T>(item);
         return item;
     }
 
     /// <summary>Bytes that somebody else writes or reads at once; the span holds until anything else is asked of the stream.</summary>
-    public Span<byte> Take(int bytes) => new Span<byte>(Advance(bytes), bytes);
+    public Span<byte> Take(int bytes, string name)
+    {
+        _names?.Note(_at, _objectAt, name, new StateKind<byte>(), isColumn: true);
+        return new Span<byte>(Advance(bytes), bytes);
+    }
 
     /// <summary>Memory of a length that both sides know.</summary>
     public void Raw(void* start, long bytes)
@@ -375,26 +338,6 @@ internal sealed unsafe partial class StateStream
         else
         {
             Buffer.MemoryCopy(start, place, bytes, bytes);
-        }
-    }
-
-    private static int Used(byte* start, long bytes, int size)
-    {
-        long end = bytes;
-        while (end > 0 && start[end - 1] == 0)
-        {
-            end -= end >= sizeof(ulong) && *(ulong*)(start + end - sizeof(ulong)) == 0 ? sizeof(ulong) : 1;
-        }
-
-        return (int)((end + size - 1) / size);
-    }
-
-    private static void Clear(byte* start, long bytes)
-    {
-        const long Most = 1 << 30;
-        for (; bytes > 0; bytes -= Most, start += Most)
-        {
-            Unsafe.InitBlockUnaligned(start, 0, (uint)Math.Min(bytes, Most));
         }
     }
 
@@ -475,6 +418,39 @@ internal sealed unsafe partial class StateStream
         ObjectCount = count;
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Note(string name) => Trace!.Add((_at, _objectAt, name));
+    /// <summary>The number of what follows.</summary>
+    private int Counted(int count, string name)
+    {
+        _names?.Note(_at, _objectAt, name + ".Count", new StateKind<int>(), isCount: true);
+        byte* place = Advance(sizeof(int));
+        if (IsReading)
+        {
+            return Unsafe.ReadUnaligned<int>(place);
+        }
+
+        Unsafe.WriteUnaligned(place, count);
+        return count;
+    }
+
+    // Mostly it is the same as in the state before: to write it again costs more than to look. There is room.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Put<T>(T? one)
+        where T : class
+    {
+        object? item = StaysWithReader is not null && StaysWithReader(typeof(T)) ? this : one;
+        ref object? place = ref _objects[_objectAt++];
+        if (!ReferenceEquals(place, item))
+        {
+            place = item;
+        }
+    }
+
+    /// <summary>The next reference; what the reader has of his own in its place, where the state leaves it to him.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private T? Taken<T>(T? own)
+        where T : class
+    {
+        object? item = _objects[_objectAt++];
+        return ReferenceEquals(item, this) ? own : (T?)item;
+    }
 }

@@ -20,7 +20,7 @@ internal static class SampleWorlds
 {
     private const float Dt = 1f / 64;
 
-    public static List<(int At, int ObjectAt, string Name)> SimulatorTrace()
+    public static IReadOnlyList<StateNote> SimulatorTrace()
     {
         var simulator = new PhysicsSimulator(new Vector2(0, -10))
         {
@@ -59,12 +59,12 @@ internal static class SampleWorlds
 
         simulator.Update(Dt);
         simulator.Update(Dt);
-        var stream = new StateStream { Trace = new List<(int At, int ObjectAt, string Name)>() };
+        var stream = new StateStream { Trace = new StateTrace() };
         simulator.Write(stream, new Bridge.StateRoster());
-        return stream.Trace;
+        return stream.Trace.Notes;
     }
 
-    public static List<(int At, int ObjectAt, string Name)> WorldTrace()
+    public static IReadOnlyList<StateNote> WorldTrace()
     {
         var world = new b2World(new b2AABB { lowerBound = new b2Vec2(-64, -64), upperBound = new b2Vec2(64, 64) }, new b2Vec2(0, -10), true);
         b2Body ground = world.GetGroundBody();
@@ -86,9 +86,9 @@ internal static class SampleWorlds
         world.CreateJoint(new b2MouseJointDef { body1 = ground, body2 = second, target = new b2Vec2(1, 1), maxForce = 1 });
         world.Step(Dt, 10);
         world.Step(Dt, 10);
-        var stream = new StateStream { Trace = new List<(int At, int ObjectAt, string Name)>() };
+        var stream = new StateStream { Trace = new StateTrace() };
         world.Write(stream, new Box2D.Bridge.StateRoster());
-        return stream.Trace;
+        return stream.Trace.Notes;
     }
 
     private static Body Box(PhysicsSimulator simulator, float x)

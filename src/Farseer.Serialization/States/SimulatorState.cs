@@ -23,7 +23,7 @@ internal static class SimulatorState
             // The order of making is told by numbers that this process has given out: a file has the ranks.
             for (int i = 0; i < attached.Count; i++)
             {
-                simulator.World.Collider(attached[i].Link.Handle).Order = i + 1;
+                simulator.World.Shapes.Order[attached[i].Link.Handle.Index] = i + 1;
             }
 
             simulator.Write(stream, new Bridge.StateRoster());
@@ -81,7 +81,7 @@ internal static class SimulatorState
     {
         foreach (Geom geom in geoms)
         {
-            simulator.World.Collider(geom.Link.Handle).Order = geom.Id;
+            simulator.World.Shapes.Order[geom.Link.Handle.Index] = geom.Id;
         }
     }
 

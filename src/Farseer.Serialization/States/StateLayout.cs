@@ -17,14 +17,14 @@ internal static class StateLayout
 
     public static ulong OfWorld => s_world.Value;
 
-    private static ulong Sum(List<(int At, int ObjectAt, string Name)> trace)
+    private static ulong Sum(IReadOnlyList<StateNote> trace)
     {
         ulong sum = 14695981039346656037;
-        foreach ((int at, int objectAt, string name) in trace)
+        foreach (StateNote note in trace)
         {
-            Add((uint)at);
-            Add((uint)objectAt);
-            foreach (char c in name)
+            Add((uint)note.At);
+            Add((uint)note.ObjectAt);
+            foreach (char c in note.Name)
             {
                 Add(c);
             }

@@ -85,7 +85,7 @@ internal sealed class StepTrack
     public void Record(PhysicsSimulator simulator, double time, float dt, BodyTrack bodies, LinkTrack links)
     {
         Track.Begin(1);
-        ulong hash = simulator.StateHash();
+        ulong hash = simulator.MotionHash();
         Track.Set(0, Time, time);
         Track.Set(0, Dt, dt);
         Track.Set(0, HashHigh, unchecked((int)(hash >> 32)));

@@ -97,7 +97,7 @@ internal struct GeomLink
     public void Attach(Geom geom, World world)
     {
         Handle = world.CreateCollider(geom.Body.Link.Handle, geom.Form!.Shape, Describe(geom));
-        world.Collider(Handle).Order = geom.Id;
+        world.Shapes.Order[Handle.Index] = geom.Id;
         if (geom.HasSurface)
         {
             world.Surfaces.Use();

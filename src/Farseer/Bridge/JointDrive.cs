@@ -1,8 +1,10 @@
+using System.Runtime.InteropServices;
 using Farseer.Engine.Joints;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
 /// <summary>The limits and the motor of a joint.</summary>
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal struct JointDrive
 {
     public bool IsLimited;

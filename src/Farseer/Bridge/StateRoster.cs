@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Threading;
 using Farseer.Engine.Storage;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Controllers;
@@ -13,7 +14,10 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 /// </summary>
 internal sealed class StateRoster
 {
-    private readonly HashSet<object> _seen = new HashSet<object>();
+    private static long s_lastRound;
+
+    private long _round;
+    private int _count;
 
     public List<Body> Bodies { get; } = new List<Body>();
 
@@ -27,7 +31,7 @@ internal sealed class StateRoster
 
     public void Clear()
     {
-        _seen.Clear();
+        Begin();
         Bodies.Clear();
         Geoms.Clear();
         Joints.Clear();
@@ -37,27 +41,31 @@ internal sealed class StateRoster
 
     /// <summary>Enters somebody who may be there already.</summary>
     public void Enter<T>(List<T> list, T? item)
-        where T : class
+        where T : class, IStatePart
     {
-        if (item is not null && _seen.Add(item))
+        if (item is not null && item.Mark.Round != _round)
         {
-            list.Add(item);
+            EnterOnce(list, item);
         }
     }
 
-    /// <summary>Enters somebody of a list, of whom it is known that he is not there yet.</summary>
+    /// <summary>Enters somebody of whom it is known that he is not there yet.</summary>
     public void EnterOnce<T>(List<T> list, T item)
-        where T : class => list.Add(item);
+        where T : class, IStatePart
+    {
+        SetMark(item);
+        list.Add(item);
+    }
 
     /// <summary>True if both have the same ones in the same order, as is usual.</summary>
     public bool IsSameAs(StateRoster other) =>
         AreSame(Bodies, other.Bodies) && AreSame(Geoms, other.Geoms) && AreSame(Joints, other.Joints)
         && AreSame(Springs, other.Springs) && AreSame(Controllers, other.Controllers);
 
-    /// <summary>Enters all of them for <see cref="Has"/>.</summary>
+    /// <summary>Numbers all of them anew, for <see cref="Has"/> and for those who refer to them.</summary>
     public void Index()
     {
-        _seen.Clear();
+        Begin();
         Index(Bodies);
         Index(Geoms);
         Index(Joints);
@@ -66,12 +74,25 @@ internal sealed class StateRoster
     }
 
     /// <summary>Whether somebody is there; <see cref="Index()"/> comes before.</summary>
-    public bool Has(object item) => _seen.Contains(item);
+    public bool Has(IStatePart item) => item.Mark.Round == _round;
+
+    /// <summary>What a reference of a state is told by: a number that is the same in every simulation that was made in the same way.</summary>
+    public ulong Number(object? item)
+    {
+        const ulong Others = 3;
+        return item switch
+        {
+            null => 0,
+            IStatePart part => Has(part) ? Others + (ulong)part.Mark.Place : 1,
+            string text => Hash(text),
+            _ => 2,
+        };
+    }
 
     /// <summary>Writes, or reads, who is in it.</summary>
     public void Visit(StateStream s)
     {
-        s.Section();
+        s.Of("Roster").Section();
         s.References(Bodies);
         s.Section();
         s.References(Geoms);
@@ -102,12 +123,37 @@ internal sealed class StateRoster
         return true;
     }
 
+    // What an item has of another roster is not mistaken: no two have the same number, not even those of other simulators.
+    private void Begin()
+    {
+        _round = Interlocked.Increment(ref s_lastRound);
+        _count = 0;
+    }
+
+    private static ulong Hash(string text)
+    {
+        ulong hash = StateHasher.Start;
+        foreach (char letter in text)
+        {
+            hash = StateHasher.Add(hash, letter);
+        }
+
+        return hash;
+    }
+
+    private void SetMark(IStatePart item)
+    {
+        ref StateMark mark = ref item.Mark;
+        mark.Round = _round;
+        mark.Place = ++_count;
+    }
+
     private void Index<T>(List<T> items)
-        where T : class
+        where T : class, IStatePart
     {
         foreach (T item in items)
         {
-            _seen.Add(item);
+            SetMark(item);
         }
     }
 }

@@ -78,7 +78,7 @@ internal sealed class WaitingGeoms
             var entry = new Entry(geom);
             Handle body = World.CreateBody(entry.Body);
             entry.Collider = World.CreateCollider(body, entry.Shape, entry.Definition);
-            World.Collider(entry.Collider).Order = geom.Id;
+            World.Shapes.Order[entry.Collider.Index] = geom.Id;
             int place = entry.Collider.Index;
             if (place >= _byCollider.Length)
             {

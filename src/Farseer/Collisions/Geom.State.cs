@@ -6,6 +6,8 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// <content>Saving and restoring.</content>
 public partial class Geom
 {
+    ref StateMark IStatePart.Mark => ref _mark;
+
     /// <summary>
     /// Writes, or reads, what later updates read of it. Tag and name are the user's; outlines never change, so it is enough which one
     /// it has.

@@ -20,7 +20,7 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// shape.OnCollision += (mine, other, contacts) =&gt; true;
 /// </code>
 /// </example>
-public partial class Geom : IDisposable, IEquatable<Geom>
+public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
 {
     private static int s_lastId;
 
@@ -38,6 +38,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>
 
     // Null until somebody wants one of them.
     private GeomExtras? _extras;
+    private StateMark _mark;
     private float _collisionGridCellSize;
 
     /// <summary>Makes a geom without body and vertices; give it both before it is added to a simulator.</summary>

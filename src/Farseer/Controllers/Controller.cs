@@ -10,6 +10,8 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// </summary>
 public abstract class Controller : IDisposable, IItem
 {
+    private StateMark _mark;
+
     /// <summary>Makes an enabled controller.</summary>
     protected Controller()
     {
@@ -32,6 +34,8 @@ public abstract class Controller : IDisposable, IItem
     }
 
     Membership IItem.Membership { get; set; }
+
+    ref StateMark IStatePart.Mark => ref _mark;
 
     internal PhysicsSimulator? Simulator { get; private set; }
 

@@ -9,6 +9,8 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 /// <content>Saving and restoring.</content>
 public partial class Body
 {
+    ref StateMark IStatePart.Mark => ref _mark;
+
     /// <summary>Writes, or reads, what later updates read of it. Tag and name are the user's.</summary>
     internal void Visit(StateStream s)
     {

@@ -21,7 +21,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 /// box.ApplyImpulse(new Vector2(10, 0));
 /// </code>
 /// </example>
-public partial class Body : IDisposable
+public partial class Body : IDisposable, IStatePart
 {
     private const float DefaultDragCoefficient = 0.001f;
 
@@ -32,6 +32,7 @@ public partial class Body : IDisposable
 
     /// <summary>Null until somebody wants one of them.</summary>
     private BodyExtras? _extras;
+    private StateMark _mark;
 
     /// <summary>Makes a body of mass 1 and moment of inertia 1 at the origin.</summary>
     public Body()

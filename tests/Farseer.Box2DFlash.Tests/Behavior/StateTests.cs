@@ -48,16 +48,16 @@ public sealed class StateTests(ITestOutputHelper output)
                 long frame = buffer.Push();
                 if (frame == hashes.Count)
                 {
-                    hashes.Add(world.StateHash());
+                    hashes.Add(world.MotionHash());
                 }
 
-                Assert.Equal(hashes[(int)frame], world.StateHash());
+                Assert.Equal(hashes[(int)frame], world.MotionHash());
                 Play(frame);
             }
 
             long back = random.NextInt64(buffer.OldestFrame, buffer.NewestFrame + 1);
             buffer.Rewind(back);
-            Assert.Equal(hashes[(int)back], world.StateHash());
+            Assert.Equal(hashes[(int)back], world.MotionHash());
             Play(back);
         }
 
@@ -110,7 +110,7 @@ public sealed class StateTests(ITestOutputHelper output)
                 world.Step(1f / 60, 10);
             }
 
-            return world.StateHash();
+            return world.MotionHash();
         }
     }
 

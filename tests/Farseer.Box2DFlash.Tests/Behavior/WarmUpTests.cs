@@ -38,6 +38,6 @@ public class WarmUpTests
             world.Step(1f / 60f, 10);
         }
 
-        return world.StateHash();
+        return world.MotionHash();
     }
 }

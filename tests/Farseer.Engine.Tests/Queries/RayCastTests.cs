@@ -62,7 +62,7 @@ public class RayCastTests
                 {
                     if (scene.IsSeen(collider, filter) && scene.World.Queries.CastRay(collider.Index, ray, out RayHit hit))
                     {
-                        expected.Add((hit.Fraction, !hit.StartsInside, scene.World.Collider(collider).Order, collider.Index));
+                        expected.Add((hit.Fraction, !hit.StartsInside, scene.World.Shapes.Order[collider.Index], collider.Index));
                     }
                 }
 
@@ -202,7 +202,7 @@ public class RayCastTests
                 continue;
             }
 
-            int age = scene.World.Collider(collider).Order;
+            int age = scene.World.Shapes.Order[collider.Index];
             if (hit.Fraction < best.Fraction
                 || (hit.Fraction == best.Fraction && (hit.StartsInside, -age).CompareTo((best.StartsInside, -order)) > 0))
             {

@@ -197,7 +197,7 @@ public class ShapeQueryTests
     {
         int[] actual = Enumerable.Range(0, found.Count).Select(i => found[i]).ToArray();
         Handle[] colliders = scene.Colliders.Where(c => scene.IsSeen(c, QueryFilter.All) && (tie is null || !tie(c)))
-            .OrderBy(c => scene.World.Collider(c).Order).ToArray();
+            .OrderBy(c => scene.World.Shapes.Order[c.Index]).ToArray();
         Assert.Equal(colliders.Where(expected).Select(c => c.Index), actual.Where(a => colliders.Any(c => c.Index == a)));
     }
 

@@ -40,7 +40,7 @@ internal abstract class Facade
     public abstract IReadOnlyList<string> Namespaces { get; }
 
     /// <summary>C# that prints the hash of a world.</summary>
-    public virtual string HashCode(string world) => $"Try(() => Console.WriteLine({world}.StateHash()));";
+    public virtual string HashCode(string world) => $"Try(() => Console.WriteLine({world}.MotionHash()));";
 
     public Member Find(string key) => _byKey.TryGetValue(key, out Member? found) ? found
         : throw new ArgumentException("There is no member " + key);

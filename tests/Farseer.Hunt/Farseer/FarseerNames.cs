@@ -66,6 +66,7 @@ internal sealed class FarseerNames : Names
         ["*.Name"] = "nobody looks at it",
         ["*.Validate"] = "an update calls it",
         ["*.PreStep"] = "an update calls it",
+        ["*.Compare"] = "goes back and forth to find names: the state hunt calls it",
         ["*.StateSize"] = "a capture asks it",
         ["*.SaveState"] = "a capture calls it",
         ["*.RestoreState"] = "a restore calls it",

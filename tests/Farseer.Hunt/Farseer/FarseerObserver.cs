@@ -68,7 +68,7 @@ internal sealed partial class FarseerObserver : Observer
     {
         try
         {
-            return ((PhysicsSimulator)world).StateHash();
+            return ((PhysicsSimulator)world).MotionHash();
         }
         catch (ObjectDisposedException)
         {

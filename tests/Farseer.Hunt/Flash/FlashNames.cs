@@ -58,6 +58,7 @@ internal sealed class FlashNames : Names
         ["b2World.m_debugDraw"] = "draws",
         ["b2World.DrawDebugData"] = "draws",
         ["b2ContactListener.new"] = "the own one stands for it",
+        ["*.Compare"] = "goes back and forth to find names: the state hunt calls it",
         ["b2ContactFilter.new"] = "the own one stands for it",
         ["b2DestructionListener.new"] = "the own one stands for it",
         ["b2BoundaryListener.new"] = "the own one stands for it",

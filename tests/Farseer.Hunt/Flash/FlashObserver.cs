@@ -61,7 +61,7 @@ internal sealed partial class FlashObserver : Observer
 
     public override void SetWorkers(object world, int count) => ((b2World)world).SetWorkerCount(count);
 
-    public override ulong Hash(object world) => ((b2World)world).StateHash();
+    public override ulong Hash(object world) => ((b2World)world).MotionHash();
 
     /// <summary>Definitions and boxes are what a user wrote.</summary>
     public override bool IsStepped(object world, object item) => 

@@ -66,11 +66,7 @@ internal sealed class Machine
     public int Detours => _observer.Detours;
 
     /// <summary>States are kept with the names of their fields, to look for the first difference.</summary>
-    public bool Keeps
-    {
-        get => _observer.Traces;
-        init => _observer.Traces = value;
-    }
+    public bool Keeps { get; init; }
 
     public string? FirstDifference(Machine other) => _observer.FirstDifference(other._observer);
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 
 namespace Farseer.Hunt.Running;
 
@@ -23,8 +24,8 @@ internal abstract class Observer
     /// <summary>What is told now is of a detour, which is taken back.</summary>
     public bool IsMuted { get; set; }
 
-    /// <summary>States know the names of their fields.</summary>
-    public bool Traces { get; set; }
+    /// <summary>Differences of two states that are told at most.</summary>
+    protected const int MostDifferences = 10;
 
     /// <summary>A hash of all events that were told, in their order.</summary>
     public ulong Events { get; private set; } = 14695981039346656037;
@@ -55,21 +56,19 @@ internal abstract class Observer
         }
     }
 
-    /// <returns>
-    /// The fields that differ in the states of two observers, each with the number of the state in which it does so first.
-    /// </returns>
+    /// <returns>The fields that differ in the states of two observers, of the first step after which any does.</returns>
     public string FirstDifference(Observer other)
     {
-        var first = new Dictionary<string, int>(StringComparer.Ordinal);
         for (int i = 0; i < Math.Min(_kept.Count, other._kept.Count); i++)
         {
-            foreach (string name in Differences(_kept[i], other._kept[i]))
+            string text = string.Join("; ", Differences(_kept[i], other._kept[i]));
+            if (text.Length > 0)
             {
-                first.TryAdd(name, i + 1);
+                return "state " + (i + 1).ToString(CultureInfo.InvariantCulture) + ": " + text;
             }
         }
 
-        return string.Join(", ", first);
+        return "";
     }
 
     /// <returns>A state that knows the names of its fields; null: the world cannot be captured.</returns>

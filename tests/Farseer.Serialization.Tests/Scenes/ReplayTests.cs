@@ -28,12 +28,12 @@ public sealed class ReplayTests
         var simulator = new PhysicsSimulator();
         scene.Build(simulator);
         var recorder = new SimulationRecorder(simulator, 40);
-        var hashes = new List<ulong> { simulator.StateHash() };
+        var hashes = new List<ulong> { simulator.MotionHash() };
         for (int step = 0; step < Steps; step++)
         {
             scene.Act(simulator, step, scene.Dt);
             recorder.Update(scene.Dt);
-            hashes.Add(simulator.StateHash());
+            hashes.Add(simulator.MotionHash());
         }
 
         Replay replay = Replay.Load(recorder.ToArray());
@@ -41,7 +41,7 @@ public sealed class ReplayTests
         foreach (int frame in new[] { 85, 0, 39, 41, 40, 90, 1 })
         {
             replay.Seek(frame);
-            Assert.Equal(hashes[frame], replay.Simulator.StateHash());
+            Assert.Equal(hashes[frame], replay.Simulator.MotionHash());
         }
 
         replay.Seek(Steps);
@@ -54,12 +54,12 @@ public sealed class ReplayTests
     {
         PhysicsSimulator simulator = Everything.Build();
         var recorder = new SimulationRecorder(simulator);
-        var hashes = new List<ulong> { simulator.StateHash() };
+        var hashes = new List<ulong> { simulator.MotionHash() };
         for (int step = 0; step < 60; step++)
         {
             Act(simulator, step);
             recorder.Update(step == 30 ? 0 : 1f / 60);
-            hashes.Add(simulator.StateHash());
+            hashes.Add(simulator.MotionHash());
         }
 
         AssertPlays(Replay.Load(recorder.ToArray()), hashes);
@@ -84,11 +84,11 @@ public sealed class ReplayTests
             return told++ == 2 ? throw new InvalidOperationException("told") : told % 2 == 0;
         };
         var recorder = new SimulationRecorder(simulator);
-        var hashes = new List<ulong> { simulator.StateHash() };
+        var hashes = new List<ulong> { simulator.MotionHash() };
         for (int step = 0; step < 90; step++)
         {
             Record.Exception(() => recorder.Update(1f / 60));
-            hashes.Add(simulator.StateHash());
+            hashes.Add(simulator.MotionHash());
         }
 
         Assert.True(told > 3);
@@ -170,7 +170,7 @@ public sealed class ReplayTests
         do
         {
             replay.Simulator.WorkerCount = 2;
-            Assert.True(hashes[replay.Frame] == replay.Simulator.StateHash(), $"frame {replay.Frame} is another one");
+            Assert.True(hashes[replay.Frame] == replay.Simulator.MotionHash(), $"frame {replay.Frame} is another one");
         }
         while (replay.MoveNext());
         Assert.Null(replay.Divergence);

@@ -92,7 +92,7 @@ public class ControllerTests
             }
 
             Assert.Equal(frame + 1, updates);
-            Assert.Equal(here.StateHash(), there.StateHash());
+            Assert.Equal(here.MotionHash(), there.MotionHash());
         }
 
         thread.Join();

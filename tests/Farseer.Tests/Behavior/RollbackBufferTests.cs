@@ -25,7 +25,7 @@ public sealed class RollbackBufferTests
         PhysicsSimulator simulator = StateTests.Pyramid(5, out _);
         Body[] boxes = simulator.BodyList.ToArray();
         var buffer = new RollbackBuffer(simulator, frames);
-        var hashes = new List<ulong> { simulator.StateHash() };
+        var hashes = new List<ulong> { simulator.MotionHash() };
         Assert.Equal(0, buffer.Push());
         for (int round = 0; round < 25; round++)
         {
@@ -36,15 +36,15 @@ public sealed class RollbackBufferTests
                 Assert.Equal(frame, buffer.Push());
                 if (frame == hashes.Count)
                 {
-                    hashes.Add(simulator.StateHash());
+                    hashes.Add(simulator.MotionHash());
                 }
 
-                Assert.Equal(hashes[(int)frame], simulator.StateHash());
+                Assert.Equal(hashes[(int)frame], simulator.MotionHash());
             }
 
             long back = random.NextInt64(buffer.OldestFrame, buffer.NewestFrame + 1);
             buffer.Rewind(back);
-            Assert.Equal(hashes[(int)back], simulator.StateHash());
+            Assert.Equal(hashes[(int)back], simulator.MotionHash());
             Assert.Equal(back, buffer.NewestFrame);
             Assert.True(buffer.Count <= frames);
         }
@@ -85,13 +85,13 @@ public sealed class RollbackBufferTests
         }
 
         Assert.Equal((5, 3, 7), (buffer.Count, buffer.OldestFrame, buffer.NewestFrame));
-        ulong hash = simulator.StateHash();
+        ulong hash = simulator.MotionHash();
         ArgumentOutOfRangeException refused = Assert.Throws<ArgumentOutOfRangeException>(() => buffer.Rewind(2));
         Assert.Equal("frame", refused.ParamName);
         Assert.Equal(2L, refused.ActualValue);
         Assert.Contains("3 to 7", refused.Message, StringComparison.Ordinal);
         Assert.Throws<ArgumentOutOfRangeException>(() => buffer.Rewind(8));
-        Assert.Equal(hash, simulator.StateHash());
+        Assert.Equal(hash, simulator.MotionHash());
         Assert.Equal((5, 3, 7), (buffer.Count, buffer.OldestFrame, buffer.NewestFrame));
     }
 
@@ -192,7 +192,7 @@ public sealed class RollbackBufferTests
         PhysicsSimulator simulator = StateTests.Pyramid(4, out Body top);
         var buffer = new RollbackBuffer(simulator, 5);
         buffer.Push();
-        ulong first = simulator.StateHash();
+        ulong first = simulator.MotionHash();
         simulator.Remove(top.GeomAt(0));
         simulator.Remove(top);
         simulator.Update(Dt);
@@ -200,14 +200,14 @@ public sealed class RollbackBufferTests
         using var other = new PhysicsSimulator();
         other.Add(top);
         other.Update(Dt);
-        ulong hash = simulator.StateHash();
+        ulong hash = simulator.MotionHash();
         Assert.Throws<InvalidOperationException>(() => buffer.Rewind(0));
-        Assert.Equal(hash, simulator.StateHash());
+        Assert.Equal(hash, simulator.MotionHash());
         Assert.Equal((2, 1), (buffer.Count, buffer.NewestFrame));
         other.Remove(top);
         other.Update(Dt);
         buffer.Rewind(0);
-        Assert.Equal(first, simulator.StateHash());
+        Assert.Equal(first, simulator.MotionHash());
     }
 
     [Fact]
@@ -216,7 +216,7 @@ public sealed class RollbackBufferTests
         PhysicsSimulator simulator = StateTests.Pyramid(2, out _);
         var buffer = new RollbackBuffer(simulator, 5);
         buffer.Push();
-        ulong hash = simulator.StateHash();
+        ulong hash = simulator.MotionHash();
         var silent = new StateTests.Silent();
         simulator.Add(silent);
         Assert.Throws<InvalidOperationException>(() => buffer.Push());
@@ -233,7 +233,7 @@ public sealed class RollbackBufferTests
         simulator.Update(Dt);
         Assert.True(refused > 0);
         buffer.Rewind(0);
-        Assert.Equal(hash, simulator.StateHash());
+        Assert.Equal(hash, simulator.MotionHash());
         simulator.Dispose();
         Assert.Throws<ObjectDisposedException>(() => buffer.Push());
         Assert.Throws<ObjectDisposedException>(() => buffer.Rewind(0));

@@ -112,9 +112,9 @@ public sealed class StateTests(ITestOutputHelper output)
         using var other = new PhysicsSimulator();
         other.Add(top);
         other.Update(Dt);
-        ulong hash = simulator.StateHash();
+        ulong hash = simulator.MotionHash();
         Assert.Throws<InvalidOperationException>(() => simulator.Restore(state));
-        Assert.Equal(hash, simulator.StateHash());
+        Assert.Equal(hash, simulator.MotionHash());
         Assert.Contains(top, other.BodyList);
     }
 

@@ -45,6 +45,6 @@ public class WarmUpTests
             simulator.Update(Sandbox.Step);
         }
 
-        return simulator.StateHash();
+        return simulator.MotionHash();
     }
 }

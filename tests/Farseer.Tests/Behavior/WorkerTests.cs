@@ -54,7 +54,7 @@ public class WorkerTests
             simulator.Update(Sandbox.Step);
         }
 
-        Assert.Equal(Hash("mixed", 1, null, out _), simulator.StateHash());
+        Assert.Equal(Hash("mixed", 1, null, out _), simulator.MotionHash());
     }
 
     [Fact]
@@ -70,7 +70,7 @@ public class WorkerTests
         Sandbox.Run(simulator, Steps);
 
         Assert.True(calls > 0);
-        Assert.Equal(Hash("mixed", 1, null, out _), simulator.StateHash());
+        Assert.Equal(Hash("mixed", 1, null, out _), simulator.MotionHash());
     }
 
     [Fact]
@@ -140,7 +140,7 @@ public class WorkerTests
             twin.Update(Sandbox.Step);
         }
 
-        Assert.Equal(twin.StateHash(), simulator.StateHash());
+        Assert.Equal(twin.MotionHash(), simulator.MotionHash());
     }
 
     [Fact]
@@ -257,7 +257,7 @@ public class WorkerTests
         simulator.StepScheduler = scheduler;
         Sandbox.Run(simulator, Steps);
         calls = told;
-        ulong hash = simulator.StateHash();
+        ulong hash = simulator.MotionHash();
         simulator.Dispose();
         return hash;
     }
@@ -291,7 +291,7 @@ public class WorkerTests
         }
 
         Sandbox.Run(simulator, Steps);
-        return simulator.StateHash();
+        return simulator.MotionHash();
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]

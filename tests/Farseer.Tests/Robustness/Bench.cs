@@ -94,7 +94,7 @@ internal sealed class Bench
     public ulong HashLater()
     {
         Step(12);
-        return Simulator.StateHash();
+        return Simulator.MotionHash();
     }
 
     public void AssertSound()

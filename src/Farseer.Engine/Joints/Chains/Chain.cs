@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 namespace Farseer.Engine.Joints.Chains;
 
 /// <summary>A tree that is a chain of hinges, and where its numbers are.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal struct Chain
 {
     public int Tree;
@@ -61,7 +61,7 @@ internal struct Chain
 }
 
 /// <summary>A body of a chain, and the joint to the next.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal struct ChainPlace
 {
     public int Node;

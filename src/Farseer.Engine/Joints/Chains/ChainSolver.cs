@@ -234,7 +234,7 @@ internal sealed unsafe partial class ChainSolver : TreesAside
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        s.Column(_numbers);
+        s.Local(_numbers);
         s.Column(_chains);
         s.Column(_places);
         s.Column(_given);

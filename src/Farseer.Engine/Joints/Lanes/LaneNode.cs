@@ -133,7 +133,7 @@ internal unsafe struct LaneAnchor
 }
 
 /// <summary>What is the same for all four: a node's place in the tree, or an anchor's; and which bodies and joints they are.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal unsafe struct LanePlace
 {
     /// <summary>Place of the parent in the tree, -1: the root; of an anchor that of its body.</summary>
@@ -188,7 +188,7 @@ internal unsafe struct LanePlace
 }
 
 /// <summary>Up to four trees of equal shape side by side.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal unsafe struct LaneTrees
 {
     public ulong Shape;

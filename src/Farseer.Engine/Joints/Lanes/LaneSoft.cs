@@ -73,7 +73,7 @@ internal unsafe struct LaneSoft
 }
 
 /// <summary>What a row is, the same for all four.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal struct LaneSoftKind
 {
     /// <summary>Its place among the rows of the joint.</summary>

@@ -4,7 +4,7 @@ using Farseer.Engine.Joints.Lanes;
 namespace Farseer.Engine.Joints.Loose;
 
 /// <summary>A body of loose joints, or what they hang on: what <see cref="Trees.TreeNode"/> has of a tree of one body.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal unsafe struct LooseBody
 {
     /// <summary>Where the pose begins, in doubles.</summary>
@@ -81,7 +81,7 @@ internal unsafe struct LooseBundle
 }
 
 /// <summary>What the four joints are, and whose.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal unsafe struct LoosePlace
 {
     public JointKind Kind;

@@ -319,10 +319,10 @@ internal sealed unsafe partial class LooseSolver
         s.Column(_levels);
         s.Column(_keys);
         s.Column(_items);
-        s.Column(_bodies);
-        s.Column(_bundles);
+        s.Local(_bodies);
+        s.Local(_bundles);
         s.Column(_places);
-        s.Column(_looseRows);
+        s.Local(_looseRows);
         _turns.Visit(s);
         s.Value(ref _bodyCount);
         s.Value(ref _bundleCount);

@@ -223,7 +223,7 @@ internal sealed unsafe partial class NetSolver
     }
 
     /// <summary>Where the row of a joint is.</summary>
-    [StructLayout(LayoutKind.Sequential)]
+    [StructLayout(LayoutKind.Sequential, Pack = 1)]
     private struct NetPlace
     {
         public int Color;

@@ -468,10 +468,11 @@ internal sealed unsafe partial class JointForest
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        s.Column(_nodes);
+        // Of what each step works out for them anew only the part that their rows need is written.
+        s.Local(_nodes);
         s.Column(_ordered);
         s.Column(_trees);
-        s.Column(_anchors);
+        s.Local(_anchors);
         s.Column(_edgeJoints);
         s.Column(_nodeOf);
         s.Column(_start);

@@ -4,7 +4,7 @@ using Farseer.Engine.Joints.Solving;
 namespace Farseer.Engine.Joints.Trees;
 
 /// <summary>One tree: a range of nodes in pre-order, its anchors, and what holds for all of it.</summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal struct JointTree
 {
     public int First;

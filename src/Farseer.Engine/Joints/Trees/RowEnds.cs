@@ -9,7 +9,7 @@ namespace Farseer.Engine.Joints.Trees;
 /// The two bodies of an iterated row, a joint's or a contact's, and how impulses along it reach them: through the trees, or not
 /// at all where a body cannot move.
 /// </summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal unsafe struct RowEnds
 {
     /// <summary>

@@ -7,7 +7,7 @@ namespace Farseer.Engine.Joints.Trees;
 /// What hangs on, rests on or carries a part of a tree: the heaviest body and whether something immovable holds it, each by
 /// contacts and by joints apart.
 /// </summary>
-[StructLayout(LayoutKind.Sequential)]
+[StructLayout(LayoutKind.Sequential, Pack = 1)]
 internal struct TreeLoad
 {
     public double ContactMass;

@@ -35,6 +35,9 @@ internal unsafe struct TreeNode
     /// <summary>Iterated rows push at it or at a body of its subtree, or are not known yet: walks come by.</summary>
     public bool Bears;
 
+    /// <summary>0: what lies between fields is not always the same, and this is state.</summary>
+    public byte Spare;
+
     /// <summary>Next node on the way down of a walk.</summary>
     public int Towards;
 

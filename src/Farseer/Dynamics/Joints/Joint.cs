@@ -22,6 +22,7 @@ public abstract class Joint : IDisposable, IItem
 {
     internal readonly JointAttachment Link = new JointAttachment();
 
+    private StateMark _mark;
     private bool _enabled = true;
     private float _breakpoint = float.MaxValue;
     private float _breakForce = float.MaxValue;
@@ -162,6 +163,8 @@ public abstract class Joint : IDisposable, IItem
     }
 
     Membership IItem.Membership { get; set; }
+
+    ref StateMark IStatePart.Mark => ref _mark;
 
     /// <summary>The class comes from outside: its <see cref="PreStep"/> and <see cref="Update"/> are called.</summary>
     internal bool IsUserWritten { get; }

@@ -16,6 +16,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
 /// </example>
 public abstract class Spring : IDisposable, IItem
 {
+    private StateMark _mark;
     private float _springConstant;
     private float _dampingConstant;
     private float _breakpoint = float.MaxValue;
@@ -100,6 +101,8 @@ public abstract class Spring : IDisposable, IItem
     }
 
     Membership IItem.Membership { get; set; }
+
+    ref StateMark IStatePart.Mark => ref _mark;
 
     internal PhysicsSimulator? Simulator { get; private set; }
 

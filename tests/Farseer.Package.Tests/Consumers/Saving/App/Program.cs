@@ -12,4 +12,4 @@ simulator.Update(0.5f);
 PhysicsSimulator loaded = SceneFile.LoadSimulator(SceneFile.Save(simulator, new SceneFileOptions { ExactState = true }));
 simulator.Update(0.5f);
 loaded.Update(0.5f);
-Console.WriteLine(simulator.StateHash() == loaded.StateHash());
+Console.WriteLine(simulator.MotionHash() == loaded.MotionHash());

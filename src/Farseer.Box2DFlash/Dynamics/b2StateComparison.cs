@@ -1,0 +1,39 @@
+using System.Collections.Generic;
+using Farseer.Engine.Storage;
+
+namespace Box2D.Dynamics;
+
+/// <summary>
+/// In what two states differ, field by field: of two worlds that were made by the same program, or of one at two times. It is made by
+/// <see cref="b2World.Compare"/> and <see cref="b2WorldState.Compare"/>.
+/// </summary>
+/// <remarks>
+/// Compared is all that a state holds. The fields are those that captures write, and have the names that they have in the source: what is saved is
+/// compared. References to bodies, shapes and joints are the same if these were made as the same ones in turn.
+/// </remarks>
+/// <example>
+/// <code>
+/// b2StateComparison comparison = world.Compare(other);
+/// if (!comparison.IsSame)
+/// {
+///     Console.WriteLine(comparison);
+/// }
+/// </code>
+/// </example>
+public sealed class b2StateComparison
+{
+    internal b2StateComparison(List<b2StateDifference> differences) => Differences = differences;
+
+    /// <summary>Nothing differs.</summary>
+    public bool IsSame => Differences.Count == 0;
+
+    /// <summary>What differs, in the order in which a state is written; not more than were asked for.</summary>
+    public IReadOnlyList<b2StateDifference> Differences { get; }
+
+    /// <summary>The first of them; null if nothing differs.</summary>
+    public b2StateDifference? First => IsSame ? null : Differences[0];
+
+    /// <summary>A report: a line for each difference.</summary>
+    /// <returns>The text.</returns>
+    public override string ToString() => StateReport.Text(Differences);
+}
