@@ -7,6 +7,7 @@ using System.Threading.Tasks;
 using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.Hosting;
 using Orleans;
+using Orleans.Configuration;
 using Orleans.Hosting;
 using Orleans.Runtime;
 
@@ -39,7 +40,11 @@ internal sealed class Fleet : IAsyncDisposable
                 HostApplicationBuilder builder = Host.CreateEmptyApplicationBuilder(null);
                 int siloPort = ports[2 * i];
                 int gatewayPort = ports[(2 * i) + 1];
-                builder.UseOrleans(silo => silo.UseLocalhostClustering(siloPort, gatewayPort, first).AddRooms(folder));
+                builder.UseOrleans(silo => silo
+                    .UseDevelopmentClustering(first)
+                    .ConfigureEndpoints(IPAddress.Loopback, siloPort, gatewayPort)
+                    .Configure<ClusterOptions>(names => (names.ClusterId, names.ServiceId) = ("rooms", "rooms"))
+                    .AddRooms(folder));
                 IHost host = builder.Build();
                 fleet._hosts.Add(host);
                 await host.StartAsync();
