@@ -16,7 +16,9 @@ namespace Farseer.Engine.Numerics;
 /// all bits of a lane set, or none. Rows are stored in bundles of <see cref="BundleLanes"/> lanes on every machine; a kernel walks
 /// a bundle in strides of <c>Wide.Count</c>. No operation crosses lanes and none is fused, so each lane gives the bits of the
 /// scalar formula at any width. Both names are aliases of the platform's vectors: a struct around them costs two inlined calls
-/// an operation, and a kernel has so many that the compiler gives up inlining (measured: five times slower).
+/// an operation, and a kernel has so many that the compiler gives up inlining (measured: five times slower). What kernels use often is
+/// reinterpreted by <c>Unsafe.BitCast</c>, and its alternatives are statements: with <c>AsVector256</c> and <c>?:</c> the code is the
+/// same, but takes the compiler longer, and kernels are half of what a process's first step waits for (docs/performance/first-seconds.md).
 /// </summary>
 internal static unsafe class WideLanes
 {
@@ -42,31 +44,75 @@ internal static unsafe class WideLanes
     {
 #if NET8_0_OR_GREATER
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Splat(float value) => Wide.Count == BundleLanes ? Vector256.Create(value).AsVector() : Vector128.Create(value).AsVector();
+        public static Wide Splat(float value)
+        {
+            if (Wide.Count == BundleLanes)
+            {
+                return Unsafe.BitCast<Vector256<float>, Wide>(Vector256.Create(value));
+            }
+
+            return Unsafe.BitCast<Vector128<float>, Wide>(Vector128.Create(value));
+        }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Load(float* source) => *(Wide*)source;
 
         /// <summary>a &gt; b ? a : b, in every lane and on every processor.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Max(Wide a, Wide b) => Avx2.IsSupported && Wide.Count == BundleLanes
-            ? Avx.Max(a.AsVector256(), b.AsVector256()).AsVector()
-            : Vector.ConditionalSelect(Vector.GreaterThan(a, b), a, b);
+        public static Wide Max(Wide a, Wide b)
+        {
+            if (Avx2.IsSupported && Wide.Count == BundleLanes)
+            {
+                Vector256<float> larger = Avx.Max(Unsafe.BitCast<Wide, Vector256<float>>(a), Unsafe.BitCast<Wide, Vector256<float>>(b));
+                return Unsafe.BitCast<Vector256<float>, Wide>(larger);
+            }
+
+            return Vector.ConditionalSelect(Vector.GreaterThan(a, b), a, b);
+        }
 
         /// <summary>a &lt; b ? a : b, in every lane and on every processor.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Min(Wide a, Wide b) => Avx2.IsSupported && Wide.Count == BundleLanes
-            ? Avx.Min(a.AsVector256(), b.AsVector256()).AsVector()
-            : Vector.ConditionalSelect(Vector.LessThan(a, b), a, b);
+        public static Wide Min(Wide a, Wide b)
+        {
+            if (Avx2.IsSupported && Wide.Count == BundleLanes)
+            {
+                Vector256<float> smaller = Avx.Min(Unsafe.BitCast<Wide, Vector256<float>>(a), Unsafe.BitCast<Wide, Vector256<float>>(b));
+                return Unsafe.BitCast<Vector256<float>, Wide>(smaller);
+            }
+
+            return Vector.ConditionalSelect(Vector.LessThan(a, b), a, b);
+        }
 
         /// <summary>
         /// Where the mask is set <paramref name="a"/>, elsewhere <paramref name="b"/>. Of a mask that is not itself a comparison the compiler does not know that
         /// lanes are set or not as a whole, and takes three instructions where AVX-512 has one for it; a blend is one as well.
         /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Select(WideMask mask, Wide a, Wide b) => Avx2.IsSupported && Wide.Count == BundleLanes && !Avx512F.VL.IsSupported
-            ? Avx.BlendVariable(b.AsVector256(), a.AsVector256(), mask.AsVector256().AsSingle()).AsVector()
-            : Vector.ConditionalSelect(mask, a, b);
+        public static Wide Select(WideMask mask, Wide a, Wide b)
+        {
+            if (Avx2.IsSupported && Wide.Count == BundleLanes && !Avx512F.VL.IsSupported)
+            {
+                Vector256<float> where = Unsafe.BitCast<WideMask, Vector256<float>>(mask);
+                Vector256<float> selected = Avx.BlendVariable(
+                    Unsafe.BitCast<Wide, Vector256<float>>(b), Unsafe.BitCast<Wide, Vector256<float>>(a), where);
+                return Unsafe.BitCast<Vector256<float>, Wide>(selected);
+            }
+
+            return Vector.ConditionalSelect(mask, a, b);
+        }
+
+        /// <summary>Lanes whose bits are those of the integer.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Wide FromBits(int bits) => Unsafe.BitCast<WideMask, Wide>(new WideMask(bits));
+
+        /// <summary>Where both have the same bits, whatever number these stand for.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static WideMask SameBits(Wide a, Wide b) =>
+            Vector.Equals(Unsafe.BitCast<Wide, WideMask>(a), Unsafe.BitCast<Wide, WideMask>(b));
+
+        /// <summary>Where the mask is set <paramref name="a"/>, elsewhere 0.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Wide Keep(WideMask mask, Wide a) => Unsafe.BitCast<WideMask, Wide>(mask) & a;
 #else
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Splat(float value) => new Wide(value);
@@ -85,6 +131,18 @@ internal static unsafe class WideLanes
         /// <summary>Where the mask is set <paramref name="a"/>, elsewhere <paramref name="b"/>.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Select(WideMask mask, Wide a, Wide b) => Vector.ConditionalSelect(mask, a, b);
+
+        /// <summary>Lanes whose bits are those of the integer.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Wide FromBits(int bits) => Vector.AsVectorSingle(new Vector<int>(bits));
+
+        /// <summary>Where both have the same bits, whatever number these stand for.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static WideMask SameBits(Wide a, Wide b) => Vector.Equals(Vector.AsVectorInt32(a), Vector.AsVectorInt32(b));
+
+        /// <summary>Where the mask is set <paramref name="a"/>, elsewhere 0.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Wide Keep(WideMask mask, Wide a) => Vector.AsVectorSingle(mask) & a;
 #endif
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -105,17 +163,6 @@ internal static unsafe class WideLanes
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static WideMask operator <=(Wide a, Wide b) => Vector.LessThanOrEqual(a, b);
 
-        /// <summary>Lanes whose bits are those of the integer.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide FromBits(int bits) => Vector.AsVectorSingle(new Vector<int>(bits));
-
-        /// <summary>Where both have the same bits, whatever number these stand for.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideMask SameBits(Wide a, Wide b) => Vector.Equals(Vector.AsVectorInt32(a), Vector.AsVectorInt32(b));
-
-        /// <summary>Where the mask is set <paramref name="a"/>, elsewhere 0.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Keep(WideMask mask, Wide a) => Vector.AsVectorSingle(mask) & a;
     }
 
     /// <summary>Where all of <paramref name="bits"/> are set in <paramref name="value"/>, both taken as bits.</summary>
@@ -149,7 +196,7 @@ internal static unsafe class WideLanes
         if (Avx2.IsSupported && Wide.Count == BundleLanes)
         {
             Vector256<int> eight = Vector256.Create(1, 2, 4, 8, 16, 32, 64, 128);
-            return Vector256.Equals(Vector256.Create(bits) & eight, eight).AsVector();
+            return Unsafe.BitCast<Vector256<int>, WideMask>(Vector256.Equals(Vector256.Create(bits) & eight, eight));
         }
 #endif
         Vector<int> each = Unsafe.ReadUnaligned<Vector<int>>(ref MemoryMarshal.GetReference(EachBytes));
@@ -177,9 +224,15 @@ internal static unsafe class WideLanes
 
     /// <summary>Bit i is set where lane i of the mask is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Bits(WideMask mask) => (int)(Avx2.IsSupported && Wide.Count == BundleLanes
-        ? mask.AsVector256().ExtractMostSignificantBits()
-        : mask.AsVector128().ExtractMostSignificantBits());
+    public static int Bits(WideMask mask)
+    {
+        if (Avx2.IsSupported && Wide.Count == BundleLanes)
+        {
+            return Avx.MoveMask(Unsafe.BitCast<WideMask, Vector256<float>>(mask));
+        }
+
+        return (int)Vector128.ExtractMostSignificantBits(Unsafe.BitCast<WideMask, Vector128<int>>(mask));
+    }
 
     /// <summary>The bits of four masks.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

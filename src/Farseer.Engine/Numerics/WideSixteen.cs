@@ -28,7 +28,7 @@ internal static unsafe class WideLanes
         public static Wide Splat(float value) => Vector512.Create(value);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Load(float* source) => Vector512.Load(source);
+        public static Wide Load(float* source) => *(Wide*)source;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Max(Wide a, Wide b) => Avx512F.Max(a, b);
@@ -37,7 +37,7 @@ internal static unsafe class WideLanes
         public static Wide Min(Wide a, Wide b) => Avx512F.Min(a, b);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide Sqrt(Wide a) => Vector512.Sqrt(a);
+        public static Wide Sqrt(Wide a) => Avx512F.Sqrt(a);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Abs(Wide a) => Vector512.Abs(a);
@@ -58,10 +58,14 @@ internal static unsafe class WideLanes
         public static WideMask operator <=(Wide a, Wide b) => Vector512.LessThanOrEqual(a, b);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Wide FromBits(int bits) => Vector512.Create(bits).AsSingle();
+        public static Wide FromBits(int bits) => Unsafe.BitCast<Vector512<int>, Wide>(Vector512.Create(bits));
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static WideMask SameBits(Wide a, Wide b) => Vector512.Equals(a.AsInt32(), b.AsInt32()).AsSingle();
+        public static WideMask SameBits(Wide a, Wide b)
+        {
+            Vector512<int> same = Vector512.Equals(Unsafe.BitCast<Wide, Vector512<int>>(a), Unsafe.BitCast<Wide, Vector512<int>>(b));
+            return Unsafe.BitCast<Vector512<int>, WideMask>(same);
+        }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Keep(WideMask mask, Wide a) => mask & a;
@@ -80,7 +84,7 @@ internal static unsafe class WideLanes
     public static WideMask Mask(int bits)
     {
         Vector512<int> each = Vector512.Create(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
-        return Vector512.Equals(Vector512.Create(bits) & each, each).AsSingle();
+        return Unsafe.BitCast<Vector512<int>, WideMask>(Vector512.Equals(Vector512.Create(bits) & each, each));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

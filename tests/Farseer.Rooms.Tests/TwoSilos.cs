@@ -1,0 +1,61 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Threading.Tasks;
+using Orleans.Runtime;
+using Orleans.TestingHost;
+using Xunit;
+
+namespace Farseer.Rooms.Tests;
+
+/// <summary>Two servers in this process, and a folder for their rooms.</summary>
+public sealed class TwoSilos : IAsyncLifetime
+{
+    private readonly bool _ownsFolder;
+
+    public TwoSilos()
+        : this(null)
+    {
+    }
+
+    /// <param name="folder">Where rooms are kept; null: in a folder that is deleted at the end.</param>
+    internal TwoSilos(string? folder)
+    {
+        _ownsFolder = folder is null;
+        Folder = folder ?? Directory.CreateTempSubdirectory("farseer-rooms").FullName;
+        InProcessTestClusterBuilder builder = new(2);
+        builder.ConfigureSilo((_, silo) => silo.AddRooms(Folder));
+        Cluster = builder.Build();
+    }
+
+    public string Folder { get; }
+
+    public InProcessTestCluster Cluster { get; }
+
+    public SiloAddress First => Cluster.Silos[0].SiloAddress;
+
+    public SiloAddress Second => Cluster.Silos[1].SiloAddress;
+
+    public Task InitializeAsync() => Cluster.DeployAsync();
+
+    public async Task DisposeAsync()
+    {
+        await Cluster.DisposeAsync();
+        if (_ownsFolder)
+        {
+            Directory.Delete(Folder, recursive: true);
+        }
+    }
+
+    public IRoom Room(long number) => Cluster.Client.GetGrain<IRoom>(number);
+
+    public SiloAddress OtherThan(SiloAddress silo) => new[] { First, Second }.Single(s => !s.Equals(silo));
+
+    /// <summary>Plays turns of the script.</summary>
+    public async Task<RoomView> Play(long number, int first, int count)
+    {
+        IRoom room = Room(number);
+        await RoomScript.Play(room, number, first, count);
+        return await room.Look();
+    }
+}
