@@ -1,3 +1,5 @@
+using FarseerGames.FarseerPhysics.Bridge;
+
 namespace FarseerGames.FarseerPhysics;
 
 /// <content>Figures of the state as a whole, for tests, benchmarks and displays. (Additions to the original.)</content>
@@ -15,4 +17,18 @@ public partial class PhysicsSimulator
     /// </summary>
     /// <returns>The hash.</returns>
     public ulong StateHash() => World.StateHash();
+
+    /// <summary>Tells those who watch the process what the step was like.</summary>
+    private void TellStep()
+    {
+        StepFigures figures;
+        figures.Step = StepCount;
+        figures.Bodies = BodyList.Count;
+        figures.Sleeping = World.AsleepCount;
+        figures.Contacts = World.ContactCount;
+        figures.Islands = World.IslandCount;
+        figures.Substeps = World.Substeps;
+        figures.MissedBudget = _errorBudget.IsBounded && World.HasMeasured && !Report.IsWithinBudget;
+        StepSignals.TellStep(World, figures);
+    }
 }

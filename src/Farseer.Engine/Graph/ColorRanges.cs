@@ -13,8 +13,11 @@ namespace Farseer.Engine.Graph;
 [NotState(Why.OfOneStep)]
 internal sealed class ColorRanges
 {
-    private GraphColor[] _colors = new GraphColor[ConstraintGraph.ColorCount];
-    private int[] _first = new int[ConstraintGraph.ColorCount + 1];
+    /// <summary>Colours that there is room for: those of a small world come and go.</summary>
+    private const int Least = 24;
+
+    private GraphColor[] _colors = Array.Empty<GraphColor>();
+    private int[] _first = Array.Empty<int>();
     private int _colorCount;
     private int _parts = 1;
     private bool _areHalves;
@@ -31,7 +34,7 @@ internal sealed class ColorRanges
         _areHalves = graph.Groups.AreHalves;
         if (_colors.Length < colors.Length)
         {
-            _colors = new GraphColor[2 * colors.Length];
+            _colors = new GraphColor[Math.Max(Least, 2 * colors.Length)];
         }
 
         if (_first.Length <= parts * _colors.Length)

@@ -28,15 +28,15 @@ internal sealed unsafe partial class ConstraintGraph
 
         for (int i = 0; i < _colors.Count; i++)
         {
-            foreach (GraphColor color in _colors[i])
+            for (int color = 0; color <= ColorCount; color++)
             {
-                if (i < groups)
+                if (i < groups && s.Value(_colors[i][color]?.HoldsAny == true))
                 {
-                    color.Visit(s);
+                    ColorOf(i, color).Visit(s);
                 }
                 else
                 {
-                    color.ForgetAll();
+                    _colors[i][color]?.ForgetAll();
                 }
             }
         }

@@ -47,9 +47,9 @@ internal sealed unsafe partial class ConstraintGraph
 
         _usedChanged = false;
         _usedCount = 0;
-        if (_used.Length < ColorCount * _colors.Count)
+        if (_used.Length < _colorsMade)
         {
-            _used = new GraphColor[ColorCount * _colors.Count];
+            _used = new GraphColor[Math.Min(2 * _colorsMade, (ColorCount + 1) * _colors.Count)];
             _solved = new GraphColor[_used.Length];
         }
 
@@ -57,16 +57,16 @@ internal sealed unsafe partial class ConstraintGraph
         for (int i = 0; i < ColorCount; i++)
         {
             int next = BodyColors.InOrder(i);
-            foreach (GraphColor[] colors in _colors)
+            foreach (GraphColor?[] colors in _colors)
             {
-                if (colors[i].RowCount > 0)
+                if (colors[i] is { RowCount: > 0 } used)
                 {
-                    _used[_usedCount++] = colors[i];
+                    _used[_usedCount++] = used;
                 }
 
-                if (colors[next].RowCount > 0)
+                if (colors[next] is { RowCount: > 0 } nextSolved)
                 {
-                    _solved[solved++] = colors[next];
+                    _solved[solved++] = nextSolved;
                 }
             }
         }

@@ -45,6 +45,9 @@ internal sealed unsafe class GraphColor
 
     public int RowCount { get; private set; }
 
+    /// <summary>It has rows, or room for some.</summary>
+    public bool HoldsAny => _first >= 0;
+
     /// <summary>Its contacts may share bodies and are solved one after the other.</summary>
     public bool IsSequential => _lanesUsed == 1;
 

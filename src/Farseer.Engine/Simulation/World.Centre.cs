@@ -38,7 +38,7 @@ internal sealed partial class World
             }
 
             Joints.NoteEdit();
-            _jointSolver.Nets.Edited(entry >> 1, afresh: false);
+            _jointSolver?.Nets.Edited(entry >> 1, afresh: false);
         }
 
         NotePlaced(body.Index);

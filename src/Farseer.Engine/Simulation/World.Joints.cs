@@ -8,26 +8,29 @@ namespace Farseer.Engine.Simulation;
 /// <summary>Making, changing and removing joints, outside of a step.</summary>
 internal sealed partial class World
 {
-    private readonly JointSolver _jointSolver;
+    // None before there is a joint.
+    private JointSolver? _jointSolver;
+
+    private JointSolver MadeJointSolver => _jointSolver ??= new JointSolver(Joints);
 
     /// <summary>Trees of joints go side by side where they can; both ways give the same bits, which tests compare.</summary>
     internal bool TreesOnLanes
     {
-        get => _jointSolver.UsesLanes;
-        set => _jointSolver.UsesLanes = value;
+        get => MadeJointSolver.UsesLanes;
+        set => MadeJointSolver.UsesLanes = value;
     }
 
     /// <summary>Trees that were side by side in the last step from its start to its end.</summary>
-    internal int TreesSideBySide => _jointSolver.TreesSideBySide;
+    internal int TreesSideBySide => _jointSolver?.TreesSideBySide ?? 0;
 
     /// <summary>Joints between single bodies that were iterated side by side in the last step.</summary>
-    internal int JointsSideBySide => _jointSolver.JointsSideBySide;
+    internal int JointsSideBySide => _jointSolver?.JointsSideBySide ?? 0;
 
     /// <summary>Trees that are chains of hinges are solved as such: other roundings than those of the passes for all trees.</summary>
     internal bool TreesAsChains
     {
-        get => _jointSolver.UsesChains;
-        set => _jointSolver.UsesChains = value;
+        get => MadeJointSolver.UsesChains;
+        set => MadeJointSolver.UsesChains = value;
     }
 
     /// <summary>The frame of the world: joints with a fixed point hold on to it.</summary>
@@ -97,7 +100,7 @@ internal sealed partial class World
             Joints.States[joint.Index] = default;
         }
 
-        _jointSolver.Nets.Edited(joint.Index, ((before ^ flags) & JointFlags.Enabled) != 0);
+        _jointSolver?.Nets.Edited(joint.Index, ((before ^ flags) & JointFlags.Enabled) != 0);
 
         if (((before ^ flags) & Filter) != 0)
         {
@@ -109,7 +112,7 @@ internal sealed partial class World
     public ref JointState JointState(Handle joint)
     {
         Require(joint, Joints.Ids, nameof(joint));
-        _jointSolver.Nets.Report(joint.Index);
+        _jointSolver?.Nets.Report(joint.Index);
         return ref Joints.States[joint.Index];
     }
 
@@ -117,7 +120,7 @@ internal sealed partial class World
     public unsafe double JointRowForce(Handle joint, int row)
     {
         Require(joint, Joints.Ids, nameof(joint));
-        _jointSolver.Nets.Report(joint.Index);
+        _jointSolver?.Nets.Report(joint.Index);
         return _lastSubstep > 0 ? Joints.States[joint.Index].Impulse[row] / _lastSubstep : 0;
     }
 
@@ -188,12 +191,13 @@ internal sealed partial class World
         step.BreaksLate = Settings.JointsBreakLate;
         step.ImpulseScale = !Settings.KeepImpulses ? 0 : _lastSubstep > 0 ? (double)substep / _lastSubstep : 1;
         step.Drifts = !Settings.CorrectPositions;
-        _jointSolver.Begin(step);
-        for (int i = 0; i < _jointSolver.BrokenCount; i++)
+        JointSolver solver = MadeJointSolver;
+        solver.Begin(step);
+        for (int i = 0; i < solver.BrokenCount; i++)
         {
-            UserJoints?.Broke(_jointSolver.Broken(i));
+            UserJoints?.Broke(solver.Broken(i));
         }
 
-        return _jointSolver.Any;
+        return solver.Any;
     }
 }

@@ -102,7 +102,7 @@ internal sealed partial class World
             state = default;
             state.Error = FloatBits.IsFinite(error) ? error : 0;
             Joints.Ranges[joint] = default;
-            _jointSolver.Nets.Edited(joint, afresh: true);
+            _jointSolver?.Nets.Edited(joint, afresh: true);
         }
     }
 }

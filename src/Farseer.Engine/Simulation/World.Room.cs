@@ -52,8 +52,10 @@ internal sealed partial class World
         _feedForward.Reserve(Bodies.State.Capacity);
         _carriedPushes.Reserve(Bodies.State.Capacity);
         pieces = Math.Min(pieces, MostPieces);
-        int pairs = PairsAPiece * pieces;
-        int rows = RowsAPiece * pieces;
+
+        // In a small world each with each other comes to less.
+        int pairs = (int)Math.Min(PairsAPiece * pieces, ((pieces - 1L) * pieces / 2) + ((long)pieces * immovable));
+        int rows = Math.Min(RowsAPiece * pieces, pairs);
         _contacts.Reserve(pairs, withGaps: hulls * 2 > pieces);
         _contacts.Compounds.EnsureCapacity(anySeveral ? Math.Max(2 * _contacts.Compounds.Count, pieces / 4) : 0);
         _pairs.Expect(pairs);

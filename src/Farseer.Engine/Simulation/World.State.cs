@@ -28,7 +28,8 @@ internal sealed partial class World
         _graph.Visit(s);
         _islands.Visit(s);
         Joints.Visit(s);
-        _jointSolver.Visit(s);
+        s.Reference(ref _jointSolver);
+        _jointSolver?.Visit(s);
         _springs.Visit(s);
         VisitMemories(s);
         VisitItems(s);

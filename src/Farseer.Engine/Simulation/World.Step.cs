@@ -265,7 +265,7 @@ internal sealed partial class World
         float substep = coefficients.Substep;
         Audit?.BeginMotion(Settings.Gravity);
         bool anyJoints = BeginJoints(dt, substep);
-        if (_jointSolver.BrokenCount > 0)
+        if (_jointSolver?.BrokenCount > 0)
         {
             anyDeep = UpdateAfterCallbacks(dt, coefficients, anyDeep);
             anyJoints = anyJoints && _jointSolver.Renew();

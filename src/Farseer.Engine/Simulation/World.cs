@@ -57,7 +57,6 @@ internal sealed partial class World
     {
         WideLanes.RequireFit();
         _contacts = new ContactStore(Shapes);
-        _jointSolver = new JointSolver(Joints);
         Queries = new WorldQueries(Shapes, Bodies);
         _pairFlight = new PairFlight(_sweep, _secondSweep);
 
@@ -94,6 +93,12 @@ internal sealed partial class World
     [NotState(Why.Calm)]
     public bool IsStepping { get; private set; }
 
+    /// <summary>Substeps of the last step.</summary>
+    public int Substeps => _substeps;
+
+    /// <summary>Islands told apart in the last step; 0: nothing asked for them.</summary>
+    public int IslandCount => _islands.Count;
+
     /// <summary>Pairs of pieces in contact.</summary>
     public int ContactCount
     {
@@ -126,6 +131,32 @@ internal sealed partial class World
             {
                 broadPhase.Added(Proxies, i);
             }
+        }
+    }
+
+    /// <summary>
+    /// Advances by <paramref name="dt"/> seconds, above 0 and finite. What the step forgets at its end lies in memory that worlds stepped by one thread
+    /// share: it is in the cache already, and thousands of small worlds have none of their own.
+    /// </summary>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="shared">The memory; null: there is none yet, or it is in use.</param>
+    public void Step(float dt, ref Scratch? shared)
+    {
+        if (IsStepping || Proxies.HasScratch)
+        {
+            Step(dt);
+            return;
+        }
+
+        Proxies.Lend(shared ?? new Scratch());
+        shared = null;
+        try
+        {
+            Step(dt);
+        }
+        finally
+        {
+            shared = Proxies.GiveBack();
         }
     }
 

@@ -22,6 +22,9 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     /// <summary>Bundles of a colour that nobody is asked to share.</summary>
     private const int MostShort = 8;
 
+    /// <summary>Colours that there is room for: those of a small world come and go.</summary>
+    private const int LeastColors = 24;
+
     /// <summary>
     /// An odd number of bundles up to this is solved bundle by bundle, on eight lanes: with 3, 5 and 7 bundles a step of boxes at rest takes 0.91, 0.95 and 0.975 of its time
     /// on a core that halves 512 bits, with 2 and 4 it would take 1.02 and 1.06.
@@ -35,7 +38,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
 
     /// <summary>For each of them which lanes did not push before: see <see cref="BundleList.Fresh"/>.</summary>
     private readonly Column<ushort> _fresh = new Column<ushort>();
-    private ListedColor[] _colors = new ListedColor[ConstraintGraph.ColorCount];
+    private ListedColor[] _colors = Array.Empty<ListedColor>();
     private int _colorCount;
 
     /// <summary>
@@ -47,7 +50,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     /// <summary>Parts of the list, and of which colour they are: what <see cref="RelaxChosen"/> walks over.</summary>
     private readonly Column<ChosenPart> _chosen = new Column<ChosenPart>();
     private int _chosenCount;
-    private StageColors[] _stageColors = new StageColors[ConstraintGraph.ColorCount];
+    private StageColors[] _stageColors = Array.Empty<StageColors>();
     private StageRunner _runner = null!;
     private ContactPass _pass;
     private int _color;
@@ -259,7 +262,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     {
         if (_colors.Length < colors.Length)
         {
-            _colors = new ListedColor[2 * colors.Length];
+            _colors = new ListedColor[Math.Max(LeastColors, 2 * colors.Length)];
         }
 
         _colorCount = 0;
@@ -370,7 +373,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
 
         if (_stageColors.Length < _colorCount)
         {
-            _stageColors = new StageColors[2 * _colorCount];
+            _stageColors = new StageColors[Math.Max(LeastColors, 2 * _colorCount)];
         }
 
         _runner.Clear(_stages);

@@ -302,7 +302,7 @@ internal sealed unsafe partial class IslandClasses
         if (target == null || target.Place != source.Place)
         {
             target = Take(index, source);
-            _borrowed[index][_used[index]++] = target;
+            AddColor(index, target);
         }
 
         float share = 1f / (1 << index);
@@ -414,8 +414,10 @@ internal sealed unsafe partial class IslandClasses
     }
 
     /// <summary>The class's own copy of a colour, empty.</summary>
-    private GraphColor Take(int index, GraphColor source) =>
-        _pool[index][source.Place] ??= new GraphColor(_graph.Arena, source.IsSequential, source.IsGrounded, source.Place, shared: source.IsShared);
+    private GraphColor Take(int index, GraphColor source) => _pool[index][source.Place] ??=
+        new GraphColor(_graph.Arena, source.IsSequential, source.IsGrounded, source.Place, shared: source.IsShared);
+
+    private void AddColor(int index, GraphColor color) => _borrowed[index][_used[index]++] = color;
 
     private struct Loan
     {

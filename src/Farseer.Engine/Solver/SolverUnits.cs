@@ -20,12 +20,13 @@ internal sealed unsafe class SolverUnits : IStageWork
     /// <summary>Fewer units for each worker would leave some of them without work at the end.</summary>
     private const int LeastUnitsAWorker = 4;
 
-    private readonly int[] _unitOf = new int[RowGroups.Most];
-    private readonly int[] _firstColor = new int[RowGroups.Most + 1];
-    private readonly int[] _firstBody = new int[RowGroups.Most + 1];
-    private readonly int[] _next = new int[RowGroups.Most];
+    // Made once there are groups.
+    private int[] _unitOf = Array.Empty<int>();
+    private int[] _firstColor = Array.Empty<int>();
+    private int[] _firstBody = Array.Empty<int>();
+    private int[] _next = Array.Empty<int>();
     private readonly Column<int> _list = new Column<int>();
-    private readonly StageRunner _alone = new StageRunner(1, null);
+    private StageRunner? _alone;
     private GraphColor[] _colors = Array.Empty<GraphColor>();
     private SubstepSolver[] _solvers = Array.Empty<SubstepSolver>();
     private int _count;
@@ -62,6 +63,14 @@ internal sealed unsafe class SolverUnits : IStageWork
         if (graph.Groups.Count == 1)
         {
             return false;
+        }
+
+        if (_unitOf.Length == 0)
+        {
+            _unitOf = new int[RowGroups.Most];
+            _firstColor = new int[RowGroups.Most + 1];
+            _firstBody = new int[RowGroups.Most + 1];
+            _next = new int[RowGroups.Most];
         }
 
         CountColors(graph);
@@ -113,7 +122,7 @@ internal sealed unsafe class SolverUnits : IStageWork
             }
 
             SolverInput input = default;
-            input.Runner = _alone;
+            input.Runner = _alone ??= new StageRunner(1, null);
             input.Bodies = _bodies;
             input.Colors = new ReadOnlySpan<GraphColor>(_colors, _firstColor[unit], _firstColor[unit + 1] - _firstColor[unit]);
             input.RowCount = _rowCount;

@@ -8,7 +8,8 @@ internal sealed class StageList
 {
     private const int BlockBits = 16;
     private const int MiddleBits = 24;
-    private long[] _sizes = new long[64];
+    private const int Least = 16;
+    private long[] _sizes = Array.Empty<long>();
 
     public int Count { get; private set; }
 
@@ -25,7 +26,7 @@ internal sealed class StageList
     {
         if (Count == _sizes.Length)
         {
-            Array.Resize(ref _sizes, 2 * Count);
+            Array.Resize(ref _sizes, Math.Max(Least, 2 * Count));
         }
 
         Volatile.Write(ref _sizes[Count++], ((long)items << MiddleBits << BlockBits) | ((long)middle << BlockBits) | (uint)blocks);

@@ -13,7 +13,7 @@ internal sealed unsafe class Column<T> : IColumn
 
     public Column(int capacity = 0)
     {
-        EnsureCapacity(Math.Max(capacity, 1));
+        EnsureCapacity(capacity);
     }
 
     ~Column()
