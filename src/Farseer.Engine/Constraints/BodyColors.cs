@@ -45,11 +45,6 @@ internal sealed class BodyColors
         ? position
         : position == Dynamic ? DynamicOverflow : position == Count - 1 ? StaticOverflow : position - 1;
 
-    /// <summary>The position of a colour in that order.</summary>
-    public static int PlaceOf(int color) => color < Dynamic
-        ? color
-        : color == DynamicOverflow ? Dynamic : color == StaticOverflow ? Count - 1 : color + 1;
-
     /// <summary>One body of each row of the colour cannot move, and several rows may share it.</summary>
     public static bool IsGrounded(int color) => color >= Dynamic && color != DynamicOverflow;
 

@@ -20,27 +20,41 @@ internal sealed unsafe partial class ConstraintGraph
         _bodies.Visit(s);
         Groups.Visit(s);
         _arena.Visit(s);
-        int groups = s.Value(_colors.Count);
-        while (_colors.Count < groups)
-        {
-            AddGroup();
-        }
+        int groups = s.Value(HeldGroups());
+        NeedGroups(groups);
 
         for (int i = 0; i < _colors.Count; i++)
         {
             for (int color = 0; color <= ColorCount; color++)
             {
-                if (i < groups && s.Value(_colors[i][color]?.HoldsAny == true))
+                if (i < groups && s.Value(_colors[i][color].HoldsAny))
                 {
-                    ColorOf(i, color).Visit(s);
+                    _colors[i][color].Visit(s);
                 }
                 else
                 {
-                    _colors[i][color]?.ForgetAll();
+                    _colors[i][color].ForgetAll();
                 }
             }
         }
 
         _usedChanged |= s.IsReading;
+    }
+
+    /// <summary>Groups up to the last that has rows, or room for some: how many were made is no state.</summary>
+    private int HeldGroups()
+    {
+        for (int groups = _colors.Count; groups > 0; groups--)
+        {
+            foreach (GraphColor color in _colors[groups - 1])
+            {
+                if (color.HoldsAny)
+                {
+                    return groups;
+                }
+            }
+        }
+
+        return 0;
     }
 }

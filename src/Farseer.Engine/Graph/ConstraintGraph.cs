@@ -41,9 +41,6 @@ internal sealed unsafe partial class ConstraintGraph
     private const float HeavyRatio = 64f;
     private const int NoBody = -1;
 
-    /// <summary>Rows of a world that is to have all colours: fewer bodies than that seldom have more than <see cref="BodyColors.Drawn"/> rows each.</summary>
-    private const int ManyRows = 8;
-
     /// <summary>Part of all rows that are moved at once to another group, those of one colour.</summary>
     private const int MovedPart = 8;
 
@@ -51,14 +48,14 @@ internal sealed unsafe partial class ConstraintGraph
     private readonly BodyColors _bodies = new BodyColors();
     private readonly RowArena _arena = new RowArena();
     private readonly Column<int> _degree = new Column<int>();
-    // By group and colour, made once it has a row; the first also has the colour of those asleep.
-    private readonly List<GraphColor?[]> _colors = new List<GraphColor?[]>();
-    [NotState(Why.Room)]
-    private int _colorsMade;
+    // By group and colour; the first also has the colour of those asleep. All of a group are made with its first row: one that is used late is not to allocate then.
+    private readonly List<GraphColor[]> _colors = new List<GraphColor[]>();
     [NotState(Why.OfOneStep)]
     private readonly IndexList _moving = new IndexList();
     [NotState(Why.OfOneStep)]
-    private int[] _counts = Array.Empty<int>();
+    private readonly Column<int> _counts = new Column<int>();
+    [NotState(Why.OfOneStep)]
+    private readonly ColorRanges _ranges = new ColorRanges();
 
     private bool _usedChanged;
     private bool _isSmall;
@@ -66,11 +63,8 @@ internal sealed unsafe partial class ConstraintGraph
     private BodyStore? _store;
     private int _sharedRows;
 
-    public ConstraintGraph()
-    {
+    public ConstraintGraph() =>
         System.Diagnostics.Debug.Assert(Dormant == ColorCount, "the colour of those asleep is none of the others");
-        AddGroup();
-    }
 
     public int RowCount { get; private set; }
 
@@ -123,10 +117,11 @@ internal sealed unsafe partial class ConstraintGraph
 
     public void Add(int contact, ref ContactRecord record, bool movesA, bool movesB)
     {
+        NeedGroups(1);
         int color = _bodies.Choose(record.BodyA, record.BodyB, movesA, movesB, _isSmall && RowCount >= FirstRows ? ColorsToFill() : 0);
         int heavy = movesA && movesB && color >= BodyColors.Drawn ? TryShare(record, ref color) : NoBody;
         int group = IsWhole(color) ? 0 : Groups.Choose(record.BodyA, record.BodyB, movesA, movesB, _degree[record.BodyA], _degree[record.BodyB]);
-        GraphColor rows = ColorOf(group, color);
+        GraphColor rows = _colors[group][color];
         _usedChanged |= rows.RowCount == 0;
         int row = rows.AddRow();
         ContactLanes.Name(_arena.BundleOf(row), RowArena.LaneOf(row), contact, record);
@@ -137,18 +132,13 @@ internal sealed unsafe partial class ConstraintGraph
         Mark(record.BodyB, color, movesB && record.BodyB != heavy);
         RowCount++;
         NewRows++;
-        if (RowCount == ManyRows)
-        {
-            MakeColor(0, color);
-        }
-
         Note(record, contact);
     }
 
     public void Remove(ref ContactRecord record, Column<ContactRecord> records)
     {
         int color = record.Color;
-        TakeOut(ColorOf(record.Group, color), record.Row, records);
+        TakeOut(_colors[record.Group][color], record.Row, records);
         Unmark(record.BodyA, color);
         Unmark(record.BodyB, color);
         record.Color = -1;
@@ -161,7 +151,7 @@ internal sealed unsafe partial class ConstraintGraph
     /// <summary>Lays a row to rest as it is.</summary>
     public void LayDown(ref ContactRecord record, Column<ContactRecord> records)
     {
-        int row = ColorOf(0, Dormant).AddRow();
+        int row = _colors[0][Dormant].AddRow();
         Move(record.Row, row);
         Remove(ref record, records);
         record.Color = Dormant;
@@ -174,7 +164,7 @@ internal sealed unsafe partial class ConstraintGraph
         int row = record.Row;
         Add(contact, ref record, movesA, movesB);
         Move(row, record.Row);
-        TakeOut(ColorOf(0, Dormant), row, records);
+        TakeOut(_colors[0][Dormant], row, records);
     }
 
     /// <summary>
@@ -185,11 +175,7 @@ internal sealed unsafe partial class ConstraintGraph
     /// <param name="moves">1 for a body that can move.</param>
     public void Regroup(Column<ContactRecord> records, byte* moves)
     {
-        while (_colors.Count < Groups.InUse)
-        {
-            AddGroup();
-        }
-
+        NeedGroups(Groups.InUse);
         for (int color = 0; color < ColorCount; color++)
         {
             ListMoving(color, moves);
@@ -197,9 +183,9 @@ internal sealed unsafe partial class ConstraintGraph
             {
                 ref ContactRecord record = ref records[_moving[i]];
                 int group = GroupOf(color, record.BodyA, record.BodyB, moves);
-                int row = ColorOf(group, color).AddRow();
+                int row = _colors[group][color].AddRow();
                 Move(record.Row, row);
-                TakeOut(ColorOf(record.Group, color), record.Row, records);
+                TakeOut(_colors[record.Group][color], record.Row, records);
                 record.Row = row;
                 record.Group = (byte)group;
             }
@@ -223,7 +209,7 @@ internal sealed unsafe partial class ConstraintGraph
         {
             for (int i = 0; i < _colors.Count; i++)
             {
-                foreach (ContactBundle* bundle in BundlesOf(i, color))
+                foreach (ContactBundle* bundle in _colors[i][color].Bundles)
                 {
                     for (int lane = 0; lane < ContactBundle.Lanes && bundle->Contact[lane] >= 0; lane++)
                     {
@@ -331,9 +317,9 @@ internal sealed unsafe partial class ConstraintGraph
         int color = _bodies.Choose(record.BodyA, record.BodyB, movesA: true, movesB: true);
         _bodies.Mark(record.BodyA, color, moves: true);
         _bodies.Mark(record.BodyB, color, moves: true);
-        int row = ColorOf(record.Group, color).AddRow();
+        int row = _colors[record.Group][color].AddRow();
         Move(record.Row, row);
-        TakeOut(ColorOf(record.Group, shared), record.Row, records);
+        TakeOut(_colors[record.Group][shared], record.Row, records);
         record.Color = (sbyte)color;
         record.Row = row;
         _usedChanged = true;
@@ -346,7 +332,7 @@ internal sealed unsafe partial class ConstraintGraph
         ulong colors = 0;
         for (int i = 0; i < BodyColors.Drawn; i++)
         {
-            colors |= RowsOf(0, i) % ContactBundle.Lanes != 0 ? 1UL << i : 0;
+            colors |= _colors[0][i].RowCount % ContactBundle.Lanes != 0 ? 1UL << i : 0;
         }
 
         return colors;
@@ -356,17 +342,13 @@ internal sealed unsafe partial class ConstraintGraph
 
     /// <summary>Not halved: rows that one worker solves in their order, and colours of few.</summary>
     private bool IsWhole(int color) =>
-        Groups.AreHalves && (HasOrder(color) || RowsOf(0, color) + RowsOf(1, color) < Groups.LeastOfColor);
+        Groups.AreHalves && (_colors[0][color].HasOrder || _colors[0][color].RowCount + _colors[1][color].RowCount < Groups.LeastOfColor);
 
     /// <summary>Lists the contacts of a colour whose rows are in another group than they belong to, and takes room for them.</summary>
     private void ListMoving(int color, byte* moves)
     {
         _moving.Clear();
-        if (_counts.Length < Groups.InUse)
-        {
-            _counts = new int[Groups.InUse == 1 ? 1 : RowGroups.Most];
-        }
-
+        _counts.EnsureCapacity(Groups.InUse);
         for (int i = 0; i < Groups.InUse; i++)
         {
             _counts[i] = 0;
@@ -374,7 +356,7 @@ internal sealed unsafe partial class ConstraintGraph
 
         for (int i = 0; i < _colors.Count; i++)
         {
-            foreach (ContactBundle* bundle in BundlesOf(i, color))
+            foreach (ContactBundle* bundle in _colors[i][color].Bundles)
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
@@ -392,7 +374,7 @@ internal sealed unsafe partial class ConstraintGraph
         {
             if (_counts[i] > 0)
             {
-                ColorOf(i, color).Reserve(_counts[i]);
+                _colors[i][color].Reserve(_counts[i]);
             }
         }
     }
@@ -408,40 +390,23 @@ internal sealed unsafe partial class ConstraintGraph
         _usedChanged |= color.RowCount == 0;
     }
 
-    private void AddGroup() => _colors.Add(new GraphColor?[ColorCount + 1]);
-
-    private GraphColor ColorOf(int group, int color) => _colors[group][color] ?? MakeColor(group, color);
-
-    private int RowsOf(int group, int color) => _colors[group][color]?.RowCount ?? 0;
-
-    private BundleWalk BundlesOf(int group, int color) =>
-        _colors[group][color] is { } made ? made.Bundles : new BundleWalk(new BundleRuns(_arena, RowExtent.None, 0, 0));
-
-    /// <summary>Rows of it may share bodies: see <see cref="GraphColor.HasOrder"/>.</summary>
-    private static bool HasOrder(int color) => color != Dormant && (color >= BodyColors.Masked || BodyColors.IsShared(color));
-
-    /// <summary>Makes a colour, and others that may follow: one that is used for the first time late is not to allocate then.</summary>
-    private GraphColor MakeColor(int group, int color)
+    /// <summary>Makes the colours of so many groups.</summary>
+    private void NeedGroups(int count)
     {
-        bool all = group > 0 || RowCount >= ManyRows;
-        GraphColor?[] colors = _colors[group];
-        for (int i = 0; i <= ColorCount; i++)
+        while (_colors.Count < count)
         {
-            if (colors[i] == null && (all || i == color || IsUsual(i)))
+            int group = _colors.Count;
+            var colors = new GraphColor[ColorCount + 1];
+            for (int i = 0; i < ColorCount; i++)
             {
-                _colorsMade++;
-                colors[i] = i == Dormant
-                    ? new GraphColor(_arena)
-                    : new GraphColor(_arena, i >= BodyColors.Masked, BodyColors.IsGrounded(i), BodyColors.PlaceOf(i), group, BodyColors.IsShared(i));
+                int color = BodyColors.InOrder(i);
+                colors[color] = new GraphColor(_arena, color >= BodyColors.Masked, BodyColors.IsGrounded(color), i, group, BodyColors.IsShared(color));
             }
+
+            colors[Dormant] = new GraphColor(_arena);
+            _colors.Add(colors);
         }
-
-        return colors[color]!;
     }
-
-    /// <summary>Also the rows of few bodies may come to have it.</summary>
-    private static bool IsUsual(int color) =>
-        color is < BodyColors.Drawn or (>= BodyColors.FirstShared and < BodyColors.Dynamic + BodyColors.Drawn) or >= BodyColors.Masked;
 
     private void Move(int from, int to) =>
         ContactLanes.MoveLane(_arena.BundleOf(from), RowArena.LaneOf(from), _arena.BundleOf(to), RowArena.LaneOf(to));
@@ -451,7 +416,7 @@ internal sealed unsafe partial class ConstraintGraph
         Changed = true;
         if (ChangeCount < MostChanges)
         {
-            _changes.EnsureCapacity(ChangeCount + 1);
+            _changes.EnsureCapacity(Math.Max(ChangeCount + 1, Math.Min(MostChanges, _arena.Capacity * ContactBundle.Lanes)));
             _changes[ChangeCount] = new GraphChange { BodyA = record.BodyA, BodyB = record.BodyB, Contact = contact };
         }
 

@@ -210,7 +210,7 @@ internal sealed unsafe partial class JointSolver
     /// <param name="first">Of the nodes that take part, the first that is loaded.</param>
     private void LoadMoves(int first)
     {
-        _turns.Clear(2 * (_nodeCount - first));
+        _turns.Clear(2 * _nodes.Capacity);
         for (int at = first; at < _nodeCount; at++)
         {
             TreeNode* node = _forest.Nodes + _nodes[at];
@@ -280,8 +280,8 @@ internal sealed unsafe partial class JointSolver
     private void ClearMoves()
     {
         _posed = false;
-        _turns.Clear(_nodeCount);
-        _moved.EnsureCapacity(_nodeCount);
+        _turns.Clear(_nodes.Capacity);
+        _moved.EnsureCapacity(_nodes.Capacity);
     }
 
     private void StoreMoves()

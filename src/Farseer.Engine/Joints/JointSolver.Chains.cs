@@ -42,7 +42,7 @@ internal sealed unsafe partial class JointSolver
             return list;
         }
 
-        _movers.EnsureCapacity(padded + WideLanes.BundleLanes);
+        _movers.EnsureCapacity(_step.Bodies.State.Capacity + WideLanes.BundleLanes);
         for (int i = 0; i < padded; i++)
         {
             int node = list[i] == 0 ? -1 : _forest.NodeOf(list[i]);

@@ -40,9 +40,9 @@ internal sealed unsafe partial class JointSolver
     /// <summary>The trees of a class, but for quiet chains.</summary>
     private void Choose(int index)
     {
-        _trees.EnsureCapacity(_forest.TreeCount);
-        _nodes.EnsureCapacity(_forest.Count);
-        _joints.EnsureCapacity(_count);
+        _trees.EnsureCapacity(_forest.TreeRoom);
+        _nodes.EnsureCapacity(_forest.NodeRoom);
+        _joints.EnsureCapacity(_active.Capacity);
         _treeCount = 0;
         _nodeCount = 0;
         _jointCount = 0;

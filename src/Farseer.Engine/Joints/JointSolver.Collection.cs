@@ -232,6 +232,7 @@ internal sealed unsafe partial class JointSolver
         _builtMoves.EnsureCapacity(end);
         _active.EnsureCapacity(end);
         _rows.EnsureCapacity(end);
+        _forest.Reserve(end, _step.Bodies.Ids.End);
         _collected = 0;
         for (int joint = 0; joint < end; joint++)
         {
@@ -286,8 +287,8 @@ internal sealed unsafe partial class JointSolver
         }
 
         CountSprings();
-        _chains.Renew(_forest, _active.Pointer, _rows.Pointer, _count);
-        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _forest.TreeCount);
+        _chains.Renew(_forest, _active.Pointer, _rows.Pointer, _count, _active.Capacity);
+        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _active.Capacity);
         _lanes.Reserve();
         _loose.Begin(_forest, _active.Pointer, _rows.Pointer, _step);
         _loose.Reserve(_count);

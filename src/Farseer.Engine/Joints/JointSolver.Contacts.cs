@@ -183,7 +183,7 @@ internal sealed unsafe partial class JointSolver
         {
             TreeContact* contact = _contacts.Pointer + i;
             int index = contact->Bundle->Contact[contact->Lane];
-            _gaps.EnsureCapacity(index + 1);
+            _gaps.EnsureCapacity(Math.Max(index + 1, _step.ContactRoom));
             TreeContactPass.Note(contact, ref _gaps[index]);
         }
     }
@@ -219,11 +219,12 @@ internal sealed unsafe partial class JointSolver
     /// <summary>Makes guests of bodies that touch trees, and puts all iterated rows in the order of the trees, then of the contacts.</summary>
     private void Collate()
     {
-        _forest.ReserveGuests(_contactCount * 2, _step.Bodies.Ids.End);
+        _forest.ReserveGuests(_contacts.Capacity * 2, _step.Bodies.Ids.End);
+        _loose.ReserveBodies();
 
         // Quiet chains, which are in no list, may come back to them later in the step.
-        _trees.EnsureCapacity(_forest.TreeCount + (_contactCount * 2));
-        _nodes.EnsureCapacity(_forest.Count + (_contactCount * 2));
+        _trees.EnsureCapacity(_forest.TreeRoom);
+        _nodes.EnsureCapacity(_forest.NodeRoom);
         for (int i = 0; i < _contactCount; i++)
         {
             ref RowEnds ends = ref _contacts[i].Ends;
@@ -247,16 +248,24 @@ internal sealed unsafe partial class JointSolver
         }
 
         _agendaCount = 0;
-        _agendaKeys.EnsureCapacity(_count + _contactCount);
-        _agenda.EnsureCapacity(_count + _contactCount);
+        _agendaKeys.EnsureCapacity(_active.Capacity + _contacts.Capacity);
+        _agenda.EnsureCapacity(_active.Capacity + _contacts.Capacity);
+        bool anyLimited = false;
         for (int at = 0; at < _jointCount; at++)
         {
             int i = _joints[at];
+            anyLimited |= _active[i].Limited;
             if (Iterates(_active.Pointer + i, _rows.Pointer + i))
             {
                 Enlist(_active[i].Ends, i, (uint)i);
                 Join(i);
             }
+        }
+
+        if (anyLimited)
+        {
+            Reserve(_before);
+            Reserve(_first);
         }
 
         for (int i = 0; i < _contactCount; i++)

@@ -87,17 +87,16 @@ internal sealed unsafe partial class JointSolver
 
     private JointTree* GroupOf(JointTree* tree) => _forest.Trees + tree->Group;
 
+    private void Reserve(KeptState state)
+    {
+        state.Speeds.EnsureCapacity(3 * _forest.NodeRoom);
+        state.OfJoints.EnsureCapacity(KeptOfJoint * _active.Capacity);
+        state.OfContacts.EnsureCapacity(KeptOfContact * _contacts.Capacity);
+    }
+
     private void Keep(KeptState state)
     {
-        int end = 0;
-        for (int at = 0; at < _treeCount; at++)
-        {
-            end = Math.Max(end, _forest.Trees[_trees[at]].End);
-        }
-
-        state.Speeds.EnsureCapacity(3 * end);
-        state.OfJoints.EnsureCapacity(KeptOfJoint * _jointCount);
-        state.OfContacts.EnsureCapacity(KeptOfContact * _contactCount);
+        Reserve(state);
         for (int at = 0; at < _treeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];

@@ -14,8 +14,8 @@ internal sealed unsafe partial class JointSolver
 
     private void ClearOnLanes()
     {
-        _laneTrees.EnsureCapacity(_treeCount);
-        _laneAgenda.EnsureCapacity(_agendaCount);
+        _laneTrees.EnsureCapacity(_trees.Capacity);
+        _laneAgenda.EnsureCapacity(_agenda.Capacity);
         _laneTreeCount = 0;
         _laneAgendaCount = 0;
     }

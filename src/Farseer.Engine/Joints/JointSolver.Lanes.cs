@@ -23,7 +23,7 @@ internal sealed unsafe partial class JointSolver
     private void TakeToLanes()
     {
         TakeLoose();
-        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _treeCount);
+        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _step, _active.Capacity);
         ClearOnLanes();
         MarkTied();
         int touched = 0;

@@ -35,7 +35,8 @@ internal sealed unsafe class ContactWork : IStageWork
 
     private WorkerLanes* _lanes;
     private BundleOutcome* _outcomes;
-    private readonly ColorRanges _ranges = new ColorRanges();
+    [NotState(Why.OfOneStep)]
+    private ColorRanges _ranges = null!;
     private readonly BundleNotes _notes = new BundleNotes();
     private ContactUpdateInput _input;
     private ContactSides _sides = null!;
@@ -80,7 +81,7 @@ internal sealed unsafe class ContactWork : IStageWork
     /// <summary>Updates the pairs that have rows, colour by colour.</summary>
     public BundleSums UpdateRows(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
     {
-        _ranges.Find(graph, runner.Workers);
+        _ranges = graph.NumberBundles(runner.Workers);
         return Run(runner, input, Part.Rows, _ranges.Count, ContactBundle.Beside);
     }
 

@@ -36,7 +36,8 @@ internal sealed unsafe class StruckPairs : IStageWork
 
     /// <summary>A bundle for each worker.</summary>
     private WorkerLanes* _lanes;
-    private readonly ColorRanges _ranges = new ColorRanges();
+    [NotState(Why.OfOneStep)]
+    private ColorRanges _ranges = null!;
 
     /// <summary>In scratch memory: pairs that are to get rows, a bit for each place of the idle list.</summary>
     private ulong* _marks;
@@ -113,7 +114,7 @@ internal sealed unsafe class StruckPairs : IStageWork
         // The impulses of these rows are those of this step's substeps already.
         input.ImpulseScale = 1;
         _graph = graph;
-        _ranges.Find(graph, parts: 1);
+        _ranges = graph.NumberBundles(parts: 1);
         _widens = true;
         Run(runner, input, (_ranges.Count + BlockBundles - 1) / BlockBundles);
     }

@@ -183,6 +183,7 @@ internal sealed partial class World
         step.Bodies = Bodies;
         step.Moves = _lists.Moves;
         step.Touches = _graph.Degrees;
+        step.ContactRoom = _contacts.Records.Capacity;
         step.Dt = dt;
         step.Substep = substep;
         step.Audited = Audit != null || Impulses != null || _contacts.Surfaces.AnySpecial;

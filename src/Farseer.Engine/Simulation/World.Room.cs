@@ -20,6 +20,9 @@ internal sealed partial class World
     /// <summary>Twice the rows for each piece from which on a world lies as dense as it will: 2.97 in a large pyramid, 2 in a grid of boxes.</summary>
     private const int DenseTwice = 5;
 
+    /// <summary>So few pieces get room for a crowd all the same: it is little, and they may be heaped up later.</summary>
+    private const int FewPieces = 256;
+
     /// <summary>Of more pieces the rest comes by need: a growth by a quarter is seldom then, and the room would be gigabytes.</summary>
     private const int MostPieces = 1 << 15;
 
@@ -28,11 +31,20 @@ internal sealed partial class World
     private const int ScratchARow = 12;
     private const int ScratchAPiece = 64;
 
+    /// <summary>And for what some steps note besides.</summary>
+    private const int ScratchBesides = 1 << 13;
+
+    /// <summary>What a fast body may meet, for which there is room before there is one.</summary>
+    private const int FewCandidates = 16;
+
     private bool _roomIsDue;
 
     /// <summary>Makes room once colliders have come, after their first contacts are known.</summary>
     private void MakeRoomAhead()
     {
+        MakeRoomToSleep();
+        _sweep.Reserve(Math.Min(_contacts.Records.Capacity, FewCandidates));
+        _secondSweep.Reserve(Math.Min(_contacts.Records.Capacity, FewCandidates));
         if (!_roomIsDue || _contacts.Count == 0)
         {
             return;
@@ -42,7 +54,7 @@ internal sealed partial class World
         _islands.Reserve(Bodies.State.Capacity, _graph.RowCount);
         int pieces = CountPieces(out int hulls, out int immovable, out bool anySeveral);
         _immovable.Reserve(Math.Min(immovable, MostInARow + 1));
-        if (_graph.RowCount * 2L >= (long)DenseTwice * pieces && !_contactStage.AnyBounce)
+        if (pieces > FewPieces && _graph.RowCount * 2L >= (long)DenseTwice * pieces && !_contactStage.AnyBounce)
         {
             return;
         }
@@ -62,10 +74,24 @@ internal sealed partial class World
         _graph.Reserve(rows);
         _solver.Reserve(_graph.Arena.Capacity);
         _islands.Reserve(Bodies.State.Capacity, rows);
-        Scratch.Reserve((ScratchAPair * pairs) + (ScratchARow * rows) + (ScratchAPiece * Shapes.PieceIds.End));
+        Scratch.Reserve(ScratchBesides + (ScratchAPair * pairs) + (ScratchARow * rows) + (ScratchAPiece * Shapes.PieceIds.End));
         if (hulls * 2 > pieces)
         {
             _contactStage.ReserveForGaps(this, _contacts);
+        }
+    }
+
+    /// <summary>Room for as many bodies and contacts as there are to fall asleep and to wake, which may be after a thousand steps.</summary>
+    private void MakeRoomToSleep()
+    {
+        if (Settings.AllowSleep && Bodies.Ids.End > 1)
+        {
+            int bodies = Bodies.State.Capacity;
+            _rest.Reserve(bodies);
+            _flood.Reserve(bodies);
+            _handled.Reserve(bodies);
+            _layDown.Reserve(_contacts.Records.Capacity);
+            _dormant.Reserve(_contacts.Records.Capacity, bodies);
         }
     }
 

@@ -139,7 +139,7 @@ internal sealed partial class World
     /// share: it is in the cache already, and thousands of small worlds have none of their own.
     /// </summary>
     /// <param name="dt">Seconds.</param>
-    /// <param name="shared">The memory; null: there is none yet, or it is in use.</param>
+    /// <param name="shared">The first of the thread's pieces of memory; null: there is none yet, or all are in use by worlds that step each other.</param>
     public void Step(float dt, ref Scratch? shared)
     {
         if (IsStepping || Proxies.HasScratch)
@@ -148,15 +148,20 @@ internal sealed partial class World
             return;
         }
 
-        Proxies.Lend(shared ?? new Scratch());
-        shared = null;
+        Scratch lent = shared ?? new Scratch();
+        int before = lent.Capacity;
+        shared = lent.Next;
+        Proxies.Lend(lent);
         try
         {
             Step(dt);
         }
         finally
         {
-            shared = Proxies.GiveBack();
+            // If the world keeps it, the thread's other worlds are to find as much as they had.
+            Scratch back = Proxies.GiveBack() ?? Scratch.Of(before);
+            back.Next = shared;
+            shared = back;
         }
     }
 

@@ -38,7 +38,10 @@ internal sealed unsafe class Column<T> : IColumn
     public Column(int capacity = 0)
     {
         _memory = Array.Empty<byte>();
-        EnsureCapacity(capacity);
+        if (capacity > 0)
+        {
+            Move(capacity);
+        }
     }
 
     /// <summary>The first record; null while there is no room for any.</summary>
@@ -70,11 +73,20 @@ internal sealed unsafe class Column<T> : IColumn
         }
     }
 
+    void IColumn.GrowTo(int capacity)
+    {
+        if (capacity > _capacity)
+        {
+            Move(capacity);
+        }
+    }
+
     /// <summary>By itself: it allocates, and what that needs of the thread was looked up by each of the dozens of questions of a step whether there is room (3 % of one with 20 boxes).</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Grow(int capacity)
+    private void Grow(int capacity) => Move(ColumnGrowth.Next(_capacity, capacity, sizeof(T)));
+
+    private void Move(int wanted)
     {
-        int wanted = ColumnGrowth.Next(_capacity, capacity, sizeof(T));
         int alignment = (long)wanted * sizeof(T) < SmallBytes ? SmallAlignment : Alignment;
         long bytes = ((long)wanted * sizeof(T)) + alignment - ArrayAlignment;
         if (bytes > int.MaxValue)

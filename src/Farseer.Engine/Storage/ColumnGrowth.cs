@@ -8,8 +8,11 @@ namespace Farseer.Engine.Storage;
 /// </summary>
 internal static class ColumnGrowth
 {
-    /// <summary>A column begins with as many records as fit, or with one: there are hundreds, and most of a small world have few records or none.</summary>
-    private const int LeastBytes = 64;
+    /// <summary>
+    /// A column begins with so many records, or with fewer if they would take more than <see cref="LeastBytes"/>: what comes and goes by ones is not to make it grow late, time and again.
+    /// </summary>
+    private const int Least = 16;
+    private const int LeastBytes = 1 << 12;
 
     /// <summary>Bytes of a column that is large.</summary>
     private const int Large = 1 << 14;
@@ -20,6 +23,7 @@ internal static class ColumnGrowth
     public static int Next(int capacity, int needed, int size)
     {
         int grown = capacity < Large / size ? capacity * 2 : capacity + (capacity / 4);
-        return Math.Max(needed, Math.Max(LeastBytes / size, grown));
+        int least = Math.Min(Least, Math.Max(1, LeastBytes / size));
+        return Math.Max(needed, Math.Max(least, grown));
     }
 }

@@ -20,21 +20,21 @@ internal sealed unsafe class PairMap
     /// <summary>Bits of each of the two numbers, and of the value, of an entry of one word.</summary>
     private const int NumberBits = 20;
     private const int ValueBits = 24;
-    private const int MostSpare = 512;
+    private const int MostSpare = 1 << 13;
     private const uint NumberMask = (1u << NumberBits) - 1;
     private const uint ValueMask = (1u << ValueBits) - 1;
 
     // Of one word: the numbers of the key, then the value plus one. Apart: the keys plus one. So an empty slot is zero and new memory is an empty table.
-    private Column<ulong> _slots = new Column<ulong>(2);
+    private Column<ulong> _slots = new Column<ulong>(16);
 
-    // The slots before the last growth, unless they are many: a small table that goes back to a state and grows again allocates nothing then.
+    // The slots before the last growth, unless they are many: with them a table that goes back to a state and grows again needs no memory.
     [NotState(Why.Room)]
     private Column<ulong>? _spare;
 
     // The values; null while they are in the slots.
     private Column<int>? _values;
-    private int _mask = 1;
-    private int _shift = 63;
+    private int _mask = 15;
+    private int _shift = 60;
 
     public int Count { get; private set; }
 
@@ -241,16 +241,23 @@ internal sealed unsafe class PairMap
         Column<ulong> oldSlots = _slots;
         Column<int>? oldValues = _values;
         int oldCount = _mask + 1;
-        if (_spare != null && _spare.Capacity >= count)
+        if (_spare?.Capacity >= count)
         {
             _slots = _spare;
-            new System.Span<ulong>(_slots.Pointer, _slots.Capacity).Clear();
+            _spare = oldSlots;
+        }
+        else if (_slots.Capacity >= count && _spare?.Capacity >= oldCount)
+        {
+            Unsafe.CopyBlock(_spare.Pointer, _slots.Pointer, (uint)(oldCount * sizeof(ulong)));
+            oldSlots = _spare;
         }
         else
         {
             _slots = new Column<ulong>(count);
+            _spare = oldSlots.Capacity <= MostSpare ? oldSlots : null;
         }
 
+        new System.Span<ulong>(_slots.Pointer, _slots.Capacity).Clear();
         _values = apart ? new Column<int>(count) : null;
         _mask = count - 1;
         _shift = 64;
@@ -276,8 +283,6 @@ internal sealed unsafe class PairMap
 
             Put(slot, key, oldValues != null ? oldValues.Pointer[i] : ValueOf(entry));
         }
-
-        _spare = oldSlots.Capacity <= MostSpare ? oldSlots : null;
     }
 
     /// <summary>

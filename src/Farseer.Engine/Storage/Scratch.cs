@@ -32,6 +32,17 @@ internal sealed unsafe class Scratch
     /// <summary>Bytes that it has, but for those it has outgrown.</summary>
     public int Capacity => _block.Capacity;
 
+    /// <summary>Another one of the thread that shares it among its worlds.</summary>
+    public Scratch? Next { get; set; }
+
+    /// <summary>Memory of so many bytes.</summary>
+    public static Scratch Of(int bytes)
+    {
+        var scratch = new Scratch();
+        scratch.Reserve(bytes);
+        return scratch;
+    }
+
     /// <summary>How much is taken: what is taken from here on is released by <see cref="Release"/>.</summary>
     public int Mark => _usedBefore + _used;
 

@@ -16,7 +16,7 @@ internal sealed class EventRelay : IStepHooks
     [NotState(Why.Elsewhere)]
     private readonly ObjectTable _table;
     [NotState(Why.OfOneStep)]
-    private readonly ContactList _contacts = new ContactList(4);
+    private readonly ContactList _contacts = new ContactList(16);
     [NotState(Why.Calm)]
     private ExceptionDispatchInfo? _failure;
 

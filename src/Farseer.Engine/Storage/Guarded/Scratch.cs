@@ -48,6 +48,17 @@ internal sealed unsafe class Scratch
     /// <summary>Nobody keeps it.</summary>
     public int Capacity => 0;
 
+    /// <summary>Another one of the thread that shares it among its worlds.</summary>
+    public Scratch? Next { get; set; }
+
+    /// <summary>Memory of so many bytes.</summary>
+    public static Scratch Of(int bytes)
+    {
+        var scratch = new Scratch();
+        scratch.Reserve(bytes);
+        return scratch;
+    }
+
     public int Mark { get; private set; }
 
     public T* Take<T>(int count)
