@@ -10,6 +10,7 @@ using Farseer.Benchmarks.States;
 using Farseer.Benchmarks.Suites;
 using Farseer.Benchmarks.Trees;
 using Farseer.Benchmarks.Unused;
+using Farseer.Benchmarks.Worlds;
 
 return Farseer.CommandLines.CommandLine.Run(
     new RootCommand("Times of whole steps and of their parts.")
@@ -24,9 +25,11 @@ return Farseer.CommandLines.CommandLine.Run(
         SuiteCommand.Create(),
         TreeTiming.Create(),
         MemoryCommand.Create(),
+        WorldMemory.Create(),
         AllocationCommand.Create(),
         StateTiming.Create(),
         StateCommand.Create(),
+        TurnTiming.Create(),
         Verb.Plain("unused", "Time and bits of features that have nothing to do.", UnusedFeatures.Run),
     },
     args,

@@ -2,6 +2,7 @@ using System;
 using System.CommandLine;
 using Farseer.CommandLines;
 using Farseer.Samples.Commands;
+using Farseer.Samples.Sweeping;
 using Farseer.Scenes;
 
 namespace Farseer.Samples;
@@ -46,6 +47,9 @@ internal static class SampleCommands
             Scene("draw", "Draws one step of a scene into a picture (SVG).", DrawCommand.Execute, _step, _out, _show, _iterations, _dt),
             RecordCommand.Create(),
             Scene("advise", "Finds the cheapest setting for an error, with the curve.", AdviseCommand.Execute, _error, _share),
+            LearnCommand.Create(),
+            SweepCommand.Create(),
+            MergeCommand.Create(),
             Command("check", "Runs all scenes and compares them with what must come out.", _ => CheckCommand.Execute()),
         };
         root.SetAction(_ => HasTerminal ? Menu.Show() : RunCommand.Execute(new RunOptions(SceneLibrary.DefaultName)));

@@ -3,6 +3,8 @@ using System.Diagnostics;
 using Farseer.Engine.Accuracy;
 using Farseer.Engine.Settings;
 
+using FarseerGames.FarseerPhysics.Bridge;
+
 namespace FarseerGames.FarseerPhysics;
 
 /// <content>What an update says of its own error, and the error that is asked for. (Additions to the original.)</content>
@@ -52,14 +54,14 @@ public partial class PhysicsSimulator
         TimeSpan limit = _errorBudget.TimeLimit;
         if (limit == TimeSpan.Zero || !_errorBudget.IsBounded)
         {
-            World.Step(dt);
+            SharedScratch.Step(World, dt);
             FillReport(TimeSpan.Zero, TimeSpan.Zero);
             return;
         }
 
         World.Accuracy.Budget.MostSubsteps = Math.Min(_errorBudget.MostIterations, _pace.Most(limit.TotalSeconds));
         long start = Stopwatch.GetTimestamp();
-        World.Step(dt);
+        SharedScratch.Step(World, dt);
         double seconds = (Stopwatch.GetTimestamp() - start) / (double)Stopwatch.Frequency;
         if (World.Accuracy.HasMeasured)
         {

@@ -80,4 +80,18 @@ public partial class PhysicsSimulator
         Require.AtLeast(most, 1, nameof(most));
         return StateNames.Compare(this, StateNames.Named(this), StateNames.Named(other), false, most);
     }
+
+    /// <summary>Tells those who watch the process what the step was like.</summary>
+    private void TellStep()
+    {
+        StepFigures figures;
+        figures.Step = StepCount;
+        figures.Bodies = BodyList.Count;
+        figures.Sleeping = World.Sleep.AsleepCount;
+        figures.Contacts = World.Reader.Count;
+        figures.Islands = World.IslandCount;
+        figures.Substeps = World.Substeps;
+        figures.MissedBudget = _errorBudget.IsBounded && World.Accuracy.HasMeasured && !Report.IsWithinBudget;
+        StepSignals.TellStep(World, figures);
+    }
 }

@@ -105,7 +105,14 @@ public partial class PhysicsSimulator
         }
     }
 
-    internal QueryLink Asking => _queries;
+    internal QueryCrowd Asking => _queries;
+
+    /// <summary>For those who look at what waits while others do.</summary>
+    [NotState(Why.Fixed)]
+    internal object WaitingGate { get; } = new object();
+
+    /// <summary>False: certainly nothing waits.</summary>
+    internal bool MayWait => _geomsIn.Count > 0 || _geomsChanged.Count > 0;
 
     internal void UseSurfaces() => World.Surfaces.Use();
 

@@ -15,7 +15,7 @@ namespace FarseerGames.FarseerPhysics;
 public partial class PhysicsSimulator
 {
     [NotState(Why.Fixed)]
-    private readonly QueryLink _queries;
+    private readonly QueryCrowd _queries;
 
     /// <summary>The first geom on a way. A geom that the way starts in or on is met at once.</summary>
     /// <param name="start">Start of the way, world coordinates; finite, within ±9.2E18.</param>
@@ -31,7 +31,39 @@ public partial class PhysicsSimulator
         ThrowIfDisposed();
         Require.Place(start, nameof(start));
         Require.Place(end, nameof(end));
-        return _queries.CastRay(start, end, filter, out hit);
+        using QueryTurn turn = _queries.Enter();
+        return turn.Link.CastRay(start, end, filter, out hit);
+    }
+
+    /// <summary>The first geom on each of many ways, as <see cref="RayCast"/> finds it.</summary>
+    /// <param name="starts">Starts of the ways, world coordinates; finite, within ±9.2E18.</param>
+    /// <param name="ends">Their ends, as many.</param>
+    /// <param name="hits">Where each meets a geom, as many; <see cref="RayCastHit.Geom"/> is null for those that meet none.</param>
+    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <returns>How many meet a geom.</returns>
+    /// <exception cref="ArgumentException">The spans differ in length.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A point is not finite or too far away: no ray is cast then.</exception>
+    /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
+    /// <exception cref="InvalidOperationException">The call comes from the filter of another query.</exception>
+    public int RayCastEach(ReadOnlySpan<Vector2> starts, ReadOnlySpan<Vector2> ends, Span<RayCastHit> hits, QueryFilter? filter = null)
+    {
+        ThrowIfDisposed();
+        RequireAsMany(starts.Length, ends.Length, nameof(ends));
+        RequireAsMany(starts.Length, hits.Length, nameof(hits));
+        for (int i = 0; i < starts.Length; i++)
+        {
+            Require.Place(starts[i], nameof(starts));
+            Require.Place(ends[i], nameof(ends));
+        }
+
+        int found = 0;
+        using QueryTurn turn = _queries.Enter();
+        for (int i = 0; i < starts.Length; i++)
+        {
+            found += turn.Link.CastRay(starts[i], ends[i], filter, out hits[i]) ? 1 : 0;
+        }
+
+        return found;
     }
 
     /// <summary>All geoms on a way, each where the way first enters it, the nearest first.</summary>
@@ -49,7 +81,8 @@ public partial class PhysicsSimulator
         ThrowIfDisposed();
         Require.Place(start, nameof(start));
         Require.Place(end, nameof(end));
-        return _queries.CastRayAll(start, end, filter, Require.NotNull(hits, nameof(hits)));
+        using QueryTurn turn = _queries.Enter();
+        return turn.Link.CastRayAll(start, end, filter, Require.NotNull(hits, nameof(hits)));
     }
 
     /// <summary>The geoms whose bounding boxes share a point with a box.</summary>
@@ -63,7 +96,8 @@ public partial class PhysicsSimulator
     public int Query(AABB aabb, List<Geom> geoms, QueryFilter? filter = null)
     {
         ThrowIfDisposed();
-        return _queries.FindInBox(Require.NotNull(aabb, nameof(aabb)), filter, Require.NotNull(geoms, nameof(geoms)));
+        using QueryTurn turn = _queries.Enter();
+        return turn.Link.FindInBox(Require.NotNull(aabb, nameof(aabb)), filter, Require.NotNull(geoms, nameof(geoms)));
     }
 
     /// <summary>
@@ -81,7 +115,8 @@ public partial class PhysicsSimulator
     {
         ThrowIfDisposed();
         Require.Place(point, nameof(point));
-        return _queries.FindAtPoint(point, filter, Require.NotNull(geoms, nameof(geoms)));
+        using QueryTurn turn = _queries.Enter();
+        return turn.Link.FindAtPoint(point, filter, Require.NotNull(geoms, nameof(geoms)));
     }
 
     /// <summary>The geoms that a disc overlaps or touches.</summary>
@@ -99,7 +134,8 @@ public partial class PhysicsSimulator
         ThrowIfDisposed();
         Require.Place(center, nameof(center));
         Require.Length(radius, nameof(radius));
-        return _queries.FindInCircle(center, radius, filter, Require.NotNull(geoms, nameof(geoms)));
+        using QueryTurn turn = _queries.Enter();
+        return turn.Link.FindInCircle(center, radius, filter, Require.NotNull(geoms, nameof(geoms)));
     }
 
     /// <summary>The geoms that another overlaps or touches where it is. Those of its own body are not seen.</summary>
@@ -116,7 +152,8 @@ public partial class PhysicsSimulator
         ThrowIfDisposed();
         Require.NotNull(geoms, nameof(geoms));
         RequireInside(geometry);
-        return _queries.FindTouching(geometry, filter, geoms);
+        using QueryTurn turn = _queries.Enter();
+        return turn.Link.FindTouching(geometry, filter, geoms);
     }
 
     /// <summary>The first geom that a disc meets on its way. One that it overlaps or touches at the start is met at once.</summary>
@@ -135,7 +172,8 @@ public partial class PhysicsSimulator
         Require.Place(center, nameof(center));
         Require.Length(radius, nameof(radius));
         Require.Place(translation, nameof(translation));
-        return _queries.CastCircle(center, radius, translation, filter, out hit);
+        using QueryTurn turn = _queries.Enter();
+        return turn.Link.CastCircle(center, radius, translation, filter, out hit);
     }
 
     /// <summary>
@@ -157,7 +195,8 @@ public partial class PhysicsSimulator
         ThrowIfDisposed();
         Require.Place(translation, nameof(translation));
         RequireInside(geometry);
-        return _queries.CastGeom(geometry, translation, filter, out hit);
+        using QueryTurn turn = _queries.Enter();
+        return turn.Link.CastGeom(geometry, translation, filter, out hit);
     }
 
     /// <summary>The geom whose border is nearest to a point, or that the point is deepest in.</summary>
@@ -174,7 +213,16 @@ public partial class PhysicsSimulator
         ThrowIfDisposed();
         Require.Place(point, nameof(point));
         Require.NotNegative(maximumDistance, nameof(maximumDistance));
-        return _queries.FindNearest(point, maximumDistance, filter, out hit);
+        using QueryTurn turn = _queries.Enter();
+        return turn.Link.FindNearest(point, maximumDistance, filter, out hit);
+    }
+
+    private static void RequireAsMany(int wanted, int given, string name)
+    {
+        if (given != wanted)
+        {
+            throw new ArgumentException($"{given} are given for {wanted} ways.", name);
+        }
     }
 
     private void RequireInside(Geom geometry)

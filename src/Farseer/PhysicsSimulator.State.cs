@@ -123,6 +123,7 @@ public partial class PhysicsSimulator
         RequireOutside(nameof(Restore));
         try
         {
+            long stepBefore = StepCount;
             s.BeginReading();
             former.Visit(s);
             Gather(present);
@@ -135,6 +136,7 @@ public partial class PhysicsSimulator
 
             ExceptionDispatchInfo? failure = Visit(s, former);
             s.EndReading();
+            StepSignals.TellRollback(stepBefore, s.Length);
             return failure;
         }
         finally

@@ -92,7 +92,8 @@ public partial class PhysicsSimulator
 
             if (step > 0 && Enabled)
             {
-                World.Profile.Enabled = EnableDiagnostics;
+                bool heard = StepSignals.AreHeard;
+                World.Profile.Enabled = EnableDiagnostics || heard;
                 _arbiters.IsStale = true;
                 if (_relay.Collider is null)
                 {
@@ -108,6 +109,11 @@ public partial class PhysicsSimulator
 
                 StepCount++;
                 StepWorld(step);
+                if (heard)
+                {
+                    TellStep();
+                }
+
                 if (World.BodyStage.QuarantinedCount > 0)
                 {
                     TellQuarantined();

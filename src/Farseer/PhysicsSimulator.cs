@@ -17,6 +17,9 @@ namespace FarseerGames.FarseerPhysics;
 /// <summary>
 /// The world that bodies and geoms are added to and that is updated each frame. Disposing it is optional: it holds no unmanaged
 /// resources, and threads of <see cref="WorkerCount"/> end with it in any case. A simulator is not safe for use by several threads at once; several simulators are independent of each other.
+/// Questions are the exception: while nobody changes or updates it, any number of threads may ask <see cref="RayCast"/>, <see cref="RayCastEach"/>, <see cref="RayCastAll"/>,
+/// <see cref="Query"/>, <see cref="QueryPoint"/>, <see cref="QueryCircle"/>, <see cref="QueryGeom"/>, <see cref="CircleCast"/>, <see cref="ShapeCast"/> and <see cref="ClosestPoint"/>
+/// at once, each with lists of its own, and get the answers that one would get. A filter's <see cref="QueryFilter.Accept"/> is called by the asking thread.
 /// </summary>
 /// <example>
 /// <code>
@@ -57,7 +60,7 @@ public partial class PhysicsSimulator : IDisposable
     {
         _relay = new EventRelay(this, _table);
         _arbiters = new ArbiterView(this, _table);
-        _queries = new QueryLink(this, World, _table);
+        _queries = new QueryCrowd(this, World, _table);
         _surfaces = new SurfaceRelay(this, _table);
         World.Surfaces.Judge = _surfaces;
         BodyList = new BodyList { Owner = this };

@@ -59,6 +59,18 @@ public sealed class ExampleTests
             public void ApplyForces() { }
         }
 
+        class PushedBox : BatchedWorld
+        {
+            public PushedBox()
+                : base(new PhysicsSimulator())
+            {
+            }
+
+            public override void Act(ReadOnlySpan<float> action) { }
+
+            public override void Observe(Span<float> observation) { }
+        }
+
         class Speaker
         {
             public void Play(string name, Vector2 place, float volume) { }

@@ -23,6 +23,9 @@ internal sealed class HeapWalk
     /// <summary>Bytes by store.</summary>
     public IReadOnlyDictionary<string, long> Bytes => _bytes;
 
+    /// <summary>How many objects were found.</summary>
+    public int Objects => _seen.Count;
+
     /// <summary>Walks from one object. Of what an earlier walk has seen no bytes are booked, if one is given.</summary>
     public void Walk(object root, HeapWalk? earlier = null)
     {

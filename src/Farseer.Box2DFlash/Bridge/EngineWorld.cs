@@ -93,7 +93,7 @@ internal sealed class EngineWorld : IStepHooks
     {
         World.Settings.Substeps = iterations;
         _step++;
-        World.Step(dt);
+        SharedScratch.Step(World, dt);
         _relay.Results();
         EndDistantContacts();
     }

@@ -33,7 +33,6 @@ internal sealed unsafe class BoxRows
         _minY = _set.Add<float>();
         _maxX = _set.Add<float>();
         _maxY = _set.Add<float>();
-        SetCount(0);
     }
 
     public int Count { get; private set; }
@@ -49,9 +48,14 @@ internal sealed unsafe class BoxRows
         Point();
     }
 
-    /// <summary>Sets the length; old boxes stay, new ones are undefined, the padding is empty.</summary>
+    /// <summary>Sets the length; old boxes stay, new ones are undefined, the padding is empty. Without a box there may be no memory yet.</summary>
     public void SetCount(int count)
     {
+        if (count == 0 && _set.Capacity == 0)
+        {
+            return;
+        }
+
         EnsureCapacity(count);
         Count = count;
         Pad(Wide, count);

@@ -1,3 +1,4 @@
+using System;
 using System.Runtime.CompilerServices;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
@@ -16,12 +17,7 @@ internal sealed unsafe class FewSeekers
     public const int Most = 48;
 
     private readonly BoxRows _rows = new BoxRows();
-    private readonly Column<int> _seekers = new Column<int>(Most);
-
-    public FewSeekers()
-    {
-        _rows.EnsureCapacity(Most);
-    }
+    private readonly Column<int> _seekers = new Column<int>();
 
     /// <summary>
     /// Pairs of the boxes of the list that seek with all of the list; with a main group, of the boxes outside of it instead. There are at
@@ -31,6 +27,8 @@ internal sealed unsafe class FewSeekers
     {
         Box* boxes = proxies.Fat.Pointer;
         ProxyInfo* info = proxies.Info.Pointer;
+        _seekers.EnsureCapacity(Math.Min(count, Most));
+        _rows.EnsureCapacity(Math.Min(count, Most));
         int* seekers = _seekers.Pointer;
         int found = 0;
         for (int i = 0; i < count; i++)

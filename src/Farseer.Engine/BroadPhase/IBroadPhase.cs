@@ -29,7 +29,14 @@ internal struct ProxyInfo
 /// <summary>The boxes of all pieces. A fat box is the tight box plus predicted motion; it changes only when the tight box leaves it.</summary>
 internal sealed class ProxyStore
 {
+    /// <summary>Worlds that need so much keep it: a step would be long enough to fill it again, and a thread is not to hold the memory of the largest.</summary>
+    private const int LargeScratch = 1 << 18;
+
     private readonly ColumnSet _set = new ColumnSet();
+    [NotState(Why.OfOneStep)]
+    private Scratch? _lent;
+    [NotState(Why.OfOneStep)]
+    private Scratch? _own;
 
     public ProxyStore()
     {
@@ -48,8 +55,29 @@ internal sealed class ProxyStore
     /// </summary>
     public Column<Box> Sought { get; }
 
-    /// <summary>Memory for the time of a search.</summary>
-    public Scratch Scratch { get; } = new Scratch();
+    /// <summary>Memory for the time of a step: what was lent for it, else its own.</summary>
+    public Scratch Scratch => _lent ?? (_own ??= new Scratch());
+
+    /// <summary>Its own is so large that nobody need lend it any.</summary>
+    public bool HasScratch => _own?.Capacity >= LargeScratch;
+
+    /// <summary>Lends memory for a step.</summary>
+    public void Lend(Scratch scratch) => _lent = scratch;
+
+    /// <summary>Gives back what was lent.</summary>
+    /// <returns>Null: it has become so large that it is kept.</returns>
+    public Scratch? GiveBack()
+    {
+        Scratch? lent = _lent;
+        _lent = null;
+        if (lent?.Capacity >= LargeScratch)
+        {
+            _own = lent;
+            return null;
+        }
+
+        return lent;
+    }
 
     /// <summary>One past the highest proxy in use.</summary>
     public int End { get; set; }

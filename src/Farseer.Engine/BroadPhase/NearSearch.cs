@@ -14,8 +14,8 @@ internal sealed unsafe class NearSearch<TProbe>
     private const int LayerOfProxy = -1;
     private const int LayerOfLoose = -2;
 
-    private readonly Column<Waiting> _stack = new Column<Waiting>(256);
-    private readonly Column<float> _nearest = new Column<float>(WideBoxes.Width);
+    private readonly Column<Waiting> _stack = new Column<Waiting>();
+    private readonly Column<float> _nearest = new Column<float>();
     private PackedTree _tree = null!;
     private LooseBoxes _loose = null!;
     private TProbe _probe;
@@ -29,6 +29,7 @@ internal sealed unsafe class NearSearch<TProbe>
         _depth = 0;
         int groups = (loose.Count + WideBoxes.Width - 1) / WideBoxes.Width;
         _stack.EnsureCapacity(groups + PackedTree.MostWaiting);
+        _nearest.EnsureCapacity(WideBoxes.Width);
         for (int group = groups - 1; group >= 0; group--)
         {
             _stack[_depth++] = new Waiting { Layer = LayerOfLoose, Index = group };

@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.BroadPhase;
@@ -6,7 +7,10 @@ namespace Farseer.Engine.BroadPhase;
 [NotState(Why.OfOneStep)]
 internal sealed class PairBuffer
 {
-    private readonly Column<ulong> _pairs = new Column<ulong>(256);
+    /// <summary>Pairs that there is room for: how many a search finds differs from step to step.</summary>
+    private const int Least = 64;
+
+    private readonly Column<ulong> _pairs = new Column<ulong>();
 
     public int Count { get; private set; }
 
@@ -25,7 +29,7 @@ internal sealed class PairBuffer
     /// <summary>Room for <paramref name="most"/> pairs behind those that are there; <see cref="SetEnd"/> tells how far it was filled.</summary>
     public unsafe ulong* Reserve(int most)
     {
-        _pairs.EnsureCapacity(Count + most);
+        _pairs.EnsureCapacity(Math.Max(Least, Count + most));
         return _pairs.Pointer + Count;
     }
 

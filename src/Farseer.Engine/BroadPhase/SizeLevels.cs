@@ -25,12 +25,13 @@ internal sealed unsafe class SizeLevels : IStageWork
     // 2⁻²⁴: a box is never taken as smaller than the spacing of floats where it lies, so that cell numbers stay below 2²⁶.
     private const float Spacing = 1f / (1 << 24);
 
-    private readonly Column<int> _bucketLevel = new Column<int>(Buckets);
-    private readonly Column<double> _maxSize = new Column<double>(Buckets);
-    private readonly Column<int> _start = new Column<int>(Buckets + 1);
+    // By group; grown as groups are found: most worlds have one or two.
+    private readonly Column<double> _maxSize = new Column<double>();
+    private readonly Column<int> _start = new Column<int>();
     private int* _order;
 
-    // While members are sorted: their sizes, and what each worker has found of each power of two.
+    // While members are sorted: the group of each power of two, their sizes, and what each worker has found of each power of two.
+    private int* _bucketLevel;
     private double* _size;
     private SizeBucket* _found;
     private Box* _boxes;
@@ -61,6 +62,7 @@ internal sealed unsafe class SizeLevels : IStageWork
         _order = scratch.Take<int>(count);
         int mark = scratch.Mark;
         _size = scratch.Take<double>(count);
+        _bucketLevel = scratch.Take<int>(Buckets);
         _found = scratch.Take<SizeBucket>(workers * Buckets);
         _boxes = boxes;
         _members = members;
@@ -119,15 +121,11 @@ internal sealed unsafe class SizeLevels : IStageWork
     // From fine to coarse: a group takes in the next power of two while that does not crowd the larger cells.
     private void MergeBuckets()
     {
-        double* maxSize = _maxSize.Pointer;
-        int* level = _bucketLevel.Pointer;
-        int* start = _start.Pointer;
         int current = 0;
         int pending = 0;
         int finest = 0;
         int total = 0;
-        start[0] = 0;
-        maxSize[0] = 0;
+        Begin(0, 0);
         for (int b = 0; b < Buckets; b++)
         {
             int here = _found[b].Count;
@@ -139,8 +137,7 @@ internal sealed unsafe class SizeLevels : IStageWork
             bool joins = pending <= Few || (b - finest <= 1 && pending <= 4L * here);
             if (!joins)
             {
-                start[++current] = total;
-                maxSize[current] = 0;
+                Begin(++current, total);
                 pending = 0;
             }
 
@@ -149,14 +146,22 @@ internal sealed unsafe class SizeLevels : IStageWork
                 finest = b;
             }
 
-            level[b] = current;
-            maxSize[current] = Math.Max(maxSize[current], _found[b].Most);
+            _bucketLevel[b] = current;
+            _maxSize[current] = Math.Max(_maxSize[current], _found[b].Most);
             pending += here;
             total += here;
         }
 
         Count = total == 0 ? 0 : current + 1;
-        start[Count] = total;
+        _start[Count] = total;
+    }
+
+    private void Begin(int level, int start)
+    {
+        _maxSize.EnsureCapacity(level + 1);
+        _start.EnsureCapacity(level + 2);
+        _maxSize[level] = 0;
+        _start[level] = start;
     }
 
     private void Distribute(int count)
@@ -172,7 +177,7 @@ internal sealed unsafe class SizeLevels : IStageWork
         // The starts serve as cursors and are moved back afterwards.
         for (int i = 0; i < count; i++)
         {
-            order[start[_bucketLevel.Pointer[Bucket(_size[i])]]++] = _members[i];
+            order[start[_bucketLevel[Bucket(_size[i])]]++] = _members[i];
         }
 
         for (int l = Count - 1; l > 0; l--)
@@ -195,7 +200,6 @@ internal sealed unsafe class SizeLevels : IStageWork
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        s.Column(_bucketLevel);
         s.Column(_maxSize);
         s.Column(_start);
         Count = s.Value(Count);

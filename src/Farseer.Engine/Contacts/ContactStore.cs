@@ -117,9 +117,6 @@ internal struct ContactRecord
 /// <summary>All pairs, the map from pieces to pairs, and the list of pairs without a row.</summary>
 internal sealed class ContactStore
 {
-    /// <summary>Pairs that a small world has room for from the start: elastic balls see their largest crowd late.</summary>
-    private const int FewPairs = 64;
-
     /// <summary>In the idle list a pair's kind stands above its number: a column holds fewer records than there are numbers below it.</summary>
     private const int KindShift = 28;
     private const int NumberMask = (1 << KindShift) - 1;
@@ -156,7 +153,6 @@ internal sealed class ContactStore
         _nextAtFixed = _set.Add<int>();
         _previousAtFixed = _set.Add<int>();
         _firstAtFixed = shapes.PieceSet.Add<int>();
-        Map.EnsureCapacity(FewPairs);
     }
 
     public Column<ContactRecord> Records { get; }

@@ -13,8 +13,8 @@ namespace Farseer.Engine.Graph;
 [NotState(Why.OfOneStep)]
 internal sealed class ColorRanges
 {
-    private GraphColor[] _colors = new GraphColor[ConstraintGraph.ColorCount];
-    private int[] _first = new int[ConstraintGraph.ColorCount + 1];
+    private readonly Column<int> _first = new Column<int>();
+    private GraphColor[] _colors = Array.Empty<GraphColor>();
     private int _colorCount;
     private int _parts = 1;
     private bool _areHalves;
@@ -29,16 +29,12 @@ internal sealed class ColorRanges
     {
         ReadOnlySpan<GraphColor> colors = graph.Used;
         _areHalves = graph.Groups.AreHalves;
-        if (_colors.Length < colors.Length)
+        if (_colors.Length < graph.ColorRoom)
         {
-            _colors = new GraphColor[2 * colors.Length];
+            _colors = new GraphColor[graph.ColorRoom];
         }
 
-        if (_first.Length <= parts * _colors.Length)
-        {
-            _first = new int[(parts * _colors.Length) + 1];
-        }
-
+        _first.EnsureCapacity((parts * graph.ColorRoom) + 1);
         _colorCount = colors.Length;
         _parts = parts;
         Count = 0;

@@ -20,17 +20,14 @@ internal sealed unsafe partial class ConstraintGraph
         _bodies.Visit(s);
         Groups.Visit(s);
         _arena.Visit(s);
-        int groups = s.Value(_colors.Count);
-        while (_colors.Count < groups)
-        {
-            AddGroup();
-        }
+        int groups = s.Value(HeldGroups());
+        NeedGroups(groups);
 
         for (int i = 0; i < _colors.Count; i++)
         {
-            for (int color = 0; color < _colors[i].Length; color++)
+            for (int color = 0; color <= ColorCount; color++)
             {
-                if (i < groups)
+                if (i < groups && s.Value(_colors[i][color].HoldsAny))
                 {
                     _colors[i][color].Visit(s.Of("Color", color));
                 }
@@ -42,5 +39,22 @@ internal sealed unsafe partial class ConstraintGraph
         }
 
         _usedChanged |= s.IsReading;
+    }
+
+    /// <summary>Groups up to the last that has rows, or room for some: how many were made is no state.</summary>
+    private int HeldGroups()
+    {
+        for (int groups = _colors.Count; groups > 0; groups--)
+        {
+            foreach (GraphColor color in _colors[groups - 1])
+            {
+                if (color.HoldsAny)
+                {
+                    return groups;
+                }
+            }
+        }
+
+        return 0;
     }
 }

@@ -9,9 +9,9 @@ internal sealed unsafe partial class ConstraintGraph
 {
     // The colours that have rows: a small world has one or two, and to ask all of them in every pass was most of its step.
     [NotState(Why.Derived)]
-    private GraphColor[] _solved = new GraphColor[ColorCount];
+    private GraphColor[] _solved = Array.Empty<GraphColor>();
     [NotState(Why.Derived)]
-    private GraphColor[] _used = new GraphColor[ColorCount];
+    private GraphColor[] _used = Array.Empty<GraphColor>();
     [NotState(Why.Derived)]
     private int _usedCount;
 
@@ -38,6 +38,17 @@ internal sealed unsafe partial class ConstraintGraph
         }
     }
 
+    /// <summary>Colours that may have rows: what grows with it does not when some of them get their first.</summary>
+    public int ColorRoom => ColorCount * _colors.Count;
+
+    /// <summary>Numbers the bundles of all colours. There is one such numbering at a time: whoever walks by it makes his own.</summary>
+    /// <param name="parts">See <see cref="ColorRanges.Find"/>.</param>
+    public ColorRanges NumberBundles(int parts)
+    {
+        _ranges.Find(this, parts);
+        return _ranges;
+    }
+
     private void FindUsed()
     {
         if (!_usedChanged)
@@ -47,10 +58,10 @@ internal sealed unsafe partial class ConstraintGraph
 
         _usedChanged = false;
         _usedCount = 0;
-        if (_used.Length < ColorCount * _colors.Count)
+        if (_used.Length < ColorRoom)
         {
-            _used = new GraphColor[ColorCount * _colors.Count];
-            _solved = new GraphColor[_used.Length];
+            _used = new GraphColor[ColorRoom];
+            _solved = new GraphColor[ColorRoom];
         }
 
         int solved = 0;

@@ -48,12 +48,14 @@ internal sealed unsafe partial class ConstraintGraph
     private readonly BodyColors _bodies = new BodyColors();
     private readonly RowArena _arena = new RowArena();
     private readonly Column<int> _degree = new Column<int>();
-    // By group and colour; the first also has the colour of those asleep.
+    // By group and colour; the first also has the colour of those asleep. All of a group are made with its first row: one that is used late is not to allocate then.
     private readonly List<GraphColor[]> _colors = new List<GraphColor[]>();
     [NotState(Why.OfOneStep)]
     private readonly IndexList _moving = new IndexList();
     [NotState(Why.OfOneStep)]
-    private readonly int[] _counts = new int[RowGroups.Most];
+    private readonly Column<int> _counts = new Column<int>();
+    [NotState(Why.OfOneStep)]
+    private readonly ColorRanges _ranges = new ColorRanges();
 
     private bool _usedChanged;
     private bool _isSmall;
@@ -61,12 +63,8 @@ internal sealed unsafe partial class ConstraintGraph
     private BodyStore? _store;
     private int _sharedRows;
 
-    public ConstraintGraph()
-    {
+    public ConstraintGraph() =>
         System.Diagnostics.Debug.Assert(Dormant == ColorCount, "the colour of those asleep is none of the others");
-        _changes.EnsureCapacity(MostChanges);
-        AddGroup();
-    }
 
     public int RowCount { get; private set; }
 
@@ -119,6 +117,7 @@ internal sealed unsafe partial class ConstraintGraph
 
     public void Add(int contact, ref ContactRecord record, bool movesA, bool movesB)
     {
+        NeedGroups(1);
         int color = _bodies.Choose(record.BodyA, record.BodyB, movesA, movesB, _isSmall && RowCount >= FirstRows ? ColorsToFill() : 0);
         int heavy = movesA && movesB && color >= BodyColors.Drawn ? TryShare(record, ref color) : NoBody;
         int group = IsWhole(color) ? 0 : Groups.Choose(record.BodyA, record.BodyB, movesA, movesB, _degree[record.BodyA], _degree[record.BodyB]);
@@ -176,11 +175,7 @@ internal sealed unsafe partial class ConstraintGraph
     /// <param name="moves">1 for a body that can move.</param>
     public void Regroup(Column<ContactRecord> records, byte* moves)
     {
-        while (_colors.Count < Groups.InUse)
-        {
-            AddGroup();
-        }
-
+        NeedGroups(Groups.InUse);
         for (int color = 0; color < ColorCount; color++)
         {
             ListMoving(color, moves);
@@ -353,6 +348,7 @@ internal sealed unsafe partial class ConstraintGraph
     private void ListMoving(int color, byte* moves)
     {
         _moving.Clear();
+        _counts.EnsureCapacity(Groups.InUse);
         for (int i = 0; i < Groups.InUse; i++)
         {
             _counts[i] = 0;
@@ -394,18 +390,22 @@ internal sealed unsafe partial class ConstraintGraph
         _usedChanged |= color.RowCount == 0;
     }
 
-    private void AddGroup()
+    /// <summary>Makes the colours of so many groups.</summary>
+    private void NeedGroups(int count)
     {
-        int group = _colors.Count;
-        var colors = new GraphColor[ColorCount + 1];
-        for (int i = 0; i < ColorCount; i++)
+        while (_colors.Count < count)
         {
-            int color = BodyColors.InOrder(i);
-            colors[color] = new GraphColor(_arena, color >= BodyColors.Masked, BodyColors.IsGrounded(color), i, group, BodyColors.IsShared(color));
-        }
+            int group = _colors.Count;
+            var colors = new GraphColor[ColorCount + 1];
+            for (int i = 0; i < ColorCount; i++)
+            {
+                int color = BodyColors.InOrder(i);
+                colors[color] = new GraphColor(_arena, color >= BodyColors.Masked, BodyColors.IsGrounded(color), i, group, BodyColors.IsShared(color));
+            }
 
-        colors[Dormant] = new GraphColor(_arena);
-        _colors.Add(colors);
+            colors[Dormant] = new GraphColor(_arena);
+            _colors.Add(colors);
+        }
     }
 
     private void Move(int from, int to) =>
@@ -416,6 +416,7 @@ internal sealed unsafe partial class ConstraintGraph
         Changed = true;
         if (ChangeCount < MostChanges)
         {
+            _changes.EnsureCapacity(Math.Max(ChangeCount + 1, Math.Min(MostChanges, _arena.Capacity * ContactBundle.Lanes)));
             _changes[ChangeCount] = new GraphChange { BodyA = record.BodyA, BodyB = record.BodyB, Contact = contact };
         }
 

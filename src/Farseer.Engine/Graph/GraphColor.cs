@@ -8,7 +8,7 @@ namespace Farseer.Engine.Graph;
 internal sealed unsafe class GraphColor
 {
     private readonly RowArena _arena;
-    private readonly int _lanesUsed;
+    private int _lanesUsed;
     private int _first = RowExtent.None;
     private int _last = RowExtent.None;
 
@@ -32,18 +32,21 @@ internal sealed unsafe class GraphColor
     }
 
     /// <summary>One body of each contact does not move, and several contacts may share it.</summary>
-    public bool IsGrounded { get; }
+    public bool IsGrounded { get; private set; }
 
     /// <summary>Its contacts may have the heavier of their bodies in common, and are solved a bundle at a time: see <see cref="SharedKernel"/>.</summary>
-    public bool IsShared { get; }
+    public bool IsShared { get; private set; }
 
     /// <summary>Its place in the order of solving, which the same colour of another group shares; -1: none.</summary>
-    public int Place { get; }
+    public int Place { get; private set; }
 
     /// <summary>See <see cref="RowGroups"/>.</summary>
     public int Group { get; }
 
     public int RowCount { get; private set; }
+
+    /// <summary>It has rows, or room for some.</summary>
+    public bool HoldsAny => _first >= 0;
 
     /// <summary>Its contacts may share bodies and are solved one after the other.</summary>
     public bool IsSequential => _lanesUsed == 1;
@@ -62,6 +65,15 @@ internal sealed unsafe class GraphColor
 
     /// <summary>Bundles <paramref name="from"/> to <paramref name="to"/>, this one not included.</summary>
     public BundleRuns Part(int from, int to) => new BundleRuns(_arena, _first, from, to - from);
+
+    /// <summary>Takes rows of another colour from now on; it has none.</summary>
+    public void Follow(GraphColor other)
+    {
+        _lanesUsed = other._lanesUsed;
+        IsGrounded = other.IsGrounded;
+        IsShared = other.IsShared;
+        Place = other.Place;
+    }
 
     /// <summary>Drops all rows, which only have been lent to it.</summary>
     public void Clear()

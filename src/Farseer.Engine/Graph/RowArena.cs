@@ -43,8 +43,9 @@ internal sealed unsafe class RowArena
     /// <summary>The arena grows by an eighth: growing copies nothing, so often is cheap, and a sixteenth lies idle on average.</summary>
     private const int GrowthShift = 3;
 
-    /// <summary>Least bundles by which it grows, 88 KB: a small world may need a further colour late, and is not to allocate for it.</summary>
-    private const int LeastGrowth = 64;
+    /// <summary>Least bundles by which it grows, 11 KB; while it has fewer than <see cref="ManyBundles"/> it doubles.</summary>
+    private const int LeastGrowth = 8;
+    private const int ManyBundles = 64;
 
     [NotState(Why.Room)]
     private readonly List<Column<ContactBundle>> _segments = new List<Column<ContactBundle>>();
@@ -107,7 +108,7 @@ internal sealed unsafe class RowArena
 
         if (taken < 0)
         {
-            Grow(Math.Max(LeastGrowth, Capacity >> GrowthShift));
+            Grow(Math.Max(Math.Max(LeastGrowth, Math.Min(Capacity, ManyBundles)), Capacity >> GrowthShift));
             return Take(bundles);
         }
 

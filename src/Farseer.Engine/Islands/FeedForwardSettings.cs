@@ -38,7 +38,8 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     /// <summary>Bundles that are worth another worker's while, some 0.5 µs.</summary>
     private const int LeastBundles = 32;
 
-    private readonly ColorRanges _ranges = new ColorRanges();
+    [NotState(Why.OfOneStep)]
+    private ColorRanges _ranges = null!;
     private readonly DeepStacks _deepStacks = new DeepStacks();
     [NotState(Why.Elsewhere)]
     private IslandStore _islands = null!;
@@ -70,7 +71,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         _islands = islands;
         int mark = scratch.Mark;
         _rate = scratch.Take<float>(Math.Max(1, islands.Count));
-        _ranges.Find(graph, runner.Workers);
+        _ranges = graph.NumberBundles(runner.Workers);
         CollectSag(runner, islands, c, scratch);
         _anyDeep = _deepStacks.Find(islands, graph, c, cold, scratch, _deep.Pointer, _anyDeep);
         _isOneForAll = FindRates(islands, c) && !_anyDeep;

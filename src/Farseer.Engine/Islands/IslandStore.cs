@@ -34,7 +34,8 @@ internal sealed unsafe partial class IslandStore : IStageWork
     private readonly Column<int> _islandOf = new Column<int>();
     private readonly Column<int> _firstSlot = new Column<int>();
     private readonly Column<int> _ofSlot = new Column<int>();
-    private readonly ColorRanges _ranges = new ColorRanges();
+    [NotState(Why.OfOneStep)]
+    private ColorRanges _ranges = null!;
 
     // In scratch memory, while the islands are built: the bodies that each of the searches has reached.
     private int* _queue;
@@ -123,7 +124,7 @@ internal sealed unsafe partial class IslandStore : IStageWork
         NumberSlots();
         _slotOf = scratch.Take<int>(bodyEnd + 1);
         FindSlotsOfBodies();
-        _ranges.Find(graph, runner.Workers);
+        _ranges = graph.NumberBundles(runner.Workers);
         _part = Part.Write;
         runner.Run(this, _ranges.Count, LeastBundles);
         scratch.Release(mark);

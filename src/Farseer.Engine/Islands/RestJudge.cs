@@ -67,6 +67,15 @@ internal sealed unsafe class RestJudge : IStageWork
     /// <summary>A body has rested long enough, in the last step or before.</summary>
     public bool AnyRested { get; private set; }
 
+    /// <summary>Makes room for groups of so many bodies.</summary>
+    public void Reserve(int bodies)
+    {
+        _parent.EnsureCapacity(bodies);
+        _least.EnsureCapacity(bodies);
+        _firstOfIsland.EnsureCapacity(bodies);
+        _resting.Reserve(bodies);
+    }
+
     public void EnsureBodies(int end) => _records.EnsureCapacity(end);
 
     /// <summary>The body was disturbed: it must rest anew.</summary>
@@ -150,10 +159,7 @@ internal sealed unsafe class RestJudge : IStageWork
     /// <summary>Forms the groups of bodies in contact; what else hangs together is joined afterwards.</summary>
     public void Open(in RestInput input)
     {
-        int end = input.Bodies.Ids.End;
-        _parent.EnsureCapacity(end);
-        _least.EnsureCapacity(end);
-        _firstOfIsland.EnsureCapacity(Math.Max(1, input.Islands.Count));
+        Reserve(input.Bodies.State.Capacity);
         for (int i = 0; i < input.Islands.Count; i++)
         {
             _firstOfIsland[i] = -1;

@@ -16,7 +16,7 @@ namespace Farseer.Engine.Islands;
 internal sealed unsafe class StartingLoads
 {
     /// <summary>Contacts of the largest island: its matrix has twice as many rows, and is solved within 0.2 ms.</summary>
-    private const int MostContacts = 32;
+    private const int MostContacts = ContactSystem.MostPoints / 2;
 
     /// <summary>Cosine to gravity from which on a contact is level: a steeper one needs its friction, which is not solved for.</summary>
     private const float LeastSteepness = 0.99f;

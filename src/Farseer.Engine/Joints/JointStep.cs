@@ -21,6 +21,9 @@ internal unsafe struct JointStep
     /// <summary>Contact rows at each body.</summary>
     public int* Touches;
 
+    /// <summary>Contacts that there is room for.</summary>
+    public int ContactRoom;
+
     /// <summary>Ratio of this step's substep to the last one's.</summary>
     public double ImpulseScale;
 

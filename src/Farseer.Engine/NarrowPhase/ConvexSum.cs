@@ -32,9 +32,9 @@ internal struct SumHit
 [NotState(Why.OfOneStep)]
 internal sealed unsafe class ConvexSum
 {
-    private readonly Column<double> _points = new Column<double>(64);
-    private readonly Column<int> _ofStanding = new Column<int>(32);
-    private readonly Column<int> _ofMoving = new Column<int>(32);
+    private readonly Column<double> _points = new Column<double>();
+    private readonly Column<int> _ofStanding = new Column<int>();
+    private readonly Column<int> _ofMoving = new Column<int>();
     private PointHull _standing;
     private PointHull _moving;
     private int _count;

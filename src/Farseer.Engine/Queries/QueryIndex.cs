@@ -29,6 +29,7 @@ internal sealed unsafe class QueryIndex
     private const int LooseShare = 16;
 
     private const int Nowhere = -1;
+    private const long Stale = -1;
     private const int FirstLoose = -2;
 
     private readonly Column<PieceFit> _fits = new Column<PieceFit>();
@@ -40,6 +41,9 @@ internal sealed unsafe class QueryIndex
     private readonly IndexList _members = new IndexList();
     private readonly Scratch _scratch = new Scratch();
     private long _version;
+
+    /// <summary>The version that all boxes are up to, written when they are; <see cref="Stale"/>: some are not, as after a state was gone back to.</summary>
+    private long _fresh = Stale;
     private int _known;
     private int _count;
 
@@ -58,6 +62,7 @@ internal sealed unsafe class QueryIndex
         if (!fit.IsChanged)
         {
             fit.IsChanged = true;
+            _fresh = Stale;
             _changed.Add(piece);
         }
     }
@@ -91,11 +96,27 @@ internal sealed unsafe class QueryIndex
         fit.Place = Nowhere;
     }
 
+    /// <summary>All boxes are up to a version: whoever asks then only reads.</summary>
+    public bool IsFresh(long version) => _fresh == version;
+
+    /// <summary>Says that they are.</summary>
+    public void MarkFresh(long version) => _fresh = version;
+
     /// <summary>Brings the boxes up to the poses.</summary>
     /// <param name="shapes">The pieces.</param>
     /// <param name="bodies">The poses.</param>
     /// <param name="version">Differs from that of the last call if a step has moved bodies since.</param>
     public void Refresh(ShapeStore shapes, BodyStore bodies, long version)
+    {
+        if (_fresh != version)
+        {
+            Follow(shapes, bodies, version);
+            _fresh = version;
+        }
+    }
+
+    /// <summary>Brings the boxes up to the poses, and does not say so yet.</summary>
+    public void Follow(ShapeStore shapes, BodyStore bodies, long version)
     {
         int end = shapes.PieceIds.End;
         Know(end);
@@ -279,6 +300,7 @@ internal sealed unsafe class QueryIndex
     /// </summary>
     public void Visit(StateStream s)
     {
+        _fresh = Stale;
         s.Value(ref _version);
         s.Value(ref _known);
         s.Value(ref _count);

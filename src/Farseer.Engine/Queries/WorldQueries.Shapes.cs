@@ -13,11 +13,11 @@ namespace Farseer.Engine.Queries;
 internal sealed unsafe partial class WorldQueries
 {
     [NotState(Why.OfOneStep)]
-    private readonly Column<double> _shape = new Column<double>(64);
+    private readonly Column<double> _shape = new Column<double>();
     [NotState(Why.OfOneStep)]
-    private readonly Column<double> _moving = new Column<double>(64);
+    private readonly Column<double> _moving = new Column<double>();
     [NotState(Why.OfOneStep)]
-    private readonly Column<double> _standing = new Column<double>(64);
+    private readonly Column<double> _standing = new Column<double>();
     private readonly ConvexSum _sum = new ConvexSum();
     [NotState(Why.OfOneStep)]
     private int _shapeCount;
@@ -28,6 +28,7 @@ internal sealed unsafe partial class WorldQueries
     public void SetDisc(double x, double y, double radius)
     {
         _shapeCount = 1;
+        _shape.EnsureCapacity(2);
         _shape[0] = x;
         _shape[1] = y;
         _shapeRadius = radius;
@@ -37,6 +38,7 @@ internal sealed unsafe partial class WorldQueries
     public void SetCapsule(double x0, double y0, double x1, double y1, double radius)
     {
         _shapeCount = 2;
+        _shape.EnsureCapacity(4);
         _shape[0] = x0;
         _shape[1] = y0;
         _shape[2] = x1;

@@ -17,7 +17,11 @@ internal sealed unsafe partial class WorldQueries
 {
     private readonly ShapeStore _shapes;
     private readonly BodyStore _bodies;
-    private readonly QueryIndex _index = new QueryIndex();
+    private readonly QueryIndex _index;
+
+    // Who the world tells of changes: this one, or that with which it shares the index.
+    [NotState(Why.Fixed)]
+    private readonly WorldQueries _told;
     private readonly NearSearch<RayProbe> _rays = new NearSearch<RayProbe>();
     private readonly NearSearch<PointProbe> _points = new NearSearch<PointProbe>();
     [NotState(Why.OfOneStep)]
@@ -38,6 +42,17 @@ internal sealed unsafe partial class WorldQueries
     {
         _shapes = shapes;
         _bodies = bodies;
+        _index = new QueryIndex();
+        _told = this;
+    }
+
+    /// <summary>Asks the same world, with memory of its own: two threads may ask by one each at a time, while the world is left alone.</summary>
+    public WorldQueries(WorldQueries other)
+    {
+        _shapes = other._shapes;
+        _bodies = other._bodies;
+        _index = other._index;
+        _told = other._told;
     }
 
     /// <summary>A query was asked once: from then on <see cref="Changed"/> and <see cref="Removed"/> must be called.</summary>
@@ -56,6 +71,14 @@ internal sealed unsafe partial class WorldQueries
     /// <summary>True while joints of the user's own see the poses of a substep: then no two queries find the same ones.</summary>
     [NotState(Why.Calm)]
     public bool PosesChange { get; set; }
+
+    /// <summary>The next query only reads; within a step in which poses change for each, one thread asks alone.</summary>
+    public bool IsFresh => PosesChange || _index.IsFresh(Version);
+
+    /// <summary>Does what the next query would do first; <see cref="MarkFresh"/> says that it is done.</summary>
+    public void Follow() => _index.Follow(_shapes, _bodies, Version);
+
+    public void MarkFresh() => _index.MarkFresh(Version);
 
     public void Changed(int piece) => _index.Changed(piece);
 
@@ -163,12 +186,12 @@ internal sealed unsafe partial class WorldQueries
 
         _isAsking = true;
         _filter = filter;
-        if (PosesChange)
+        if (_told.PosesChange)
         {
-            Version++;
+            _told.Version++;
         }
 
-        _index.Refresh(_shapes, _bodies, Version);
+        _index.Refresh(_shapes, _bodies, _told.Version);
     }
 
     private bool Sees(int piece)

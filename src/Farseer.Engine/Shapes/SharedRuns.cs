@@ -11,7 +11,7 @@ namespace Farseer.Engine.Shapes;
 internal sealed unsafe class SharedRuns
 {
     /// <summary>Hashes that are told apart, a power of two.</summary>
-    private const int Places = 256;
+    private const int Places = 64;
 
     private readonly Column<RunUse> _uses;
 

@@ -140,7 +140,7 @@ internal sealed class BodyStage
             state = default;
             state.Error = FloatBits.IsFinite(error) ? error : 0;
             _joints.Ranges[joint] = default;
-            _stores.JointSolver.Nets.Edited(joint, afresh: true);
+            _stores.JointSolver?.Nets.Edited(joint, afresh: true);
         }
     }
 

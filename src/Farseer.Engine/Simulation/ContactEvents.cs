@@ -311,6 +311,7 @@ internal sealed unsafe class ContactEvents
         _pairs.EnsureCapacity(most);
         _oldKeys.EnsureCapacity(most);
         _oldPairs.EnsureCapacity(most);
+        _woken.EnsureCapacity(most);
         _sort.Reserve(most);
     }
 

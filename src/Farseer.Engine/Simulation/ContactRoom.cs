@@ -25,6 +25,9 @@ internal sealed class ContactRoom
     /// <summary>Twice the rows for each piece from which on a world lies as dense as it will: 2.97 in a large pyramid, 2 in a grid of boxes.</summary>
     private const int DenseTwice = 5;
 
+    /// <summary>So few pieces get room for a crowd all the same: it is little, and they may be heaped up later.</summary>
+    private const int FewPieces = 256;
+
     /// <summary>Of more pieces the rest comes by need: a growth by a quarter is seldom then, and the room would be gigabytes.</summary>
     private const int MostPieces = 1 << 15;
 
@@ -32,19 +35,24 @@ internal sealed class ContactRoom
     private const int ScratchAPair = 16;
     private const int ScratchARow = 12;
     private const int ScratchAPiece = 64;
+
+    /// <summary>And for what some steps note besides.</summary>
+    private const int ScratchBesides = 1 << 13;
+
     private readonly WorldStores _stores;
     private readonly BodyStore _bodies;
     private readonly ShapeStore _shapes;
     private readonly ContactStore _contacts;
     private readonly ConstraintGraph _graph;
     private readonly IslandStore _islands;
+    private readonly SleepStage _sleep;
     private readonly ContactStage _contactStage;
     private readonly PairFinder _pairs;
     private readonly SweepStage _sweeps;
     private readonly SolveStage _solve;
     private bool _roomIsDue;
 
-    public ContactRoom(WorldStores stores, ContactStage contactStage, PairFinder pairs, SweepStage sweeps, SolveStage solve)
+    public ContactRoom(WorldStores stores, SleepStage sleep, ContactStage contactStage, PairFinder pairs, SweepStage sweeps, SolveStage solve)
     {
         _stores = stores;
         _bodies = stores.Bodies;
@@ -52,6 +60,7 @@ internal sealed class ContactRoom
         _contacts = stores.Contacts;
         _graph = stores.Graph;
         _islands = stores.Islands;
+        _sleep = sleep;
         _contactStage = contactStage;
         _pairs = pairs;
         _sweeps = sweeps;
@@ -64,6 +73,8 @@ internal sealed class ContactRoom
     /// <summary>Makes room once colliders have come, after their first contacts are known.</summary>
     public void MakeAhead()
     {
+        _sleep.Reserve();
+        _sweeps.ReserveFew();
         if (!_roomIsDue || _contacts.Count == 0)
         {
             return;
@@ -73,7 +84,7 @@ internal sealed class ContactRoom
         _islands.Reserve(_bodies.State.Capacity, _graph.RowCount);
         int pieces = CountPieces(out int hulls, out int immovable, out bool anySeveral);
         _sweeps.Reserve(immovable);
-        if (_graph.RowCount * 2L >= (long)DenseTwice * pieces && !_contactStage.AnyBounce)
+        if (pieces > FewPieces && _graph.RowCount * 2L >= (long)DenseTwice * pieces && !_contactStage.AnyBounce)
         {
             return;
         }
@@ -81,15 +92,17 @@ internal sealed class ContactRoom
         _bodies.EnsureResiduals();
         _solve.ReserveBodies(_bodies.State.Capacity);
         pieces = Math.Min(pieces, MostPieces);
-        int pairs = PairsAPiece * pieces;
-        int rows = RowsAPiece * pieces;
+
+        // In a small world each with each other comes to less.
+        int pairs = (int)Math.Min(PairsAPiece * pieces, ((pieces - 1L) * pieces / 2) + ((long)pieces * immovable));
+        int rows = Math.Min(RowsAPiece * pieces, pairs);
         _contacts.Reserve(pairs, withGaps: hulls * 2 > pieces);
         _contacts.Compounds.EnsureCapacity(anySeveral ? Math.Max(2 * _contacts.Compounds.Count, pieces / 4) : 0);
         _pairs.Expect(pairs);
         _graph.Reserve(rows);
         _solve.ReserveRows(_graph.Arena.Capacity);
         _islands.Reserve(_bodies.State.Capacity, rows);
-        _stores.Scratch.Reserve((ScratchAPair * pairs) + (ScratchARow * rows) + (ScratchAPiece * _shapes.PieceIds.End));
+        _stores.Scratch.Reserve(ScratchBesides + (ScratchAPair * pairs) + (ScratchARow * rows) + (ScratchAPiece * _shapes.PieceIds.End));
         if (hulls * 2 > pieces)
         {
             _contactStage.ReserveForGaps(_stores, _contacts);

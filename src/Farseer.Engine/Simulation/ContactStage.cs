@@ -67,6 +67,7 @@ internal sealed unsafe class ContactStage : IStageWork
         ContactStore contacts = input.Contacts;
         Scratch scratch = input.Scratch;
         int mark = scratch.Mark;
+        _work.Begin(scratch.Lasting<WorkerLanes>(runner.Workers));
         graph.NotePairs(contacts.Count);
         _idle.Begin(input, _hulls, graph.RowCount);
         if (contacts.Count > 0)

@@ -33,10 +33,10 @@ internal sealed unsafe class ContactWork : IStageWork
     /// <summary>Sides of more pieces than that are no longer all near: a third of a megabyte.</summary>
     private const int MostNear = 5000;
 
-    private readonly Column<PairLanes> _pairs = new Column<PairLanes>();
-    private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
+    private WorkerLanes* _lanes;
     private BundleOutcome* _outcomes;
-    private readonly ColorRanges _ranges = new ColorRanges();
+    [NotState(Why.OfOneStep)]
+    private ColorRanges _ranges = null!;
     private readonly BundleNotes _notes = new BundleNotes();
     private ContactUpdateInput _input;
     private ContactSides _sides = null!;
@@ -53,7 +53,7 @@ internal sealed unsafe class ContactWork : IStageWork
     }
 
     /// <summary>Where pairs pass through that the calling thread works on alone.</summary>
-    public PairLanes* Pairs => _pairs.Pointer;
+    public PairLanes* Pairs => &_lanes->Pairs;
 
     /// <summary>Outcomes of the last update, by the numbers of its bundles.</summary>
     public BundleOutcome* Outcomes => _outcomes;
@@ -64,11 +64,12 @@ internal sealed unsafe class ContactWork : IStageWork
     /// <summary>Those of them that something follows from.</summary>
     public BundleNotes Notes => _notes;
 
+    /// <summary>Takes the lanes of all workers.</summary>
+    public void Begin(WorkerLanes* lanes) => _lanes = lanes;
+
     /// <summary>Writes the sides of all pieces.</summary>
     public void WriteSides(StageRunner runner, in ContactUpdateInput input, ContactSides sides)
     {
-        _pairs.EnsureCapacity(runner.Workers);
-        _bundles.EnsureCapacity(runner.Workers);
         sides.Begin(input.Shapes, input.Contacts.KeepsGaps ? input.Contacts.Steps : null, input.Settings.AllowSleep, input.Scratch);
         _input = input;
         _sides = sides;
@@ -80,7 +81,7 @@ internal sealed unsafe class ContactWork : IStageWork
     /// <summary>Updates the pairs that have rows, colour by colour.</summary>
     public BundleSums UpdateRows(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
     {
-        _ranges.Find(graph, runner.Workers);
+        _ranges = graph.NumberBundles(runner.Workers);
         return Run(runner, input, Part.Rows, _ranges.Count, ContactBundle.Beside);
     }
 
@@ -108,7 +109,7 @@ internal sealed unsafe class ContactWork : IStageWork
     void IStageWork.Run(int worker, int from, int to)
     {
         ContactUpdateInput input = _input;
-        input.Pairs = _pairs.Pointer + worker;
+        input.Pairs = &(_lanes + worker)->Pairs;
         switch (_part)
         {
             case Part.Sides:
@@ -255,7 +256,7 @@ internal sealed unsafe class ContactWork : IStageWork
     // Two bundles of new rows may write different lanes of the same bundle of a colour: those are different places of memory.
     private void FillRows(in ContactUpdateInput input, int worker, int from, int to)
     {
-        ContactBundle* bundle = _bundles.Pointer + worker;
+        ContactBundle* bundle = &(_lanes + worker)->Filled;
         BundleSums sums = default;
         Column<ContactRecord> records = input.Contacts.Records;
         for (int i = from; i < to; i++)

@@ -23,7 +23,7 @@ internal sealed unsafe class FastPairStage : IStageWork
     /// <summary>Pairs that are worth another worker's while, some 2 µs.</summary>
     private const int LeastPairs = 4;
 
-    private readonly Column<ContactBundle> _bundle = new Column<ContactBundle>();
+    private ContactBundle* _bundle;
     private ScratchList<ulong> _keys;
     private ScratchList<int> _contacts;
     private Outlook* _found;
@@ -45,6 +45,7 @@ internal sealed unsafe class FastPairStage : IStageWork
     {
         _keys = new ScratchList<ulong>(scratch);
         _contacts = new ScratchList<int>(scratch);
+        _bundle = &scratch.Lasting<WorkerLanes>(1)->Fast;
         Given = 0;
         AnyBounce = false;
     }
@@ -269,7 +270,7 @@ internal sealed unsafe class FastPairStage : IStageWork
     /// <summary>A bundle for the row of a pair, in its first lane; nothing is written yet but what it is called.</summary>
     private ContactBundle* Clear(in ContactUpdateInput input, int contact)
     {
-        ContactBundle* bundle = _bundle.Pointer;
+        ContactBundle* bundle = _bundle;
         ContactLanes.ClearForWrite(bundle);
         ContactLanes.Name(bundle, 0, contact, input.Contacts.Records[contact]);
         return bundle;
@@ -279,7 +280,7 @@ internal sealed unsafe class FastPairStage : IStageWork
     private void Place(in ContactUpdateInput input, ConstraintGraph graph, int contact)
     {
         ref ContactRecord record = ref input.Contacts.Records[contact];
-        ContactBundle* bundle = _bundle.Pointer;
+        ContactBundle* bundle = _bundle;
         input.Contacts.RemoveIdle(contact);
         graph.Add(contact, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
         AnyBounce = AnyBounce || bundle->Restitution[0] > 0;

@@ -27,7 +27,7 @@ internal sealed unsafe class IdleWork : IStageWork
     private const int LeastSorted = 8 * ContactBundle.Lanes;
 
     [NotState(Why.OfOneStep)]
-    private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
+    private WorkerLanes* _lanes;
     private readonly BundleNotes _notes = new BundleNotes();
 
     // In scratch memory, until the end of the narrow phase.
@@ -114,6 +114,7 @@ internal sealed unsafe class IdleWork : IStageWork
         }
 
         _input = input;
+        _lanes = input.Scratch.Lasting<WorkerLanes>(runner.Workers);
         _looked = null;
         if (contacts.KeepsGaps)
         {
@@ -130,7 +131,6 @@ internal sealed unsafe class IdleWork : IStageWork
             SortByKind(input);
         }
 
-        _bundles.EnsureCapacity(runner.Workers);
         _outcomes = input.Scratch.Take<BundleOutcome>(Bundles(LookedCount));
         _notes.Begin(runner, input.Scratch, Bundles(LookedCount));
         _part = Part.Idle;
@@ -141,7 +141,7 @@ internal sealed unsafe class IdleWork : IStageWork
     void IStageWork.Run(int worker, int from, int to)
     {
         ContactUpdateInput input = _input;
-        input.Pairs = _input.Pairs + worker;
+        input.Pairs = &(_lanes + worker)->Pairs;
         switch (_part)
         {
             case Part.Steps:
@@ -234,7 +234,7 @@ internal sealed unsafe class IdleWork : IStageWork
 
     private void Look(in ContactUpdateInput input, int worker, int from, int to)
     {
-        ContactBundle* bundle = _bundles.Pointer + worker;
+        ContactBundle* bundle = &(_lanes + worker)->Looked;
         BundleSums sums = default;
         ContactStore contacts = input.Contacts;
         int* places = stackalloc int[ContactBundle.Lanes];

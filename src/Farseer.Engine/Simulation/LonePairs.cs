@@ -18,8 +18,8 @@ internal sealed unsafe class LonePairs
     /// <summary>Share of their extent by which the two may overlap as the step begins.</summary>
     private const double CoreShare = 0.25;
 
-    /// <summary>Candidates that there is room for from the start, a part of the bodies.</summary>
-    private const int BodiesAPair = 2;
+    /// <summary>Pairs that there is room for from the start, if there are so many bodies: a pair takes two for itself.</summary>
+    private const int FewPairs = 64;
 
     private readonly IndexList _candidates = new IndexList();
     private readonly Column<LonePair> _pairs = new Column<LonePair>();
@@ -28,10 +28,11 @@ internal sealed unsafe class LonePairs
 
     public ref LonePair this[int position] => ref _pairs[position];
 
-    /// <param name="bodies">Bodies that there are: there are seldom more fast pairs than half as many.</param>
+    /// <param name="bodies">Bodies that there are: there are seldom more fast pairs.</param>
     public void Begin(int bodies)
     {
-        _candidates.Reserve(bodies / BodiesAPair);
+        _candidates.Reserve(bodies);
+        _pairs.EnsureCapacity(Math.Min(bodies / 2, FewPairs));
         _candidates.Clear();
         Count = 0;
     }

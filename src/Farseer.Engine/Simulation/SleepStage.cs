@@ -81,6 +81,20 @@ internal sealed partial class SleepStage
         }
     }
 
+    /// <summary>Makes room for as many bodies and contacts as there are to fall asleep and to wake, which may be after a thousand steps.</summary>
+    public void Reserve()
+    {
+        if (_settings.AllowSleep && _bodies.Ids.End > 1)
+        {
+            int bodies = _bodies.State.Capacity;
+            _rest.Reserve(bodies);
+            _flood.Reserve(bodies);
+            _handled.Reserve(bodies);
+            _layDown.Reserve(_contacts.Records.Capacity);
+            _dormant.Reserve(_contacts.Records.Capacity, bodies);
+        }
+    }
+
     /// <summary>A body has to rest anew before it falls asleep.</summary>
     public void Restart(int body) => _rest.Restart(body);
 

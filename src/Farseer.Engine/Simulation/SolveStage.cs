@@ -202,7 +202,7 @@ internal sealed class SolveStage
         float substep = Substep;
         _accuracy.Audit?.BeginMotion(_settings.Gravity);
         bool anyJoints = BeginJoints(dt, substep);
-        if (_stores.JointSolver.Collection.BrokenCount > 0)
+        if (_stores.JointSolver?.Collection.BrokenCount > 0)
         {
             UpdateAfterCallbacks(dt);
             anyJoints = anyJoints && _stores.JointSolver.Collection.Renew();
@@ -356,21 +356,23 @@ internal sealed class SolveStage
         step.Bodies = _bodies;
         step.Moves = _lists.Moves;
         step.Touches = _graph.Degrees;
+        step.ContactRoom = _contacts.Records.Capacity;
         step.Dt = dt;
         step.Substep = substep;
         step.Audited = _accuracy.Audit != null || _pushes.Impulses != null || _contacts.Surfaces.AnySpecial;
         step.Impulses = _pushes.Impulses;
-        step.Watched = step.Audited || (_stores.AnyUserJoints) || _springs.Count > 0;
+        step.Watched = step.Audited || _stores.AnyUserJoints || _springs.Count > 0;
         step.BreaksLate = _settings.JointsBreakLate;
         step.ImpulseScale = !_settings.KeepImpulses ? 0 : _stores.LastSubstep > 0 ? (double)substep / _stores.LastSubstep : 1;
         step.Drifts = !_settings.CorrectPositions;
-        _stores.JointSolver.Collection.Begin(step);
-        for (int i = 0; i < _stores.JointSolver.Collection.BrokenCount; i++)
+        JointSolver solver = _stores.MadeJointSolver;
+        solver.Collection.Begin(step);
+        for (int i = 0; i < solver.Collection.BrokenCount; i++)
         {
-            _stores.UserJoints?.Broke(_stores.JointSolver.Collection.Broken(i));
+            _stores.UserJoints?.Broke(solver.Collection.Broken(i));
         }
 
-        return _stores.JointSolver.Any;
+        return solver.Any;
     }
 
     /// <summary>Makes room for more bodies.</summary>

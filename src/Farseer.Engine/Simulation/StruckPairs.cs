@@ -35,8 +35,9 @@ internal sealed unsafe class StruckPairs : IStageWork
     private readonly Column<float> _throws = new Column<float>();
 
     /// <summary>A bundle for each worker.</summary>
-    private readonly Column<ContactBundle> _bundles = new Column<ContactBundle>();
-    private readonly ColorRanges _ranges = new ColorRanges();
+    private WorkerLanes* _lanes;
+    [NotState(Why.OfOneStep)]
+    private ColorRanges _ranges = null!;
 
     /// <summary>In scratch memory: pairs that are to get rows, a bit for each place of the idle list.</summary>
     private ulong* _marks;
@@ -59,8 +60,7 @@ internal sealed unsafe class StruckPairs : IStageWork
 
     public void Begin(StageRunner runner, BodyStore bodies, JointStore joints, Scratch scratch)
     {
-        // Not when the first blow comes, which may be after a thousand steps.
-        _bundles.EnsureCapacity(runner.Workers);
+        _lanes = scratch.Lasting<WorkerLanes>(runner.Workers);
         _joints = joints;
         _struck = new ScratchList<int>(scratch);
         _found = new ScratchList<int>(scratch);
@@ -114,7 +114,7 @@ internal sealed unsafe class StruckPairs : IStageWork
         // The impulses of these rows are those of this step's substeps already.
         input.ImpulseScale = 1;
         _graph = graph;
-        _ranges.Find(graph, parts: 1);
+        _ranges = graph.NumberBundles(parts: 1);
         _widens = true;
         Run(runner, input, (_ranges.Count + BlockBundles - 1) / BlockBundles);
     }
@@ -122,8 +122,8 @@ internal sealed unsafe class StruckPairs : IStageWork
     void IStageWork.Run(int worker, int from, int to)
     {
         ContactUpdateInput input = _input;
-        input.Pairs = _input.Pairs + worker;
-        ContactBundle* bundle = _bundles.Pointer + worker;
+        input.Pairs = &(_lanes + worker)->Pairs;
+        ContactBundle* bundle = &(_lanes + worker)->Struck;
         for (int block = from; block < to; block++)
         {
             if (_widens)

@@ -34,6 +34,9 @@ internal sealed partial class SweepStage : IImpactListener
     private readonly ContactEvents _events;
     private readonly PushReport _pushes;
     private readonly AccuracyStage _accuracy;
+    /// <summary>What a fast body may meet, for which there is room before there is one.</summary>
+    private const int FewCandidates = 16;
+
     private readonly FastBodySweep _sweep = new FastBodySweep();
     private readonly FastBodySweep _secondSweep = new FastBodySweep();
     private readonly SweepWork _sweepWork = new SweepWork();
@@ -381,6 +384,13 @@ internal sealed partial class SweepStage : IImpactListener
 
         /// <summary>One of a pair that flies alone.</summary>
         Paired = 8,
+    }
+
+    /// <summary>Makes room for what a fast body may meet, before there is one.</summary>
+    public void ReserveFew()
+    {
+        _sweep.Reserve(Math.Min(_contacts.Records.Capacity, FewCandidates));
+        _secondSweep.Reserve(Math.Min(_contacts.Records.Capacity, FewCandidates));
     }
 
     /// <summary>Makes room for what cannot move.</summary>

@@ -263,7 +263,7 @@ internal sealed partial class World
             }
 
             Joints.NoteEdit();
-            _stores.JointSolver.Nets.Edited(entry >> 1, afresh: false);
+            _stores.JointSolver?.Nets.Edited(entry >> 1, afresh: false);
         }
 
         NotePlaced(body.Index);

@@ -11,21 +11,21 @@ internal sealed partial class World
     /// <summary>Trees of joints go side by side where they can; both ways give the same bits, which tests compare.</summary>
     internal bool TreesOnLanes
     {
-        get => _stores.JointSolver.Lanes.UsesLanes;
-        set => _stores.JointSolver.Lanes.UsesLanes = value;
+        get => _stores.MadeJointSolver.Lanes.UsesLanes;
+        set => _stores.MadeJointSolver.Lanes.UsesLanes = value;
     }
 
     /// <summary>Trees that were side by side in the last step from its start to its end.</summary>
-    internal int TreesSideBySide => _stores.JointSolver.Lanes.TreesSideBySide;
+    internal int TreesSideBySide => _stores.JointSolver?.Lanes.TreesSideBySide ?? 0;
 
     /// <summary>Joints between single bodies that were iterated side by side in the last step.</summary>
-    internal int JointsSideBySide => _stores.JointSolver.Lanes.JointsSideBySide;
+    internal int JointsSideBySide => _stores.JointSolver?.Lanes.JointsSideBySide ?? 0;
 
     /// <summary>Trees that are chains of hinges are solved as such: other roundings than those of the passes for all trees.</summary>
     internal bool TreesAsChains
     {
-        get => _stores.JointSolver.Chains.UsesChains;
-        set => _stores.JointSolver.Chains.UsesChains = value;
+        get => _stores.MadeJointSolver.Chains.UsesChains;
+        set => _stores.MadeJointSolver.Chains.UsesChains = value;
     }
 
     /// <summary>The frame of the world: joints with a fixed point hold on to it.</summary>
@@ -89,7 +89,7 @@ internal sealed partial class World
             Joints.States[joint.Index] = default;
         }
 
-        _stores.JointSolver.Nets.Edited(joint.Index, ((before ^ flags) & JointFlags.Enabled) != 0);
+        _stores.JointSolver?.Nets.Edited(joint.Index, ((before ^ flags) & JointFlags.Enabled) != 0);
 
         if (((before ^ flags) & Filter) != 0)
         {
@@ -101,7 +101,7 @@ internal sealed partial class World
     public ref JointState JointState(Handle joint)
     {
         Joints.Ids.Require(joint, nameof(joint));
-        _stores.JointSolver.Nets.Report(joint.Index);
+        _stores.JointSolver?.Nets.Report(joint.Index);
         return ref Joints.States[joint.Index];
     }
 
@@ -109,7 +109,7 @@ internal sealed partial class World
     public unsafe double JointRowForce(Handle joint, int row)
     {
         Joints.Ids.Require(joint, nameof(joint));
-        _stores.JointSolver.Nets.Report(joint.Index);
+        _stores.JointSolver?.Nets.Report(joint.Index);
         return _stores.LastSubstep > 0 ? Joints.States[joint.Index].Impulse[row] / _stores.LastSubstep : 0;
     }
 

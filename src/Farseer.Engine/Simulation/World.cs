@@ -43,7 +43,7 @@ internal sealed partial class World : IDisposable
         _bodyStage = new BodyStage(_stores, _removals);
         _solve = new SolveStage(_stores, _bodyStage, Sleep, _contactStage, Accuracy, Pushes);
         _sweeps = new SweepStage(_stores, _boxes, Pairs, _contactStage, _events, Pushes, Accuracy);
-        _room = new ContactRoom(_stores, _contactStage, Pairs, _sweeps, _solve);
+        _room = new ContactRoom(_stores, Sleep, _contactStage, Pairs, _sweeps, _solve);
         Reader = new ContactReader(_stores, _removals, _contactStage, Pushes);
 
         // Body 0 is the dummy that empty lanes point at; it never moves and has no mass.
@@ -113,6 +113,12 @@ internal sealed partial class World : IDisposable
     /// <summary>Swappable between steps: pairs already found are kept, and the new one starts with all proxies.</summary>
     public IBroadPhase BroadPhase => _stores.BroadPhase;
 
+    /// <summary>Substeps of the last step.</summary>
+    public int Substeps => _stores.Substeps;
+
+    /// <summary>Islands told apart in the last step; 0: nothing asked for them.</summary>
+    public int IslandCount => _stores.Islands.Count;
+
     /// <summary>True while a step runs: removals then wait for the next one.</summary>
     public bool IsStepping => _stores.IsStepping;
 
@@ -138,6 +144,40 @@ internal sealed partial class World : IDisposable
 
     /// <summary>Ends the threads. A step under way goes on alone, and so do later ones.</summary>
     public void Dispose() => _stores.Workers.Dispose();
+
+    /// <summary>
+    /// Advances by <paramref name="dt"/> seconds, above 0 and finite. What the step forgets at its end lies in memory that worlds stepped by
+    /// one thread share: it is in the cache already, and thousands of small worlds have none of their own.
+    /// </summary>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="shared">
+    /// The first of the thread's pieces of memory; null: there is none yet, or all are in use by worlds that step each other.
+    /// </param>
+    public void Step(float dt, ref Scratch? shared)
+    {
+        ProxyStore proxies = _stores.Proxies;
+        if (IsStepping || proxies.HasScratch)
+        {
+            Step(dt);
+            return;
+        }
+
+        Scratch lent = shared ?? new Scratch();
+        int before = lent.Capacity;
+        shared = lent.Next;
+        proxies.Lend(lent);
+        try
+        {
+            Step(dt);
+        }
+        finally
+        {
+            // If the world keeps it, the thread's other worlds are to find as much as they had.
+            Scratch back = proxies.GiveBack() ?? Scratch.Of(before);
+            back.Next = shared;
+            shared = back;
+        }
+    }
 
     /// <summary>Advances by <paramref name="dt"/> seconds, above 0 and finite.</summary>
     public void Step(float dt)

@@ -17,6 +17,7 @@ namespace Farseer.Engine.Simulation;
 /// <summary>What all phases of a step share: the stores, the settings, who listens and who works.</summary>
 internal sealed class WorldStores
 {
+    private JointSolver? _jointSolver;
     private float _lastSubstep;
     private bool _makesEnergy;
     private int _substeps = 1;
@@ -24,7 +25,6 @@ internal sealed class WorldStores
     public WorldStores()
     {
         Contacts = new ContactStore(Shapes);
-        JointSolver = new JointSolver(new JointWork(Joints));
         Queries = new WorldQueries(Shapes, Bodies);
     }
 
@@ -51,7 +51,11 @@ internal sealed class WorldStores
 
     public JointStore Joints { get; } = new JointStore();
 
-    public JointSolver JointSolver { get; }
+    /// <summary>None before there is a joint.</summary>
+    public JointSolver? JointSolver => _jointSolver;
+
+    /// <summary>The one that there is, or that is made now.</summary>
+    public JointSolver MadeJointSolver => _jointSolver ??= new JointSolver(new JointWork(Joints));
 
     public SpringStore Springs { get; } = new SpringStore();
 
@@ -137,7 +141,8 @@ internal sealed class WorldStores
         Graph.Visit(s.Of(nameof(Graph)));
         Islands.Visit(s.Of(nameof(Islands)));
         Joints.Visit(s.Of(nameof(Joints)));
-        JointSolver.Visit(s.Of(nameof(JointSolver)));
+        s.Of(nameof(WorldStores)).Reference(ref _jointSolver);
+        _jointSolver?.Visit(s.Of(nameof(JointSolver)));
         Springs.Visit(s.Of(nameof(Springs)));
         Lists.Visit(s.Of(nameof(Lists)));
         BroadPhase = s.Of(nameof(WorldStores)).Reference(BroadPhase)!;

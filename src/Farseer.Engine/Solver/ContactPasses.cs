@@ -35,7 +35,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
 
     /// <summary>For each of them which lanes did not push before: see <see cref="BundleList.Fresh"/>.</summary>
     private readonly Column<ushort> _fresh = new Column<ushort>();
-    private ListedColor[] _colors = new ListedColor[ConstraintGraph.ColorCount];
+    private readonly Column<ListedColor> _colors = new Column<ListedColor>();
     private int _colorCount;
 
     /// <summary>
@@ -47,7 +47,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     /// <summary>Parts of the list, and of which colour they are: what <see cref="RelaxChosen"/> walks over.</summary>
     private readonly Column<ChosenPart> _chosen = new Column<ChosenPart>();
     private int _chosenCount;
-    private StageColors[] _stageColors = new StageColors[ConstraintGraph.ColorCount];
+    private readonly Column<StageColors> _stageColors = new Column<StageColors>();
     private StageRunner _runner = null!;
     private ContactPass _pass;
     private int _color;
@@ -62,6 +62,7 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         StageRunner runner, BodyStore bodies, in ContactCoefficients coefficients, ReadOnlySpan<GraphColor> colors, int bundleRoom, bool areHalves)
     {
         ReserveBundles(bundleRoom);
+        ReserveColors(runner, Math.Max(colors.Length, Math.Min(bundleRoom, ConstraintGraph.ColorCount)));
         _runner = runner;
         _pass.States = bodies.State.Pointer;
         _pass.Coefficients = coefficients;
@@ -74,6 +75,17 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     {
         _list.EnsureCapacity(bundles + BundleList.PlacesBehind);
         _fresh.EnsureCapacity(bundles);
+    }
+
+    /// <summary>Makes room for so many colours: each has a bundle at least.</summary>
+    private void ReserveColors(StageRunner runner, int colors)
+    {
+        _colors.EnsureCapacity(colors);
+        if (runner.Workers > 1)
+        {
+            _stageColors.EnsureCapacity(colors);
+            _stages.Reserve(colors);
+        }
     }
 
     public void WarmStart(ReadOnlySpan<GraphColor> colors) => Run(colors, ContactPassKind.WarmStart, false);
@@ -257,11 +269,6 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     /// <summary>Lists the colours. Those of several groups that are solved together have the same place and no body in common, and are one.</summary>
     private void ListColors(ReadOnlySpan<GraphColor> colors, bool areHalves)
     {
-        if (_colors.Length < colors.Length)
-        {
-            _colors = new ListedColor[2 * colors.Length];
-        }
-
         _colorCount = 0;
         int end = 0;
         for (int i = 0; i < colors.Length;)
@@ -366,11 +373,6 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         if (!_runner.IsShared(2, 1))
         {
             return;
-        }
-
-        if (_stageColors.Length < _colorCount)
-        {
-            _stageColors = new StageColors[2 * _colorCount];
         }
 
         _runner.Clear(_stages);

@@ -105,8 +105,9 @@ internal sealed unsafe partial class ImpactPass
 
     /// <summary>Makes room: later steps are not to allocate.</summary>
     /// <param name="bodies">For as many bodies.</param>
+    /// <param name="bundles">There is room for so many bundles of rows.</param>
     /// <param name="bounce">Some of which bounce.</param>
-    public void Reserve(int bodies, bool bounce)
+    public void Reserve(int bodies, int bundles, bool bounce)
     {
         _island.Begin(bodies);
         _timeOf.EnsureCapacity(bodies + 1);
@@ -114,7 +115,7 @@ internal sealed unsafe partial class ImpactPass
         _struckSmall.Reserve(bodies);
         _hitIn.EnsureCapacity(bodies + 1);
         _struckIn.EnsureCapacity(bodies + 1);
-        _bounces.EnsureCapacity(LeastBundles + (int)(bodies * (bounce ? BouncingShare : FallingShare)));
+        _bounces.EnsureCapacity(Math.Min(LeastBundles, (bundles + 1) / 2) + (int)(bodies * (bounce ? BouncingShare : FallingShare)));
         _hits.Reserve(_bounces.Capacity);
         _met.Reserve(_bounces.Capacity);
         _latest.EnsureCapacity(bodies);

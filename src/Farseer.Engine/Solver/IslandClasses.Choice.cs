@@ -114,7 +114,7 @@ internal sealed unsafe partial class IslandClasses
         ScaleAll(share);
         foreach (GraphColor color in _graph.Solved)
         {
-            _borrowed[_only][_used[_only]++] = color;
+            AddColor(_only, color);
             foreach (ContactBundle* bundle in color.Bundles)
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)

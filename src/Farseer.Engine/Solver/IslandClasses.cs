@@ -38,8 +38,12 @@ internal sealed unsafe partial class IslandClasses
     private readonly int[] _padded = new int[Count];
     [NotState(Why.OfOneStep)]
     private readonly GraphColor[][] _borrowed = new GraphColor[Count][];
+
+    // Colours for the rows of any class; so many are in use.
     [NotState(Why.Room)]
-    private readonly GraphColor?[][] _pool = new GraphColor?[Count][];
+    private GraphColor[] _pool = Array.Empty<GraphColor>();
+    [NotState(Why.OfOneStep)]
+    private int _taken;
     [NotState(Why.OfOneStep)]
     private readonly int[] _used = new int[Count];
     [NotState(Why.OfOneStep)]
@@ -68,8 +72,7 @@ internal sealed unsafe partial class IslandClasses
         for (int i = 0; i < Count; i++)
         {
             _lists[i] = new Column<int>();
-            _borrowed[i] = new GraphColor[ConstraintGraph.ColorCount];
-            _pool[i] = new GraphColor?[ConstraintGraph.ColorCount];
+            _borrowed[i] = Array.Empty<GraphColor>();
         }
     }
 
@@ -195,7 +198,7 @@ internal sealed unsafe partial class IslandClasses
 
         for (int i = 0; i < Count; i++)
         {
-            _lists[i].EnsureCapacity(count + WideLanes.BundleLanes);
+            _lists[i].EnsureCapacity(bodies.State.Capacity + WideLanes.BundleLanes);
             _counts[i] = 0;
         }
 
@@ -239,8 +242,10 @@ internal sealed unsafe partial class IslandClasses
     /// <param name="substep">That of class 0, seconds.</param>
     public void Borrow(float substep)
     {
+        MakeRoom();
         _substep = substep;
         _loanCount = 0;
+        _taken = 0;
         for (int index = 1; index < Count; index++)
         {
             _used[index] = 0;
@@ -302,8 +307,9 @@ internal sealed unsafe partial class IslandClasses
         GraphColor? target = _used[index] > 0 ? _borrowed[index][_used[index] - 1] : null;
         if (target == null || target.Place != source.Place)
         {
-            target = Take(index, source);
-            _borrowed[index][_used[index]++] = target;
+            target = _pool[_taken++];
+            target.Follow(source);
+            AddColor(index, target);
         }
 
         float share = 1f / (1 << index);
@@ -316,7 +322,6 @@ internal sealed unsafe partial class IslandClasses
 
         ShortenPace(copy, to, share);
         _rowCounts[index]++;
-        _loans.EnsureCapacity(_loanCount + 1);
         _loans[_loanCount++] = new Loan { Home = bundle, Lane = lane, Class = index, Place = place };
     }
 
@@ -414,9 +419,32 @@ internal sealed unsafe partial class IslandClasses
         _lists[index][_counts[index]++] = body;
     }
 
-    /// <summary>The class's own copy of a colour, empty.</summary>
-    private GraphColor Take(int index, GraphColor source) =>
-        _pool[index][source.Place] ??= new GraphColor(_graph.Arena, source.IsSequential, source.IsGrounded, source.Place, shared: source.IsShared);
+    /// <summary>
+    /// Room for all that may be lent, once anything is: which islands need how many substeps, and which colours their rows have, differs from step to step. Each
+    /// colour that is lent has a row.
+    /// </summary>
+    private void MakeRoom()
+    {
+        for (int index = 1; index < Count && _borrowed[index].Length < _graph.ColorRoom; index++)
+        {
+            _borrowed[index] = new GraphColor[_graph.ColorRoom];
+        }
+
+        int rows = _graph.RowCount;
+        _loans.EnsureCapacity(rows);
+        int colors = Math.Min(rows, _graph.ColorRoom * (Count - 1));
+        if (_pool.Length < colors)
+        {
+            int made = _pool.Length;
+            Array.Resize(ref _pool, Math.Min(Math.Max(colors, 2 * made), _graph.ColorRoom * (Count - 1)));
+            for (; made < _pool.Length; made++)
+            {
+                _pool[made] = new GraphColor(_graph.Arena);
+            }
+        }
+    }
+
+    private void AddColor(int index, GraphColor color) => _borrowed[index][_used[index]++] = color;
 
     private struct Loan
     {

@@ -15,7 +15,7 @@ namespace Farseer.Engine.Solver;
 /// </summary>
 internal sealed unsafe partial class IslandImpact
 {
-    private const int MostPoints = 2 * SmallIslands.MostContacts;
+    private const int MostPoints = ContactSystem.MostPoints;
 
     /// <summary>Turns of what pushes and what rubs, and sweeps of friction in each.</summary>
     private const int Turns = 32;
@@ -45,9 +45,10 @@ internal sealed unsafe partial class IslandImpact
     public void Begin(int bodyEnd)
     {
         _changes.EnsureCapacity(bodyEnd);
-        _system.Reserve(MostPoints);
-        _sides.EnsureCapacity(MostPoints);
-        _bodies.Reserve(MostPoints);
+        int points = Math.Min(MostPoints, 2 * bodyEnd);
+        _system.Reserve(points);
+        _sides.EnsureCapacity(points);
+        _bodies.Reserve(points);
     }
 
     /// <summary>Solves the impacts of an island at one moment.</summary>
@@ -269,6 +270,7 @@ internal sealed unsafe partial class IslandImpact
         side.AlongA = (a.Cos * point->NormalArmA[lane]) + (a.Sin * point->TangentArmA[lane]) + row->RadiusA[lane];
         side.AlongB = (b.Cos * point->NormalArmB[lane]) + (b.Sin * point->TangentArmB[lane]) - row->RadiusB[lane];
         side.Slip = (ny * (b.X - a.X)) - (nx * (b.Y - a.Y)) + (a.W * side.AlongA) - (b.W * side.AlongB);
+        _sides.EnsureCapacity(_system.Count + 1);
         _sides[_system.Count] = side;
         _system.Add(added);
     }

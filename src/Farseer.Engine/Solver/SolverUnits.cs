@@ -20,12 +20,13 @@ internal sealed unsafe class SolverUnits : IStageWork
     /// <summary>Fewer units for each worker would leave some of them without work at the end.</summary>
     private const int LeastUnitsAWorker = 4;
 
-    private readonly int[] _unitOf = new int[RowGroups.Most];
-    private readonly int[] _firstColor = new int[RowGroups.Most + 1];
-    private readonly int[] _firstBody = new int[RowGroups.Most + 1];
-    private readonly int[] _next = new int[RowGroups.Most];
+    // Made once there are groups.
+    private int[] _unitOf = Array.Empty<int>();
+    private int[] _firstColor = Array.Empty<int>();
+    private int[] _firstBody = Array.Empty<int>();
+    private int[] _next = Array.Empty<int>();
     private readonly Column<int> _list = new Column<int>();
-    private readonly StageRunner _alone = new StageRunner(1, null);
+    private StageRunner _alone = null!;
     private GraphColor[] _colors = Array.Empty<GraphColor>();
     private SubstepSolver[] _solvers = Array.Empty<SubstepSolver>();
     private int _count;
@@ -64,6 +65,7 @@ internal sealed unsafe class SolverUnits : IStageWork
             return false;
         }
 
+        MakeRoom(runner, graph);
         CountColors(graph);
         return _count >= LeastUnitsAWorker * runner.Workers && ListBodies(graph, moves, list, count);
     }
@@ -73,15 +75,6 @@ internal sealed unsafe class SolverUnits : IStageWork
     /// <param name="first">The solver of the calling thread.</param>
     public void Solve(in SolverInput input, SubstepSolver first)
     {
-        if (_solvers.Length != input.Runner.Workers)
-        {
-            _solvers = new SubstepSolver[input.Runner.Workers];
-            for (int i = 1; i < _solvers.Length; i++)
-            {
-                _solvers[i] = new SubstepSolver();
-            }
-        }
-
         _solvers[0] = first;
         _bodies = input.Bodies;
         _rowCount = input.RowCount;
@@ -101,6 +94,33 @@ internal sealed unsafe class SolverUnits : IStageWork
         _impulses = input.Impulses;
         _surfaces = input.Surfaces;
         input.Runner.RunEach(this, _count);
+    }
+
+    /// <summary>All that units need, once there are groups: how many of these are units, and how many colours those have, differs from step to step.</summary>
+    private void MakeRoom(StageRunner runner, ConstraintGraph graph)
+    {
+        if (_unitOf.Length == 0)
+        {
+            _unitOf = new int[RowGroups.Most];
+            _firstColor = new int[RowGroups.Most + 1];
+            _firstBody = new int[RowGroups.Most + 1];
+            _next = new int[RowGroups.Most];
+            _alone = new StageRunner(1, null);
+        }
+
+        if (_colors.Length < graph.ColorRoom)
+        {
+            _colors = new GraphColor[graph.ColorRoom];
+        }
+
+        if (_solvers.Length != runner.Workers)
+        {
+            _solvers = new SubstepSolver[runner.Workers];
+            for (int i = 1; i < _solvers.Length; i++)
+            {
+                _solvers[i] = new SubstepSolver();
+            }
+        }
     }
 
     void IStageWork.Run(int worker, int from, int to)
@@ -142,11 +162,6 @@ internal sealed unsafe class SolverUnits : IStageWork
     private void CountColors(ConstraintGraph graph)
     {
         ReadOnlySpan<GraphColor> solved = graph.Solved;
-        if (_colors.Length < solved.Length)
-        {
-            _colors = new GraphColor[2 * solved.Length];
-        }
-
         _count = 1;
         for (int group = 0; group < graph.Groups.Count; group++)
         {

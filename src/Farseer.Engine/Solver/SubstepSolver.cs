@@ -330,7 +330,7 @@ internal sealed unsafe class SubstepSolver
         // Once such an island is there, later steps are not to allocate, whatever is struck in them.
         bool jointed = input.Joints != null && input.AnyBounce;
         _free.Reserve(input.Bodies.State.Capacity, input.BundleRoom);
-        _impacts.Reserve(input.Bodies.State.Capacity, input.AnyBounce);
+        _impacts.Reserve(input.Bodies.State.Capacity, input.BundleRoom, input.AnyBounce);
 
         bool free = input.AnySmall && input.UserJoints == null;
         if (free)

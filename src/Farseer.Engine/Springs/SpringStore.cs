@@ -25,7 +25,10 @@ internal sealed unsafe class SpringStore
     private readonly Column<SpringRow> _rows = new Column<SpringRow>();
     private readonly Column<BodyRecord> _records = new Column<BodyRecord>();
     private readonly Column<int> _treeBodies = new Column<int>();
-    private readonly SpringMesh _mesh = new SpringMesh();
+
+    // None before there is a spring.
+    [NotState(Why.OfOneStep)]
+    private SpringMesh? _mesh;
 
     public int Count { get; private set; }
 
@@ -102,6 +105,7 @@ internal sealed unsafe class SpringStore
             _rows[i].LawMass = -1;
         }
 
+        _mesh ??= new SpringMesh();
         _mesh.Begin(Count, bodies.Ids.End, joints);
         for (int i = 0; i < Count; i++)
         {
@@ -142,7 +146,7 @@ internal sealed unsafe class SpringStore
 
         if (Count > 0)
         {
-            _mesh.Solve(_rows.Pointer, bodies, h);
+            _mesh!.Solve(_rows.Pointer, bodies, h);
         }
     }
 

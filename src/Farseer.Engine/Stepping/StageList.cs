@@ -8,11 +8,20 @@ internal sealed class StageList
 {
     private const int BlockBits = 16;
     private const int MiddleBits = 24;
-    private long[] _sizes = new long[64];
+    private long[] _sizes = Array.Empty<long>();
 
     public int Count { get; private set; }
 
     public void Clear() => Count = 0;
+
+    /// <summary>Makes room for so many phases.</summary>
+    public void Reserve(int stages)
+    {
+        if (stages > _sizes.Length)
+        {
+            Array.Resize(ref _sizes, Math.Max(stages, 2 * _sizes.Length));
+        }
+    }
 
     /// <param name="items">At least 1, below 16 million.</param>
     /// <param name="blocks">Into how many it is cut; see <see cref="StageRunner.BlocksOf"/>.</param>
@@ -23,11 +32,7 @@ internal sealed class StageList
     /// <param name="middle">Items of the first half of the blocks.</param>
     public void Add(int items, int blocks, int middle)
     {
-        if (Count == _sizes.Length)
-        {
-            Array.Resize(ref _sizes, 2 * Count);
-        }
-
+        Reserve(Count + 1);
         Volatile.Write(ref _sizes[Count++], ((long)items << MiddleBits << BlockBits) | ((long)middle << BlockBits) | (uint)blocks);
     }
 

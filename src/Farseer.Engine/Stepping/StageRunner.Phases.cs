@@ -133,7 +133,7 @@ internal sealed partial class StageRunner
 
             if (worker == 0)
             {
-                _patience.Look(looks == PatientLooks);
+                _patience?.Look(looks == PatientLooks);
                 Wait(looks);
                 continue;
             }
@@ -153,7 +153,7 @@ internal sealed partial class StageRunner
 
         if (worker == 0)
         {
-            _patience.Found();
+            _patience?.Found();
         }
 
         return 1;

@@ -79,7 +79,8 @@ internal sealed partial class StageRunner : IDisposable
     private readonly long[] _words;
     private readonly Action<int, Action>? _scheduler;
     private readonly int _firstReport;
-    private readonly CrewPatience _patience = new CrewPatience();
+    // Null: nobody helps.
+    private readonly CrewPatience? _patience;
     private volatile bool _stopped;
     private bool _isOpen;
     private long _asked;
@@ -100,8 +101,17 @@ internal sealed partial class StageRunner : IDisposable
         Workers = workers;
         _scheduler = scheduler;
         _firstReport = FirstShare + (workers * Spread);
-        _words = new long[_firstReport + ((workers + 1) * Spread)];
+        _words = workers > 1 ? new long[_firstReport + ((workers + 1) * Spread)] : Array.Empty<long>();
         _help = Help;
+        if (workers > 1)
+        {
+            _patience = new CrewPatience();
+        }
+        else
+        {
+            // It never has threads: thousands of worlds need not wait to be finalized.
+            GC.SuppressFinalize(this);
+        }
     }
 
     /// <summary>Stops the threads of a runner that was dropped.</summary>
@@ -117,7 +127,7 @@ internal sealed partial class StageRunner : IDisposable
     /// <param name="cost">What it would take one worker, nanoseconds.</param>
     public void Begin(double cost)
     {
-        if (Workers > 1 && cost >= LeastCost && !_stopped && _patience.MayShare(cost))
+        if (Workers > 1 && cost >= LeastCost && !_stopped && _patience!.MayShare(cost))
         {
             if (_number > MostNumbers)
             {
@@ -175,7 +185,7 @@ internal sealed partial class StageRunner : IDisposable
     {
         if (!_isOpen)
         {
-            _patience.EndAlone();
+            _patience?.EndAlone();
             return;
         }
 
@@ -190,7 +200,7 @@ internal sealed partial class StageRunner : IDisposable
             Wait(looks);
         }
 
-        _patience.End();
+        _patience?.End();
     }
 
     /// <summary>What a host's scheduler threw comes out of here, after the step.</summary>
@@ -288,7 +298,11 @@ internal sealed partial class StageRunner : IDisposable
     /// <summary>Empties a list of phases. A helper that comes late may be looking at it for a row that is over: from now on it finds none.</summary>
     public void Clear(StageList stages)
     {
-        Volatile.Write(ref _words[PhasePlace], 0);
+        if (Workers > 1)
+        {
+            Volatile.Write(ref _words[PhasePlace], 0);
+        }
+
         stages.Clear();
     }
 

@@ -31,10 +31,11 @@ internal sealed class ColumnSet
             return;
         }
 
-        int wanted = ColumnGrowth.Next(Capacity, capacity, _size);
+        // An empty world has one body, and no need of more.
+        int wanted = Capacity == 0 ? capacity : ColumnGrowth.Next(Capacity, capacity, _size);
         for (int i = 0; i < _columns.Count; i++)
         {
-            _columns[i].EnsureCapacity(wanted);
+            _columns[i].GrowTo(wanted);
         }
 
         Capacity = wanted;

@@ -5,7 +5,7 @@ namespace Farseer.Engine.Storage;
 /// <summary>A reused list of indices that keeps its memory.</summary>
 internal sealed unsafe class IndexList
 {
-    private readonly Column<int> _items = new Column<int>(1);
+    private readonly Column<int> _items = new Column<int>();
 
     public int Count { get; private set; }
 

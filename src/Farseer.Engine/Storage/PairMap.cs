@@ -20,11 +20,16 @@ internal sealed unsafe class PairMap
     /// <summary>Bits of each of the two numbers, and of the value, of an entry of one word.</summary>
     private const int NumberBits = 20;
     private const int ValueBits = 24;
+    private const int MostSpare = 1 << 13;
     private const uint NumberMask = (1u << NumberBits) - 1;
     private const uint ValueMask = (1u << ValueBits) - 1;
 
     // Of one word: the numbers of the key, then the value plus one. Apart: the keys plus one. So an empty slot is zero and new memory is an empty table.
     private Column<ulong> _slots = new Column<ulong>(16);
+
+    // The slots before the last growth, unless they are many: with them a table that goes back to a state and grows again needs no memory.
+    [NotState(Why.Room)]
+    private Column<ulong>? _spare;
 
     // The values; null while they are in the slots.
     private Column<int>? _values;
@@ -196,14 +201,17 @@ internal sealed unsafe class PairMap
     private static ulong Shorten(ulong key) => (((key >> 32) & NumberMask) << NumberBits) | (key & NumberMask);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private ulong KeyAt(int slot)
-    {
-        ulong entry = _slots.Pointer[slot];
-        return _values != null ? entry - 1 : ((entry >> (NumberBits + ValueBits)) << 32) | ((entry >> ValueBits) & NumberMask);
-    }
+    private ulong KeyAt(int slot) => KeyOf(_slots.Pointer[slot], _values != null);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private int ValueAt(int slot) => _values != null ? _values.Pointer[slot] : (int)(_slots.Pointer[slot] & ValueMask) - 1;
+    private static ulong KeyOf(ulong entry, bool apart) =>
+        apart ? entry - 1 : ((entry >> (NumberBits + ValueBits)) << 32) | ((entry >> ValueBits) & NumberMask);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private int ValueAt(int slot) => _values != null ? _values.Pointer[slot] : ValueOf(_slots.Pointer[slot]);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int ValueOf(ulong entry) => (int)(entry & ValueMask) - 1;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Put(int slot, ulong key, int value)
@@ -230,9 +238,26 @@ internal sealed unsafe class PairMap
 
     private void Rehash(int count, bool apart)
     {
-        var old = new PairMap { _slots = _slots, _values = _values };
+        Column<ulong> oldSlots = _slots;
+        Column<int>? oldValues = _values;
         int oldCount = _mask + 1;
-        _slots = new Column<ulong>(count);
+        if (_spare?.Capacity >= count)
+        {
+            _slots = _spare;
+            _spare = oldSlots;
+        }
+        else if (_slots.Capacity >= count && _spare?.Capacity >= oldCount)
+        {
+            Unsafe.CopyBlock(_spare.Pointer, _slots.Pointer, (uint)(oldCount * sizeof(ulong)));
+            oldSlots = _spare;
+        }
+        else
+        {
+            _slots = new Column<ulong>(count);
+            _spare = oldSlots.Capacity <= MostSpare ? oldSlots : null;
+        }
+
+        new System.Span<ulong>(_slots.Pointer, _slots.Capacity).Clear();
         _values = apart ? new Column<int>(count) : null;
         _mask = count - 1;
         _shift = 64;
@@ -243,19 +268,20 @@ internal sealed unsafe class PairMap
 
         for (int i = 0; i < oldCount; i++)
         {
-            if (old._slots.Pointer[i] == 0)
+            ulong entry = oldSlots.Pointer[i];
+            if (entry == 0)
             {
                 continue;
             }
 
-            ulong key = old.KeyAt(i);
+            ulong key = KeyOf(entry, oldValues != null);
             int slot = Home(key);
             while (_slots.Pointer[slot] != 0)
             {
                 slot = (slot + 1) & _mask;
             }
 
-            Put(slot, key, old.ValueAt(i));
+            Put(slot, key, oldValues != null ? oldValues.Pointer[i] : ValueOf(entry));
         }
     }
 
@@ -275,6 +301,10 @@ internal sealed unsafe class PairMap
         }
 
         s.Reference(ref _values);
+
+        // A smaller one may have been made since.
+        _slots.EnsureCapacity(_mask + 1);
+        _values?.EnsureCapacity(_mask + 1);
         s.Column(_slots);
         if (_values != null)
         {

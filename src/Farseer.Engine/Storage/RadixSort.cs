@@ -16,7 +16,13 @@ internal sealed unsafe class RadixSort
     private readonly Scratch _scratch = new Scratch();
 
     /// <summary>Makes room for sorts of so many keys.</summary>
-    public void Reserve(int count) => _scratch.Reserve((count * (sizeof(ulong) + sizeof(int))) + (Digits * Values * sizeof(int)) + 128);
+    public void Reserve(int count)
+    {
+        if (count > SmallCount)
+        {
+            _scratch.Reserve((count * (sizeof(ulong) + sizeof(int))) + (Digits * Values * sizeof(int)) + 128);
+        }
+    }
 
     public void Sort(ulong* keys, int count) => Sort(_scratch, keys, null, count);
 

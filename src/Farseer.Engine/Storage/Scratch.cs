@@ -14,11 +14,34 @@ internal sealed unsafe class Scratch
 
     /// <summary>Blocks that turned out too small, kept until all is released.</summary>
     private readonly List<Column<byte>> _outgrown = new List<Column<byte>>();
+    private readonly Column<byte> _lasting = new Column<byte>();
     private Column<byte> _block = new Column<byte>();
 
     /// <summary>Bytes taken of the blocks that were outgrown, and of the present one.</summary>
     private int _usedBefore;
     private int _used;
+
+    /// <summary>Memory for so many records that stays, beside what is taken: zero at first, then as its users left it.</summary>
+    public T* Lasting<T>(int count)
+        where T : unmanaged
+    {
+        _lasting.EnsureCapacity(checked(count * sizeof(T)));
+        return (T*)_lasting.Pointer;
+    }
+
+    /// <summary>Bytes that it has, but for those it has outgrown.</summary>
+    public int Capacity => _block.Capacity;
+
+    /// <summary>Another one of the thread that shares it among its worlds.</summary>
+    public Scratch? Next { get; set; }
+
+    /// <summary>Memory of so many bytes.</summary>
+    public static Scratch Of(int bytes)
+    {
+        var scratch = new Scratch();
+        scratch.Reserve(bytes);
+        return scratch;
+    }
 
     /// <summary>How much is taken: what is taken from here on is released by <see cref="Release"/>.</summary>
     public int Mark => _usedBefore + _used;

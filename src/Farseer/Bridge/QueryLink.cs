@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Threading;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Queries;
 using Farseer.Engine.Shapes;
@@ -13,7 +14,10 @@ using QueryFilter = FarseerGames.FarseerPhysics.Collisions.QueryFilter;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
-/// <summary>Hands queries to the engine and turns what it finds into geoms: those that it simulates, and those that wait for the next update.</summary>
+/// <summary>
+/// Hands queries to the engine and turns what it finds into geoms: those that it simulates, and those that wait for the next update. One thread at a time
+/// uses it; several use one each, which <see cref="QueryCrowd"/> hands out.
+/// </summary>
 internal sealed class QueryLink
 {
     private readonly PhysicsSimulator _simulator;
@@ -22,12 +26,27 @@ internal sealed class QueryLink
     private readonly WaitingGeoms _waiting = new WaitingGeoms();
     private readonly IndexList _found = new IndexList();
 
-    public QueryLink(PhysicsSimulator simulator, World world, ObjectTable table)
+    /// <summary>The number of the thread that uses it; 0: none.</summary>
+    private int _user;
+
+    /// <param name="simulator">Whose geoms are looked for.</param>
+    /// <param name="world">Its world.</param>
+    /// <param name="queries">Who asks it.</param>
+    /// <param name="table">What its colliders stand for.</param>
+    public QueryLink(PhysicsSimulator simulator, World world, WorldQueries queries, ObjectTable table)
     {
         _simulator = simulator;
-        _here = new Target(() => world, table.Geom, waits: false);
-        _coming = new Target(() => _waiting.World, _waiting.Find, waits: true);
+        _here = new Target(() => world, queries, table.Geom, waits: false);
+        _coming = new Target(() => _waiting.World, null, _waiting.Find, waits: true);
     }
+
+    /// <summary>Takes it, if nobody uses it.</summary>
+    /// <param name="thread">The number of the thread.</param>
+    public bool TryUse(int thread) => Interlocked.CompareExchange(ref _user, thread, 0) == 0;
+
+    public bool IsUsedBy(int thread) => Volatile.Read(ref _user) == thread;
+
+    public void Leave() => Volatile.Write(ref _user, 0);
 
     public bool CastRay(Vector2 start, Vector2 end, QueryFilter? filter, out RayCastHit hit)
     {
@@ -270,21 +289,23 @@ internal sealed class QueryLink
     private sealed class Target : IQueryPredicate
     {
         private readonly Func<World> _world;
+        private readonly WorldQueries? _queries;
         private readonly Func<int, Geom?> _find;
         private Predicate<Geom>? _accept;
         private Body? _ignored;
         private Body? _self;
 
-        public Target(Func<World> world, Func<int, Geom?> find, bool waits)
+        public Target(Func<World> world, WorldQueries? queries, Func<int, Geom?> find, bool waits)
         {
             _world = world;
+            _queries = queries;
             _find = find;
             Waits = waits;
         }
 
         public World World => _world();
 
-        public WorldQueries Queries => _world().Queries;
+        public WorldQueries Queries => _queries ?? _world().Queries;
 
         /// <summary>Its geoms wait for the next update.</summary>
         public bool Waits { get; }

@@ -42,6 +42,20 @@ internal sealed class WaitingGeoms
     /// <returns>False if nothing waits.</returns>
     public bool Refresh(PhysicsSimulator simulator)
     {
+        if (_entries.Count == 0 && !simulator.MayWait)
+        {
+            return false;
+        }
+
+        // Listing marks geoms for a while.
+        lock (simulator.WaitingGate)
+        {
+            return RefreshAlone(simulator);
+        }
+    }
+
+    private bool RefreshAlone(PhysicsSimulator simulator)
+    {
         _now.Clear();
         simulator.ListWaiting(_now);
         if (_now.Count == 0 && _entries.Count == 0)

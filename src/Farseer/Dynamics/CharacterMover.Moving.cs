@@ -333,9 +333,12 @@ public sealed partial class CharacterMover
             way.Radius = _radius;
             way.WayX = x;
             way.WayY = y;
-            if (!_simulator.Asking.CastCapsule(way, _filter, out hit) || hit.Geom is null)
+            using (QueryTurn turn = _simulator.Asking.Enter())
             {
-                return false;
+                if (!turn.Link.CastCapsule(way, _filter, out hit) || hit.Geom is null)
+                {
+                    return false;
+                }
             }
 
             if (!IsOpen(hit, x, y))

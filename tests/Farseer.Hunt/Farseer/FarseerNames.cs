@@ -85,6 +85,7 @@ internal sealed class FarseerNames : Names
         ["Geom.GetNextId"] = "shared by all worlds",
         ["PhysicsSimulator.WarmUp"] = "makes worlds of its own",
         ["PhysicsSimulator.Update"] = "the step",
+        ["PhysicsSimulator.RayCastEach"] = "takes spans; RayCast, which it repeats, stands for it",
         ["PhysicsSimulator.MixMaterials"] = "asks a delegate of the user's",
         ["PhysicsSimulator.EnableDiagnostics"] = "measures time, which is never the same",
         ["ErrorBudget.WithTimeLimit"] = "measures time, which is never the same",

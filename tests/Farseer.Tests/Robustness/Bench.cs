@@ -143,6 +143,7 @@ internal sealed class Bench
             nameof(SvgDebugDraw) => Picture(),
             nameof(PhysicsSimulatorView) => new PhysicsSimulatorView(Simulator, Picture()),
             nameof(RollbackBuffer) => Frames(),
+            nameof(WorldBatch) => new WorldBatch(4, 1, 1, _ => new StillWorld(), 1),
             nameof(Grid) => BoxGeom.Grid,
             nameof(BilinearInterpolator) => new BilinearInterpolator(Vector2.Zero, Vector2.One),
             nameof(CircularInterpolator) => new CircularInterpolator(1, 2, 3, 4, 0, 5),
@@ -215,6 +216,7 @@ internal sealed class Bench
             : type == typeof(CurveKey[]) ? new CurveKey[12]
             : type == typeof(Vector2[]) ? new[] { Vector2.Zero, Vector2.One }
             : type == typeof(Action<Arbiter>) ? (Action<Arbiter>)(_ => { })
+            : type == typeof(Func<int, BatchedWorld>) ? (Func<int, BatchedWorld>)(_ => new StillWorld())
             : type == typeof(Func<PhysicsSimulator>) ? (Func<PhysicsSimulator>)(() => new PhysicsSimulator())
             : type == typeof(Action<PhysicsSimulator, int, float>) ? (Action<PhysicsSimulator, int, float>)((_, _, _) => { })
             : type == typeof(IEnumerable<Body>) ? Array.Empty<Body>()
@@ -233,5 +235,20 @@ internal sealed class Bench
     {
         ConstructorInfo constructor = type.GetConstructors()[0];
         return constructor.Invoke(constructor.GetParameters().Select(p => Valid(p.ParameterType, p.Name!)).ToArray());
+    }
+
+    /// <summary>A world in which nothing is.</summary>
+    private sealed class StillWorld : BatchedWorld
+    {
+        public StillWorld()
+            : base(new PhysicsSimulator())
+        {
+        }
+
+        public override void Act(ReadOnlySpan<float> action)
+        {
+        }
+
+        public override void Observe(Span<float> observation) => observation.Clear();
     }
 }

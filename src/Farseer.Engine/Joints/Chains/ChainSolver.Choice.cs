@@ -15,14 +15,15 @@ internal sealed unsafe partial class ChainSolver
     /// <param name="active">The joints that act.</param>
     /// <param name="rows">Their rows.</param>
     /// <param name="count">How many.</param>
-    public void Renew(JointForest forest, ActiveJoint* active, JointRows* rows, int count)
+    /// <param name="room">Joints that there are at most: each chain has one.</param>
+    public void Renew(JointForest forest, ActiveJoint* active, JointRows* rows, int count, int room)
     {
         _forest = forest;
         _active = active;
         _count = 0;
         QuietJoints = 0;
-        _chains.EnsureCapacity(forest.TreeCount);
-        _given.EnsureCapacity(forest.TreeCount);
+        _chains.EnsureCapacity(room);
+        _given.EnsureCapacity(room);
         for (int i = 0; i < forest.TreeCount; i++)
         {
             forest.Trees[i].IsChain = IsChain(forest.Trees + i, rows);

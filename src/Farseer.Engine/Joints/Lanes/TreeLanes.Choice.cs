@@ -18,8 +18,8 @@ internal sealed unsafe partial class TreeLanes
     /// <param name="active">The joints.</param>
     /// <param name="rows">Their rows.</param>
     /// <param name="step">What the joints see of the step.</param>
-    /// <param name="treeCount">Trees that may be taken.</param>
-    public void Begin(JointForest forest, ActiveJoint* active, JointRows* rows, in JointStep step, int treeCount)
+    /// <param name="room">Trees that may be taken: each has a joint of its own, so that there are no more than joints.</param>
+    public void Begin(JointForest forest, ActiveJoint* active, JointRows* rows, in JointStep step, int room)
     {
         _forest = forest;
         _active = active;
@@ -30,9 +30,9 @@ internal sealed unsafe partial class TreeLanes
         _anchorCount = 0;
         _softCount = 0;
         HasMoved = false;
-        _bundles.EnsureCapacity(treeCount);
-        _given.EnsureCapacity(treeCount);
-        _givenFrom.EnsureCapacity(treeCount);
+        _bundles.EnsureCapacity(room);
+        _given.EnsureCapacity(room);
+        _givenFrom.EnsureCapacity(room);
     }
 
     /// <summary>Makes room for all trees that could be taken, so that one that is let go of late in a run does not allocate.</summary>

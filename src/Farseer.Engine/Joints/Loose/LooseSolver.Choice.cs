@@ -58,17 +58,26 @@ internal sealed unsafe partial class LooseSolver
 
         if (joints > 0)
         {
-            int bodies = _forest.Count + joints + 1;
-            _bodies.EnsureCapacity(bodies);
-            _levels.EnsureCapacity(bodies);
-            _placeOf.EnsureCapacity(_forest.Count);
-            _turns.Clear(bodies);
             _bundles.EnsureCapacity(joints);
             _places.EnsureCapacity(joints);
             _looseRows.EnsureCapacity(most);
             _keys.EnsureCapacity(joints);
             _items.EnsureCapacity(joints);
             _sort.Reserve(joints);
+            ReserveBodies();
+        }
+    }
+
+    /// <summary>Makes room for the bodies of these joints, guests with them.</summary>
+    public void ReserveBodies()
+    {
+        if (_bundles.Capacity > 0)
+        {
+            int bodies = _forest.NodeRoom + _bundles.Capacity + 1;
+            _bodies.EnsureCapacity(bodies);
+            _levels.EnsureCapacity(bodies);
+            _placeOf.EnsureCapacity(_forest.NodeRoom);
+            _turns.Clear(bodies);
         }
     }
 
@@ -77,7 +86,6 @@ internal sealed unsafe partial class LooseSolver
     {
         _bodies.EnsureCapacity(_bodyCount + 1);
         _levels.EnsureCapacity(_bodyCount + 1);
-        _placeOf.EnsureCapacity(_forest.Count);
         _levels[_bodyCount] = 0;
         _placeOf[node] = _bodyCount;
         _bodies[_bodyCount] = default;

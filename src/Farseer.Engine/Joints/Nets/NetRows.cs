@@ -193,6 +193,9 @@ internal abstract unsafe class NetRows
         return scale;
     }
 
+    /// <summary>Drops all rows: a state is restored that has none.</summary>
+    public void Forget() => RowCount = 0;
+
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {

@@ -89,7 +89,7 @@ internal sealed unsafe partial class NetSolver
         }
 
         NetPlace place = _places[joint];
-        NetRows rows = _rows[place.List];
+        NetRows rows = RowsOf(place.List);
         ReadAnchors(joint, ref rows.AnchorsOf(place.Row));
         if (afresh)
         {
@@ -109,7 +109,7 @@ internal sealed unsafe partial class NetSolver
 
         if (_step.Dt > 0)
         {
-            _rows[_places[joint].List].Report(_places[joint].Row, ref _store.States[joint], _step.Dt);
+            RowsOf(_places[joint].List).Report(_places[joint].Row, ref _store.States[joint], _step.Dt);
         }
     }
 
@@ -173,7 +173,7 @@ internal sealed unsafe partial class NetSolver
         place.Wanted = wanted;
         place.Order = link.Order;
         place.List = PlaceOf(color, place.Form);
-        NetRows rows = _rows[place.List];
+        NetRows rows = RowsOf(place.List);
         place.Row = rows.AddRow();
         NetEnds* ends = rows.EndsOf(place.Row);
         int lane = rows.LaneOf(place.Row);
@@ -196,7 +196,7 @@ internal sealed unsafe partial class NetSolver
     {
         Report(joint);
         NetPlace place = _places[joint];
-        NetRows rows = _rows[place.List];
+        NetRows rows = RowsOf(place.List);
         NetEnds* ends = rows.EndsOf(place.Row);
         int lane = rows.LaneOf(place.Row);
         _bodyColors.Unmark(ends->BodyA[lane], place.Color);

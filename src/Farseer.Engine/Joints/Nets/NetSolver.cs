@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Constraints;
 using Farseer.Engine.Storage;
 
@@ -18,12 +19,12 @@ internal sealed unsafe partial class NetSolver
     private readonly NetBodies _bodies = new NetBodies();
     private readonly NetWork _work;
 
-    // By colour, and within it by form.
-    private readonly NetRows[] _rows = new NetRows[BodyColors.Count * Forms];
+    // By colour, and within it by form; made once there is a row, and none before there is a net.
+    private NetRows?[] _rows = Array.Empty<NetRows?>();
 
     // Those that have rows, in the order of solving.
     [NotState(Why.OfOneStep)]
-    private readonly NetRows[] _solved = new NetRows[BodyColors.Count * Forms];
+    private NetRows[] _solved = Array.Empty<NetRows>();
     private int _solvedCount;
     private JointStep _step;
     private bool _runs;
@@ -32,17 +33,6 @@ internal sealed unsafe partial class NetSolver
     {
         _store = store;
         _work = new NetWork(_bodies);
-        for (int color = 0; color < BodyColors.Count; color++)
-        {
-            bool sequential = color >= BodyColors.Masked;
-            _rows[PlaceOf(color, NetForm.Pivot)] = new NetPivots(sequential);
-            _rows[PlaceOf(color, NetForm.Weld)] = new NetWelds(sequential);
-            _rows[PlaceOf(color, NetForm.Rod)] = new NetRods(sequential);
-            for (NetForm form = NetForm.Pivot; form <= NetForm.Rod; form++)
-            {
-                _rows[PlaceOf(color, form)].IsShared = color < BodyColors.Dynamic;
-            }
-        }
     }
 
     /// <summary>There are nets.</summary>
@@ -142,15 +132,42 @@ internal sealed unsafe partial class NetSolver
         }
     }
 
+    /// <summary>The rows of a colour and form, which are made if they are not there.</summary>
+    private NetRows RowsOf(int list)
+    {
+        if (_rows.Length == 0)
+        {
+            _rows = new NetRows?[BodyColors.Count * Forms];
+            _solved = new NetRows[BodyColors.Count * Forms];
+        }
+
+        return _rows[list] ??= MakeRows(list / Forms, list % Forms);
+    }
+
+    private static NetRows MakeRows(int color, int place)
+    {
+        bool sequential = color >= BodyColors.Masked;
+        NetRows rows = place == PlaceOf(0, NetForm.Pivot) ? new NetPivots(sequential)
+            : place == PlaceOf(0, NetForm.Weld) ? new NetWelds(sequential)
+            : new NetRods(sequential);
+        rows.IsShared = color < BodyColors.Dynamic;
+        return rows;
+    }
+
     private void FindSolved()
     {
         _solvedCount = 0;
+        if (_rows.Length == 0)
+        {
+            return;
+        }
+
         for (int k = 0; k < BodyColors.Count; k++)
         {
             for (NetForm form = NetForm.Pivot; form <= NetForm.Rod; form++)
             {
-                NetRows rows = _rows[PlaceOf(BodyColors.InOrder(k), form)];
-                if (rows.RowCount > 0)
+                NetRows? rows = _rows[PlaceOf(BodyColors.InOrder(k), form)];
+                if (rows?.RowCount > 0)
                 {
                     _solved[_solvedCount++] = rows;
                 }
@@ -161,9 +178,18 @@ internal sealed unsafe partial class NetSolver
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        foreach (NetRows rows in _rows)
+        // Not whether some are made: those without rows are as if they were not.
+        bool any = s.Value(_members.Count > 0);
+        for (int list = 0; list < BodyColors.Count * Forms && (any || _rows.Length > 0); list++)
         {
-            rows.Visit(s);
+            if (any && s.Value(_rows.Length > 0 && _rows[list]?.RowCount > 0))
+            {
+                RowsOf(list).Visit(s);
+            }
+            else if (_rows.Length > 0)
+            {
+                _rows[list]?.Forget();
+            }
         }
 
         _bodyColors.Visit(s);

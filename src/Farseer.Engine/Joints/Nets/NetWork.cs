@@ -43,6 +43,7 @@ internal sealed unsafe class NetWork : IStageWork, ISequenceWork
         _step = step;
         _solved = solved;
         step.Runner.Clear(_stages);
+        _stages.Reserve(solved.Length);
         for (int i = 0; i < count; i++)
         {
             _stages.Add(solved[i].BundleCount, solved[i].IsShared ? step.Runner.BlocksOf(solved[i].BundleCount, LeastBundles) : 1);

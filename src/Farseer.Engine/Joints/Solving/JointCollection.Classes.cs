@@ -30,9 +30,9 @@ internal sealed unsafe partial class JointCollection
     /// <summary>The trees of a class, but for quiet chains.</summary>
     private void Choose(int index)
     {
-        _trees.EnsureCapacity(_forest.TreeCount);
-        _nodes.EnsureCapacity(_forest.Count);
-        _joints.EnsureCapacity(_work.Count);
+        _trees.EnsureCapacity(_forest.TreeRoom);
+        _nodes.EnsureCapacity(_forest.NodeRoom);
+        _joints.EnsureCapacity(_active.Capacity);
         _work.TreeCount = 0;
         _work.NodeCount = 0;
         _work.JointCount = 0;

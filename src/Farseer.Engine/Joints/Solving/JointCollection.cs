@@ -271,6 +271,7 @@ internal sealed unsafe partial class JointCollection : IStageWork
         _builtMoves.EnsureCapacity(end);
         _active.EnsureCapacity(end);
         _rows.EnsureCapacity(end);
+        _forest.Reserve(end, _work.Step.Bodies.Ids.End);
         _collected = 0;
         for (int joint = 0; joint < end; joint++)
         {
@@ -325,8 +326,8 @@ internal sealed unsafe partial class JointCollection : IStageWork
         }
 
         CountSprings();
-        _chains.Renew(_forest, _active.Pointer, _rows.Pointer, _work.Count);
-        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step, _forest.TreeCount);
+        _chains.Renew(_forest, _active.Pointer, _rows.Pointer, _work.Count, _active.Capacity);
+        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step, _active.Capacity);
         _lanes.Reserve();
         _loose.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step);
         _loose.Reserve(_work.Count);

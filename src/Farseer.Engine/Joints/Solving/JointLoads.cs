@@ -48,10 +48,10 @@ internal sealed unsafe class JointLoads
     /// <summary>Makes ready to count the contacts at the trees.</summary>
     public void ClearLoads()
     {
-        _own.EnsureCapacity(_forest.Count);
-        _below.EnsureCapacity(_forest.Count);
-        _above.EnsureCapacity(_forest.Count);
-        _sum.EnsureCapacity(_forest.Count);
+        _own.EnsureCapacity(_forest.NodeRoom);
+        _below.EnsureCapacity(_forest.NodeRoom);
+        _above.EnsureCapacity(_forest.NodeRoom);
+        _sum.EnsureCapacity(_forest.NodeRoom);
         for (int i = 0; i < _forest.Count; i++)
         {
             _own[i] = default;

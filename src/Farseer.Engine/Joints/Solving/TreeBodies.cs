@@ -233,7 +233,7 @@ internal sealed unsafe partial class TreeBodies
     /// <param name="first">Of the nodes that take part, the first that is loaded.</param>
     public void LoadMoves(int first)
     {
-        _turns.Clear(2 * (_work.NodeCount - first));
+        _turns.Clear(2 * _nodes.Capacity);
         for (int at = first; at < _work.NodeCount; at++)
         {
             TreeNode* node = _forest.Nodes + _nodes[at];
@@ -303,8 +303,8 @@ internal sealed unsafe partial class TreeBodies
     public void ClearMoves()
     {
         _work.Posed = false;
-        _turns.Clear(_work.NodeCount);
-        _moved.EnsureCapacity(_work.NodeCount);
+        _turns.Clear(_nodes.Capacity);
+        _moved.EnsureCapacity(_nodes.Capacity);
     }
 
     public void StoreMoves()

@@ -1,6 +1,7 @@
 using System;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Joints.Lanes;
+using Farseer.Engine.Joints.Loose;
 using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Stepping;
@@ -23,6 +24,7 @@ internal sealed unsafe partial class TreeContacts
     private readonly Column<int> _joints;
     private readonly TreeLanes _lanes;
     private readonly NetSolver _nets;
+    private readonly LooseSolver _loose;
     private readonly Column<int> _nodes;
     private readonly JointPass _pass;
     private readonly Column<JointRows> _rows;
@@ -45,6 +47,7 @@ internal sealed unsafe partial class TreeContacts
         _joints = work.Joints;
         _lanes = work.Lanes;
         _nets = work.Nets;
+        _loose = work.Loose;
         _nodes = work.Nodes;
         _pass = work.Pass;
         _rows = work.Rows;
@@ -214,7 +217,7 @@ internal sealed unsafe partial class TreeContacts
         {
             TreeContact* contact = _contacts.Pointer + i;
             int index = contact->Bundle->Contact[contact->Lane];
-            _gaps.EnsureCapacity(index + 1);
+            _gaps.EnsureCapacity(Math.Max(index + 1, _work.Step.ContactRoom));
             TreeContactPass.Note(contact, ref _gaps[index]);
         }
     }
@@ -250,11 +253,12 @@ internal sealed unsafe partial class TreeContacts
     /// <summary>Makes guests of bodies that touch trees, and puts all iterated rows in the order of the trees, then of the contacts.</summary>
     public void Collate()
     {
-        _forest.ReserveGuests(_work.ContactCount * 2, _work.Step.Bodies.Ids.End);
+        _forest.ReserveGuests(_contacts.Capacity * 2, _work.Step.Bodies.Ids.End);
+        _loose.ReserveBodies();
 
         // Quiet chains, which are in no list, may come back to them later in the step.
-        _trees.EnsureCapacity(_forest.TreeCount + (_work.ContactCount * 2));
-        _nodes.EnsureCapacity(_forest.Count + (_work.ContactCount * 2));
+        _trees.EnsureCapacity(_forest.TreeRoom);
+        _nodes.EnsureCapacity(_forest.NodeRoom);
         for (int i = 0; i < _work.ContactCount; i++)
         {
             ref RowEnds ends = ref _contacts[i].Ends;
@@ -278,16 +282,23 @@ internal sealed unsafe partial class TreeContacts
         }
 
         _work.AgendaCount = 0;
-        _agendaKeys.EnsureCapacity(_work.Count + _work.ContactCount);
-        _agenda.EnsureCapacity(_work.Count + _work.ContactCount);
+        _agendaKeys.EnsureCapacity(_active.Capacity + _contacts.Capacity);
+        _agenda.EnsureCapacity(_active.Capacity + _contacts.Capacity);
+        bool anyLimited = false;
         for (int at = 0; at < _work.JointCount; at++)
         {
             int i = _joints[at];
+            anyLimited |= _active[i].Limited;
             if (Iterates(_active.Pointer + i, _rows.Pointer + i))
             {
                 Enlist(_active[i].Ends, i, (uint)i);
                 _solver.Limits.Join(i);
             }
+        }
+
+        if (anyLimited)
+        {
+            _solver.Limits.ReserveKept();
         }
 
         for (int i = 0; i < _work.ContactCount; i++)

@@ -84,17 +84,23 @@ internal sealed unsafe partial class TreeLimits
         return false;
     }
 
+    /// <summary>Makes room for what is kept, before the first push at a limit.</summary>
+    public void ReserveKept()
+    {
+        Reserve(_before);
+        Reserve(_first);
+    }
+
+    private void Reserve(KeptState state)
+    {
+        state.Speeds.EnsureCapacity(3 * _forest.NodeRoom);
+        state.OfJoints.EnsureCapacity(KeptOfJoint * _active.Capacity);
+        state.OfContacts.EnsureCapacity(KeptOfContact * _contacts.Capacity);
+    }
+
     private void Keep(KeptState state)
     {
-        int end = 0;
-        for (int at = 0; at < _work.TreeCount; at++)
-        {
-            end = Math.Max(end, _forest.Trees[_trees[at]].End);
-        }
-
-        state.Speeds.EnsureCapacity(3 * end);
-        state.OfJoints.EnsureCapacity(KeptOfJoint * _work.JointCount);
-        state.OfContacts.EnsureCapacity(KeptOfContact * _work.ContactCount);
+        Reserve(state);
         for (int at = 0; at < _work.TreeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];

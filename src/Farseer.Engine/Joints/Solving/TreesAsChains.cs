@@ -70,7 +70,7 @@ internal sealed unsafe class TreesAsChains
             return list;
         }
 
-        _movers.EnsureCapacity(padded + WideLanes.BundleLanes);
+        _movers.EnsureCapacity(_work.Step.Bodies.State.Capacity + WideLanes.BundleLanes);
         for (int i = 0; i < padded; i++)
         {
             int node = list[i] == 0 ? -1 : _forest.NodeOf(list[i]);

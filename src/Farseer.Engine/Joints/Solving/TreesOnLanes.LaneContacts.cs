@@ -14,8 +14,8 @@ internal sealed unsafe partial class TreesOnLanes
 
     private void ClearOnLanes()
     {
-        _laneTrees.EnsureCapacity(_work.TreeCount);
-        _laneAgenda.EnsureCapacity(_work.AgendaCount);
+        _laneTrees.EnsureCapacity(_trees.Capacity);
+        _laneAgenda.EnsureCapacity(_agenda.Capacity);
         _laneTreeCount = 0;
         _laneAgendaCount = 0;
     }

@@ -57,7 +57,7 @@ internal sealed unsafe partial class TreesOnLanes
     public void TakeToLanes()
     {
         TakeLoose();
-        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step, _work.TreeCount);
+        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step, _active.Capacity);
         ClearOnLanes();
         MarkTied();
         int touched = 0;

@@ -142,18 +142,29 @@ internal sealed unsafe partial class JointForest
         Trees[TreeCount - 1].Guest = true;
     }
 
-    private void Reset(int count, int bodyEnd)
+    /// <summary>Makes room for trees of so many joints and bodies, of which not all may act now.</summary>
+    public void Reserve(int joints, int bodyEnd)
     {
         _nodeOf.EnsureCapacity(bodyEnd);
         _start.EnsureCapacity(bodyEnd + 2);
-        _entries.EnsureCapacity((count * 2) + 1);
+        _entries.EnsureCapacity((joints * 2) + 1);
         _queue.EnsureCapacity(bodyEnd + 1);
         _places.EnsureCapacity(bodyEnd + 1);
-        _edgeJoints.EnsureCapacity(count + 1);
-        _anchors.EnsureCapacity(count + 1);
-        _nodes.EnsureCapacity((count * 2) + 1);
-        _ordered.EnsureCapacity((count * 2) + 1);
-        _trees.EnsureCapacity((count * 2) + 1);
+        _edgeJoints.EnsureCapacity(joints + 1);
+        _anchors.EnsureCapacity(joints + 1);
+        _nodes.EnsureCapacity((joints * 2) + 1);
+        _ordered.EnsureCapacity((joints * 2) + 1);
+        _trees.EnsureCapacity((joints * 2) + 1);
+    }
+
+    /// <summary>Trees, and nodes, that there is room for, guests with them: what grows with it does not when there are others, or more of them, than in the step before.</summary>
+    public int TreeRoom => _trees.Capacity;
+
+    public int NodeRoom => _nodes.Capacity;
+
+    private void Reset(int count, int bodyEnd)
+    {
+        Reserve(count, bodyEnd);
         _mapped = bodyEnd;
         for (int i = 0; i < bodyEnd; i++)
         {

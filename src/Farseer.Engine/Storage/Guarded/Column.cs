@@ -13,7 +13,7 @@ internal sealed unsafe class Column<T> : IColumn
 
     public Column(int capacity = 0)
     {
-        EnsureCapacity(Math.Max(capacity, 1));
+        EnsureCapacity(capacity);
     }
 
     ~Column()
@@ -48,7 +48,19 @@ internal sealed unsafe class Column<T> : IColumn
             return;
         }
 
-        int wanted = ColumnGrowth.Next(Capacity, capacity, sizeof(T));
+        Move(ColumnGrowth.Next(Capacity, capacity, sizeof(T)));
+    }
+
+    void IColumn.GrowTo(int capacity)
+    {
+        if (capacity > Capacity)
+        {
+            Move(capacity);
+        }
+    }
+
+    private void Move(int wanted)
+    {
         GuardedBlock block = MemoryGuard.Take((long)wanted * sizeof(T), typeof(T));
         if (_block != null)
         {

@@ -12,6 +12,8 @@ internal sealed unsafe class Scratch
     /// <summary>Bytes of the smallest blocks, as a power of two.</summary>
     private const int LeastShift = 14;
 
+    private readonly Column<byte> _lasting = new Column<byte>();
+
     private readonly List<GuardedBlock> _taken = new List<GuardedBlock>();
 
     /// <summary>How much was taken before each of them.</summary>
@@ -34,6 +36,27 @@ internal sealed unsafe class Scratch
         {
             block.Release();
         }
+    }
+
+    public T* Lasting<T>(int count)
+        where T : unmanaged
+    {
+        _lasting.EnsureCapacity(checked(count * sizeof(T)));
+        return (T*)_lasting.Pointer;
+    }
+
+    /// <summary>Nobody keeps it.</summary>
+    public int Capacity => 0;
+
+    /// <summary>Another one of the thread that shares it among its worlds.</summary>
+    public Scratch? Next { get; set; }
+
+    /// <summary>Memory of so many bytes.</summary>
+    public static Scratch Of(int bytes)
+    {
+        var scratch = new Scratch();
+        scratch.Reserve(bytes);
+        return scratch;
     }
 
     public int Mark { get; private set; }
