@@ -68,6 +68,7 @@ internal static class StateTiming
 
         var state = new PhysicsSimulatorState();
         var buffer = new RollbackBuffer(simulator, (2 * Turns) + Back);
+        WarmUp();
         var update = new double[Turns];
         var capture = new double[Turns];
         var restore = new double[Turns];
@@ -86,17 +87,21 @@ internal static class StateTiming
             hash[turn] = Time(() => simulator.StateHash()) / update[turn];
         }
 
+        // None of so few frames is kept whole.
+        var sizes = new RollbackBuffer(simulator, Turns + 1);
+        sizes.Push();
+        long whole = sizes.ByteCount;
         buffer.Clear();
         buffer.Push();
-        long whole = buffer.ByteCount;
         for (int i = 0; i < Turns; i++)
         {
             Step();
+            sizes.Push();
             buffer.Push();
         }
 
         int bodies = simulator.BodyList.Count;
-        double frame = (double)(buffer.ByteCount - whole) / Turns / bodies;
+        double frame = (double)(sizes.ByteCount - whole) / Turns / bodies;
         int sleepers = simulator.BodyList.Count(b => !b.Awake);
         int newest = step;
         for (int turn = 0; turn < Turns; turn++)
@@ -116,6 +121,27 @@ internal static class StateTiming
             $"| {scene.Name} | {bodies:n0} | {sleepers:n0} | {(double)state.ByteCount / bodies:n0} | {Median(update):f3} ms | {frame:n1} ")
             + FormattableString.Invariant(
                 $"| {Median(capture):p0} | {Median(restore):p0} | {Median(push):p0} | {Median(rewind):p0} | {Median(hash):p0} |");
+
+        // Until all of it is compiled as well as it will be and the buffer has the memory of all its frames; then back to where it was.
+        void WarmUp()
+        {
+            simulator.Capture(state);
+            PhysicsSimulatorState start = simulator.Capture();
+            int first = step;
+            for (int i = 0; i < (2 * Turns) + Back; i++)
+            {
+                Step();
+                buffer.Push();
+                simulator.Restore(state);
+                buffer.Rewind(buffer.NewestFrame);
+                simulator.Capture(state);
+                simulator.StateHash();
+            }
+
+            simulator.Restore(start);
+            buffer.Clear();
+            step = first;
+        }
 
         void Step()
         {

@@ -68,7 +68,7 @@ internal sealed class Ring<T>
     /// <summary>What is dropped is not kept alive.</summary>
     private void Clear(long from, long to)
     {
-        int count = (int)(to - from);
+        int count = typeof(T).IsValueType ? 0 : (int)(to - from);
         if (count > 0)
         {
             int first = Math.Min(count, _items.Length - At(from));

@@ -10,16 +10,24 @@ namespace Farseer.Engine.Storage;
 /// <remarks>
 /// Of words: whether the places of the sections are told, and if so, how many there are, each, and the end; then the number of
 /// references and where each is; then the number of bytes that follow. These are blocks of up to sixteen words: how many words further than the
-/// one before it begins, seven bits a byte; which of its words differ, a bit each; of how many bytes the difference of each of these is, less
-/// one, two bits each; and those bytes. Numbers that change change little: the upper bytes of most differences are zero.
+/// one before it begins, seven bits a byte; for each four of its words how many bytes their differences take, see <see cref="WordPacker"/>; and
+/// those bytes. Numbers that change change little: the upper bytes of most differences are zero.
 /// </remarks>
 internal sealed unsafe class StateDelta
 {
     /// <summary>Words that are compared at once: a cache line.</summary>
     private const int Block = 16;
 
-    /// <summary>Most bytes that a block takes: its place, its marks, the sizes, and the differences.</summary>
-    private const int MostOfBlock = 5 + 2 + (Block / 4) + (Block * sizeof(uint));
+    /// <summary>Bytes that tell of how many bytes the differences of a block are.</summary>
+    private const int Codes = Block / WordPacker.Words;
+
+    /// <summary>Most bytes that a block takes: its place, the sizes, and the differences.</summary>
+    private const int MostOfBlock = 5 + Codes + (Block * sizeof(uint));
+
+    /// <summary>Words behind the last difference that are read or written with it.</summary>
+    private const int Behind = WordPacker.Words;
+
+    private readonly WordPacker _packer = new WordPacker();
 
     private readonly Column<uint> _words = new Column<uint>(1 << 10);
     private object?[] _objects = new object?[16];
@@ -56,8 +64,7 @@ internal sealed unsafe class StateDelta
     public void Prepare(int words, int objects, out Span<uint> wordSpan, out Span<object?> objectSpan)
     {
         Forget();
-        // The last difference is read as a whole word.
-        _words.EnsureCapacity(words + 1);
+        _words.EnsureCapacity(words + Behind);
         if (objects > _objects.Length)
         {
             Array.Resize(ref _objects, Math.Max(objects, _objects.Length * 2));
@@ -148,20 +155,19 @@ internal sealed unsafe class StateDelta
 
     private void FindObjects(StateStream from, StateStream to)
     {
-        object?[] olds = from.Objects;
-        object?[] news = to.Objects;
         for (int i = -1; i < to.SectionCount; i++)
         {
             Range(from, i, out StatePlace source, out StatePlace sourceEnd);
             Range(to, i, out StatePlace target, out StatePlace targetEnd);
-            int common = Math.Min(sourceEnd.ObjectAt - source.ObjectAt, targetEnd.ObjectAt - target.ObjectAt);
-            for (int k = 0; k < targetEnd.ObjectAt - target.ObjectAt; k++)
+            ReadOnlySpan<object?> news = to.Objects.AsSpan(target.ObjectAt, targetEnd.ObjectAt - target.ObjectAt);
+            int common = Math.Min(sourceEnd.ObjectAt - source.ObjectAt, news.Length);
+            ReadOnlySpan<object?> olds = from.Objects.AsSpan(source.ObjectAt, common);
+            for (int k = 0; k < news.Length; k++)
             {
-                object? item = news[target.ObjectAt + k];
-                if (!ReferenceEquals(k < common ? olds[source.ObjectAt + k] : null, item))
+                if (!ReferenceEquals(k < olds.Length ? olds[k] : null, news[k]))
                 {
                     Put((uint)(target.ObjectAt + k));
-                    Keep(item);
+                    Keep(news[k]);
                 }
             }
         }
@@ -171,7 +177,7 @@ internal sealed unsafe class StateDelta
     {
         // Each section ends with a block of its own.
         long most = ((to.Length / (Block * sizeof(uint))) + to.SectionCount + 2L) * MostOfBlock;
-        _words.EnsureCapacity(checked((int)(WordCount + 2 + (most / sizeof(uint)))));
+        _words.EnsureCapacity(checked((int)(WordCount + 2 + Behind + (most / sizeof(uint)))));
         int head = WordCount++;
         byte* start = (byte*)(_words.Pointer + WordCount);
         _at = start;
@@ -199,10 +205,9 @@ internal sealed unsafe class StateDelta
         int i = 0;
         for (; i + Block <= common; i += Block)
         {
-            uint differ = StateBlock.Differ(old + i, now + i);
-            if (differ != 0)
+            if (StateBlock.Differ(old + i, now + i))
             {
-                Enter(first + i, old + i, now + i, differ);
+                Enter(first + i, old + i, now + i);
             }
         }
 
@@ -217,16 +222,15 @@ internal sealed unsafe class StateDelta
                 after[k] = i + k < count ? now[i + k] : 0;
             }
 
-            uint differ = StateBlock.Differ(before, after);
-            if (differ != 0)
+            if (StateBlock.Differ(before, after))
             {
-                Enter(first + i, before, after, differ);
+                Enter(first + i, before, after);
             }
         }
     }
 
     /// <summary>A block of the state that differs; there is room.</summary>
-    private void Enter(int place, uint* old, uint* now, uint differ)
+    private void Enter(int place, uint* old, uint* now)
     {
         byte* at = _at;
         uint gap = (uint)(place - _block);
@@ -237,26 +241,15 @@ internal sealed unsafe class StateDelta
         }
 
         *at++ = (byte)gap;
-        *(ushort*)at = (ushort)differ;
-        at += sizeof(ushort);
-        byte* sizes = at;
-        int count = BitSet.CountBits(differ);
-        *(uint*)sizes = 0;
-        at += (count + 3) / 4;
-        for (int n = 0; differ != 0; differ &= differ - 1, n++)
-        {
-            int k = BitSet.LowestBit(differ);
-            uint difference = StateBlock.Fold(now[k] - old[k]);
-            int bytes = StateBlock.Bytes(difference);
-            sizes[n >> 2] |= (byte)((bytes - 1) << ((n & 3) * 2));
-            *(uint*)at = difference;
-            at += bytes;
-        }
-
-        _at = at;
+        byte* codes = at;
+        at += Codes;
+        at = _packer.Pack(old, now, at, out codes[0]);
+        at = _packer.Pack(old + WordPacker.Words, now + WordPacker.Words, at, out codes[1]);
+        at = _packer.Pack(old + (2 * WordPacker.Words), now + (2 * WordPacker.Words), at, out codes[2]);
+        _at = _packer.Pack(old + (3 * WordPacker.Words), now + (3 * WordPacker.Words), at, out codes[3]);
     }
 
-    private static void ApplyBlocks(byte* at, byte* end, uint* words)
+    private void ApplyBlocks(byte* at, byte* end, uint* words)
     {
         while (at < end)
         {
@@ -268,16 +261,15 @@ internal sealed unsafe class StateDelta
             }
 
             words += gap | ((uint)*at++ << shift);
-            uint differ = *(ushort*)at;
-            at += sizeof(ushort);
-            byte* sizes = at;
-            at += (BitSet.CountBits(differ) + 3) / 4;
-            for (int n = 0; differ != 0; differ &= differ - 1, n++)
+            byte* codes = at;
+            at += Codes;
+            for (int i = 0; i < Codes; i++)
             {
-                int bytes = ((sizes[n >> 2] >> ((n & 3) * 2)) & 3) + 1;
-                uint difference = *(uint*)at & (uint.MaxValue >> (32 - (bytes * 8)));
-                words[BitSet.LowestBit(differ)] += StateBlock.Unfold(difference);
-                at += bytes;
+                // What does not differ may lie behind the end of the state.
+                if (codes[i] != 0)
+                {
+                    at = _packer.Unpack(at, codes[i], words + (i * WordPacker.Words));
+                }
             }
         }
     }

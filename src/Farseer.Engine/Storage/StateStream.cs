@@ -17,6 +17,9 @@ internal sealed unsafe partial class StateStream
     /// <summary>Sections begin at multiples of it.</summary>
     public const int Alignment = 8;
 
+    /// <summary>Bytes behind the end that those who change four words at once may write to.</summary>
+    private const int Behind = 16;
+
     private readonly Column<byte> _bytes = new Column<byte>(1 << 12);
     private readonly Column<StatePlace> _sections = new Column<StatePlace>(16);
     private object?[] _objects = new object?[16];
@@ -87,6 +90,7 @@ internal sealed unsafe partial class StateStream
         _names = null;
         Align();
         Length = _at;
+        _bytes.EnsureCapacity(Length + Behind);
         CutObjects(_objectAt);
     }
 
@@ -134,7 +138,7 @@ internal sealed unsafe partial class StateStream
         _sections.EnsureCapacity(sections.Length);
         sections.CopyTo(new Span<StatePlace>(_sections.Pointer, sections.Length));
         SectionCount = sections.Length;
-        _bytes.EnsureCapacity(end.At);
+        _bytes.EnsureCapacity(end.At + Behind);
         Length = end.At;
         EnsureObjects(end.ObjectAt);
         CutObjects(end.ObjectAt);
@@ -438,10 +442,10 @@ internal sealed unsafe partial class StateStream
         where T : class
     {
         object? item = StaysWithReader is not null && StaysWithReader(typeof(T)) ? this : one;
-        ref object? place = ref _objects[_objectAt++];
-        if (!ReferenceEquals(place, item))
+        int at = _objectAt++;
+        if (!ReferenceEquals(_objects[at], item))
         {
-            place = item;
+            _objects[at] = item;
         }
     }
 
