@@ -21,7 +21,9 @@ internal sealed unsafe partial class ConstraintGraph
         Groups.Visit(s);
         _arena.Visit(s);
         int groups = s.Value(HeldGroups());
-        NeedGroups(groups);
+
+        // A row may come to a group of which none is held at present.
+        NeedGroups(Groups.InUse > 1 ? Math.Max(groups, Groups.InUse) : groups);
 
         for (int i = 0; i < _colors.Count; i++)
         {

@@ -8,6 +8,7 @@ namespace Farseer.Engine.Graph;
 internal sealed unsafe class GraphColor
 {
     private readonly RowArena _arena;
+    [NotState(Why.Elsewhere)]
     private int _lanesUsed;
     private int _first = RowExtent.None;
     private int _last = RowExtent.None;
@@ -32,12 +33,15 @@ internal sealed unsafe class GraphColor
     }
 
     /// <summary>One body of each contact does not move, and several contacts may share it.</summary>
+    [NotState(Why.Elsewhere)]
     public bool IsGrounded { get; private set; }
 
     /// <summary>Its contacts may have the heavier of their bodies in common, and are solved a bundle at a time: see <see cref="SharedKernel"/>.</summary>
+    [NotState(Why.Elsewhere)]
     public bool IsShared { get; private set; }
 
     /// <summary>Its place in the order of solving, which the same colour of another group shares; -1: none.</summary>
+    [NotState(Why.Elsewhere)]
     public int Place { get; private set; }
 
     /// <summary>See <see cref="RowGroups"/>.</summary>

@@ -35,7 +35,6 @@ internal sealed unsafe class ContactWork : IStageWork
 
     private WorkerLanes* _lanes;
     private BundleOutcome* _outcomes;
-    [NotState(Why.OfOneStep)]
     private ColorRanges _ranges = null!;
     private readonly BundleNotes _notes = new BundleNotes();
     private ContactUpdateInput _input;

@@ -36,7 +36,6 @@ internal sealed unsafe class StruckPairs : IStageWork
 
     /// <summary>A bundle for each worker.</summary>
     private WorkerLanes* _lanes;
-    [NotState(Why.OfOneStep)]
     private ColorRanges _ranges = null!;
 
     /// <summary>In scratch memory: pairs that are to get rows, a bit for each place of the idle list.</summary>

@@ -19,7 +19,7 @@ public class WarmStepTests
 
     /// <summary>
     /// Of the 24,000 later steps so many may allocate: a heap has more pairs or rows than ever before also after a thousand steps, and then its stores double. 3 do; before rooms were
-    /// made with the bodies, joints and contacts that they are for, 150 did.
+    /// made with the bodies, joints and contacts that they are for, a hundred did.
     /// </summary>
     private const int MostGrowths = 6;
 
