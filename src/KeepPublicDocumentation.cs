@@ -5,7 +5,9 @@ using System.Reflection;
 using System.Xml.Linq;
 using Microsoft.Build.Utilities;
 
-/// <summary>A step of the build: takes out of a documentation file what is said of types that are not public, and of private and internal members.</summary>
+/// <summary>
+/// A step of the build: takes out of a documentation file what is said of types that are not public, and of private and internal members.
+/// </summary>
 public sealed class KeepPublicDocumentation : Task
 {
     public string Assembly { get; set; }
@@ -61,7 +63,8 @@ public sealed class KeepPublicDocumentation : Task
     /// <summary>Types that nobody outside sees, and members of the others of which no overload is seen.</summary>
     private HashSet<string> Hidden()
     {
-        const BindingFlags All = BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly;
+        const BindingFlags All =
+            BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly;
         var hidden = new HashSet<string>(StringComparer.Ordinal);
         var shown = new HashSet<string>(StringComparer.Ordinal);
         using (var context = new MetadataLoadContext(new PathAssemblyResolver(References.Concat(new[] { Assembly }))))
@@ -84,7 +87,8 @@ public sealed class KeepPublicDocumentation : Task
                 {
                     bool isSeen = method.IsPublic || method.IsFamily || method.IsFamilyOrAssembly;
                     Sort("M:" + name + "." + method.Name.Replace(".ctor", "#ctor"), isSeen);
-                    if (method.Name.StartsWith("get_", StringComparison.Ordinal) || method.Name.StartsWith("set_", StringComparison.Ordinal))
+                    if (method.Name.StartsWith("get_", StringComparison.Ordinal)
+                        || method.Name.StartsWith("set_", StringComparison.Ordinal))
                     {
                         Sort("P:" + name + "." + method.Name.Substring(4), isSeen);
                     }

@@ -81,8 +81,14 @@ internal static class Cli
             _scenes, _iterations, _dts, _runs, _csv,
             Plain("list", "The scenes, their parameters and metrics.", result => List(result.Output())),
             SweepCommand.Create(),
-            Plain("aims", "The figures that were aimed at, beside those reached and the best of other engines.", result => AimTable.Print(result.Output())),
-            Plain("costs", "Nanoseconds a body-step of the aims' scenes at the default dial, beside another engine's.", result => Costs.Print(result.Output())),
+            Plain(
+                "aims",
+                "The figures that were aimed at, beside those reached and the best of other engines.",
+                result => AimTable.Print(result.Output())),
+            Plain(
+                "costs",
+                "Nanoseconds a body-step of the aims' scenes at the default dial, beside another engine's.",
+                result => Costs.Print(result.Output())),
             Neighbours.Create(),
             ExtremesCommand.Create(),
             SurveyCommand.Create(),
@@ -145,7 +151,8 @@ internal static class Cli
                     {
                         output.WriteLine(string.Create(
                             CultureInfo.InvariantCulture,
-                            $"{row.Scene,-26} {row.Iterations,10} {row.Dt,10:G6} {row.Metric,-27} {row.Value,13:G6} {row.NanosecondsPerBodyStep,13:G6}  {row.Note}"));
+                            $"{row.Scene,-26} {row.Iterations,10} {row.Dt,10:G6} {row.Metric,-27} {row.Value,13:G6} "
+                                + $"{row.NanosecondsPerBodyStep,13:G6}  {row.Note}"));
                         csv?.WriteLine(row.ToCsv());
                     }
                 }

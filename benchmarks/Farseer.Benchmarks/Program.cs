@@ -17,7 +17,8 @@ return Farseer.CommandLines.CommandLine.Run(
     {
         Verb.Plain("pairs", "Time of each pair finder, ns a body.", _ => PairFinding.Run()),
         Verb.Plain("queries", "Time of rays, boxes and shapes against 100 to 100,000 bodies, ns a query.", _ => QueryTiming.Run()),
-        Verb.Plain("sleeping", "Time of steps of worlds asleep and awake, and of allowing sleep where nothing rests.", _ => SleepTiming.Run()),
+        Verb.Plain(
+            "sleeping", "Time of steps of worlds asleep and awake, and of allowing sleep where nothing rests.", _ => SleepTiming.Run()),
         SceneCommand.Create(),
         RestingTiming.Create(),
         SizeSeries.Create(),

@@ -48,7 +48,8 @@ internal static class Verb
     /// <summary>A whole number that may be left out.</summary>
     public static Argument<int> Maybe(string name, string description, int preset)
     {
-        var argument = new Argument<int>(name) { Description = description, Arity = ArgumentArity.ZeroOrOne, DefaultValueFactory = _ => preset };
+        var argument =
+            new Argument<int>(name) { Description = description, Arity = ArgumentArity.ZeroOrOne, DefaultValueFactory = _ => preset };
         argument.Validators.Add(result =>
         {
             if (result.Tokens.Count > 0 && !Values.TryWhole(result.Tokens[0].Value, 0, int.MaxValue, out _))
@@ -61,7 +62,8 @@ internal static class Verb
 
     /// <exception cref="UsageException">There is no such scene.</exception>
     public static PerformanceScene Scene(string name) => PerformanceScenes.Find(name)
-        ?? throw new UsageException($"no scene is called '{name}'; there are {string.Join(", ", PerformanceScenes.All.Select(s => s.Name))}.");
+        ?? throw new UsageException(
+            $"no scene is called '{name}'; there are {string.Join(", ", PerformanceScenes.All.Select(s => s.Name))}.");
 
     /// <summary>Where a command writes.</summary>
     public static TextWriter Output(this ParseResult result) => result.InvocationConfiguration.Output;

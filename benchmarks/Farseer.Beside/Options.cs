@@ -21,7 +21,8 @@ internal sealed class Options
 
     private static readonly Argument<string> _after = new("AFTER") { Description = "another one" };
 
-    private static readonly ValueOption<string?> _only = Values.Word("--only", "PART,..", "names of parts, joined by commas", WordsOfParts());
+    private static readonly ValueOption<string?> _only =
+        Values.Word("--only", "PART,..", "names of parts, joined by commas", WordsOfParts());
 
     private static readonly Option<int> _turns = Values.Whole(
         "--turns",
@@ -81,6 +82,7 @@ internal sealed class Options
     {
         IReadOnlyList<Part> all = Parts.All([], DefaultRuns);
         return FormattableString.Invariant($"{Parts.AccuracyGroup} ({string.Join(' ', Parts.Names(all, areTimed: false))}), ")
-            + FormattableString.Invariant($"{Parts.SpeedGroup} ({string.Join(' ', Parts.Names(all, areTimed: true))}), or some of these; by default all");
+            + FormattableString.Invariant(
+                $"{Parts.SpeedGroup} ({string.Join(' ', Parts.Names(all, areTimed: true))}), or some of these; by default all");
     }
 }

@@ -11,8 +11,9 @@ using FarseerGames.FarseerPhysics;
 namespace Farseer.Startup;
 
 /// <summary>
-/// Arguments: a timing scene or scene=size, steps to run, and --warm-up to begin with <see cref="PhysicsSimulator.WarmUp"/>. Prints what they took in this process, which has just
-/// started and compiles what nobody compiled before, and how many methods that were, then what the same steps take once that is done.
+/// Arguments: a timing scene or scene=size, steps to run, and --warm-up to begin with <see cref="PhysicsSimulator.WarmUp"/>. Prints what
+/// they took in this process, which has just started and compiles what nobody compiled before, and how many methods that were, then what
+/// the same steps take once that is done.
 /// </summary>
 internal static class Program
 {
@@ -34,7 +35,8 @@ internal static class Program
         }
 
         int size = scene.DefaultSize;
-        if ((named.Length > 1 && (!TryRead(named[1], out size) || size < 1 || size > scene.LargestSize)) || (arguments.Length > 1 && !TryRead(arguments[1], out steps)))
+        if ((named.Length > 1 && (!TryRead(named[1], out size) || size < 1 || size > scene.LargestSize))
+            || (arguments.Length > 1 && !TryRead(arguments[1], out steps)))
         {
             Console.Error.WriteLine($"error: give {scene.Name}=SIZE with a size of 1 to {scene.LargestSize}, and a number of steps");
             return 2;
@@ -43,7 +45,8 @@ internal static class Program
         string form = RuntimeFeature.IsDynamicCodeCompiled ? "compiled in the process" : "native";
         int lanes = Vector512.IsHardwareAccelerated ? Vector512<float>.Count : Vector<float>.Count;
         Console.WriteLine(FormattableString.Invariant(
-            $"{scene.Name}={size}, {steps} steps, {form}, {lanes} lanes; {(DateTime.Now - Process.GetCurrentProcess().StartTime).TotalMilliseconds:F0} ms since the process began"));
+            $"{scene.Name}={size}, {steps} steps, {form}, {lanes} lanes; {(DateTime.Now
+                - Process.GetCurrentProcess().StartTime).TotalMilliseconds:F0} ms since the process began"));
         if (arguments.Length < all.Length)
         {
             WarmUpTwice();
@@ -54,7 +57,8 @@ internal static class Program
         return 0;
     }
 
-    private static bool TryRead(string text, out int number) => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out number);
+    private static bool TryRead(string text, out int number) =>
+        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out number);
 
     private static void WarmUpTwice()
     {
@@ -94,7 +98,8 @@ internal static class Program
     }
 
     private static void Print(string what, in Mark since) => Console.WriteLine(FormattableString.Invariant(
-        $"  {what,-18} {Stopwatch.GetElapsedTime(since.Time).TotalMilliseconds,9:F1} ms {JitInfo.GetCompiledMethodCount() - since.Methods,6} methods compiled"));
+        $"  {what,-18} {Stopwatch.GetElapsedTime(
+            since.Time).TotalMilliseconds,9:F1} ms {JitInfo.GetCompiledMethodCount() - since.Methods,6} methods compiled"));
 
     /// <summary>A moment, and how many methods had been compiled by then.</summary>
     private readonly struct Mark()

@@ -35,7 +35,8 @@ internal static partial class Program
 
     /// <summary>Builds a scene anew.</summary>
     /// <param name="name">One of <see cref="Scenes"/>.</param>
-    /// <returns>What of the world is worth looking at: least x and y, largest x and y; the seconds of a step; 1 if y points upwards, otherwise -1.</returns>
+    /// <returns>What of the world is worth looking at: least x and y, largest x and y; the seconds of a step; 1 if y points upwards,
+    /// otherwise -1.</returns>
     /// <exception cref="ArgumentException">There is no such scene.</exception>
     [JSExport]
     internal static double[] Start(string name)

@@ -68,7 +68,8 @@ public static class CommandLine
 
         if (root.Subcommands.Count > 0)
         {
-            var word = new Argument<string?>("command") { Description = "one command; without, all of them", Arity = ArgumentArity.ZeroOrOne };
+            var word =
+                new Argument<string?>("command") { Description = "one command; without, all of them", Arity = ArgumentArity.ZeroOrOne };
             var command = new Command("help", "What the commands do, with all their options.") { word };
             command.SetAction(result => Help(root, result.GetValue(word), result.InvocationConfiguration));
             root.Add(command);
@@ -102,7 +103,8 @@ public static class CommandLine
     private static string? Mistake(ParseResult result, Func<string, string?>? explain)
     {
         Command command = result.CommandResult.Command;
-        string? stray = result.UnmatchedTokens.Concat(command.Arguments.SelectMany(a => result.GetResult(a)?.Tokens ?? []).Select(t => t.Value))
+        string? stray =
+            result.UnmatchedTokens.Concat(command.Arguments.SelectMany(a => result.GetResult(a)?.Tokens ?? []).Select(t => t.Value))
             .FirstOrDefault(t => t.StartsWith("--", StringComparison.Ordinal));
         if (stray is not null)
         {
@@ -128,7 +130,8 @@ public static class CommandLine
                 : command.Arguments.Count switch
                 {
                     0 => $"'{command.Name}' takes no arguments, not '{word}'",
-                    1 => $"'{command.Name}' takes one {command.Arguments[0].Name}, not '{result.GetValue<string>(command.Arguments[0].Name)}' and '{word}'",
+                    1 => $"'{command.Name}' takes one {command.Arguments[0].Name}, not "
+                        + $"'{result.GetValue<string>(command.Arguments[0].Name)}' and '{word}'",
                     _ => $"'{command.Name}' takes {string.Join(" and ", command.Arguments.Select(a => a.Name))}, not '{word}' besides",
                 };
         }

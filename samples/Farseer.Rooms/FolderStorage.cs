@@ -56,7 +56,9 @@ internal sealed class FolderStorage : IGrainStorage
 
     private static async Task<byte[]?> Read(string path) => File.Exists(path) ? await File.ReadAllBytesAsync(path) : null;
 
-    /// <summary>A second activation of the same room, as a net that fell apart can have it, must not write over the first one's state.</summary>
+    /// <summary>
+    /// A second activation of the same room, as a net that fell apart can have it, must not write over the first one's state.
+    /// </summary>
     private static async Task ThrowIfChanged<T>(string path, IGrainState<T> grainState)
     {
         string? stored = Tag(await Read(path));

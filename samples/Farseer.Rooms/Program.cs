@@ -19,10 +19,13 @@ internal static class Program
         ValueOption<int> rooms = Values.Whole("--rooms", "rooms, 6 by default", 1, 10_000, 6);
         ValueOption<int> turns = Values.Whole("--turns", "turns of 30 steps between two moves, 10 by default", 1, 100_000, 10);
         ValueOption<int> moves = Values.Whole("--moves", "how often each room moves, 2 by default", 1, 1000, 2);
-        ValueOption<string?> saves = Values.File("--saves", "where rooms are kept; by default in a folder that is deleted at the end", "DIR");
-        RootCommand root = new("Rooms of players on two servers: a room moves as a snapshot and goes on with the same bits.") { rooms, turns, moves, saves };
+        ValueOption<string?> saves =
+            Values.File("--saves", "where rooms are kept; by default in a folder that is deleted at the end", "DIR");
+        RootCommand root = new(
+            "Rooms of players on two servers: a room moves as a snapshot and goes on with the same bits.") { rooms, turns, moves, saves };
         root.SetAction(result => Play(
-            new RoomOptions(result.GetValue(rooms), result.GetValue(turns), result.GetValue(moves)), result.GetValue(saves)).GetAwaiter().GetResult());
+            new RoomOptions(result.GetValue(rooms), result.GetValue(turns), result.GetValue(moves)), result.GetValue(saves)).GetAwaiter()
+                .GetResult());
         return CommandLine.Run(root, args, Console.Out, Console.Error);
     }
 
@@ -69,7 +72,8 @@ internal static class Program
         Table table = Grid("After server B has stopped", "room", "server", "steps", "hash", "never moved");
         foreach (RoomEnd end in ends)
         {
-            table.AddRow(Text(end.Room), Name(end.View.Silo, silos), Text(end.View.Steps), Text(end.Straight), Marked(end.View.Hash, end.IsSame));
+            table.AddRow(
+                Text(end.Room), Name(end.View.Silo, silos), Text(end.View.Steps), Text(end.Straight), Marked(end.View.Hash, end.IsSame));
         }
 
         return table;

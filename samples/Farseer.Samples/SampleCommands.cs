@@ -11,13 +11,15 @@ namespace Farseer.Samples;
 internal static class SampleCommands
 {
     private const string About = """
-        Farseer samples: small worlds with a known outcome. A scene is one of those that 'list' names, or a file as docs/SceneFormat.md describes it.
+        Farseer samples: small worlds with a known outcome.
+        A scene is one of those that 'list' names, or a file as docs/SceneFormat.md describes it.
         Without a command: a menu in a terminal, otherwise the scene falling-stack.
         Exit code: 0 fine, 1 a check failed or no setting was found, 2 wrong use or a broken file.
         """;
 
     private static readonly ValueOption<int?> _steps = Values.Whole("--steps", "updates instead of the scene's own number", 1);
-    private static readonly ValueOption<int?> _iterations = Values.Whole("--iterations", "the accuracy dial of the simulator, 5 by default", 1);
+    private static readonly ValueOption<int?> _iterations =
+        Values.Whole("--iterations", "the accuracy dial of the simulator, 5 by default", 1);
     private static readonly ValueOption<double?> _dt = Values.Positive("--dt", "S", "a number of seconds above 0", "seconds an update");
     private static readonly Option<bool> _json = Values.Flag("--json", "one JSON object instead of tables");
     private static readonly ValueOption<int?> _step = Values.Whole("--step", "after so many updates; by default the scene's last", 0);
@@ -25,10 +27,15 @@ internal static class SampleCommands
     private static readonly ValueOption<double?> _error =
         Values.Positive("--error", "E", "a length above 0", "the largest error; by default 1/10000 of the view");
 
-    private static readonly ValueOption<int?> _share = Values.Whole("--steps", "how much of the scene; by default all of it, at most 10 s", 1);
+    private static readonly ValueOption<int?> _share =
+        Values.Whole("--steps", "how much of the scene; by default all of it, at most 10 s", 1);
 
     private static readonly ValueOption<ShownParts> _show = new(
-        "--show", "LIST", "vertices, grids, boxes, axes, joined by commas, or all", "what to draw besides: vertices,grids,boxes,axes or all", TryParts);
+        "--show",
+        "LIST",
+        "vertices, grids, boxes, axes, joined by commas, or all",
+        "what to draw besides: vertices,grids,boxes,axes or all",
+        TryParts);
 
     private static readonly Argument<string> _scene = new("scene")
     {

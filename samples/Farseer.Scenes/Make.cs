@@ -43,7 +43,8 @@ internal static class Make
     }
 
     /// <summary>A static box.</summary>
-    public static Geom Wall(PhysicsSimulator simulator, Vector2 position, float width, float height, float rotation = 0f, float friction = 0.5f)
+    public static Geom Wall(
+        PhysicsSimulator simulator, Vector2 position, float width, float height, float rotation = 0f, float friction = 0.5f)
     {
         Geom geom = Box(simulator, position, width, height, friction);
         geom.Body.Rotation = rotation;

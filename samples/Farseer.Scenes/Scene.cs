@@ -42,7 +42,9 @@ public abstract class Scene
     /// <summary>What came out after <see cref="Steps"/> updates of <see cref="Dt"/> seconds.</summary>
     public abstract IReadOnlyList<SceneOutcome> Check();
 
-    /// <summary>One update of the scene: what it does itself, then the simulator. A scene that updates in another way overrides it.</summary>
+    /// <summary>
+    /// One update of the scene: what it does itself, then the simulator. A scene that updates in another way overrides it.
+    /// </summary>
     public virtual void Step(PhysicsSimulator simulator, int step, float dt)
     {
         Act(simulator, step, dt);

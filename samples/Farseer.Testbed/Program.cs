@@ -13,7 +13,8 @@ public static class Program
 {
     public static int Main(string[] args)
     {
-        var name = new Argument<string?>("scene") { Description = "the name of a scene; without, the first", Arity = ArgumentArity.ZeroOrOne };
+        var name =
+            new Argument<string?>("scene") { Description = "the name of a scene; without, the first", Arity = ArgumentArity.ZeroOrOne };
         var list = new Command("list", "Names the scenes.");
         list.SetAction(result => List(result.InvocationConfiguration.Output));
         var check = new Command("check", "Runs all scenes and says whether they end as they must.");
@@ -22,7 +23,8 @@ public static class Program
         run.SetAction(result => Code(Run(Find(result.GetValue(name)), false)));
         var watch = new Command("watch", "Shows a scene in letters.") { name };
         watch.SetAction(result => Code(Run(Find(result.GetValue(name)), true)));
-        var root = new RootCommand("Scenes with the API of Box2DFlash. Without a command: the first one, that of the manual.") { list, check, run, watch };
+        var root = new RootCommand(
+            "Scenes with the API of Box2DFlash. Without a command: the first one, that of the manual.") { list, check, run, watch };
         root.SetAction(_ => Code(Run(Find(null), false)));
         return CommandLine.Run(root, args, Console.Out, Console.Error);
     }

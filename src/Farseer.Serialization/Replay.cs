@@ -8,8 +8,8 @@ using FarseerGames.FarseerPhysics.Serialization.States;
 namespace FarseerGames.FarseerPhysics.Serialization;
 
 /// <summary>
-/// Plays what a <see cref="SimulationRecorder"/> has recorded: any frame, forward and back, without the program that was recorded and its handlers.
-/// Frame 0 is the simulator as the recording began, frame n as update n has left it.
+/// Plays what a <see cref="SimulationRecorder"/> has recorded: any frame, forward and back, without the program that was recorded and its
+/// handlers. Frame 0 is the simulator as the recording began, frame n as update n has left it.
 /// </summary>
 /// <example>
 /// <code>
@@ -38,8 +38,8 @@ public sealed class Replay
     }
 
     /// <summary>
-    /// The simulator at the present frame. At a whole file within the recording it is another one, with other objects: ask for it anew after each move,
-    /// and change nothing in it.
+    /// The simulator at the present frame. At a whole file within the recording it is another one, with other objects: ask for it anew
+    /// after each move, and change nothing in it.
     /// </summary>
     public PhysicsSimulator Simulator => _contents.Simulator;
 
@@ -50,8 +50,8 @@ public sealed class Replay
     public int FrameCount => _frames.Count;
 
     /// <summary>
-    /// The first frame played so far whose state was not the one recorded; null: there was none. Recordings play with the same bits on any number of
-    /// workers, of both assets, on any processor: it tells of a fault of the library, or of a simulator that was changed.
+    /// The first frame played so far whose state was not the one recorded; null: there was none. Recordings play with the same bits on any
+    /// number of workers, of both assets, on any processor: it tells of a fault of the library, or of a simulator that was changed.
     /// </summary>
     public int? Divergence { get; private set; }
 
@@ -59,10 +59,12 @@ public sealed class Replay
     /// <param name="file">The file.</param>
     /// <returns>The replay, at frame 0.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="file"/> is null.</exception>
-    /// <exception cref="SceneFileException">The file is no recording, is damaged, is of a newer version, or its states are of another version of the library.</exception>
+    /// <exception cref="SceneFileException">The file is no recording, is damaged, is of a newer version, or its states are of another
+    /// version of the library.</exception>
     public static Replay Load(byte[] file)
     {
-        SceneObject root = SceneFile.Open(file ?? throw new ArgumentNullException(nameof(file)), new SceneFileOptions(), SimulationRecorder.Format);
+        SceneObject root =
+            SceneFile.Open(file ?? throw new ArgumentNullException(nameof(file)), new SceneFileOptions(), SimulationRecorder.Format);
         SceneNode sum = root.Take(SceneDocument.ChecksumName);
         if (sum.Text() != sum.Document.Checksum)
         {
@@ -84,7 +86,8 @@ public sealed class Replay
     /// <param name="stream">The stream.</param>
     /// <returns>The replay, at frame 0.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="stream"/> is null.</exception>
-    /// <exception cref="SceneFileException">The file is no recording, is damaged, is of a newer version, or its states are of another version of the library.</exception>
+    /// <exception cref="SceneFileException">The file is no recording, is damaged, is of a newer version, or its states are of another
+    /// version of the library.</exception>
     public static Replay Load(Stream stream) => Load(SceneFile.ReadAll(stream, null));
 
     /// <summary>Plays the next frame.</summary>
@@ -186,7 +189,8 @@ public sealed class Replay
             return;
         }
 
-        _stored = change.Applied(_stored) ?? throw new SceneFileException("A change within the recording does not fit the state before it.");
+        _stored =
+            change.Applied(_stored) ?? throw new SceneFileException("A change within the recording does not fit the state before it.");
         _stored.Restore(_contents);
     }
 }

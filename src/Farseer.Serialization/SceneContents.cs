@@ -8,8 +8,8 @@ using FarseerGames.FarseerPhysics.Dynamics.Springs;
 namespace FarseerGames.FarseerPhysics.Serialization;
 
 /// <summary>
-/// What was loaded from a file, in the file's order, also what is in no simulator: see <see cref="SceneFileOptions.Loaded"/>. Handlers and whatever
-/// else no file holds are attached to these objects.
+/// What was loaded from a file, in the file's order, also what is in no simulator: see <see cref="SceneFileOptions.Loaded"/>. Handlers and
+/// whatever else no file holds are attached to these objects.
 /// </summary>
 public sealed class SceneContents
 {

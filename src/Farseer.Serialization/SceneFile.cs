@@ -12,12 +12,12 @@ using FarseerGames.FarseerPhysics.Serialization.States;
 namespace FarseerGames.FarseerPhysics.Serialization;
 
 /// <summary>
-/// Saves simulators and worlds, and loads them again. A scene of any version loads for ever, and steps with the same bits as one that a program has built
-/// the same; with <see cref="SceneFileOptions.ExactState"/> it goes on where it was, bit for bit.
+/// Saves simulators and worlds, and loads them again. A scene of any version loads for ever, and steps with the same bits as one that a
+/// program has built the same; with <see cref="SceneFileOptions.ExactState"/> it goes on where it was, bit for bit.
 /// </summary>
 /// <remarks>
-/// No file holds handlers, items of your own types and how steps are run (workers, diagnostics). A file is believed only after it was checked, but for an
-/// exact state: that is memory of the engine, so take one only from where you would take a program.
+/// No file holds handlers, items of your own types and how steps are run (workers, diagnostics). A file is believed only after it was
+/// checked, but for an exact state: that is memory of the engine, so take one only from where you would take a program.
 /// </remarks>
 /// <example>
 /// <code>
@@ -39,7 +39,8 @@ public static class SceneFile
     /// <returns>The file.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="InvalidOperationException">An update runs.</exception>
-    /// <exception cref="NotSupportedException">A joint, spring, controller, container or broad phase is of your own type: it is named.</exception>
+    /// <exception cref="NotSupportedException">A joint, spring, controller, container or broad phase is of your own type: it is
+    /// named.</exception>
     public static byte[] Save(PhysicsSimulator simulator, SceneFileOptions? options = null)
     {
         NotNull(simulator, nameof(simulator));
@@ -84,7 +85,8 @@ public static class SceneFile
     /// <param name="options">How; null: all at their defaults.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> or <paramref name="stream"/> is null.</exception>
     /// <exception cref="InvalidOperationException">An update runs.</exception>
-    /// <exception cref="NotSupportedException">A joint, spring, controller, container or broad phase is of your own type: it is named.</exception>
+    /// <exception cref="NotSupportedException">A joint, spring, controller, container or broad phase is of your own type: it is
+    /// named.</exception>
     public static void Save(PhysicsSimulator simulator, Stream stream, SceneFileOptions? options = null)
     {
         NotNull(stream, nameof(stream));
@@ -172,7 +174,8 @@ public static class SceneFile
     /// <returns>A new simulator.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="stream"/> is null.</exception>
     /// <exception cref="SceneFileException">The file is no such file, is damaged, or is of a newer version.</exception>
-    public static PhysicsSimulator LoadSimulator(Stream stream, SceneFileOptions? options = null) => LoadSimulator(ReadAll(stream, options), options);
+    public static PhysicsSimulator LoadSimulator(Stream stream, SceneFileOptions? options = null) =>
+        LoadSimulator(ReadAll(stream, options), options);
 
     /// <summary>Loads a world of the other facade.</summary>
     /// <param name="file">The file, of either format.</param>
@@ -279,8 +282,10 @@ public static class SceneFile
 
         StatePart part = StatePart.Read(new SceneObject(node));
         return part.Layout == layout ? part : throw node.Error(
-            "is of another version of the library: its layout is " + part.Layout.ToString("x16", System.Globalization.CultureInfo.InvariantCulture)
-            + ", and not " + layout.ToString("x16", System.Globalization.CultureInfo.InvariantCulture) + ". Without its exact state it loads as a scene");
+            "is of another version of the library: its layout is "
+                + part.Layout.ToString("x16", System.Globalization.CultureInfo.InvariantCulture)
+            + ", and not " + layout.ToString("x16", System.Globalization.CultureInfo.InvariantCulture)
+                + ". Without its exact state it loads as a scene");
     }
 
     internal static byte[] ReadAll(Stream stream, SceneFileOptions? options)

@@ -23,9 +23,9 @@ public sealed class SceneFileOptions
     public SceneFormat Format { get; set; }
 
     /// <summary>
-    /// In saving, true writes besides the scene all that the simulator remembers, so that the loaded one goes on with the same bits. In loading, false
-    /// leaves that part aside, and the scene begins anew from where its bodies were. Default true in loading; in saving it counts as
-    /// false unless it is set.
+    /// In saving, true writes besides the scene all that the simulator remembers, so that the loaded one goes on with the same bits. In
+    /// loading, false leaves that part aside, and the scene begins anew from where its bodies were. Default true in loading; in saving it
+    /// counts as false unless it is set.
     /// </summary>
     /// <remarks>It is for the version of the library that wrote it: one whose state has another layout refuses it by name.</remarks>
     public bool? ExactState { get; set; }
@@ -40,8 +40,8 @@ public sealed class SceneFileOptions
     public Func<string, object?>? TextToTag { get; set; }
 
     /// <summary>
-    /// In loading a simulator, called once all objects are made and before its first update: the place to attach handlers, which no file holds. Default
-    /// null.
+    /// In loading a simulator, called once all objects are made and before its first update: the place to attach handlers, which no file
+    /// holds. Default null.
     /// </summary>
     public Action<SceneContents>? Loaded { get; set; }
 
@@ -50,7 +50,8 @@ public sealed class SceneFileOptions
     public long MostBytes
     {
         get => _mostBytes;
-        set => _mostBytes = value >= 1 ? value : throw new ArgumentOutOfRangeException(nameof(MostBytes), value, "value must be at least 1.");
+        set =>
+            _mostBytes = value >= 1 ? value : throw new ArgumentOutOfRangeException(nameof(MostBytes), value, "value must be at least 1.");
     }
 
     internal string? Text(object? tag) => tag is null ? null : TagToText is null ? tag as string : TagToText(tag);

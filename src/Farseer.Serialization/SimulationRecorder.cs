@@ -8,13 +8,13 @@ using FarseerGames.FarseerPhysics.Serialization.States;
 namespace FarseerGames.FarseerPhysics.Serialization;
 
 /// <summary>
-/// Records a simulator: whatever a program does between updates, and whatever its handlers do within, so that a <see cref="Replay"/> shows the same
-/// without either. Updates are made by <see cref="Update"/> in place of the simulator's own.
+/// Records a simulator: whatever a program does between updates, and whatever its handlers do within, so that a <see cref="Replay"/> shows
+/// the same without either. Updates are made by <see cref="Update"/> in place of the simulator's own.
 /// </summary>
 /// <remarks>
-/// It hooks into no member. A second simulator, loaded from a file of the first, goes along: before each update it is set to what the program has
-/// changed, and after it to what handlers have; the differences are the recording. So it is complete for whatever a state has, and each recording
-/// has been replayed once when it is made. It costs an update and two captures more, and memory for the differences.
+/// It hooks into no member. A second simulator, loaded from a file of the first, goes along: before each update it is set to what the
+/// program has changed, and after it to what handlers have; the differences are the recording. So it is complete for whatever a state has,
+/// and each recording has been replayed once when it is made. It costs an update and two captures more, and memory for the differences.
 /// </remarks>
 /// <example>
 /// <code>
@@ -48,11 +48,13 @@ public sealed class SimulationRecorder
 
     /// <summary>Begins a recording.</summary>
     /// <param name="simulator">The simulator.</param>
-    /// <param name="keyframeInterval">Updates from one whole file to the next, from which a replay can begin; at least 1. Default 600.</param>
+    /// <param name="keyframeInterval">Updates from one whole file to the next, from which a replay can begin; at least 1. Default
+    /// 600.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="keyframeInterval"/> is below 1.</exception>
     /// <exception cref="InvalidOperationException">An update runs.</exception>
-    /// <exception cref="NotSupportedException">A joint, spring, controller, container or broad phase is of your own type: it is named.</exception>
+    /// <exception cref="NotSupportedException">A joint, spring, controller, container or broad phase is of your own type: it is
+    /// named.</exception>
     public SimulationRecorder(PhysicsSimulator simulator, int keyframeInterval = 600)
     {
         Simulator = simulator ?? throw new ArgumentNullException(nameof(simulator));

@@ -3,11 +3,12 @@ using System;
 namespace FarseerGames.FarseerPhysics;
 
 /// <summary>
-/// One of the worlds of a <see cref="WorldBatch"/>: a simulator, what an action does to it, and what is seen of it. Derive from it, and keep
-/// references to the bodies and joints that the two need. (An addition to the original.)
+/// One of the worlds of a <see cref="WorldBatch"/>: a simulator, what an action does to it, and what is seen of it. Derive from it, and
+/// keep references to the bodies and joints that the two need. (An addition to the original.)
 /// </summary>
 /// <remarks>
-/// Worlds of a batch are stepped by several threads at a time, each by one: what they have in common they may read, not write. A simulator here has best a
+/// Worlds of a batch are stepped by several threads at a time, each by one: what they have in common they may read, not write. A simulator
+/// here has best a
 /// <see cref="PhysicsSimulator.WorkerCount"/> of 1: the batch keeps all processors busy already.
 /// </remarks>
 /// <example>
@@ -42,7 +43,9 @@ public abstract class BatchedWorld
     /// <summary>The simulator that the batch updates.</summary>
     public PhysicsSimulator Simulator { get; }
 
-    /// <summary>Lets an action take effect. Called before each update of a step, with the same action in all of them, so that forces act in all.</summary>
+    /// <summary>
+    /// Lets an action take effect. Called before each update of a step, with the same action in all of them, so that forces act in all.
+    /// </summary>
     /// <param name="action">The numbers of this world's action, <see cref="WorldBatch.ActionSize"/> of them.</param>
     public abstract void Act(ReadOnlySpan<float> action);
 

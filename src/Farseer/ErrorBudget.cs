@@ -36,10 +36,14 @@ public readonly struct ErrorBudget
     /// </summary>
     public float Length { get; }
 
-    /// <summary>Largest error as a share of the shorter side of the smaller geom in contact, or of a joint's arms; 0: no such bound.</summary>
+    /// <summary>
+    /// Largest error as a share of the shorter side of the smaller geom in contact, or of a joint's arms; 0: no such bound.
+    /// </summary>
     public float Share { get; }
 
-    /// <summary>Most iterations of an update, at least 1; <see cref="PhysicsSimulator.Iterations"/> are done in any case. Default 64.</summary>
+    /// <summary>
+    /// Most iterations of an update, at least 1; <see cref="PhysicsSimulator.Iterations"/> are done in any case. Default 64.
+    /// </summary>
     public int MostIterations => _mostIterations == 0 ? DefaultMostIterations : _mostIterations;
 
     /// <summary>Longest that the step of an update should take on this machine; zero, the default: no such bound.</summary>
@@ -57,7 +61,8 @@ public readonly struct ErrorBudget
         new ErrorBudget(Require.Positive(length, nameof(length)), 0, Require.AtLeast(mostIterations, 1, nameof(mostIterations)));
 
     /// <summary>A bound relative to the bodies: the same for pixels, metres and kilometres.</summary>
-    /// <param name="share">Largest error as a share of the shorter side of the smaller geom, or of a joint's arms, for example 0.001; finite and above 0.</param>
+    /// <param name="share">Largest error as a share of the shorter side of the smaller geom, or of a joint's arms, for example 0.001;
+    /// finite and above 0.</param>
     /// <param name="mostIterations">Most iterations of an update; at least 1.</param>
     /// <returns>The budget.</returns>
     /// <exception cref="ArgumentOutOfRangeException">An argument is out of its range.</exception>
@@ -65,9 +70,9 @@ public readonly struct ErrorBudget
         new ErrorBudget(0, Require.Positive(share, nameof(share)), Require.AtLeast(mostIterations, 1, nameof(mostIterations)));
 
     /// <summary>
-    /// The same budget with a bound on the time: iterations beyond <see cref="PhysicsSimulator.Iterations"/> are taken only as far as the time
-    /// of the last updates says that they fit. A step that took longer all the same says so in <see cref="StepReport.IsWithinTimeLimit"/>,
-    /// and an error that is missed for want of time in <see cref="StepReport.IsWithinBudget"/>.
+    /// The same budget with a bound on the time: iterations beyond <see cref="PhysicsSimulator.Iterations"/> are taken only as far as the
+    /// time of the last updates says that they fit. A step that took longer all the same says so in
+    /// <see cref="StepReport.IsWithinTimeLimit"/>, and an error that is missed for want of time in <see cref="StepReport.IsWithinBudget"/>.
     /// </summary>
     /// <param name="timeLimit">Longest time of a step; above zero.</param>
     /// <returns>The budget.</returns>

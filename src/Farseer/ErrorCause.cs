@@ -1,6 +1,8 @@
 namespace FarseerGames.FarseerPhysics;
 
-/// <summary>What the largest error of an update is an error of; see <see cref="StepReport.Cause"/>. (An addition to the original.)</summary>
+/// <summary>
+/// What the largest error of an update is an error of; see <see cref="StepReport.Cause"/>. (An addition to the original.)
+/// </summary>
 public enum ErrorCause
 {
     /// <summary>There was no error.</summary>

@@ -13,7 +13,9 @@ public enum Farseer201Quirks
     /// <summary>No quirk: the default.</summary>
     None = 0,
 
-    /// <summary><see cref="Dynamics.Body.ApplyImpulse(System.Numerics.Vector2)"/> divides by the mass twice: Δv = J / m² instead of J / m.</summary>
+    /// <summary>
+    /// <see cref="Dynamics.Body.ApplyImpulse(System.Numerics.Vector2)"/> divides by the mass twice: Δv = J / m² instead of J / m.
+    /// </summary>
     ImpulseDividedByMassTwice = 1,
 
     /// <summary>
@@ -36,8 +38,8 @@ public enum Farseer201Quirks
 
     /// <summary>
     /// The friction of a pair is worked out once, when the pair is made; later changes of
-    /// <see cref="Collisions.Geom.FrictionCoefficient"/> do not reach a pair in contact. Switched on while pairs are in contact it keeps the frictions
-    /// that they have at that time.
+    /// <see cref="Collisions.Geom.FrictionCoefficient"/> do not reach a pair in contact. Switched on while pairs are in contact it keeps
+    /// the frictions that they have at that time.
     /// </summary>
     PairFrictionFrozen = 16,
 
@@ -62,7 +64,9 @@ public enum Farseer201Quirks
     /// <summary>The offset of a geom is turned by body rotation + rotation offset instead of by the body rotation alone.</summary>
     OffsetTurnedByRotationOffset = 512,
 
-    /// <summary>Setting <see cref="Collisions.Geom.IsSensor"/> also sets <see cref="Dynamics.Body.IsStatic"/> of its body to the same value.</summary>
+    /// <summary>
+    /// Setting <see cref="Collisions.Geom.IsSensor"/> also sets <see cref="Dynamics.Body.IsStatic"/> of its body to the same value.
+    /// </summary>
     SensorMakesBodyStatic = 1024,
 
     /// <summary>
@@ -83,14 +87,14 @@ public enum Farseer201Quirks
 
     /// <summary>
     /// Forces and torques change the velocity when an update begins, which then carries the body; by default they act evenly over the
-    /// update. What is constant then moves a body too far, but a spring that a program makes of forces of its own, one for each update, neither gains
-    /// nor loses, where by default each update adds the share (ω·dt)²/4 to its swing.
+    /// update. What is constant then moves a body too far, but a spring that a program makes of forces of its own, one for each update,
+    /// neither gains nor loses, where by default each update adds the share (ω·dt)²/4 to its swing.
     /// </summary>
     ForcesActAtOnce = 16384,
 
     /// <summary>
-    /// A fluid lifts the polygon of those vertices of a geom that are in it, from three on: what has few corners sinks to the last of them and
-    /// bobs. By default the part that is in the fluid is exact.
+    /// A fluid lifts the polygon of those vertices of a geom that are in it, from three on: what has few corners sinks to the last of them
+    /// and bobs. By default the part that is in the fluid is exact.
     /// </summary>
     BuoyancyOfVertices = 32768,
 
@@ -107,8 +111,8 @@ public enum Farseer201Quirks
     UprightPathsLieAcross = 131072,
 
     /// <summary>
-    /// The normals that an <see cref="Collisions.Geom.OnCollision"/> handler gets point from the geom created first to the other, whichever of
-    /// them is the handler's first argument. By default they point from the first argument to the second.
+    /// The normals that an <see cref="Collisions.Geom.OnCollision"/> handler gets point from the geom created first to the other, whichever
+    /// of them is the handler's first argument. By default they point from the first argument to the second.
     /// </summary>
     NormalsFromOlderGeom = 262144,
 

@@ -3,10 +3,13 @@ using System;
 namespace FarseerGames.FarseerPhysics;
 
 /// <summary>
-/// Updates a simulator with steps of one length, however long the frames of the program are: results then do not depend on the frame rate. What
-/// is left of a frame is kept for the next one, and <see cref="Alpha"/> says how far along it is, for drawing with <see cref="Dynamics.Body.GetPose(float)"/>. (An addition to the original.)
+/// Updates a simulator with steps of one length, however long the frames of the program are: results then do not depend on the frame rate.
+/// What is left of a frame is kept for the next one, and <see cref="Alpha"/> says how far along it is, for drawing with
+/// <see cref="Dynamics.Body.GetPose(float)"/>. (An addition to the original.)
 /// </summary>
-/// <remarks>The driver switches <see cref="PhysicsSimulator.KeepsPoses"/> on. It reads no clock: it is told how much time has passed.</remarks>
+/// <remarks>
+/// The driver switches <see cref="PhysicsSimulator.KeepsPoses"/> on. It reads no clock: it is told how much time has passed.
+/// </remarks>
 /// <example>
 /// <code>
 /// var driver = new FixedStepDriver(simulator, 1.0 / 60) { BeforeStep = _ =&gt; player.ApplyForces() };
@@ -47,8 +50,8 @@ public sealed class FixedStepDriver
     }
 
     /// <summary>
-    /// Most steps of one call of <see cref="Advance"/>; at least 1. Time beyond them is dropped, so that a slow frame does not make the next one slower
-    /// still. Default 8.
+    /// Most steps of one call of <see cref="Advance"/>; at least 1. Time beyond them is dropped, so that a slow frame does not make the
+    /// next one slower still. Default 8.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is below 1.</exception>
     public int MaxSteps
@@ -57,7 +60,10 @@ public sealed class FixedStepDriver
         set => _maxSteps = Require.AtLeast(value, 1, nameof(MaxSteps));
     }
 
-    /// <summary>Seconds of the simulation in a second of the program; finite and at least 0: 0.5 is slow motion, 0 a pause. The steps keep their length. Default 1.</summary>
+    /// <summary>
+    /// Seconds of the simulation in a second of the program; finite and at least 0: 0.5 is slow motion, 0 a pause. The steps keep their
+    /// length. Default 1.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public double TimeScale
     {
@@ -65,19 +71,28 @@ public sealed class FixedStepDriver
         set => _timeScale = Require.NotNegative(value, nameof(TimeScale));
     }
 
-    /// <summary>How much of the next step has passed, from 0 to below 1: what to give to <see cref="Dynamics.Body.GetPose(float)"/>.</summary>
+    /// <summary>
+    /// How much of the next step has passed, from 0 to below 1: what to give to <see cref="Dynamics.Body.GetPose(float)"/>.
+    /// </summary>
     public float Alpha => Math.Min((float)(_left / _step), 0.99999994f);
 
     /// <summary>Steps made so far.</summary>
     public long StepCount { get; private set; }
 
-    /// <summary>Seconds of the simulation that were dropped so far, because a frame would have taken more than <see cref="MaxSteps"/>.</summary>
+    /// <summary>
+    /// Seconds of the simulation that were dropped so far, because a frame would have taken more than <see cref="MaxSteps"/>.
+    /// </summary>
     public double DroppedTime { get; private set; }
 
-    /// <summary>Called before each step with its length, for what acts in each: forces, input, kinematic motion. Use with +=. Default null.</summary>
+    /// <summary>
+    /// Called before each step with its length, for what acts in each: forces, input, kinematic motion. Use with +=. Default null.
+    /// </summary>
     public Action<float>? BeforeStep { get; set; }
 
-    /// <summary>Called after each step with its length, for what reads each: <see cref="PhysicsSimulator.Events"/> last until the next step only. Use with +=. Default null.</summary>
+    /// <summary>
+    /// Called after each step with its length, for what reads each: <see cref="PhysicsSimulator.Events"/> last until the next step only.
+    /// Use with +=. Default null.
+    /// </summary>
     public Action<float>? AfterStep { get; set; }
 
     /// <summary>Lets time pass, and makes the steps that are due.</summary>

@@ -2,7 +2,10 @@ using System.Globalization;
 
 namespace FarseerGames.FarseerPhysics;
 
-/// <summary>What <see cref="PhysicsSimulator.Inspect"/> found: a number that names the kind, the object, and what to turn. (An addition to the original.)</summary>
+/// <summary>
+/// What <see cref="PhysicsSimulator.Inspect"/> found: a number that names the kind, the object, and what to turn. (An addition to the
+/// original.)
+/// </summary>
 /// <example>
 /// <code>
 /// foreach (InspectionFinding finding in simulator.Inspect())
@@ -35,5 +38,6 @@ public sealed class InspectionFinding
 
     /// <summary>All in a line.</summary>
     /// <returns>The number, the object, the message and the dial.</returns>
-    public override string ToString() => string.Format(CultureInfo.InvariantCulture, "FI{0:00} {1}: {2} {3}", Number, Subject, Message, Dial);
+    public override string ToString() =>
+        string.Format(CultureInfo.InvariantCulture, "FI{0:00} {1}: {2} {3}", Number, Subject, Message, Dial);
 }

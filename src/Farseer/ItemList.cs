@@ -6,10 +6,10 @@ using FarseerGames.FarseerPhysics.Bridge;
 namespace FarseerGames.FarseerPhysics;
 
 /// <summary>
-/// What the lists of bodies, geoms, joints, springs and controllers have in common. A list of a simulator is a view of what it simulates: what
-/// adds and removes stands for the methods of the simulator, which take effect at the next update, and its order is that in which items were added, so
-/// what would change the order alone is refused. A list of your own changes at once. (An addition to the original, where clearing the list of a simulator
-/// left everything in it.)
+/// What the lists of bodies, geoms, joints, springs and controllers have in common. A list of a simulator is a view of what it simulates:
+/// what adds and removes stands for the methods of the simulator, which take effect at the next update, and its order is that in which
+/// items were added, so what would change the order alone is refused. A list of your own changes at once. (An addition to the original,
+/// where clearing the list of a simulator left everything in it.)
 /// </summary>
 /// <typeparam name="T">The kind of item.</typeparam>
 public abstract class ItemList<T> : List<T>

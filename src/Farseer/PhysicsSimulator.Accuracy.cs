@@ -29,10 +29,12 @@ public partial class PhysicsSimulator
 
     /// <summary>
     /// The error that each update may have, of <see cref="StepReport.Error"/>: overlap, separation, slip, impacts, and the estimate of the
-    /// motion. The overlap counts in full, also what <see cref="AllowedPenetration"/> allows. The simulator then takes the iterations that keep
-    /// <see cref="StepReport.Error"/> below it, at least <see cref="Iterations"/> and at most those of the budget, and says in <see cref="StepReport.IsWithinBudget"/> whether it could. It
-    /// goes by the errors of the updates before, so the first updates of a new load may miss. No clock has a say, and the same scene gives
-    /// the same bits, unless the budget has an <see cref="FarseerPhysics.ErrorBudget.TimeLimit"/>. Default <see cref="FarseerPhysics.ErrorBudget.None"/>.
+    /// motion. The overlap counts in full, also what <see cref="AllowedPenetration"/> allows. The simulator then takes the iterations that
+    /// keep
+    /// <see cref="StepReport.Error"/> below it, at least <see cref="Iterations"/> and at most those of the budget, and says in
+    /// <see cref="StepReport.IsWithinBudget"/> whether it could. It goes by the errors of the updates before, so the first updates of a new
+    /// load may miss. No clock has a say, and the same scene gives the same bits, unless the budget has an
+    /// <see cref="FarseerPhysics.ErrorBudget.TimeLimit"/>. Default <see cref="FarseerPhysics.ErrorBudget.None"/>.
     /// </summary>
     public ErrorBudget ErrorBudget
     {

@@ -17,7 +17,10 @@ public partial class PhysicsSimulator
     /// <summary>The springs in the simulator: a view; see <see cref="Dynamics.Springs.SpringList"/>.</summary>
     public SpringList SpringList { get; }
 
-    /// <summary>The controllers in the simulator: a view; see <see cref="Controllers.ControllerList"/>. The first is <see cref="InactivityController"/>.</summary>
+    /// <summary>
+    /// The controllers in the simulator: a view; see <see cref="Controllers.ControllerList"/>. The first is
+    /// <see cref="InactivityController"/>.
+    /// </summary>
     public ControllerList ControllerList { get; }
 
     /// <summary>Disables bodies that rest, if it is enabled; off by default.</summary>

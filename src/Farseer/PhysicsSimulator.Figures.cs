@@ -10,10 +10,15 @@ public partial class PhysicsSimulator
     [NotState(Why.OfOneStep)]
     private StateStream? _hashed;
 
-    /// <summary>Pairs of pieces that touch after the last update; a geom of a concave outline or a chain has several pieces. Counted when asked for.</summary>
+    /// <summary>
+    /// Pairs of pieces that touch after the last update; a geom of a concave outline or a chain has several pieces. Counted when asked for.
+    /// </summary>
     public int ContactCount => World.Reader.Count;
 
-    /// <summary>Deepest overlap of two geoms that push each other apart, a length of the scene, after the last update; 0 if there is none. Measured when asked for.</summary>
+    /// <summary>
+    /// Deepest overlap of two geoms that push each other apart, a length of the scene, after the last update; 0 if there is none. Measured
+    /// when asked for.
+    /// </summary>
     public float LargestPenetration => World.Reader.LargestPenetration();
 
     /// <summary>

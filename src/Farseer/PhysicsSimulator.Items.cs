@@ -91,8 +91,8 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
-    /// Removes a body at the next update. As in the original its geoms stay: without it they are obstacles that nothing moves, for a level is often made of geoms
-    /// whose bodies are in no simulator. <see cref="RemoveWithParts"/> takes them out too.
+    /// Removes a body at the next update. As in the original its geoms stay: without it they are obstacles that nothing moves, for a level
+    /// is often made of geoms whose bodies are in no simulator. <see cref="RemoveWithParts"/> takes them out too.
     /// </summary>
     /// <param name="body">The body; one that is in no simulator is ignored.</param>
     /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>
@@ -120,7 +120,8 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
-    /// Removes a body at the next update, and with it its geoms and the joints and springs of the library that hold it. None of them is disposed. (An addition to the original.)
+    /// Removes a body at the next update, and with it its geoms and the joints and springs of the library that hold it. None of them is
+    /// disposed. (An addition to the original.)
     /// </summary>
     /// <param name="body">The body; one that is in no simulator is ignored, and its parts go.</param>
     /// <exception cref="ArgumentNullException"><paramref name="body"/> is null.</exception>

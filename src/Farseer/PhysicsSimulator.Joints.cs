@@ -21,8 +21,8 @@ public partial class PhysicsSimulator
     public JointList JointList { get; }
 
     /// <summary>
-    /// Adds a joint; it acts from the next update on. One that was added before is ignored. Its bodies need not be added: those that are not
-    /// are points that nothing moves.
+    /// Adds a joint; it acts from the next update on. One that was added before is ignored. Its bodies need not be added: those that are
+    /// not are points that nothing moves.
     /// </summary>
     /// <param name="joint">The joint.</param>
     /// <exception cref="ArgumentNullException"><paramref name="joint"/> is null.</exception>
@@ -57,7 +57,9 @@ public partial class PhysicsSimulator
 
     internal void NoteDisposed(Joint joint) => _jointsDisposed.Add(joint);
 
-    /// <summary>A joint was given a body, which is held from now on: another simulator must not get it before this one's next update.</summary>
+    /// <summary>
+    /// A joint was given a body, which is held from now on: another simulator must not get it before this one's next update.
+    /// </summary>
     internal void NoteChanged(Joint joint, Body taken)
     {
         HoldBody(taken);

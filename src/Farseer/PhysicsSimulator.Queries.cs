@@ -8,9 +8,9 @@ using FarseerGames.FarseerPhysics.Collisions;
 namespace FarseerGames.FarseerPhysics;
 
 /// <content>
-/// Rays, boxes, points and shapes against the geoms where they are now: also those that wait for the next update, and not those that wait to
-/// leave. They may be asked at any time, also from handlers, and change nothing. What is found comes in the order in which the geoms were made, if not said otherwise. Without a list that must grow, nothing is
-/// allocated. (Additions to the original.)
+/// Rays, boxes, points and shapes against the geoms where they are now: also those that wait for the next update, and not those that wait
+/// to leave. They may be asked at any time, also from handlers, and change nothing. What is found comes in the order in which the geoms
+/// were made, if not said otherwise. Without a list that must grow, nothing is allocated. (Additions to the original.)
 /// </content>
 public partial class PhysicsSimulator
 {

@@ -51,14 +51,16 @@ public partial class PhysicsSimulator
     public float UpdatePositionsTime { get; private set; } = -1;
 
     /// <summary>Advances the simulation.</summary>
-    /// <param name="dt">Time to advance, seconds; finite and at least 0. Zero takes in what was added, and out what was removed, and does nothing else.</param>
+    /// <param name="dt">Time to advance, seconds; finite and at least 0. Zero takes in what was added, and out what was removed, and does
+    /// nothing else.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> is negative or not finite.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
     /// <exception cref="InvalidOperationException">The call comes from a handler of an update under way.</exception>
     public void Update(float dt) => Update(dt, dt);
 
     /// <summary>Advances the simulation.</summary>
-    /// <param name="dt">Time to advance, seconds; finite and at least 0. Zero takes in what was added, and out what was removed, and does nothing else.</param>
+    /// <param name="dt">Time to advance, seconds; finite and at least 0. Zero takes in what was added, and out what was removed, and does
+    /// nothing else.</param>
     /// <param name="dtReal">Time that really passed, seconds; finite and at least 0. <see cref="Scaling"/> goes by it.</param>
     /// <exception cref="ArgumentOutOfRangeException">A time is negative or not finite.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>

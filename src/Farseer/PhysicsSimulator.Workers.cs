@@ -13,9 +13,9 @@ public partial class PhysicsSimulator
     private IStepScheduler? _stepScheduler;
 
     /// <summary>
-    /// How many threads share the work of an update, the calling one included: at least 0, which stands for as many as there are processors.
-    /// The motion is the same, bit for bit, whatever the number. Handlers, controllers and all other code of the user run on the
-    /// calling thread alone. Only updates that take more than some tenths of a millisecond wake the other threads, which sleep between
+    /// How many threads share the work of an update, the calling one included: at least 0, which stands for as many as there are
+    /// processors. The motion is the same, bit for bit, whatever the number. Handlers, controllers and all other code of the user run on
+    /// the calling thread alone. Only updates that take more than some tenths of a millisecond wake the other threads, which sleep between
     /// updates and end with the simulator; of these there are never more than processors. Default 1: no threads. From within a
     /// handler it takes effect with the next update. Where many simulators are updated at once, one worker each is best.
     /// (An addition to the original.)
@@ -45,5 +45,6 @@ public partial class PhysicsSimulator
         }
     }
 
-    private void SetWorkers() => World.SetWorkers(_workerCount, Environment.ProcessorCount, _stepScheduler is null ? null : _stepScheduler.Start);
+    private void SetWorkers() =>
+        World.SetWorkers(_workerCount, Environment.ProcessorCount, _stepScheduler is null ? null : _stepScheduler.Start);
 }

@@ -16,10 +16,13 @@ namespace FarseerGames.FarseerPhysics;
 
 /// <summary>
 /// The world that bodies and geoms are added to and that is updated each frame. Disposing it is optional: it holds no unmanaged
-/// resources, and threads of <see cref="WorkerCount"/> end with it in any case. A simulator is not safe for use by several threads at once; several simulators are independent of each other.
-/// Questions are the exception: while nobody changes or updates it, any number of threads may ask <see cref="RayCast"/>, <see cref="RayCastEach"/>, <see cref="RayCastAll"/>,
-/// <see cref="Query"/>, <see cref="QueryPoint"/>, <see cref="QueryCircle"/>, <see cref="QueryGeom"/>, <see cref="CircleCast"/>, <see cref="ShapeCast"/> and <see cref="ClosestPoint"/>
-/// at once, each with lists of its own, and get the answers that one would get. A filter's <see cref="QueryFilter.Accept"/> is called by the asking thread.
+/// resources, and threads of <see cref="WorkerCount"/> end with it in any case. A simulator is not safe for use by several threads at once;
+/// several simulators are independent of each other. Questions are the exception: while nobody changes or updates it, any number of threads
+/// may ask <see cref="RayCast"/>, <see cref="RayCastEach"/>, <see cref="RayCastAll"/>,
+/// <see cref="Query"/>, <see cref="QueryPoint"/>, <see cref="QueryCircle"/>, <see cref="QueryGeom"/>, <see cref="CircleCast"/>,
+/// <see cref="ShapeCast"/> and <see cref="ClosestPoint"/>
+/// at once, each with lists of its own, and get the answers that one would get. A filter's <see cref="QueryFilter.Accept"/> is called by
+/// the asking thread.
 /// </summary>
 /// <example>
 /// <code>
@@ -46,7 +49,8 @@ public partial class PhysicsSimulator : IDisposable
     private bool _isDisposed;
 
     /// <summary>Makes a simulator without gravity.</summary>
-    /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has them.</exception>
+    /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has
+    /// them.</exception>
     public PhysicsSimulator()
         : this(Vector2.Zero)
     {
@@ -55,7 +59,8 @@ public partial class PhysicsSimulator : IDisposable
     /// <summary>Makes a simulator.</summary>
     /// <param name="gravity">Acceleration of all bodies, length/s²; finite.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="gravity"/> is not finite.</exception>
-    /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has them.</exception>
+    /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has
+    /// them.</exception>
     public PhysicsSimulator(Vector2 gravity)
     {
         _relay = new EventRelay(this, _table);
@@ -69,8 +74,10 @@ public partial class PhysicsSimulator : IDisposable
         ControllerList = new ControllerList { Owner = this };
         SpringList = new SpringList { Owner = this };
         _joints = new ItemQueue<Joint>(this, JointList, TakeIn, JointList.TakeOut, () => JointList.Removed is not null, LetGo);
-        _controllers = new ItemQueue<Controller>(this, ControllerList, ControllerList.TakeIn, ControllerList.TakeOut, () => ControllerList.Removed is not null);
-        _springs = new ItemQueue<Spring>(this, SpringList, SpringList.TakeIn, SpringList.TakeOut, () => SpringList.Removed is not null, LetGo);
+        _controllers = new ItemQueue<Controller>(
+            this, ControllerList, ControllerList.TakeIn, ControllerList.TakeOut, () => ControllerList.Removed is not null);
+        _springs =
+            new ItemQueue<Spring>(this, SpringList, SpringList.TakeIn, SpringList.TakeOut, () => SpringList.Removed is not null, LetGo);
         InactivityController = new InactivityController(this);
         _controllers.Add(InactivityController, nameof(InactivityController));
         World.Hooks = _relay;
@@ -101,7 +108,9 @@ public partial class PhysicsSimulator : IDisposable
     /// The accuracy dial, at least 1. Each iteration is a substep of the update: doubling the number divides the error by about
     /// four at twice the cost. Default 5.
     /// </summary>
-    /// <remarks>Bodies that hang together may take more of them: see <see cref="AdaptIterations"/> and <see cref="Dynamics.Body.IterationFactor"/>.</remarks>
+    /// <remarks>
+    /// Bodies that hang together may take more of them: see <see cref="AdaptIterations"/> and <see cref="Dynamics.Body.IterationFactor"/>.
+    /// </remarks>
     /// <exception cref="ArgumentOutOfRangeException">The value is below 1.</exception>
     public int Iterations
     {
@@ -110,11 +119,11 @@ public partial class PhysicsSimulator : IDisposable
     }
 
     /// <summary>
-    /// True lets bodies that hang together by contacts or joints take up to 16 times <see cref="Iterations"/> where they need it: tall piles
-    /// and heavy bodies on light ones while they rest, and light trees of joints that pass on heavy loads. It follows from masses and contacts, not
-    /// from a clock, so the same scene gives the same bits. False keeps all bodies to <see cref="Iterations"/>, except where
-    /// <see cref="Dynamics.Body.IterationFactor"/> says otherwise: each update of a body costs the same, and such piles sink and such loads dip
-    /// deeper. <see cref="StepReport.MostIterations"/> tells what was taken. Default true. (An addition to the original.)
+    /// True lets bodies that hang together by contacts or joints take up to 16 times <see cref="Iterations"/> where they need it: tall
+    /// piles and heavy bodies on light ones while they rest, and light trees of joints that pass on heavy loads. It follows from masses and
+    /// contacts, not from a clock, so the same scene gives the same bits. False keeps all bodies to <see cref="Iterations"/>, except where
+    /// <see cref="Dynamics.Body.IterationFactor"/> says otherwise: each update of a body costs the same, and such piles sink and such loads
+    /// dip deeper. <see cref="StepReport.MostIterations"/> tells what was taken. Default true. (An addition to the original.)
     /// </summary>
     public bool AdaptIterations
     {
@@ -124,7 +133,8 @@ public partial class PhysicsSimulator : IDisposable
 
     /// <summary>
     /// The depth to which geoms may sink into each other at rest, a length of the scene; at least 0. Default 0.05. No geom uses what it
-    /// allows: surfaces rest at each other, in pixels, metres and kilometres alike, and what they still sink in by is the error that <see cref="Iterations"/>
+    /// allows: surfaces rest at each other, in pixels, metres and kilometres alike, and what they still sink in by is the error that
+    /// <see cref="Iterations"/>
     /// lessens. The value is kept for programs of the original, which read and set it.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
@@ -185,7 +195,9 @@ public partial class PhysicsSimulator : IDisposable
         };
     }
 
-    /// <summary>How the restitution coefficients of a pair combine. Default <see cref="RestitutionType.Average"/>. (An addition to the original.)</summary>
+    /// <summary>
+    /// How the restitution coefficients of a pair combine. Default <see cref="RestitutionType.Average"/>. (An addition to the original.)
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not a member of the enum.</exception>
     public RestitutionType RestitutionType
     {
@@ -292,9 +304,9 @@ public partial class PhysicsSimulator : IDisposable
 
     /// <summary>
     /// A body rests as long as it does not move by more than this share of its size; above 0. A larger one lets bodies sleep sooner,
-    /// and stops those that still creep; a tall pile may never rest within a small one. What trembles or rolls within 64 times as much, and at
-    /// most 1/256 of its size, falls asleep after eight times <see cref="TimeToSleep"/>. No body in free flight rests, whatever its size.
-    /// Default 1/16384. (An addition to the original.)
+    /// and stops those that still creep; a tall pile may never rest within a small one. What trembles or rolls within 64 times as much, and
+    /// at most 1/256 of its size, falls asleep after eight times <see cref="TimeToSleep"/>. No body in free flight rests, whatever its
+    /// size. Default 1/16384. (An addition to the original.)
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
     public float SleepTolerance
@@ -358,13 +370,17 @@ public partial class PhysicsSimulator : IDisposable
         GC.SuppressFinalize(this);
     }
 
-    /// <summary>The first geom, in the order of <see cref="GeomList"/> and then of those that wait for the next update, that a world point is in.</summary>
+    /// <summary>
+    /// The first geom, in the order of <see cref="GeomList"/> and then of those that wait for the next update, that a world point is in.
+    /// </summary>
     /// <param name="x">x of the point.</param>
     /// <param name="y">y of the point.</param>
     /// <returns>The geom, or null.</returns>
     public Geom? Collide(float x, float y) => Collide(new Vector2(x, y));
 
-    /// <summary>The first geom, in the order of <see cref="GeomList"/> and then of those that wait for the next update, that a world point is in.</summary>
+    /// <summary>
+    /// The first geom, in the order of <see cref="GeomList"/> and then of those that wait for the next update, that a world point is in.
+    /// </summary>
     /// <param name="point">The point.</param>
     /// <returns>The geom, or null.</returns>
     public Geom? Collide(Vector2 point)

@@ -37,7 +37,8 @@ public sealed class PhysicsSimulatorState
     /// <summary>Compares it with another state, of the same simulator or of one that was made by the same program.</summary>
     /// <remarks>
     /// To find the names of the fields the simulator goes back to both states and then to what it is now: of that nothing is left but that
-    /// <see cref="PhysicsSimulator.Events"/> is empty. It is for those who look for a fault, and takes some hundred times as long as a capture.
+    /// <see cref="PhysicsSimulator.Events"/> is empty. It is for those who look for a fault, and takes some hundred times as long as a
+    /// capture.
     /// </remarks>
     /// <param name="other">The other one.</param>
     /// <param name="most">The search ends when it has found so many differences; at least 1. Default 100.</param>

@@ -68,7 +68,9 @@ internal static class Require
         value >= 0 && FloatBits.IsFinite(value) ? value : throw Range(name, value, "must be a finite number, 0 or more");
 
     public static double NotNegative(double value, string name) =>
-        value >= 0 && value <= float.MaxValue ? value : throw Range(name, value, "must be a finite number, 0 or more, within the range of a float");
+        value >= 0 && value <= float.MaxValue
+            ? value
+            : throw Range(name, value, "must be a finite number, 0 or more, within the range of a float");
 
     /// <summary>An upper bound that must not be below the lower one.</summary>
     public static float NotBelow(float value, float least, string name, string nameOfLeast) =>
@@ -89,7 +91,10 @@ internal static class Require
     public static int Within(int value, int least, int most, string name) =>
         value >= least && value <= most
             ? value
-            : throw Range(name, value, "must be from " + least.ToString(CultureInfo.InvariantCulture) + " to " + most.ToString(CultureInfo.InvariantCulture));
+            : throw Range(
+                name,
+                value,
+                "must be from " + least.ToString(CultureInfo.InvariantCulture) + " to " + most.ToString(CultureInfo.InvariantCulture));
 
     /// <summary>The unit vector of a direction that must have a length.</summary>
     public static Vector2 Direction(Vector2 value, string name)

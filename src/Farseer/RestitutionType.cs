@@ -1,6 +1,9 @@
 namespace FarseerGames.FarseerPhysics;
 
-/// <summary>How the restitution coefficients of two touching geoms are combined into the one of the pair. (An addition to the original, which takes the mean.)</summary>
+/// <summary>
+/// How the restitution coefficients of two touching geoms are combined into the one of the pair. (An addition to the original, which takes
+/// the mean.)
+/// </summary>
 public enum RestitutionType
 {
     /// <summary>The mean of the two coefficients. The default.</summary>

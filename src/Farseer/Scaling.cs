@@ -6,9 +6,9 @@ namespace FarseerGames.FarseerPhysics;
 
 /// <summary>
 /// Lets the simulator update less often under load. While enabled, the time given to <see cref="PhysicsSimulator.Update(float)"/>
-/// is gathered until <see cref="UpdateInterval"/> has passed and then simulated in one step. The interval follows the real time between updates: it grows by a
-/// quarter of the preferred interval at each update that took longer than it, up to <see cref="MaximumUpdateInterval"/>, and shrinks by an
-/// eighth at each that took less, down to the preferred interval.
+/// is gathered until <see cref="UpdateInterval"/> has passed and then simulated in one step. The interval follows the real time between
+/// updates: it grows by a quarter of the preferred interval at each update that took longer than it, up to
+/// <see cref="MaximumUpdateInterval"/>, and shrinks by an eighth at each that took less, down to the preferred interval.
 /// </summary>
 public class Scaling
 {

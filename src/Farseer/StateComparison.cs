@@ -8,9 +8,9 @@ namespace FarseerGames.FarseerPhysics;
 /// <see cref="PhysicsSimulator.Compare"/> and <see cref="PhysicsSimulatorState.Compare"/>.
 /// </summary>
 /// <remarks>
-/// Compared is all that a state holds. The fields are those that captures write, and have the names that they have in the source: what is saved is
-/// compared. References to bodies, geoms, joints, springs and controllers are the same if these were made as the same ones in turn, handlers if
-/// they call the same method.
+/// Compared is all that a state holds. The fields are those that captures write, and have the names that they have in the source: what is
+/// saved is compared. References to bodies, geoms, joints, springs and controllers are the same if these were made as the same ones in
+/// turn, handlers if they call the same method.
 /// </remarks>
 /// <example>
 /// <code>

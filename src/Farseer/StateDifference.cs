@@ -25,13 +25,18 @@ public sealed class StateDifference
         SecondBits = mismatch.OtherBits;
     }
 
-    /// <summary>The part of the simulation that the field belongs to: that of a body, geom, joint, spring or controller, or one of the solver.</summary>
+    /// <summary>
+    /// The part of the simulation that the field belongs to: that of a body, geom, joint, spring or controller, or one of the solver.
+    /// </summary>
     public string Section { get; }
 
     /// <summary>Which of several the field belongs to, counted from 0; −1 if there is one alone.</summary>
     public int Index { get; }
 
-    /// <summary>Whom it concerns, as far as that is known: a body, geom or joint by its place in the list and its name, or a pair of geoms; else empty.</summary>
+    /// <summary>
+    /// Whom it concerns, as far as that is known: a body, geom or joint by its place in the list and its name, or a pair of geoms; else
+    /// empty.
+    /// </summary>
     public string Item { get; }
 
     /// <summary>The name of the field.</summary>

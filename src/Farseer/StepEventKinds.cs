@@ -2,20 +2,26 @@ using System;
 
 namespace FarseerGames.FarseerPhysics;
 
-/// <summary>Kinds of events that a simulator records: see <see cref="PhysicsSimulator.RecordedEvents"/>. (An addition to the original.)</summary>
+/// <summary>
+/// Kinds of events that a simulator records: see <see cref="PhysicsSimulator.RecordedEvents"/>. (An addition to the original.)
+/// </summary>
 [Flags]
 public enum StepEventKinds
 {
     /// <summary>None: the default, which costs nothing.</summary>
     None = 0,
 
-    /// <summary>Geoms that begin to touch and that part: <see cref="StepEvents.ContactsBegun"/>, <see cref="StepEvents.ContactsEnded"/>.</summary>
+    /// <summary>
+    /// Geoms that begin to touch and that part: <see cref="StepEvents.ContactsBegun"/>, <see cref="StepEvents.ContactsEnded"/>.
+    /// </summary>
     Contacts = 1,
 
     /// <summary>Geoms that meet at speed: <see cref="StepEvents.Hits"/>.</summary>
     Hits = 2,
 
-    /// <summary>Geoms that enter and leave sensors: <see cref="StepEvents.SensorsEntered"/>, <see cref="StepEvents.SensorsLeft"/>.</summary>
+    /// <summary>
+    /// Geoms that enter and leave sensors: <see cref="StepEvents.SensorsEntered"/>, <see cref="StepEvents.SensorsLeft"/>.
+    /// </summary>
     Sensors = 4,
 
     /// <summary>Joints and springs that break: <see cref="StepEvents.BrokenJoints"/>, <see cref="StepEvents.BrokenSprings"/>.</summary>

@@ -9,11 +9,12 @@ namespace FarseerGames.FarseerPhysics;
 
 /// <summary>
 /// What happened in the last update of a simulator, and while items were taken in and out since the one before: a view that is valid until
-/// the next update, without allocation. Each list is empty unless its kind is in <see cref="PhysicsSimulator.RecordedEvents"/>. (An addition to the original.)
+/// the next update, without allocation. Each list is empty unless its kind is in <see cref="PhysicsSimulator.RecordedEvents"/>. (An
+/// addition to the original.)
 /// </summary>
 /// <remarks>
-/// The order depends on the scene alone, not on workers, lanes or the asset: pairs of geoms go by the creation of the older one, then of the other; broken
-/// joints and springs by when they broke; bodies by their place in <see cref="PhysicsSimulator.BodyList"/>.
+/// The order depends on the scene alone, not on workers, lanes or the asset: pairs of geoms go by the creation of the older one, then of
+/// the other; broken joints and springs by when they broke; bodies by their place in <see cref="PhysicsSimulator.BodyList"/>.
 /// </remarks>
 /// <example>
 /// <code>
@@ -38,8 +39,8 @@ public sealed class StepEvents
     public ReadOnlySpan<ContactEvent> ContactsEnded => _recorder.Ended.Published;
 
     /// <summary>
-    /// Pairs that came together faster than <see cref="PhysicsSimulator.HitSpeed"/> and pushed each other. A ball that bounces in each update is in
-    /// it each time, also while its contact goes on.
+    /// Pairs that came together faster than <see cref="PhysicsSimulator.HitSpeed"/> and pushed each other. A ball that bounces in each
+    /// update is in it each time, also while its contact goes on.
     /// </summary>
     public ReadOnlySpan<HitEvent> Hits => _recorder.Hits.Published;
 

@@ -45,7 +45,9 @@ public readonly struct StepReport
     /// <summary>Pairs of convex pieces that pushed each other apart or were about to.</summary>
     public int Contacts => _measures.Contacts;
 
-    /// <summary>Deepest overlap of two geoms that push each other apart, a length; <see cref="PhysicsSimulator.AllowedPenetration"/> is part of it.</summary>
+    /// <summary>
+    /// Deepest overlap of two geoms that push each other apart, a length; <see cref="PhysicsSimulator.AllowedPenetration"/> is part of it.
+    /// </summary>
     public double LargestPenetration => _measures.LargestPenetration;
 
     /// <summary>Root of the mean square of the overlaps over all <see cref="Contacts"/>, a length.</summary>
@@ -133,7 +135,9 @@ public readonly struct StepReport
     /// <summary>The joint with the largest error, if it is one of a joint.</summary>
     public Joint? WorstJoint { get; }
 
-    /// <summary>Bodies that can move of the group, connected by contacts and joints, that the largest error is in; 0 without error.</summary>
+    /// <summary>
+    /// Bodies that can move of the group, connected by contacts and joints, that the largest error is in; 0 without error.
+    /// </summary>
     public int WorstIslandBodies => _measures.WorstIsland;
 
     /// <summary>The error divided by the budget; above 1 it was not kept. 0 without a budget.</summary>
@@ -188,7 +192,10 @@ public readonly struct StepReport
     /// <summary>Work of contacts: friction and the stop of impacts, negative; moving supports may give energy.</summary>
     public double ContactWork => _measures.ContactWork;
 
-    /// <summary>Energy that impacts with restitution gave back after their stop, which <see cref="ContactWork"/> holds; of two fast bodies that fly alone that holds both.</summary>
+    /// <summary>
+    /// Energy that impacts with restitution gave back after their stop, which <see cref="ContactWork"/> holds; of two fast bodies that fly
+    /// alone that holds both.
+    /// </summary>
     public double BounceWork => _measures.BounceWork;
 
     /// <summary>

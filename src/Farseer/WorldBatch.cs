@@ -6,12 +6,13 @@ using FarseerGames.FarseerPhysics.Bridge;
 namespace FarseerGames.FarseerPhysics;
 
 /// <summary>
-/// Many worlds of one recipe, stepped side by side: for learning, searching and sweeping. Each worker has one world at a time, actions come in and
-/// observations go out as rows of numbers, and a world begins anew from its first state without being built again. (An addition to the original.)
+/// Many worlds of one recipe, stepped side by side: for learning, searching and sweeping. Each worker has one world at a time, actions come
+/// in and observations go out as rows of numbers, and a world begins anew from its first state without being built again. (An addition to
+/// the original.)
 /// </summary>
 /// <remarks>
-/// <para>A world sees nothing of the others, so the same actions give the same bits whatever the number of workers and whoever comes first. Once warm, neither
-/// steps nor resets allocate.</para>
+/// <para>A world sees nothing of the others, so the same actions give the same bits whatever the number of workers and whoever comes first.
+/// Once warm, neither steps nor resets allocate.</para>
 /// <para>Worlds in turn find the caches full of each other. With several updates a step a world stays in the cache for all of them.</para>
 /// <para>A batch is to be used by one thread at a time. Disposing it ends its threads; the simulators stay as they are.</para>
 /// </remarks>
@@ -53,7 +54,9 @@ public sealed unsafe class WorldBatch : IBatchWork, IDisposable
         Reset,
     }
 
-    /// <summary>Makes the worlds, one after the other, and captures the state that each begins with. All processors take part in steps.</summary>
+    /// <summary>
+    /// Makes the worlds, one after the other, and captures the state that each begins with. All processors take part in steps.
+    /// </summary>
     /// <param name="count">How many worlds, 1 or more.</param>
     /// <param name="actionSize">Numbers of the action of one world, 0 or more.</param>
     /// <param name="observationSize">Numbers that are seen of one world, 0 or more.</param>
@@ -61,7 +64,8 @@ public sealed unsafe class WorldBatch : IBatchWork, IDisposable
     /// <exception cref="ArgumentNullException"><paramref name="make"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is too small.</exception>
     /// <exception cref="ArgumentException"><paramref name="make"/> returned null, or two worlds with one simulator.</exception>
-    /// <exception cref="InvalidOperationException">A state cannot be captured: see <see cref="PhysicsSimulator.Capture(PhysicsSimulatorState)"/>.</exception>
+    /// <exception cref="InvalidOperationException">A state cannot be captured: see
+    /// <see cref="PhysicsSimulator.Capture(PhysicsSimulatorState)"/>.</exception>
     public WorldBatch(int count, int actionSize, int observationSize, Func<int, BatchedWorld> make)
         : this(count, actionSize, observationSize, make, Environment.ProcessorCount)
     {
@@ -76,7 +80,8 @@ public sealed unsafe class WorldBatch : IBatchWork, IDisposable
     /// <exception cref="ArgumentNullException"><paramref name="make"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is too small.</exception>
     /// <exception cref="ArgumentException"><paramref name="make"/> returned null, or two worlds with one simulator.</exception>
-    /// <exception cref="InvalidOperationException">A state cannot be captured: see <see cref="PhysicsSimulator.Capture(PhysicsSimulatorState)"/>.</exception>
+    /// <exception cref="InvalidOperationException">A state cannot be captured: see
+    /// <see cref="PhysicsSimulator.Capture(PhysicsSimulatorState)"/>.</exception>
     public WorldBatch(int count, int actionSize, int observationSize, Func<int, BatchedWorld> make, int workers)
     {
         _worlds = new BatchedWorld[Require.AtLeast(count, 1, nameof(count))];
@@ -124,14 +129,18 @@ public sealed unsafe class WorldBatch : IBatchWork, IDisposable
 
     /// <summary>Lets each world act, updates it, and observes it.</summary>
     /// <param name="dt">Seconds of each update; finite and above 0.</param>
-    /// <param name="actions">The actions of all worlds, one behind the other: <see cref="Count"/> times <see cref="ActionSize"/> numbers.</param>
-    /// <param name="observations">Where to write what is seen of all: <see cref="Count"/> times <see cref="ObservationSize"/> numbers.</param>
+    /// <param name="actions">The actions of all worlds, one behind the other: <see cref="Count"/> times <see cref="ActionSize"/>
+    /// numbers.</param>
+    /// <param name="observations">Where to write what is seen of all: <see cref="Count"/> times <see cref="ObservationSize"/>
+    /// numbers.</param>
     /// <param name="updates">Updates with the same action, 1 or more. Default 1.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="dt"/> or <paramref name="updates"/> is out of range.</exception>
     /// <exception cref="ArgumentException">A span has another length.</exception>
     /// <exception cref="InvalidOperationException">A call runs already: worlds must not call their batch.</exception>
     /// <exception cref="ObjectDisposedException">The batch is disposed.</exception>
-    /// <remarks>If a world throws, the others are stepped all the same, and what the one of the lowest index threw is thrown here.</remarks>
+    /// <remarks>
+    /// If a world throws, the others are stepped all the same, and what the one of the lowest index threw is thrown here.
+    /// </remarks>
     public void Step(float dt, ReadOnlySpan<float> actions, Span<float> observations, int updates = 1)
     {
         Require.Positive(dt, nameof(dt));

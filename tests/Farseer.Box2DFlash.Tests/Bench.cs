@@ -19,7 +19,8 @@ internal static class Bench
 
     public static b2AABB Box(float half) => new() { lowerBound = new b2Vec2(-half, -half), upperBound = new b2Vec2(half, half) };
 
-    public static b2World World(float gravityY = -10, float half = 100, bool doSleep = true) => new(Box(half), new b2Vec2(0, gravityY), doSleep);
+    public static b2World World(float gravityY = -10, float half = 100, bool doSleep = true) =>
+        new(Box(half), new b2Vec2(0, gravityY), doSleep);
 
     public static b2Body Static(b2World world, float x, float y, float hx, float hy) => Body(world, x, y, BoxDef(hx, hy, 0));
 

@@ -25,9 +25,11 @@ internal sealed class HashedRun
     public IReadOnlyList<string> Hashes { get; }
 
     public static string Asset(string project, string configuration) =>
-        (project.EndsWith("NetStandard", StringComparison.Ordinal) ? ".NETStandard,Version=v2.0 " : ".NETCoreApp,Version=v8.0 ") + configuration;
+        (project.EndsWith("NetStandard", StringComparison.Ordinal) ? ".NETStandard,Version=v2.0 " : ".NETCoreApp,Version=v8.0 ")
+        + configuration;
 
-    public static string Console(string project, string configuration) => Path.Combine(Clone.Root, "tests", project, "bin", configuration, "net10.0", project + ".dll");
+    public static string Console(string project, string configuration) =>
+        Path.Combine(Clone.Root, "tests", project, "bin", configuration, "net10.0", project + ".dll");
 
     // Two runs in one process, except without vectors, where one is slow enough: a state that leaks from run to run shows elsewhere.
     public static HashedRun OfBuilt(string project, string configuration, string switchedOff)

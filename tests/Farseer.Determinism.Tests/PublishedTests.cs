@@ -24,7 +24,12 @@ public sealed class PublishedTests
             // The emulator translates code once: a runtime that writes it through a second mapping would not be seen to change it.
             Dictionary<string, string> environment = new() { ["DOTNET_EnableWriteXorExecute"] = "0" };
             HashedRun run = HashedRun.Of(
-                Command.Run(Publishing.Emulator, folder, ["-L", Publishing.Arm64Root, Path.Combine(folder, project), .. HashedRun.Arguments(1)], environment, HashedRun.Limit), 1);
+                Command.Run(
+                    Publishing.Emulator,
+                    folder,
+                    ["-L", Publishing.Arm64Root, Path.Combine(folder, project), .. HashedRun.Arguments(1)],
+                    environment,
+                    HashedRun.Limit), 1);
 
             run.MustBeGolden($"{project}, ARM64", HashedRun.Asset(project, "Release"));
         });
@@ -38,7 +43,8 @@ public sealed class PublishedTests
         WithPublished(project, ["-p:Published=native", "-p:Instructions=" + instructions, .. linker], folder =>
         {
             HashedRun run = HashedRun.Of(
-                Command.Run(Path.Combine(folder, project), folder, HashedRun.Arguments(2), new Dictionary<string, string>(), HashedRun.Limit), 2);
+                Command.Run(
+                    Path.Combine(folder, project), folder, HashedRun.Arguments(2), new Dictionary<string, string>(), HashedRun.Limit), 2);
 
             run.MustBeGolden($"{project}, native, '{instructions}'", HashedRun.Asset(project, "Release"));
         });
@@ -50,7 +56,10 @@ public sealed class PublishedTests
         try
         {
             (int code, string output) = Command.Dotnet(
-                Clone.Root, ["publish", "-c", "Release", Path.Combine("tests", project), "-o", folder, .. properties], new Dictionary<string, string>(), HashedRun.Limit);
+                Clone.Root,
+                ["publish", "-c", "Release", Path.Combine("tests", project), "-o", folder, .. properties],
+                new Dictionary<string, string>(),
+                HashedRun.Limit);
             Assert.True(code == 0, output);
             test(folder);
         }

@@ -21,7 +21,8 @@ internal static class Publishing
 
     public static string? WhyNoArm64 { get; } =
         WhyNothing() ?? (!Has(Emulator) || !File.Exists(Arm64Root + "/lib/libstdc++.so.6")
-            ? "an ARM64 processor is emulated with Debian's qemu-user-static, libc6-arm64-cross and libstdc++6-arm64-cross, which are not all here" : null);
+            ? "an ARM64 processor is emulated with Debian's qemu-user-static, libc6-arm64-cross and libstdc++6-arm64-cross, which are "
+                + "not all here" : null);
 
     public static string? WhyNoNative { get; } =
         WhyNothing() ?? (!HasClang && !Has("gcc") ? "native code is linked with clang or gcc, and neither is here" : null);
@@ -31,7 +32,8 @@ internal static class Publishing
         : !OperatingSystem.IsLinux() || RuntimeInformation.ProcessArchitecture != Architecture.X64 ? "published on Linux x64 only" : null;
 
     private static bool Has(string program) =>
-        (Environment.GetEnvironmentVariable("PATH") ?? string.Empty).Split(Path.PathSeparator).Any(folder => File.Exists(Path.Combine(folder, program)));
+        (Environment.GetEnvironmentVariable("PATH") ?? string.Empty).Split(Path.PathSeparator)
+            .Any(folder => File.Exists(Path.Combine(folder, program)));
 }
 
 /// <summary>A test that runs on an emulated ARM64 processor: skipped, and reported so, where there is no emulator.</summary>

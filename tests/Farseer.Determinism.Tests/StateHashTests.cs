@@ -53,7 +53,10 @@ public sealed class StateHashTests
     public void Simulator_WithVectorsLongerThanABundle_TellsWhatToUnset(string project)
     {
         (int code, string output) = Command.Dotnet(
-            Clone.Root, ["exec", HashedRun.Console(project, Clone.Configuration), "1", "falling-stack"], new Dictionary<string, string> { ["DOTNET_MaxVectorTBitWidth"] = "512" }, HashedRun.Limit);
+            Clone.Root,
+            ["exec", HashedRun.Console(project, Clone.Configuration), "1", "falling-stack"],
+            new Dictionary<string, string> { ["DOTNET_MaxVectorTBitWidth"] = "512" },
+            HashedRun.Limit);
 
         if (Vector512.IsHardwareAccelerated)
         {

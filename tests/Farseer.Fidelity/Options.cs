@@ -8,7 +8,8 @@ namespace Farseer.Fidelity;
 public sealed record Options(string Folder, IReadOnlyCollection<string> Categories, string? Scene, bool Verbose, bool List, string? CsvPath)
 {
     private static readonly Argument<string> _folder = new("folder") { Description = "the folder of recorded scenes" };
-    private static readonly ValueOption<string?> _categories = Values.Word("--category", "A,B", "names of categories, joined by commas", "only scenes of these");
+    private static readonly ValueOption<string?> _categories =
+        Values.Word("--category", "A,B", "names of categories, joined by commas", "only scenes of these");
     private static readonly ValueOption<string?> _scene = Values.Word("--scene", "NAME", "the name of a scene", "only this scene");
     private static readonly Option<bool> _verbose = Values.Flag("--verbose", "tells every check");
     private static readonly Option<bool> _list = Values.Flag("--list", "names the scenes and runs none");
@@ -23,7 +24,8 @@ public sealed record Options(string Folder, IReadOnlyCollection<string> Categori
 
     public static Options Read(ParseResult result) => new(
         result.GetRequiredValue(_folder),
-        result.GetValue(_categories)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries | System.StringSplitOptions.TrimEntries) ?? [],
+        result.GetValue(_categories)?.Split(',', System.StringSplitOptions.RemoveEmptyEntries | System.StringSplitOptions.TrimEntries)
+        ?? [],
         result.GetValue(_scene),
         result.GetValue(_verbose),
         result.GetValue(_list),

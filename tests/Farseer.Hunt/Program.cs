@@ -16,7 +16,8 @@ public static class Program
         var seconds = new Option<double>("--seconds") { DefaultValueFactory = _ => 60, Description = "how long worlds are made" };
         var seed = new Option<ulong?>("--seed") { Description = "the first world; without, a new one each time" };
         var worlds = new Option<int>("--worlds") { DefaultValueFactory = _ => int.MaxValue, Description = "how many at most" };
-        var workers = new Option<int?>("--workers") { Description = "for all worlds; without, every fourth runs with 1, 2 and 4, which must end with the same bits" };
+        var workers = new Option<int?>(
+            "--workers") { Description = "for all worlds; without, every fourth runs with 1, 2 and 4, which must end with the same bits" };
         var profile = new Option<Profile?>("--profile") { Description = "worlds of this kind alone" };
         var folder = new Option<string>("--out") { DefaultValueFactory = _ => "hunt", Description = "where files of failures go" };
         var root = new RootCommand("Makes random worlds, calls anything, and looks at what must always hold.") { facade, seconds, seed,

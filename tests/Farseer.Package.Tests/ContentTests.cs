@@ -27,7 +27,9 @@ public sealed class ContentTests(PackedLibrary library)
         using ZipArchive package = ZipFile.OpenRead(library.Package);
 
         IEnumerable<string> present = package.Entries.Select(e => e.FullName)
-            .Where(n => !n.StartsWith("_rels/", StringComparison.Ordinal) && !n.StartsWith("package/", StringComparison.Ordinal) && n != "[Content_Types].xml");
+            .Where(n => !n.StartsWith("_rels/", StringComparison.Ordinal)
+                && !n.StartsWith("package/", StringComparison.Ordinal)
+                && n != "[Content_Types].xml");
 
         Assert.Equal(expected.Order(StringComparer.Ordinal), present.Order(StringComparer.Ordinal));
     }
@@ -43,8 +45,10 @@ public sealed class ContentTests(PackedLibrary library)
 
         Assert.Equal(
             _frameworks.SelectMany(f => new[] { $"lib/{f}/{name}.dll", $"lib/{f}/{name}.xml" }).Order(StringComparer.Ordinal),
-            package.Entries.Select(e => e.FullName).Where(n => n.StartsWith("lib/", StringComparison.Ordinal)).Order(StringComparer.Ordinal));
-        XElement[] farseer = [.. metadata.Descendants().Where(e => e.Name.LocalName == "dependency" && e.Attribute("id")!.Value == "Farseer")];
+            package.Entries.Select(e => e.FullName).Where(n => n.StartsWith("lib/", StringComparison.Ordinal))
+                .Order(StringComparer.Ordinal));
+        XElement[] farseer = [.. metadata.Descendants()
+            .Where(e => e.Name.LocalName == "dependency" && e.Attribute("id")!.Value == "Farseer")];
         Assert.Equal(_frameworks.Length, farseer.Length);
         Assert.All(farseer, d => Assert.Equal($"[{library.Version}]", d.Attribute("version")!.Value));
     }
@@ -57,9 +61,12 @@ public sealed class ContentTests(PackedLibrary library)
         XElement metadata = XDocument.Load(stream).Root!.Elements().Single();
 
         Assert.Equal(
-            _frameworks.SelectMany(f => new[] { $"lib/{f}/Farseer.Serialization.dll", $"lib/{f}/Farseer.Serialization.xml" }).Order(StringComparer.Ordinal),
-            package.Entries.Select(e => e.FullName).Where(n => n.StartsWith("lib/", StringComparison.Ordinal)).Order(StringComparer.Ordinal));
-        XElement[] others = [.. metadata.Descendants().Where(e => e.Name.LocalName == "dependency" && e.Attribute("id")!.Value.StartsWith("Farseer", StringComparison.Ordinal))];
+            _frameworks.SelectMany(f => new[] { $"lib/{f}/Farseer.Serialization.dll", $"lib/{f}/Farseer.Serialization.xml" })
+                .Order(StringComparer.Ordinal),
+            package.Entries.Select(e => e.FullName).Where(n => n.StartsWith("lib/", StringComparison.Ordinal))
+                .Order(StringComparer.Ordinal));
+        XElement[] others = [.. metadata.Descendants()
+            .Where(e => e.Name.LocalName == "dependency" && e.Attribute("id")!.Value.StartsWith("Farseer", StringComparison.Ordinal))];
         Assert.Equal(2 * _frameworks.Length, others.Length);
         Assert.All(others, d => Assert.Equal($"[{library.Version}]", d.Attribute("version")!.Value));
     }
@@ -86,7 +93,8 @@ public sealed class ContentTests(PackedLibrary library)
     [Fact]
     public void Description_SaysWhereTheSourceIsAndWhatIsNew()
     {
-        foreach ((string package, string id) in new[] { (library.Package, "Farseer"), (library.PackageOf("Farseer.Box2DFlash"), "Farseer.Box2DFlash") })
+        foreach ((string package, string id) in new[] { (library.Package, "Farseer"), (library.PackageOf(
+            "Farseer.Box2DFlash"), "Farseer.Box2DFlash") })
         {
             XElement metadata = XDocument.Parse(Text(package, id + ".nuspec")).Root!.Elements().Single();
 
@@ -116,16 +124,21 @@ public sealed class ContentTests(PackedLibrary library)
     [InlineData("net8.0")]
     public void Documentation_OfPublicMembersAlone(string framework)
     {
-        foreach ((string package, string name) in new[] { (library.Package, "Farseer"), (library.PackageOf("Farseer.Box2DFlash"), "Farseer.Box2DFlash") })
+        foreach ((string package, string name) in new[] { (library.Package, "Farseer"), (library.PackageOf(
+            "Farseer.Box2DFlash"), "Farseer.Box2DFlash") })
         {
-            List<string> members = [.. XDocument.Parse(Text(package, $"lib/{framework}/{name}.xml")).Descendants("member").Select(m => m.Attribute("name")!.Value)];
+            List<string> members = [.. XDocument.Parse(Text(package, $"lib/{framework}/{name}.xml")).Descendants("member")
+                .Select(m => m.Attribute("name")!.Value)];
 
             Assert.True(members.Count > 500, $"{name} documents {members.Count} members.");
             Assert.DoesNotContain(members, m => m.Contains(".Bridge.", StringComparison.Ordinal));
             Assert.DoesNotContain(members, m => System.Text.RegularExpressions.Regex.IsMatch(m, @"^F:.*\._[a-z]"));
         }
 
-        Assert.Contains("T:FarseerGames.FarseerPhysics.PhysicsSimulator", Text(library.Package, $"lib/{framework}/Farseer.xml"), StringComparison.Ordinal);
+        Assert.Contains(
+            "T:FarseerGames.FarseerPhysics.PhysicsSimulator",
+            Text(library.Package, $"lib/{framework}/Farseer.xml"),
+            StringComparison.Ordinal);
     }
 
     [Theory]
@@ -162,7 +175,8 @@ public sealed class ContentTests(PackedLibrary library)
         foreach (CustomAttribute attribute in metadata.GetAssemblyDefinition().GetCustomAttributes().Select(metadata.GetCustomAttribute))
         {
             if (attribute.Constructor.Kind == HandleKind.MemberReference
-                && metadata.GetMemberReference((MemberReferenceHandle)attribute.Constructor).Parent is { Kind: HandleKind.TypeReference } parent
+                && metadata.GetMemberReference(
+                    (MemberReferenceHandle)attribute.Constructor).Parent is { Kind: HandleKind.TypeReference } parent
                 && metadata.GetString(metadata.GetTypeReference((TypeReferenceHandle)parent).Name) == "AssemblyMetadataAttribute")
             {
                 BlobReader blob = metadata.GetBlobReader(attribute.Value);

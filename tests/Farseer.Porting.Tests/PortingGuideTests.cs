@@ -29,7 +29,8 @@ namespace Farseer.Porting.Tests
         [InlineData("Members of other versions")]
         public void Table_OfDifferences_BeginsWithWhatIsUsedMost(string heading)
         {
-            int[] uses = PortingGuide.Table(heading).Select(row => row[0] == "–" ? -1 : int.Parse(row[0], CultureInfo.InvariantCulture)).ToArray();
+            int[] uses =
+                PortingGuide.Table(heading).Select(row => row[0] == "–" ? -1 : int.Parse(row[0], CultureInfo.InvariantCulture)).ToArray();
             Assert.NotEmpty(uses);
             Assert.Equal(uses.OrderByDescending(n => n), uses);
         }
@@ -49,7 +50,9 @@ namespace Farseer.Porting.Tests
                 counted.UnionWith(PortingGuide.Rows("usage.tsv").Where(row => Is(row.Split('\t'), type, member, parameters)));
             }
 
-            return names ? counted.Sum(row => int.Parse(row.Split('\t')[5], CultureInfo.InvariantCulture)).ToString(CultureInfo.InvariantCulture) : "–";
+            return names
+                ? counted.Sum(row => int.Parse(row.Split('\t')[5], CultureInfo.InvariantCulture)).ToString(CultureInfo.InvariantCulture)
+                : "–";
         }
 
         private static bool Is(string[] row, string type, string member, string parameters)

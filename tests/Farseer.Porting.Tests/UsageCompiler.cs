@@ -10,7 +10,9 @@ using Microsoft.CodeAnalysis.CSharp;
 
 namespace Farseer.Porting.Tests
 {
-    /// <summary>Writes for a row of a table a line of C# that uses the member, and compiles it under the aliases of the build property.</summary>
+    /// <summary>
+    /// Writes for a row of a table a line of C# that uses the member, and compiles it under the aliases of the build property.
+    /// </summary>
     internal static class UsageCompiler
     {
         private static readonly Dictionary<string, string> Operators = new Dictionary<string, string>
@@ -75,7 +77,9 @@ namespace Farseer.Porting.Tests
 
             if (Operators.TryGetValue(name, out string symbol))
             {
-                return new[] { parameters.Length == 1 ? $"({declared}) {{ var y = {symbol}a0; }}" : $"({declared}) {{ var y = a0 {symbol} a1; }}" };
+                return new[] { parameters.Length == 1
+                    ? $"({declared}) {{ var y = {symbol}a0; }}"
+                    : $"({declared}) {{ var y = a0 {symbol} a1; }}" };
             }
 
             if (name.StartsWith("add_", StringComparison.Ordinal) || kind == "event")
@@ -108,7 +112,8 @@ namespace Farseer.Porting.Tests
         }
 
         private static string Set(string[] parameters) => string.Concat(parameters
-            .Select((p, i) => (p, i)).Where(pair => pair.p.StartsWith("out ", StringComparison.Ordinal)).Select(pair => $"a{pair.i} = default; "));
+            .Select((p, i) => (p, i)).Where(pair => pair.p.StartsWith("out ", StringComparison.Ordinal))
+                .Select(pair => $"a{pair.i} = default; "));
 
         /// <summary>Lines with an error.</summary>
         public static HashSet<int> Broken(string body)

@@ -40,7 +40,8 @@ namespace Farseer.Porting.Tests
             double share = (double)(Uses(rows) - Uses(failures)) / Uses(rows);
             string found = string.Create(
                 CultureInfo.InvariantCulture,
-                $"Compiles unchanged: {rows.Length - failures.Length} of {rows.Length} members, {share * 100:0.#} % of {Uses(rows):#,0} uses.");
+                $"Compiles unchanged: {rows.Length - failures.Length} of {rows.Length} members, {share * 100:0.#} % of {Uses(rows):#,0} "
+                    + $"uses.");
             Assert.Contains(found, PortingGuide.Text, StringComparison.Ordinal);
         }
 
@@ -52,7 +53,8 @@ namespace Farseer.Porting.Tests
             string[] failures = UsageCompiler.Failures(maths);
             _output.WriteLine($"{failures.Length} rows of mathematics uncovered ({maths.Length} rows, {Uses(maths)} uses)");
             Assert.True(failures.Length == 0, $"{failures.Length} rows do not compile:\n{string.Join('\n', failures)}");
-            Assert.Contains($"use {rows.Length} members of XNA besides. {maths.Length} of them", PortingGuide.Text, StringComparison.Ordinal);
+            Assert.Contains(
+                $"use {rows.Length} members of XNA besides. {maths.Length} of them", PortingGuide.Text, StringComparison.Ordinal);
         }
 
         [Fact]
@@ -89,7 +91,8 @@ namespace Farseer.Porting.Tests
         [Fact]
         public void AWrongUse_DoesNotCompile()
         {
-            HashSet<int> broken = UsageCompiler.Broken("class Uses {\nstatic void M0(Body x) { x.Flies(); }\nstatic void M1(Body x) { x.Dispose(); }\n}");
+            HashSet<int> broken =
+                UsageCompiler.Broken("class Uses {\nstatic void M0(Body x) { x.Flies(); }\nstatic void M1(Body x) { x.Dispose(); }\n}");
             Assert.Equal(new[] { 1 }, broken);
             Assert.Equal(
                 new[] { "N\tBody\tmethod\tFlies()\t1\t1" },
@@ -117,7 +120,8 @@ namespace Farseer.Porting.Tests
         private static bool Exists(string name)
         {
             string[] parts = name.Split('.');
-            Type type = typeof(PhysicsSimulator).Assembly.GetExportedTypes().Concat(new[] { typeof(Vector2) }).FirstOrDefault(t => t.Name == parts[0]);
+            Type type = typeof(PhysicsSimulator).Assembly.GetExportedTypes().Concat(new[] { typeof(Vector2) })
+                .FirstOrDefault(t => t.Name == parts[0]);
             Type added = typeof(PhysicsSimulator).Assembly.GetType("FarseerGames.FarseerPhysics.Porting." + parts[0] + "Porting");
             return Has(type, parts[1]) || Has(added, parts[1]);
         }

@@ -18,7 +18,8 @@ public sealed class FolderStorageTests : IDisposable
     private readonly FolderStorage _storage;
 
     public FolderStorageTests() =>
-        _storage = new FolderStorage(_folder, new ServiceCollection().AddSerializer().BuildServiceProvider().GetRequiredService<Serializer>());
+        _storage = new FolderStorage(
+            _folder, new ServiceCollection().AddSerializer().BuildServiceProvider().GetRequiredService<Serializer>());
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 

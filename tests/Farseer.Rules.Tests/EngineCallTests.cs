@@ -72,7 +72,9 @@ public sealed class EngineCallTests
             || use.Member.StartsWith("MultiplyAdd", StringComparison.Ordinal)
             || use.Member == "FusedMultiplyAdd"
             // Two terms add to the same in either order, so Vector2.Dot is no horizontal sum in this sense.
-            || (use.Member is "Sum" or "Dot" && use.UsedType != "System.Numerics.Vector2" && use.UsedType.StartsWith("System.Numerics.Vector", StringComparison.Ordinal));
+            || (use.Member is "Sum" or "Dot"
+                && use.UsedType != "System.Numerics.Vector2"
+                && use.UsedType.StartsWith("System.Numerics.Vector", StringComparison.Ordinal));
         return clock || thread || lanes || _types.Contains(use.UsedType)
             || (use.UsedType is "System.Math" or "System.MathF" && _transcendental.Contains(use.Member))
             || (use.UsedType == "System.Numerics.Vector2" && _vector2.Contains(use.Member));

@@ -83,7 +83,9 @@ public sealed class ExampleTests
     {
         List<(string File, string Code)> examples = [.. from file in Repository.Files("src/Farseer", "*.cs")
             from Match block in Regex.Matches(
-                File.ReadAllText(file), @"^/// <example>\s*\n/// <code>\n((?:///.*\n)*?)/// </code>\n/// </example>", RegexOptions.Multiline)
+                File.ReadAllText(file),
+                @"^/// <example>\s*\n/// <code>\n((?:///.*\n)*?)/// </code>\n/// </example>",
+                RegexOptions.Multiline)
             let lines = block.Groups[1].Value.Split('\n').Select(l => l.Length > 4 ? l[4..] : string.Empty)
             select (Repository.Relative(file), WebUtility.HtmlDecode(string.Join('\n', lines)))];
         StringBuilder source = new(Surroundings);
@@ -93,7 +95,8 @@ public sealed class ExampleTests
             (string file, string code) = examples[i];
             bool isMember = code.StartsWith("public ", StringComparison.Ordinal);
             string body = $"#line 1 \"{file}\"\n{code}\n";
-            source.Append(FormattableString.Invariant($"class Example{i} : Surroundings\n{{\n{(isMember ? body : $"static void Run()\n{{\n{body}}}\n")}}}\n"));
+            source.Append(FormattableString.Invariant(
+                $"class Example{i} : Surroundings\n{{\n{(isMember ? body : $"static void Run()\n{{\n{body}}}\n")}}}\n"));
         }
 
         Assert.True(examples.Count >= Least, $"{examples.Count} examples");

@@ -19,7 +19,8 @@ public sealed class GamesTableTests
         foreach (string file in Directory.GetFiles(Path.Combine(Repository.Root, "tests", "Farseer.Tests", "Games"), "*Tests.cs"))
         {
             string type = Path.GetFileNameWithoutExtension(file);
-            foreach (Match method in Regex.Matches(File.ReadAllText(file), @"\[(?:Fact|Theory|MemberData\(\w+\(\w+\)\)|InlineData\([^\n]*\))\]\s+public void (\w+)\("))
+            foreach (Match method in Regex.Matches(
+                File.ReadAllText(file), @"\[(?:Fact|Theory|MemberData\(\w+\(\w+\)\)|InlineData\([^\n]*\))\]\s+public void (\w+)\("))
             {
                 existing.Add(type + "." + method.Groups[1].Value);
             }

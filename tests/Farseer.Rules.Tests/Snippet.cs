@@ -23,12 +23,15 @@ internal static class Snippet
 
     /// <summary>Code for another engine, with the name of the stub that stands for it.</summary>
     public static IEnumerable<(string Engine, string Code)> ForEngines(string document) =>
-        Regex.Matches(document, "```csharp stub:(\\w+)\n(.*?)```", RegexOptions.Singleline).Select(m => (m.Groups[1].Value, m.Groups[2].Value));
+        Regex.Matches(document, "```csharp stub:(\\w+)\n(.*?)```", RegexOptions.Singleline)
+            .Select(m => (m.Groups[1].Value, m.Groups[2].Value));
 
     public static IEnumerable<string> Blocks(string document) =>
         Regex.Matches(document, "```csharp\n(.*?)```", RegexOptions.Singleline).Select(m => m.Groups[1].Value);
 
-    /// <summary>Errors and warnings of code for another engine. That references may be null is not said there: none of them writes so.</summary>
+    /// <summary>
+    /// Errors and warnings of code for another engine. That references may be null is not said there: none of them writes so.
+    /// </summary>
     public static IEnumerable<Diagnostic> Compile(string code, string stub, string where)
     {
         bool isProgram = Regex.IsMatch(code, "^Raylib\\.", RegexOptions.Multiline);

@@ -15,10 +15,12 @@ public sealed class TextTests
     // The rules are spelled so that this file keeps them: the last letter of each word stands in a class of its own.
     private static readonly Regex _path = new(@"(?<![\w.$}])/(work|root|home|tmp|Users)/|[A-Z]:\\+Users");
 
-    private static readonly Regex _host = new(@"nuget\.or[g]|npmjs\.co[m]|pypi\.or[g]|crates\.i[o]|localhos[t]|127\.0\.0\.[1]", RegexOptions.IgnoreCase);
+    private static readonly Regex _host =
+        new(@"nuget\.or[g]|npmjs\.co[m]|pypi\.or[g]|crates\.i[o]|localhos[t]|127\.0\.0\.[1]", RegexOptions.IgnoreCase);
 
     private static readonly Regex _trade = new(
-        @"\b(LL[M]|GP[T]|Claud[e]|Anthropi[c]|OpenA[I]|Copilo[t]|chatbo[t]|subagen[t]|sessio[n]s?|agen[t]s?|worktre[e])\b", RegexOptions.IgnoreCase);
+        @"\b(LL[M]|GP[T]|Claud[e]|Anthropi[c]|OpenA[I]|Copilo[t]|chatbo[t]|subagen[t]|sessio[n]s?|agen[t]s?|worktre[e])\b",
+        RegexOptions.IgnoreCase);
 
     [Fact]
     public void Text_HasNoPathOfAMachine() => Assert.Empty(Matches(_path));

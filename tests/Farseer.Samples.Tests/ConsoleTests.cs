@@ -69,7 +69,10 @@ public sealed class ConsoleTests : IDisposable
     [InlineData("linearDragCoefficient", "linearDragCoeficient", "bodies[0].linearDragCoeficient is no property")]
     [InlineData("[0, 10]", "[0]", "gravity must be a pair [x, y]")]
     [InlineData("\"steps\": 20,", "\"steps\": 20, \"joints\": [{}],", "joints are not supported")]
-    [InlineData("\"steps\": 20,", "\"steps\": 20, \"actions\": [{ \"step\": -1, \"target\": \"a\", \"call\": \"ClearForce\" }],", "actions[0].step must be 0 or more")]
+    [InlineData(
+        "\"steps\": 20,",
+        "\"steps\": 20, \"actions\": [{ \"step\": -1, \"target\": \"a\", \"call\": \"ClearForce\" }],",
+        "actions[0].step must be 0 or more")]
     [InlineData(
         "\"steps\": 20,",
         "\"steps\": 20, \"actions\": [{ \"step\": 5, \"until\": 4, \"target\": \"a\", \"call\": \"ClearForce\" }],",
@@ -120,7 +123,8 @@ public sealed class ConsoleTests : IDisposable
     {
         string file = Path.Combine(_folder, "run.html");
 
-        (int code, string output, string error) = await Run("record", "pyramid", "--steps", "20", "--beside-iterations", "7", "--html", file);
+        (int code, string output, string error) =
+            await Run("record", "pyramid", "--steps", "20", "--beside-iterations", "7", "--html", file);
 
         Assert.Equal(string.Empty, error);
         Assert.Equal(0, code);

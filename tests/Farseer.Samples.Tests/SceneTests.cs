@@ -43,8 +43,8 @@ public class SceneTests
     }
 
     /// <summary>
-    /// Groups of piles are solved by whoever is free, all substeps of one before the next. Worlds come and go meanwhile, so that what lies behind the memory of one is
-    /// given back: a pass that read there once ended the process.
+    /// Groups of piles are solved by whoever is free, all substeps of one before the next. Worlds come and go meanwhile, so that what lies
+    /// behind the memory of one is given back: a pass that read there once ended the process.
     /// </summary>
     [Fact]
     public void Scene_OfManyPyramidsWithTwoWorkers_MovesAsWithOne()
@@ -79,7 +79,8 @@ public class SceneTests
         (long bytes, int events) = RunAndCount(SceneLibrary.Find(name)!);
 
         Assert.Equal(0, bytes);
-        Assert.True(events > 0 || name is "chain" or "rope-100" or "projectiles" or "springs" or "gear-joint", "No handler was ever called.");
+        Assert.True(
+            events > 0 || name is "chain" or "rope-100" or "projectiles" or "springs" or "gear-joint", "No handler was ever called.");
     }
 
     // A background collection writes off the unused rest of a thread's allocation buffer, which then counts as allocated: up to
@@ -170,7 +171,8 @@ public class SceneTests
             Assert.All(simulator.BodyList, body => Assert.InRange(body.LinearVelocity.Length(), 0, 200));
         }
 
-        // The heap, which begins at a mean height of 18 and far too dense, is whirled up to 41 in a bin whose middle is at 32, as in the other engine (42).
+        // The heap, which begins at a mean height of 18 and far too dense, is whirled up to 41 in a bin whose middle is at 32, as in the
+        // other engine (42).
         Assert.InRange(simulator.BodyList.Average(body => body.Position.Y), 38, 44);
     }
 

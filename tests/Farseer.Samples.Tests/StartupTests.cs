@@ -16,8 +16,9 @@ public sealed partial class StartupTests
     private static readonly TimeSpan _limit = TimeSpan.FromMinutes(2);
 
     /// <summary>
-    /// Methods, and not milliseconds: those are the same on a busy machine. Without <c>WarmUp</c> 700 to 1,000 fall to the first update; with it 3 to 7, which are those of the scene
-    /// itself and what no warm-up comes to. A kernel that was left out would bring a dozen along.
+    /// Methods, and not milliseconds: those are the same on a busy machine. Without <c>WarmUp</c> 700 to 1,000 fall to the first update;
+    /// with it 3 to 7, which are those of the scene itself and what no warm-up comes to. A kernel that was left out would bring a dozen
+    /// along.
     /// </summary>
     [Theory]
     [InlineData("resting_boxes=10")]
@@ -37,7 +38,8 @@ public sealed partial class StartupTests
 
     private static int MethodsOfTheFirstUpdate(params string[] arguments)
     {
-        string program = Path.Combine(Clone.Root, "benchmarks", "Farseer.Startup", "bin", Clone.Configuration, "net10.0", "Farseer.Startup.dll");
+        string program =
+            Path.Combine(Clone.Root, "benchmarks", "Farseer.Startup", "bin", Clone.Configuration, "net10.0", "Farseer.Startup.dll");
         IEnumerable<string> all = new[] { "exec", program }.Concat(arguments).Append("1");
         (int code, string output) = Command.Dotnet(Clone.Root, all, new Dictionary<string, string>(), _limit);
         Assert.True(code == 0, output);

@@ -27,7 +27,8 @@ public sealed class SweepTests : IDisposable
     public async Task Merge_OfTwoShards_IsTheSweepInOne()
     {
         await Succeed("sweep", PathOf("spec.json"), "--shard", "0/2", "--out", PathOf("0.jsonl"));
-        await SucceedIn(new() { ["JOB_COMPLETION_INDEX"] = "1" }, "sweep", PathOf("spec.json"), "--shards", "2", "--out", PathOf("1.jsonl"));
+        await SucceedIn(
+            new() { ["JOB_COMPLETION_INDEX"] = "1" }, "sweep", PathOf("spec.json"), "--shards", "2", "--out", PathOf("1.jsonl"));
         string whole = await Succeed("sweep", PathOf("spec.json"), "--out", PathOf("all.jsonl"));
 
         string merged = await Succeed("merge", PathOf("1.jsonl"), PathOf("0.jsonl"), "--out", PathOf("a.jsonl"));

@@ -21,22 +21,39 @@ internal static class FlashEverything
         hinge.Initialize(ground, first, new b2Vec2(0, 6));
         var slider = new b2PrismaticJointDef { enableLimit = true, lowerTranslation = -1, upperTranslation = 2 };
         slider.Initialize(ground, second, new b2Vec2(4, 5), new b2Vec2(3, 1));
-        world.CreateJoint(new b2GearJointDef { joint1 = world.CreateJoint(hinge), joint2 = world.CreateJoint(slider), body1 = first, body2 = second, ratio = 2 });
+        world.CreateJoint(new b2GearJointDef
+        {
+            joint1 = world.CreateJoint(hinge),
+            joint2 = world.CreateJoint(slider),
+            body1 = first,
+            body2 = second,
+            ratio = 2,
+        });
         var rod = new b2DistanceJointDef();
         rod.Initialize(Square(world, 8), Square(world, 11), new b2Vec2(8, 5), new b2Vec2(11, 5.5f));
         rod.frequencyHz = 3;
         rod.dampingRatio = 0.2f;
         world.CreateJoint(rod);
         var rope = new b2PulleyJointDef();
-        rope.Initialize(Square(world, 20), Square(world, 24), new b2Vec2(20, 12), new b2Vec2(24, 12), new b2Vec2(20, 5), new b2Vec2(24, 5), 1.5f);
+        rope.Initialize(
+            Square(world, 20), Square(world, 24), new b2Vec2(20, 12), new b2Vec2(24, 12), new b2Vec2(20, 5), new b2Vec2(24, 5), 1.5f);
         world.CreateJoint(rope);
         b2Body pulled = Square(world, 30);
         world.CreateJoint(new b2MouseJointDef { body1 = ground, body2 = pulled, target = new b2Vec2(30.2f, 5), maxForce = 100 });
         b2Body ball = world.CreateBody(new b2BodyDef
         {
-            position = new b2Vec2(40, 3), angle = 0.5f, isBullet = true, fixedRotation = true, linearDamping = 0.1f, angularDamping = 0.2f, userData = "ball",
+            position = new b2Vec2(40, 3), angle = 0.5f, isBullet = true, fixedRotation = true, linearDamping = 0.1f, angularDamping = 0.2f,
+            userData = "ball",
         });
-        ball.CreateShape(new b2CircleDef { radius = 0.5f, density = 2, localPosition = new b2Vec2(0.25f, 0.125f), friction = 0.4f, restitution = 0.3f, userData = "skin" });
+        ball.CreateShape(new b2CircleDef
+        {
+            radius = 0.5f,
+            density = 2,
+            localPosition = new b2Vec2(0.25f, 0.125f),
+            friction = 0.4f,
+            restitution = 0.3f,
+            userData = "skin",
+        });
         ball.SetMassFromShapes();
         ball.SetLinearVelocity(new b2Vec2(1, 2));
         ball.ApplyForce(new b2Vec2(3, 0), new b2Vec2(40, 3));

@@ -22,7 +22,8 @@ internal static class Saves
     public static PhysicsSimulator Loaded(PhysicsSimulator simulator, SceneFormat format, bool state) =>
         SceneFile.LoadSimulator(SceneFile.Save(simulator, Options(format, state)));
 
-    public static b2World Loaded(b2World world, SceneFormat format, bool state) => SceneFile.LoadWorld(SceneFile.Save(world, Options(format, state)));
+    public static b2World Loaded(b2World world, SceneFormat format, bool state) =>
+        SceneFile.LoadWorld(SceneFile.Save(world, Options(format, state)));
 
     public static string Json(PhysicsSimulator simulator) => Encoding.UTF8.GetString(SceneFile.Save(simulator));
 
@@ -51,6 +52,7 @@ internal static class Saves
         string[] lines = Encoding.UTF8.GetString(one).Split('\n');
         string[] others = Encoding.UTF8.GetString(other).Split('\n');
         int line = lines.Zip(others).TakeWhile(pair => pair.First == pair.Second).Count();
-        return string.Join('\n', lines.Skip(Math.Max(0, line - 4)).Take(6)) + "\n--\n" + string.Join('\n', others.Skip(Math.Max(0, line - 4)).Take(6));
+        return string.Join('\n', lines.Skip(Math.Max(0, line - 4)).Take(6)) + "\n--\n"
+            + string.Join('\n', others.Skip(Math.Max(0, line - 4)).Take(6));
     }
 }

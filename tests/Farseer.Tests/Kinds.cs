@@ -68,7 +68,8 @@ internal static class Kinds
         [nameof(WindController)] = p => new WindController(new Vector2(30, 0), 0.5f) { Filter = p.Has },
         [nameof(ExplosionController)] = Charge,
         [nameof(VelocityLimitController)] = p => new VelocityLimitController(60, 3) { Filter = p.Has },
-        [nameof(InactivityController)] = p => new InactivityController(p.Simulator) { Enabled = true, MaxIdleTime = 200, ActivationDistance = 60 },
+        [nameof(InactivityController)] = p =>
+            new InactivityController(p.Simulator) { Enabled = true, MaxIdleTime = 200, ActivationDistance = 60 },
         [nameof(OwnController)] = p => new OwnController(p.A, p.B),
     };
 
@@ -154,7 +155,8 @@ internal static class Kinds
     {
         var fluid = new FluidDragController();
         Vector2 place = pair.A.Position;
-        fluid.Initialize(new AABBFluidContainer(new AABB(place - new Vector2(20, 5), place + new Vector2(60, 100))), 0.002f, 2, 1, new Vector2(0, 100));
+        fluid.Initialize(
+            new AABBFluidContainer(new AABB(place - new Vector2(20, 5), place + new Vector2(60, 100))), 0.002f, 2, 1, new Vector2(0, 100));
         fluid.AddGeom(pair.GeomA);
         fluid.AddGeom(pair.GeomB);
         return fluid;

@@ -12,14 +12,23 @@ internal static class CrowdExtremes
     public static IReadOnlyList<Extreme> All { get; } =
     [
         new("tall", "boxes of a stack", "stands for 10 s, sinks by less than 10 % of a box", 100,
-            [10, 20, 50, 100, 200], n => Probe.Figure("S15_stack", n, "height_error_pct_of_box") <= 10 && Probe.Figure("S15_stack", n, "stood") == 1),
+            [
+                10, 20, 50, 100, 200,
+            ], n => Probe.Figure("S15_stack", n, "height_error_pct_of_box") <= 10 && Probe.Figure("S15_stack", n, "stood") == 1),
         new("long-rope", "links of a hanging rope with 100 times a link's mass at its end", "stretches by less than 0.1 %", 1000,
             [10, 100, 1000, 2000], Rope),
-        new("coincident", "discs of 1 m at one and the same place, without gravity", "part, none ever faster than 2 m/s, no number is lost", 1000,
+        new("coincident", "discs of 1 m at one and the same place, without "
+            + "gravity", "part, none ever faster than 2 m/s, no number is lost", 1000,
             [2, 10, 100, 1000], Coincident),
         new("coincident-boxes", "boxes of 1 m at one and the same place above a ground", "part and come to rest, no number is lost", 1000,
             [2, 10, 100, 1000], CoincidentBoxes),
-        new("soak", "steps of a stack, a box on a slope and a pendulum", "drifts by less than 0.05 mm, energy within 0.1 %", 1e6, [1e4, 1e5, 1e6], Soak),
+        new(
+            "soak",
+            "steps of a stack, a box on a slope and a pendulum",
+            "drifts by less than 0.05 mm, energy within 0.1 %",
+            1e6,
+            [1e4, 1e5, 1e6],
+            Soak),
     ];
 
     private static bool Rope(double links) => Probe.World(rig =>

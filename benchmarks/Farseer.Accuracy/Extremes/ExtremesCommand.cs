@@ -47,7 +47,8 @@ internal static class ExtremesCommand
             {
                 ExtremeResult reached = ExtremeRun.Drive(extreme);
                 all &= reached.IsMet;
-                output.WriteLine($"{extreme.Word,-16} {extreme.Quantity,-46} {Show(extreme.Asked),10} {Show(reached.Last),10} {Show(reached.Failed),10}  {(reached.IsMet ? "holds" : "MISSED")}");
+                output.WriteLine($"{extreme.Word,-16} {extreme.Quantity,-46} {Show(extreme.Asked),10} {Show(reached.Last),10} "
+                    + $"{Show(reached.Failed),10}  {(reached.IsMet ? "holds" : "MISSED")}");
                 output.Flush();
             }
         }

@@ -19,17 +19,22 @@ internal static class MotionExtremes
                     return Probe.Stayed(boxes, 0.01);
                 },
                 dt: 1 / rate)),
-        new("changing-step", "ratio of longest to shortest step, another in each step, stack of 5", "stands for 10 s, sinks by less than 10 % of a box", 10,
+        new("changing-step", "ratio of longest to shortest step, another in each step, stack of 5", "stands for 10 s, sinks by less than "
+            + "10 % of a box", 10,
             [2, 4, 10, 30, 100, 1000], Changing),
         new("speed", "speed of a shot at a wall of 2 cm, m/s", "none of 40 goes through, free flight is exact", 1e4,
             [10, 100, 1e3, 1e4, 1e5], v => Probe.Figure("S20_tunnel", v, "tunnelled_frac") == 0
                 && Math.Abs(Probe.Figure("S20_tunnel", v, "free_travel_frac") - 1) <= 1e-5),
         new("spin", "spin of a free box, rad/s", "angle after a minute within 10⁻⁴ rad, spin kept", 1e3,
-            [10, 100, 1e3], w => Probe.Figure("S02_spin", w, "angle_error_rad") <= 1e-4 && Probe.Figure("S02_spin", w, "omega_rel_error") <= 1e-6),
+            [
+                10, 100, 1e3,
+            ], w => Probe.Figure("S02_spin", w, "angle_error_rad") <= 1e-4 && Probe.Figure("S02_spin", w, "omega_rel_error") <= 1e-6),
         new("far", "distance of a stack of 10 from the origin, m", "sinks by at most 1.1 times what it does at the origin", 1e7,
             [1e3, 1e4, 1e5, 1e6, 1e7, 2e7], d =>
-                Probe.Figure("S22_far_stack", d, "height_error_pct_of_box") <= 1.1 * Probe.Figure("S15_stack", 10, "height_error_pct_of_box")),
-        new("frictionless", "seconds that a box slides without friction", "keeps its speed within 10⁻⁶", 600, [1, 10, 60, 600], t => Probe.World(rig =>
+                Probe.Figure(
+                    "S22_far_stack", d, "height_error_pct_of_box") <= 1.1 * Probe.Figure("S15_stack", 10, "height_error_pct_of_box")),
+        new("frictionless", "seconds that a box slides without "
+            + "friction", "keeps its speed within 10⁻⁶", 600, [1, 10, 60, 600], t => Probe.World(rig =>
         {
             rig.Friction = 0;
             rig.AddStaticBox(0, -0.5, 20000, 1);
@@ -38,8 +43,20 @@ internal static class MotionExtremes
             rig.Run(t);
             return Math.Abs((box.Velocity.X / 10) - 1) <= 1e-6;
         })),
-        new("rough", "friction of a flat box on a slope at 95 % of what its friction holds", "creeps by less than 1 mm in 10 s", 10, [0.1, 1, 10, 100, 1000], Rough),
-        new("elastic", "seconds that a ball bounces with restitution 1", "still reaches its height within 1 %", 3600, [60, 600, 3600], Bounces),
+        new(
+            "rough",
+            "friction of a flat box on a slope at 95 % of what its friction holds",
+            "creeps by less than 1 mm in 10 s",
+            10,
+            [0.1, 1, 10, 100, 1000],
+            Rough),
+        new(
+            "elastic",
+            "seconds that a ball bounces with restitution 1",
+            "still reaches its height within 1 %",
+            3600,
+            [60, 600, 3600],
+            Bounces),
         new("stiff-spring", "stiffness of a spring at a body of 1 kg, N/m", "swings no farther than it was pulled", 1e12,
             [1e2, 1e4, 1e6, 1e8, 1e10, 1e12, 1e14], Spring),
         new("stiff-pair", "stiffness of a spring between two bodies of 1 kg, N/m", "swings no farther than it was pulled", 1e12,

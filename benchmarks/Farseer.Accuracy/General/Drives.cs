@@ -24,7 +24,8 @@ internal static class Drives
     [
         new(
             "G22",
-            "way after 1 s: Atwood on a pulley, motors of joints, rope that snaps taut, falls on slack joints; error by each doubling of Iterations",
+            "way after 1 s: Atwood on a pulley, motors of joints, rope that snaps taut, falls on slack joints; error by each doubling of "
+                + "Iterations",
             [
                 new("slack_way_rel_error", 1e-5),
                 new("pulley_way_rel_error", 1e-5), new("motor_way_rel_error", 1e-5), new("rope_way_rel_error", 1e-5),
@@ -180,7 +181,8 @@ internal static class Drives
             Actor b = rig.AddLoose(new Vec(2, 0), second, 1);
             rig.Simulator.Add(slack switch
             {
-                Slack.Pulley => new PulleyJoint(a.Body, new Vector2(-2, 5), Vector2.Zero, b.Body, new Vector2(2, 5), Vector2.Zero) { TotalLength = 100 },
+                Slack.Pulley => new PulleyJoint(
+                    a.Body, new Vector2(-2, 5), Vector2.Zero, b.Body, new Vector2(2, 5), Vector2.Zero) { TotalLength = 100 },
                 Slack.Rope => new RopeJoint(a.Body, Vector2.Zero, b.Body, Vector2.Zero, 5),
                 Slack.Slider => new SliderJoint(a.Body, Vector2.Zero, b.Body, Vector2.Zero, 3, 5),
                 _ => (Joint)new AngleLimitJoint(a.Body, b.Body, -1, 1),
@@ -303,7 +305,9 @@ internal static class Drives
         });
     }
 
-    /// <summary>By how much a doubling of the iterations divides the largest error within a second: at one moment it may be 0 by chance.</summary>
+    /// <summary>
+    /// By how much a doubling of the iterations divides the largest error within a second: at one moment it may be 0 by chance.
+    /// </summary>
     private static void NoteFactor(GeneralRun run, string figure, string parameters, Func<Rig, Swing> build)
     {
         run.Sample(parameters, () => run.Note(figure, At(SwingIterations) / At(2 * SwingIterations), parameters));

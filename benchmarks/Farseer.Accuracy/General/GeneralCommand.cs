@@ -15,11 +15,13 @@ internal static class GeneralCommand
     private static readonly Argument<string[]> _only = new("scene") { Description = "numbers of scenes, such as G01; none: all" };
     private static readonly Option<int> _seed = Values.Whole("--seed", "draws the parameters", 0, int.MaxValue, 1);
     private static readonly ValueOption<string?> _csv = Values.File("--csv", "writes the figures to a file too");
-    private static readonly Option<int> _iterations = Values.Whole("--iterations", "the dial", 1, Options.MostIterations, Options.DefaultIterations);
+    private static readonly Option<int> _iterations =
+        Values.Whole("--iterations", "the dial", 1, Options.MostIterations, Options.DefaultIterations);
     private static readonly ValueOption<double> _dt = new(
         "--dt", "S", Options.WantedDuration, "seconds an update, also as a fraction; 1/60 by default", Options.TryDuration);
 
-    private static readonly Option<bool> _full = Values.Flag("--full", "runs G19 and G27 for their stated 10 minutes instead of 60 and 30 s");
+    private static readonly Option<bool> _full =
+        Values.Flag("--full", "runs G19 and G27 for their stated 10 minutes instead of 60 and 30 s");
     private static readonly Option<bool> _each = Values.Flag("--each", "tells every sample");
 
     public static Command Create() => Cli.Judged(

@@ -2,7 +2,9 @@ using System;
 
 namespace Farseer.Accuracy.General;
 
-/// <summary>A motion that follows its equation: by the method of Runge and Kutta of fourth order, in steps so small that they do not matter.</summary>
+/// <summary>
+/// A motion that follows its equation: by the method of Runge and Kutta of fourth order, in steps so small that they do not matter.
+/// </summary>
 internal sealed class Motion
 {
     /// <summary>What the method leaves of a second is less than 1e-11 of it.</summary>

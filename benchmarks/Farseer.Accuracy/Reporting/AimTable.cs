@@ -40,7 +40,8 @@ internal static class AimTable
         {
             string peer = r.BestPeer is null ? "–" : r.BestPeer >= Runner.Exploded ? "fails" : $"{Show(r.BestPeer.Value)} ({r.PeerName})";
             string reached = r.Value >= Runner.Exploded ? "fails" : Show(r.Value);
-            lines.Add($"| {r.Aim.Subject} | `{r.Aim.Scene}` {r.Aim.Metric} | {(r.Aim.AtLeast ? "≥ " : "≤ ")}{Show(r.Limit)} | {reached} | {(r.IsMet ? "met" : "**missed**")} | {peer} |");
+            lines.Add($"| {r.Aim.Subject} | `{r.Aim.Scene}` {r.Aim.Metric} | {(r.Aim.AtLeast ? "≥ " : "≤ ")}{Show(r.Limit)} | {reached} | "
+                + $"{(r.IsMet ? "met" : "**missed**")} | {peer} |");
         }
 
         return lines;
@@ -88,7 +89,8 @@ internal static class AimTable
         string name = string.Empty;
         foreach (string peer in _peers)
         {
-            if (SweepData.PeerDefault(peer, aim.Peers?.Scene ?? aim.Scene, aim.Peers?.Metric ?? aim.Metric) is double value && double.IsFinite(value))
+            if (SweepData.PeerDefault(peer, aim.Peers?.Scene ?? aim.Scene, aim.Peers?.Metric ?? aim.Metric) is double value
+                && double.IsFinite(value))
             {
                 double size = Math.Abs(value - right);
                 if (best is null || (aim.AtLeast ? size > best && size < Runner.Exploded : size < best))

@@ -12,7 +12,8 @@ internal static class Costs
 
     private static readonly string[] _scenes =
     [
-        "S03_bounce=0.8", "S08_pendulum=90", "S09_double_pendulum=90", "S11_rope=100", "S11_rope=1000", "S11b_rope_swing=100", "S12_bridge=100",
+        "S03_bounce=0.8", "S08_pendulum=90", "S09_double_pendulum=90", "S11_rope=100", "S11_rope=1000", "S11b_rope_swing=100",
+        "S12_bridge=100",
         "S12_bridge=1000", "S13_ragdoll=3", "S15_stack=10", "S15_stack=20", "S15_stack=40", "S16_pyramid=10", "S16_pyramid=20",
         "S17_mass_ratio=100", "S17_mass_ratio=1000", "S18_arch=1", "S18_arch=0.7", "S29_concave=24",
     ];

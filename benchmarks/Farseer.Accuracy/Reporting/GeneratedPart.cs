@@ -11,7 +11,8 @@ internal static class GeneratedPart
 {
     private const string UsualFolder = "docs";
 
-    public static ValueOption<string?> FolderOption() => Values.Word("--docs", "FOLDER", "the name of a folder", "where the documents are; docs by default");
+    public static ValueOption<string?> FolderOption() =>
+        Values.Word("--docs", "FOLDER", "the name of a folder", "where the documents are; docs by default");
 
     /// <summary>The document of a folder with its text.</summary>
     /// <exception cref="UsageException">There is no such document.</exception>

@@ -160,7 +160,8 @@ internal static class Neighbours
             state = unchecked((1664525u * state) + 1013904223u);
             double share = (state >> 8) / 16777216.0;
             double value = wide ? one.From * Math.Pow(one.To / one.From, share) : one.From + (share * (one.To - one.From));
-            value = whole ? Math.Round(value) : double.Parse(value.ToString("G4", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
+            value =
+                whole ? Math.Round(value) : double.Parse(value.ToString("G4", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
             if (!values.Contains(value))
             {
                 values.Add(value);

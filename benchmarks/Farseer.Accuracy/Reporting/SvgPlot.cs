@@ -117,8 +117,10 @@ internal static class SvgPlot
             svg.Append(Invariant($"<text x=\"{Left - 8}\" y=\"{y + 4:F1}\" text-anchor=\"end\">{Power(power)}</text>\n"));
         }
 
-        svg.Append(Invariant($"<text x=\"{(Left + Width - Right) / 2}\" y=\"{Height - 10}\" text-anchor=\"middle\">ns a body and 1/60 s of simulated time</text>\n"));
-        svg.Append(Invariant($"<text transform=\"translate(16 {(Top + Height - Bottom) / 2}) rotate(-90)\" text-anchor=\"middle\">error, share of failure</text>\n"));
+        svg.Append(Invariant($"<text x=\"{(Left + Width
+            - Right) / 2}\" y=\"{Height - 10}\" text-anchor=\"middle\">ns a body and 1/60 s of simulated time</text>\n"));
+        svg.Append(Invariant($"<text transform=\"translate(16 {(Top + Height
+            - Bottom) / 2}) rotate(-90)\" text-anchor=\"middle\">error, share of failure</text>\n"));
     }
 
     private static (double LowX, double HighX, double LowY) Bounds(IReadOnlyList<PlotSeries> lines)

@@ -125,7 +125,8 @@ internal static class Chains
 
     /// <summary>
     /// The speed of S12's tenth second is true swinging, so its size says nothing of a solver: more of it can be right and less wrong. Held
-    /// against it is the mean of runs of 4 to 32 times finer substeps, of which the depth of the load has gone; their spread is what chaos leaves open.
+    /// against it is the mean of runs of 4 to 32 times finer substeps, of which the depth of the load has gone; their spread is what chaos
+    /// leaves open.
     /// </summary>
     private static void BridgeSwing(Trial trial)
     {

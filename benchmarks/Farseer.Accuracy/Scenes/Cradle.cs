@@ -20,8 +20,8 @@ internal static class Cradle
             ["last_ball_speed_rel_error", "energy_rel_change_20s"], trial => Swing(trial, 0.6, pinned: true)),
     ];
 
-    // Fixed to their rods the balls turn as they swing, and rub: each impact takes the share friction·radius/length of the turn. On pins they
-    // do not turn, and there is nothing that rubs.
+    // Fixed to their rods the balls turn as they swing, and rub: each impact takes the share friction·radius/length of the turn. On pins
+    // they do not turn, and there is nothing that rubs.
     private static void Swing(Trial trial, double friction, bool pinned) => trial.World(
         rig =>
         {

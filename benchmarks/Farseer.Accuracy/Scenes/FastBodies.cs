@@ -9,7 +9,13 @@ internal static class FastBodies
     public static IReadOnlyList<SceneInfo> Scenes { get; } =
     [
         new("S20_tunnel", "speed, m/s", new(1, 1e6), ["10", "100", "1000", "10000"], ["tunnelled_frac", "free_travel_frac"], Tunnel),
-        new("S20b_tunnel_bullet", "speed, m/s", new(1, 1e6), ["10", "100", "1000", "10000"], ["tunnelled_frac", "momentum_rel_error_max"], Bullet),
+        new(
+            "S20b_tunnel_bullet",
+            "speed, m/s",
+            new(1, 1e6),
+            ["10", "100", "1000", "10000"],
+            ["tunnelled_frac", "momentum_rel_error_max"],
+            Bullet),
         new("S21_spinner", "rad/s", new(0, 1000), ["20", "60"], ["tunnelled_frac", "ke_gain_max_frac", "max_penetration_mm"], Spinner),
     ];
 

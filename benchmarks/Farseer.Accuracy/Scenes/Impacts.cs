@@ -17,7 +17,13 @@ internal static class Impacts
         new("S03_bounce", "restitution", new(0.1, 1), ["1", "0.8", "0.5"], ["apex1_rel_error", "apex_max_rel_error"], Bounce),
         new("S04_pair", "restitution + 10·lg of the mass ratio", new(0, 91), ["0", "0.5", "1", "11", "30.5", "31"],
             ["momentum_rel_error", "sep_speed_rel_error", "ke_rel_error"], Pair),
-        new("S04b_corner_hit", "restitution", new(0, 1), ["0", "0.5", "1"], ["vy_error_mps", "omega_error_radps", "ke_rel_error"], CornerHit),
+        new(
+            "S04b_corner_hit",
+            "restitution",
+            new(0, 1),
+            ["0", "0.5", "1"],
+            ["vy_error_mps", "omega_error_radps", "ke_rel_error"],
+            CornerHit),
         new("S10_newton_line", "balls at rest", new(1, 1000, WholeNumber: true), ["4"],
             ["velocity_l1_error", "momentum_rel_error", "ke_rel_error"], NewtonLine),
     ];

@@ -44,7 +44,8 @@ internal sealed class FixedSlideSurvey : Survey
         dice.Whole(1, 20), dice.Of(true, false), dice.Of(true, false)));
 
     private static Variation Slide(Setup s) => new(
-        FormattableString.Invariant($"{s.Count} of density {s.Density} on {s.Partner} of density {s.Other}, pushed by {s.Push}, axis at {s.Axis}, ")
+        FormattableString.Invariant(
+            $"{s.Count} of density {s.Density} on {s.Partner} of density {s.Other}, pushed by {s.Push}, axis at {s.Axis}, ")
             + $"{(s.HasLimits ? "limits, " : "")}{(s.HasMotor ? "motor, " : "")}iterations {s.Iterations}",
         Limit,
         () => Play(s));

@@ -17,7 +17,8 @@ internal sealed class MotorMomentumSurvey : Survey
     public override string Name => "K9";
 
     public override string What =>
-        "free bodies and motor joints: momentum or angular momentum made in 2 s, as a share of what the bodies have one by one; at most 1e-6";
+        "free bodies and motor joints: momentum or angular momentum made in 2 s, "
+        + "as a share of what the bodies have one by one; at most 1e-6";
 
     public override int Draws => 200;
 
@@ -41,7 +42,8 @@ internal sealed class MotorMomentumSurvey : Survey
         dice.Of(0, dice.Between(0, 5)), (uint)dice.Whole(1, 100000)));
 
     private static Variation Drive(Setup s) => new(
-        FormattableString.Invariant($"{s.Bodies} bodies of {s.First} and {s.Others} kg, {s.Force} N, {s.Torque} N m, iterations {s.Iterations}, ")
+        FormattableString.Invariant(
+            $"{s.Bodies} bodies of {s.First} and {s.Others} kg, {s.Force} N, {s.Torque} N m, iterations {s.Iterations}, ")
             + FormattableString.Invariant($"1/{1 / s.Dt:F0} s, speeds to {s.Speed} m/s, seed {s.Seed}"),
         Limit,
         () => Play(s));

@@ -7,8 +7,8 @@ using FarseerGames.FarseerPhysics.Dynamics.Joints;
 namespace Farseer.Accuracy.Surveys;
 
 /// <summary>
-/// What swings or whirls on a rope keeps its energy while the rope is taut; where it goes slack and snaps, it can only lose. So does what swings
-/// at the end of a slider.
+/// What swings or whirls on a rope keeps its energy while the rope is taut; where it goes slack and snaps, it can only lose. So does what
+/// swings at the end of a slider.
 /// </summary>
 internal sealed class RopeSwingSurvey : Survey
 {
@@ -23,7 +23,8 @@ internal sealed class RopeSwingSurvey : Survey
     public override string Name => "K12";
 
     public override string What =>
-        "swings on a rope or at the end of a slider: energy gained in 30 s, or lost where it stays taut, of the energy at the lowest place; at most 1e-3";
+        "swings on a rope or at the end of a slider: energy gained in 30 s, or lost where it stays taut, of the energy at the lowest "
+            + "place; at most 1e-3";
 
     public override int Draws => 200;
 

@@ -6,7 +6,9 @@ using FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 namespace Farseer.Accuracy.Surveys;
 
-/// <summary>A pulley whose light side is drawn up to its wheel stops the heavy side there: the rope does not grow, and nothing is set going.</summary>
+/// <summary>
+/// A pulley whose light side is drawn up to its wheel stops the heavy side there: the rope does not grow, and nothing is set going.
+/// </summary>
 internal sealed class WheelSurvey : Survey
 {
     private const double Limit = 0.02;
@@ -30,7 +32,8 @@ internal sealed class WheelSurvey : Survey
     public override string Name => "K10";
 
     public override string What =>
-        "pulleys drawn to their wheels, 10 s: lasting growth / length of the rope, or energy gained / weight · length; at most 0.02, or 0.05";
+        "pulleys drawn to their wheels, 10 s: lasting growth / length of the rope, "
+        + "or energy gained / weight · length; at most 0.02, or 0.05";
 
     public override int Draws => 200;
 
@@ -54,7 +57,8 @@ internal sealed class WheelSurvey : Survey
 
     private static Variation Draw(Setup s) => new(
         FormattableString.Invariant($"{s.Times} times as heavy, {(s.SecondIsHeavy ? "second" : "first")} side down, offset {s.Offset}, ")
-            + FormattableString.Invariant($"{s.Aside} m aside, ratio {s.Ratio}, sides of {s.Side} m, iterations {s.Iterations}, 1/{1 / s.Dt:F0} s"),
+            + FormattableString.Invariant(
+                $"{s.Aside} m aside, ratio {s.Ratio}, sides of {s.Side} m, iterations {s.Iterations}, 1/{1 / s.Dt:F0} s"),
         s.Aside > 0 ? LimitOfWhirls : Limit,
         () => Play(s));
 

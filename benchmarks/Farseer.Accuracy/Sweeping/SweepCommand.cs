@@ -112,7 +112,8 @@ internal static class SweepCommand
 
         foreach ((string name, string metric) in _stepLengthScenes)
         {
-            SweepScene scene = SweepScene.Find(name) ?? new SweepScene(name, metric, metric.Contains("pct", StringComparison.Ordinal) ? 100 : 1, name, 1e-6);
+            SweepScene scene = SweepScene.Find(name)
+                ?? new SweepScene(name, metric, metric.Contains("pct", StringComparison.Ordinal) ? 100 : 1, name, 1e-6);
             output.WriteLine($"{scene.Scene}: {scene.Metric}, step lengths");
             foreach (double dt in _steps)
             {
@@ -127,7 +128,8 @@ internal static class SweepCommand
     {
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"    iterations {p.Dial,3}  dt {p.Dt,10:G6}  error {p.Error,12:G5} of the scale  {p.Cost,9:F0} ns a body and 1/60 s{(p.Failed ? "  failed" : string.Empty)}"));
+            $"    iterations {p.Dial,3}  dt {p.Dt,10:G6}  error {p.Error,12:G5} of the scale  {p.Cost,9:F0} ns a body and 1/60 "
+                + $"s{(p.Failed ? "  failed" : string.Empty)}"));
         output.Flush();
         return p;
     }

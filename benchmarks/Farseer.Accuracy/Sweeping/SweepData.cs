@@ -44,7 +44,8 @@ internal static class SweepData
             double dt = Number(row[3]);
             double cost = Number(row[6]) * SweepPoint.Frame / dt;
             SweepKind kind = row[7] == "dt" ? SweepKind.StepLength : SweepKind.Dial;
-            points.Add(new SweepPoint(row[0], row[1], kind, int.Parse(row[2], CultureInfo.InvariantCulture), dt, lost ? 1 : error, cost, lost));
+            points.Add(
+                new SweepPoint(row[0], row[1], kind, int.Parse(row[2], CultureInfo.InvariantCulture), dt, lost ? 1 : error, cost, lost));
         }
 
         return points;

@@ -159,7 +159,8 @@ internal static class SweepTables
         {
             output.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{match.Scene.Scene,-26} error {match.Error,9:G3}  {match.PeerCost,7:F0} -> {match.Own?.Cost,7:F0}  {match.Ratio:F2}  ({match.Setting})"));
+                $"{match.Scene.Scene,-26} error {match.Error,9:G3}  {match.PeerCost,7:F0} -> {match.Own?.Cost,7:F0}  {match.Ratio:F2}  "
+                    + $"({match.Setting})"));
         }
 
         output.WriteLine();

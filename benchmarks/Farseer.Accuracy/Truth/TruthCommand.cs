@@ -39,7 +39,8 @@ internal static class TruthCommand
             }
         }
 
-        using StreamWriter csv = Values.Open(_csv.Name, result.GetValue(_csv)) ?? throw new UsageException("truth: name a file with --csv FILE.");
+        using StreamWriter csv =
+            Values.Open(_csv.Name, result.GetValue(_csv)) ?? throw new UsageException("truth: name a file with --csv FILE.");
         var figures = new List<TruthFigure>();
         foreach ((string name, Action<List<TruthFigure>, GeneralSettings> add) in _parts)
         {

@@ -35,7 +35,12 @@ internal static class TruthfulCommand
     private static readonly ValueOption<string?> _csv = Values.File("--csv", "writes the figures to a file too");
 
     public static Command Create() => Cli.Judged(
-        "truthful", "Whether reports and budgets tell the truth, on random scenes against 64 times the iterations.", Run, _count, _seed, _csv);
+        "truthful",
+        "Whether reports and budgets tell the truth, on random scenes against 64 times the iterations.",
+        Run,
+        _count,
+        _seed,
+        _csv);
 
     private static bool Run(ParseResult result)
     {
@@ -79,7 +84,8 @@ internal static class TruthfulCommand
         string within = Text($"true error within the report's in {all.Within:P1} of the scenes, asked {Share:P0}");
         Check(output, within, all.Within >= Share, ref passed, ref failed);
         Check(output, Text($"and at most {all.Worst:0.00} times it, asked {Most}"), all.Worst <= Most, ref passed, ref failed);
-        string budgets = Text($"budgets kept or flagged in {all.Told} of {all.Asked}, said to be kept {all.Kept}, unknown {all.Unknown} besides");
+        string budgets =
+            Text($"budgets kept or flagged in {all.Told} of {all.Asked}, said to be kept {all.Kept}, unknown {all.Unknown} besides");
         Check(output, budgets, all.Told == all.Asked, ref passed, ref failed);
         output.WriteLine($"{passed} passed, {failed} failed");
         if (csv is not null)

@@ -8,7 +8,9 @@ using FarseerGames.FarseerPhysics;
 
 namespace Farseer.Benchmarks.Memory;
 
-/// <summary>The verb <c>allocation</c>: what scenes still allocate after their first second, in which step last, and which stores hold it.</summary>
+/// <summary>
+/// The verb <c>allocation</c>: what scenes still allocate after their first second, in which step last, and which stores hold it.
+/// </summary>
 internal static class AllocationCommand
 {
     private const int WarmSteps = 60;
@@ -16,7 +18,8 @@ internal static class AllocationCommand
     private static readonly Argument<string?> _scene = Verb.Maybe("scene", "the name of a scene; without, all of them");
     private static readonly Argument<int> _steps = Verb.Maybe("steps", "updates; 0: the scene's own number", 0);
 
-    public static Command Create() => Verb.Of("allocation", "What scenes allocate after their first second, by store.", Run, _scene, _steps);
+    public static Command Create() =>
+        Verb.Of("allocation", "What scenes allocate after their first second, by store.", Run, _scene, _steps);
 
     private static int Run(ParseResult result)
     {

@@ -45,7 +45,8 @@ internal static class MemoryCommand
         var stores = new List<KeyValuePair<string, long>>(walk.Bytes);
         stores.Sort((a, b) => a.Value != b.Value ? b.Value.CompareTo(a.Value) : string.CompareOrdinal(a.Key, b.Key));
         output.WriteLine(string.Create(
-            CultureInfo.InvariantCulture, $"{scene.Name} after {steps} steps: {bodies} bodies, {kept / bodies:F0} bytes a body by the collector"));
+            CultureInfo.InvariantCulture,
+            $"{scene.Name} after {steps} steps: {bodies} bodies, {kept / bodies:F0} bytes a body by the collector"));
         double rest = 0;
         foreach ((string store, long bytes) in stores)
         {

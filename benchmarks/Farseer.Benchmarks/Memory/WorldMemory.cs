@@ -13,7 +13,10 @@ using FarseerGames.FarseerPhysics.Factories;
 
 namespace Farseer.Benchmarks.Memory;
 
-/// <summary>The verb <c>worlds</c>: what small worlds keep: an empty one, one of a floor and ten boxes, and many of these, and the large pyramid's bytes a body.</summary>
+/// <summary>
+/// The verb <c>worlds</c>: what small worlds keep: an empty one, one of a floor and ten boxes, and many of these, and the large pyramid's
+/// bytes a body.
+/// </summary>
 internal static class WorldMemory
 {
     private const int DefaultRooms = 1000;
@@ -26,7 +29,8 @@ internal static class WorldMemory
     private static readonly Argument<int> _rooms = Verb.Maybe("rooms", "how many of them", DefaultRooms);
     private static readonly Option<bool> _stores = Values.Flag("--stores", "by store");
 
-    public static Command Create() => Verb.Of("worlds", "What small worlds keep: an empty one, and rooms of ten boxes.", Run, _rooms, _stores);
+    public static Command Create() =>
+        Verb.Of("worlds", "What small worlds keep: an empty one, and rooms of ten boxes.", Run, _rooms, _stores);
 
     private static int Run(ParseResult result)
     {
@@ -107,7 +111,8 @@ internal static class WorldMemory
         long resident = Resident() - residentBefore;
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"{rooms} such worlds: {kept / Kibi / rooms:F1} KiB each by the collector, {resident / Kibi / rooms:F1} KiB of resident memory"));
+            $"{rooms} such worlds: {kept / Kibi / rooms:F1} KiB each by the collector, {resident / Kibi / rooms:F1} KiB of resident "
+                + $"memory"));
         GC.KeepAlive(all);
     }
 

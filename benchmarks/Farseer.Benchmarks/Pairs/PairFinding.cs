@@ -54,7 +54,8 @@ internal static class PairFinding
         return 0;
     }
 
-    private static (double Median, double Least, double Pairs) Measure(IBroadPhase finder, int count, double moving, double large, bool world)
+    private static (double Median, double Least, double Pairs) Measure(
+        IBroadPhase finder, int count, double moving, double large, bool world)
     {
         var random = new Random(1);
         float side = MathF.Sqrt(count) * 1.1f;

@@ -30,7 +30,8 @@ internal static class QueryTiming
             (World world, float side) = Field(bodies);
             var found = new IndexList();
             Console.WriteLine($"{bodies} bodies");
-            Measure("ray, closest, any length", world, side, side, (World w, in RayInput r) => w.Queries.CastRay(r, QueryFilter.All, out _));
+            Measure(
+                "ray, closest, any length", world, side, side, (World w, in RayInput r) => w.Queries.CastRay(r, QueryFilter.All, out _));
             Measure("ray, closest, 10 long", world, side, 10, (World w, in RayInput r) => w.Queries.CastRay(r, QueryFilter.All, out _));
             Measure("ray, all, 10 long", world, side, 10, (World w, in RayInput r) => w.Queries.CastRayAll(r, QueryFilter.All) > 0);
             Measure("box 2 x 2", world, side, 0, (World w, in RayInput r) =>
@@ -49,7 +50,8 @@ internal static class QueryTiming
                 w.Queries.SetDisc(r.X, r.Y, 0.5);
                 return w.Queries.CastShape(r.DirectionX, r.DirectionY, QueryFilter.All, out _);
             });
-            Measure("nearest within 5", world, side, 0, (World w, in RayInput r) => w.Queries.FindNearest(r.X, r.Y, 5, QueryFilter.All, out _));
+            Measure(
+                "nearest within 5", world, side, 0, (World w, in RayInput r) => w.Queries.FindNearest(r.X, r.Y, 5, QueryFilter.All, out _));
             MeasureRefresh(world, bodies);
         }
 
@@ -140,7 +142,8 @@ internal static class QueryTiming
         }
 
         Array.Sort(times);
-        Console.WriteLine($"  first query after a step     {times[Steps / 2],8:F1} us, the worst {times[Steps - 1]:F1} us ({bodies / 2} bodies move)");
+        Console.WriteLine(
+            $"  first query after a step     {times[Steps / 2],8:F1} us, the worst {times[Steps - 1]:F1} us ({bodies / 2} bodies move)");
     }
 
     /// <summary>Numbers in [0, 1): the upper 53 bits of x = 6364136223846793005 x + 1442695040888963407 modulo 2⁶⁴.</summary>

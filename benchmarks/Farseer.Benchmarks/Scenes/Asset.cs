@@ -13,11 +13,16 @@ internal static class Asset
 {
     private const string Standard = "netstandard";
 
-    /// <summary>The folder of the package that it is from: net8.0 or netstandard2.0. (The full name of a framework has a comma, which no column of a file may have.)</summary>
+    /// <summary>
+    /// The folder of the package that it is from: net8.0 or netstandard2.0. (The full name of a framework has a comma, which no column of a
+    /// file may have.)
+    /// </summary>
     public static string Name { get; } = ShortName(new FrameworkName(
         typeof(PhysicsSimulator).Assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName));
 
-    /// <summary>Lanes of the passes over contacts: sixteen or eight in the net8.0 asset, in the other one as many as <see cref="Vector{T}"/> has.</summary>
+    /// <summary>
+    /// Lanes of the passes over contacts: sixteen or eight in the net8.0 asset, in the other one as many as <see cref="Vector{T}"/> has.
+    /// </summary>
 #if NETSTANDARD_ASSET
     public static int Lanes => Vector<float>.Count;
 #else

@@ -10,8 +10,8 @@ using FarseerGames.FarseerPhysics;
 namespace Farseer.Benchmarks.Scenes;
 
 /// <summary>
-/// The verb <c>resting</c>: worlds of 1 to 20 boxes at rest, as most games are most of the time. Such a step takes as long as some fifty readings of
-/// the clock, so it is read once for a block of them; of many blocks the fastest counts, by turns among the sizes.
+/// The verb <c>resting</c>: worlds of 1 to 20 boxes at rest, as most games are most of the time. Such a step takes as long as some fifty
+/// readings of the clock, so it is read once for a block of them; of many blocks the fastest counts, by turns among the sizes.
 /// </summary>
 internal static class RestingTiming
 {
@@ -67,7 +67,8 @@ internal static class RestingTiming
             ulong hash = simulators[i].MotionHash();
             output.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{Sizes[i],4} boxes: {microseconds,7:F3} us a step, {1e-3 * microseconds * Steps,7:F1} ms for {Steps} steps, hash {hash:x16}"));
+                $"{Sizes[i],4} boxes: {microseconds,7:F3} us a step, {1e-3 * microseconds * Steps,7:F1} ms for {Steps} steps, hash "
+                    + $"{hash:x16}"));
             csv?.WriteLine(StepTimes.ToCsv(scene.Name, Sizes[i], 1e-3 * microseconds, 1e-3 * median, 1e-3 * microseconds, hash));
             simulators[i].Dispose();
         }

@@ -7,15 +7,16 @@ using System.IO;
 namespace Farseer.Benchmarks.Scenes;
 
 /// <summary>
-/// The verb <c>compare</c>: two result files of <c>scenes --csv</c> side by side, as ratios. A file needs the columns scene, size, ms_step_min
-/// and ms_step_median; those of another engine may leave out all others.
+/// The verb <c>compare</c>: two result files of <c>scenes --csv</c> side by side, as ratios. A file needs the columns scene, size,
+/// ms_step_min and ms_step_median; those of another engine may leave out all others.
 /// </summary>
 internal static class ResultComparison
 {
     private static readonly Argument<string> _first = new("file") { Description = "a file of results" };
     private static readonly Argument<string?> _second = Verb.Maybe("file2", "another one; without, a run made now");
 
-    public static Command Create() => Verb.Of("compare", "Two result files of scenes --csv side by side; one: beside a run made now.", Run, _first, _second);
+    public static Command Create() =>
+        Verb.Of("compare", "Two result files of scenes --csv side by side; one: beside a run made now.", Run, _first, _second);
 
     private static int Run(ParseResult result)
     {
@@ -45,7 +46,8 @@ internal static class ResultComparison
 
                 output.WriteLine(string.Create(
                     CultureInfo.InvariantCulture,
-                    $"{a.Name,-24} {a.Least,9:F4} {b.Least,9:F4} {a.Least / b.Least,7:F3} {a.Median,9:F4} {b.Median,9:F4} {a.Median / b.Median,7:F3}"));
+                    $"{a.Name,-24} {a.Least,9:F4} {b.Least,9:F4} {a.Least / b.Least,7:F3} {a.Median,9:F4} {b.Median,9:F4} "
+                        + $"{a.Median / b.Median,7:F3}"));
                 leastLog += Math.Log(a.Least / b.Least);
                 medianLog += Math.Log(a.Median / b.Median);
                 count++;

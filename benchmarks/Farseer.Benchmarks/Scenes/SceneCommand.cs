@@ -17,12 +17,14 @@ internal static class SceneCommand
     private static readonly ValuesOption<(PerformanceScene Scene, int Size)> _scenes = new(
         "--scene", "NAME[=SIZE]", "the name of a scene, with or without a size", "a scene; may be repeated; by default all", TryScene);
 
-    private static readonly Option<int> _workers = Values.Whole("--workers", "threads that share an update; 0: one a processor", 0, MostRuns, 1);
+    private static readonly Option<int> _workers =
+        Values.Whole("--workers", "threads that share an update; 0: one a processor", 0, MostRuns, 1);
     private static readonly Option<int> _runs = Values.Whole("--runs", "runs after one that warms up", 1, MostRuns, DefaultRuns);
     private static readonly ValueOption<int?> _steps = Values.Whole("--steps", "updates instead of the scene's own number", 2, 1_000_000);
     private static readonly ValueOption<string?> _csv = Values.File("--csv", "writes the times to a file too");
 
-    public static Command Create() => Verb.Of("scenes", "Times of whole steps of the performance scenes.", Run, _scenes, _workers, _runs, _steps, _csv);
+    public static Command Create() =>
+        Verb.Of("scenes", "Times of whole steps of the performance scenes.", Run, _scenes, _workers, _runs, _steps, _csv);
 
     private static int Run(ParseResult result)
     {
@@ -40,7 +42,8 @@ internal static class SceneCommand
         int runs = result.GetValue(_runs);
         using StreamWriter? csv = Values.Open(_csv.Name, result.GetValue(_csv));
         csv?.WriteLine(SceneTiming.CsvHeader);
-        output.WriteLine($"{Asset.Name}, {Asset.Lanes} lanes, {Workers(workers)}, {runs} runs after one that warms up; the first step of a run is not timed");
+        output.WriteLine($"{Asset.Name}, {Asset.Lanes} lanes, {Workers(workers)}, {runs} runs after one that warms up; the first step of a "
+            + $"run is not timed");
         foreach ((PerformanceScene scene, int size) in chosen)
         {
             var timing = new SceneTiming(scene, size, result.GetValue(_steps) ?? scene.Steps, workers);
@@ -59,15 +62,18 @@ internal static class SceneCommand
             $"{name}: {timing.DynamicBodies} bodies, {timing.Contacts} contacts, {timing.Joints} joints"));
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"  ms a step: {timing.LeastMilliseconds:F3} (best run), {timing.MedianMilliseconds:F3} (median run); {timing.TimedSteps} steps {timing.MedianTotal:F0} ms; {timing.NanosecondsPerBodyStep:F1} ns a body-step"));
+            $"  ms a step: {timing.LeastMilliseconds:F3} (best run), {timing.MedianMilliseconds:F3} (median run); {timing.TimedSteps} "
+                + $"steps {timing.MedianTotal:F0} ms; {timing.NanosecondsPerBodyStep:F1} ns a body-step"));
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"  {timing.BytesPerStep:F1} bytes a step, {timing.BytesPerBody:F0} bytes kept a body, hash {timing.StateHash:x16}, largest penetration {timing.LargestPenetration:G4}, largest joint error {timing.LargestSeparation:G4}"));
+            $"  {timing.BytesPerStep:F1} bytes a step, {timing.BytesPerBody:F0} bytes kept a body, hash {timing.StateHash:x16}, largest "
+                + $"penetration {timing.LargestPenetration:G4}, largest joint error {timing.LargestSeparation:G4}"));
         if (workers != 1)
         {
             output.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
-                $"  of the time of one worker, in turns: {timing.BesideOneWorker.Run:F3} (best runs), {timing.BesideOneWorker.Steps:F3} (best of each step)"));
+                $"  of the time of one worker, in turns: {timing.BesideOneWorker.Run:F3} (best runs), {timing.BesideOneWorker.Steps:F3} "
+                    + $"(best of each step)"));
         }
 
         var parts = new List<string>();
@@ -86,7 +92,8 @@ internal static class SceneCommand
         int size = scene.DefaultSize;
         if (parts.Length == 2 && !Values.TryWhole(parts[1], 1, scene.LargestSize, out size))
         {
-            throw new UsageException($"{scene.Name} ({scene.SizeMeaning}): '{parts[1]}' is not a whole number from 1 to {scene.LargestSize}.");
+            throw new UsageException(
+                $"{scene.Name} ({scene.SizeMeaning}): '{parts[1]}' is not a whole number from 1 to {scene.LargestSize}.");
         }
 
         choice = (scene, size);

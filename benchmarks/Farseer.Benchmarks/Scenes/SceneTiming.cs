@@ -9,7 +9,9 @@ using FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 namespace Farseer.Benchmarks.Scenes;
 
-/// <summary>Times whole runs of one performance scene: build, one untimed step, then the steps on the clock; the first run is not timed at all.</summary>
+/// <summary>
+/// Times whole runs of one performance scene: build, one untimed step, then the steps on the clock; the first run is not timed at all.
+/// </summary>
 internal sealed class SceneTiming
 {
     public const string CsvHeader =
@@ -44,7 +46,9 @@ internal sealed class SceneTiming
 
     public double MedianMilliseconds => MedianTotal / TimedSteps;
 
-    /// <summary>With several workers each run is followed by one with one worker. Ratio of the best runs; of the best of each step.</summary>
+    /// <summary>
+    /// With several workers each run is followed by one with one worker. Ratio of the best runs; of the best of each step.
+    /// </summary>
     public (double Run, double Steps) BesideOneWorker => (_times.LeastRun / _alone.LeastRun, _times.Quiet / _alone.Quiet);
 
     public double NanosecondsPerBodyStep => 1e6 * MedianMilliseconds / DynamicBodies;
@@ -55,7 +59,9 @@ internal sealed class SceneTiming
 
     public double BytesPerStep { get; private set; }
 
-    /// <summary>All that the simulator and its items keep after the last step, a dynamic body; the world's own part does not shrink.</summary>
+    /// <summary>
+    /// All that the simulator and its items keep after the last step, a dynamic body; the world's own part does not shrink.
+    /// </summary>
     public double BytesPerBody { get; private set; }
 
     public int Joints { get; private set; }
@@ -70,7 +76,9 @@ internal sealed class SceneTiming
     /// <summary>Milliseconds a step by phase, from one run of its own: reading the clock within steps costs time too.</summary>
     public IReadOnlyList<(string Phase, double Milliseconds)> Phases { get; private set; } = [];
 
-    /// <summary>Times so many runs, after one of which nothing counts: in a process's first second the compiler takes as long as the steps.</summary>
+    /// <summary>
+    /// Times so many runs, after one of which nothing counts: in a process's first second the compiler takes as long as the steps.
+    /// </summary>
     public void Run(int runs)
     {
         Time(new StepTimes(TimedSteps), _workers);
@@ -93,7 +101,9 @@ internal sealed class SceneTiming
 
     public string ToCsv() => string.Create(
         CultureInfo.InvariantCulture,
-        $"{_scene.Name},{_size},{DynamicBodies},{Contacts},{Joints},{_workers},{Asset.Name},{Asset.Lanes},{_steps},{LeastMilliseconds:F4},{MedianMilliseconds:F4},{MedianTotal:F1},{NanosecondsPerBodyStep:F1},{BytesPerStep:F1},{StateHash:x16},{LargestPenetration:G4},{LargestSeparation:G4},{BytesPerBody:F0},{BestOfSteps:F4}");
+        $"{_scene.Name},{_size},{DynamicBodies},{Contacts},{Joints},{_workers},{Asset.Name},{Asset.Lanes},"
+        + $"{_steps},{LeastMilliseconds:F4},{MedianMilliseconds:F4},{MedianTotal:F1},{NanosecondsPerBodyStep:F1},"
+        + $"{BytesPerStep:F1},{StateHash:x16},{LargestPenetration:G4},{LargestSeparation:G4},{BytesPerBody:F0},{BestOfSteps:F4}");
 
     private PhysicsSimulator Start(int workers)
     {

@@ -7,7 +7,9 @@ using Farseer.Scenes.Performance;
 
 namespace Farseer.Benchmarks.Scenes;
 
-/// <summary>The verb <c>series</c>: what a body costs in a step, from a handful of bodies to a million, beside what it costs among a thousand.</summary>
+/// <summary>
+/// The verb <c>series</c>: what a body costs in a step, from a handful of bodies to a million, beside what it costs among a thousand.
+/// </summary>
 internal static class SizeSeries
 {
     /// <summary>The same steps for all sizes, so that they are compared in the same state.</summary>
@@ -64,7 +66,8 @@ internal static class SizeSeries
         {
             output.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
-                $"  {timing.DynamicBodies,9:N0} {timing.Contacts,9:N0} {timing.BestOfSteps,10:F4} {cost,8:F0} {timing.BytesPerBody,7:F0} {cost / reference,6:F2}"));
+                $"  {timing.DynamicBodies,9:N0} {timing.Contacts,9:N0} {timing.BestOfSteps,10:F4} {cost,8:F0} {timing.BytesPerBody,7:F0} "
+                    + $"{cost / reference,6:F2}"));
         }
     }
 }

@@ -45,7 +45,8 @@ internal static class SleepTiming
 
         double wide = Median(asleep, Steps);
         double full = Median(awake, bodies > 20_000 ? 41 : Steps);
-        Console.WriteLine($"{bodies,7} {name,-20} asleep {asleep.Sleep.AsleepCount,7} after {steps,4} steps: {wide,8:F1} us a step, awake {full,10:F1} us");
+        Console.WriteLine($"{bodies,7} {name,-20} asleep {asleep.Sleep.AsleepCount,7} after {steps,4} steps: {wide,8:F1} us a step, awake "
+            + $"{full,10:F1} us");
     }
 
     /// <summary>A heap of balls that bounce without end: the same steps with and without sleep allowed, by turns.</summary>
@@ -111,14 +112,21 @@ internal static class SleepTiming
         Add(world, ShapeBuilder.Box(1000, 2), 0, -1, BodyFlags.Static, 0.9f);
         for (int i = 0; i < bodies; i++)
         {
-            Add(world, ShapeBuilder.Circle(0.5f), ((i % 100) * 1.3) - 60 + (0.1 * (i / 100 % 3)), 3 + (i / 100 * 1.3), BodyFlags.None, 0.9f);
+            Add(
+                world,
+                ShapeBuilder.Circle(0.5f),
+                ((i % 100) * 1.3) - 60 + (0.1 * (i / 100 % 3)),
+                3 + (i / 100 * 1.3),
+                BodyFlags.None,
+                0.9f);
         }
     }
 
     private static void Add(World world, ShapeGeometry shape, double x, double y, BodyFlags flags, float restitution)
     {
         var body = world.CreateBody(new BodyDef { X = x, Y = y, Mass = 1, Inertia = 1f / 6, Flags = BodyFlags.Enabled | flags });
-        world.CreateCollider(body, shape, new ColliderDef { Flags = Solid, Friction = 0.6f, Restitution = restitution, Categories = 1, CollidesWith = 1 });
+        world.CreateCollider(
+            body, shape, new ColliderDef { Flags = Solid, Friction = 0.6f, Restitution = restitution, Categories = 1, CollidesWith = 1 });
     }
 
     private static double Median(World world, int steps)

@@ -26,9 +26,11 @@ internal static class StateTiming
     {
         TextWriter output = result.Output();
         string[] names = [.. (result.GetValue(_scenes) ?? []).Select(name => Verb.Scene(name).Name)];
-        output.WriteLine($"one worker, after {WarmSteps} updates (half of a shorter scene), medians of {Turns} turns; shares are of the update of the same turn;");
+        output.WriteLine($"one worker, after {WarmSteps} updates (half of a shorter scene), medians of {Turns} turns; shares are of the "
+            + $"update of the same turn;");
         output.WriteLine($"rewind is by {Back} frames; bytes a frame are the mean of the frames but the newest, which is whole");
-        output.WriteLine("| scene | bodies | asleep | bytes a body | an update | bytes a body and frame | capture | restore | push | rewind | hash |");
+        output.WriteLine(
+            "| scene | bodies | asleep | bytes a body | an update | bytes a body and frame | capture | restore | push | rewind | hash |");
         output.WriteLine("|---|---|---|---|---|---|---|---|---|---|---|");
         foreach (PerformanceScene scene in PerformanceScenes.All)
         {

@@ -8,7 +8,9 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Benchmarks.Suites;
 
-/// <summary>The kernels of a contact alone, ns a contact: rows of two points between boxes one upon the other, each body in one row.</summary>
+/// <summary>
+/// The kernels of a contact alone, ns a contact: rows of two points between boxes one upon the other, each body in one row.
+/// </summary>
 public unsafe class KernelSuite
 {
     private const int Contacts = 4096;
@@ -86,7 +88,14 @@ public unsafe class KernelSuite
 
     private void Run(ContactPassKind kind)
     {
-        var pass = new ContactPass { Kind = kind, States = _states.Pointer, Coefficients = _coefficients, Flag = kind == ContactPassKind.Relax, First = true };
+        var pass = new ContactPass
+        {
+            Kind = kind,
+            States = _states.Pointer,
+            Coefficients = _coefficients,
+            Flag = kind == ContactPassKind.Relax,
+            First = true,
+        };
 #if !NETSTANDARD_ASSET
         if (Lanes == Engine.Contacts.Sixteen.ContactBundle.Lanes)
         {
@@ -96,7 +105,8 @@ public unsafe class KernelSuite
             return;
         }
 #endif
-        PassChoice.Run(pass, new BundleList((ContactBundle**)_list.Pointer, _fresh.Pointer, Bundles, isFar: false), grounded: false, onePoint: false);
+        PassChoice.Run(
+            pass, new BundleList((ContactBundle**)_list.Pointer, _fresh.Pointer, Bundles, isFar: false), grounded: false, onePoint: false);
     }
 
     private static void SetPoint(ContactPointLanes* point, int lane, float arm)

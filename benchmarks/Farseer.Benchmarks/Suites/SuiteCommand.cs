@@ -21,7 +21,8 @@ internal static class SuiteCommand
     private static readonly Argument<string?> _file = Verb.Maybe("file", "takes the figures as CSV");
     private static readonly Argument<string?> _suite = Verb.Maybe("suite", "a part of the name of suites");
 
-    public static Command Create() => Verb.Of("bdn", "The suites of BenchmarkDotNet: kernels, pairs, joints, whole scenes.", Run, _file, _suite);
+    public static Command Create() =>
+        Verb.Of("bdn", "The suites of BenchmarkDotNet: kernels, pairs, joints, whole scenes.", Run, _file, _suite);
 
     private static int Run(ParseResult result)
     {
@@ -32,7 +33,8 @@ internal static class SuiteCommand
             .WithArtifactsPath(Path.Combine(Path.GetTempPath(), "Farseer.Benchmarks"));
         string wanted = result.GetValue(_suite) ?? string.Empty;
         Type[] suites = [typeof(KernelSuite), typeof(HullSuite), typeof(PairSuite), typeof(JointSuite), typeof(SceneSuite)];
-        Summary[] summaries = BenchmarkRunner.Run(Array.FindAll(suites, suite => suite.Name.Contains(wanted, StringComparison.OrdinalIgnoreCase)), config);
+        Summary[] summaries =
+            BenchmarkRunner.Run(Array.FindAll(suites, suite => suite.Name.Contains(wanted, StringComparison.OrdinalIgnoreCase)), config);
         using StreamWriter? csv = Values.Open(_file.Name, result.GetValue(_file));
         if (csv is not null)
         {
@@ -60,7 +62,8 @@ internal static class SuiteCommand
                 long bytes = report.GcStats.GetBytesAllocatedPerOperation(item) ?? 0;
                 csv.WriteLine(string.Create(
                     CultureInfo.InvariantCulture,
-                    $"{item.Descriptor.Type.Name},{item.Descriptor.WorkloadMethod.Name},{parameters},{statistics.Min:F2},{statistics.Mean:F2},{statistics.StandardError:F2},{bytes}"));
+                    $"{item.Descriptor.Type.Name},{item.Descriptor.WorkloadMethod.Name},{parameters},"
+                    + $"{statistics.Min:F2},{statistics.Mean:F2},{statistics.StandardError:F2},{bytes}"));
             }
         }
     }

@@ -3,7 +3,9 @@ using Farseer.Engine.Joints;
 
 namespace Farseer.Benchmarks.Trees;
 
-/// <summary>The kinds of joints as users meet them, each for a crowd of short chains: in the air, hung on the world, and on a floor.</summary>
+/// <summary>
+/// The kinds of joints as users meet them, each for a crowd of short chains: in the air, hung on the world, and on a floor.
+/// </summary>
 internal static class TreeKinds
 {
     private const JointFlags Plain = JointFlags.Enabled;

@@ -83,7 +83,13 @@ internal static class TreeScenes
                 if (link.With is { } second)
                 {
                     TreeKinds.Link plain = link with { Flags = JointFlags.Enabled };
-                    JoinBy(world, second, plain, link.WithWorld ? World.WorldFrame : before, part, link.WithWorld ? at - new Vector2(0.5f, 0) : held);
+                    JoinBy(
+                        world,
+                        second,
+                        plain,
+                        link.WithWorld ? World.WorldFrame : before,
+                        part,
+                        link.WithWorld ? at - new Vector2(0.5f, 0) : held);
                 }
 
                 before = part;
@@ -183,7 +189,8 @@ internal static class TreeScenes
             Handle body = Add(world, ShapeBuilder.Box(2, 0.5f), new Vector2(car * 5f, floor ? 1 : 0), 0.1f * (car % 5), 10, 4, 1, 2);
             for (int side = -1; side <= 1; side += 2)
             {
-                Handle wheel = Add(world, ShapeBuilder.Circle(0.3f), new Vector2((car * 5f) + (side * 0.8f), (floor ? 1 : 0) - 0.4f), 0, 1, 0.045f, 1, 2);
+                Handle wheel = Add(
+                    world, ShapeBuilder.Circle(0.3f), new Vector2((car * 5f) + (side * 0.8f), (floor ? 1 : 0) - 0.4f), 0, 1, 0.045f, 1, 2);
                 JointSettings settings = Rigid(new Vector2(side * 0.8f, -0.4f), default);
                 settings.AxisY = 1;
                 settings.Frequency = 4;
@@ -227,7 +234,9 @@ internal static class TreeScenes
         return world;
     }
 
-    /// <summary>Puppets of eleven bodies and ten hinges with limits, falling on a floor; with friction in their hinges or without.</summary>
+    /// <summary>
+    /// Puppets of eleven bodies and ten hinges with limits, falling on a floor; with friction in their hinges or without.
+    /// </summary>
     public static World Ragdolls(int dolls, bool friction, bool floor)
     {
         World world = Make();
@@ -246,7 +255,8 @@ internal static class TreeScenes
 
     private static void AddFloor(World world)
     {
-        Handle ground = world.CreateBody(new BodyDef { X = 0, Y = -1, Mass = 1, Inertia = 1, Flags = BodyFlags.Enabled | BodyFlags.Static });
+        Handle ground =
+            world.CreateBody(new BodyDef { X = 0, Y = -1, Mass = 1, Inertia = 1, Flags = BodyFlags.Enabled | BodyFlags.Static });
         Collide(world, ground, ShapeBuilder.Box(4000, 2), 2, 1);
     }
 
@@ -303,7 +313,8 @@ internal static class TreeScenes
         return world;
     }
 
-    private static void Hinge(World world, Handle a, Handle b, Vector2 anchorA, Vector2 anchorB, (double Lower, double Upper, bool Friction)? limits)
+    private static void Hinge(
+        World world, Handle a, Handle b, Vector2 anchorA, Vector2 anchorB, (double Lower, double Upper, bool Friction)? limits)
     {
         JointSettings settings = Rigid(anchorA, anchorB);
         JointFlags flags = JointFlags.Enabled;
@@ -342,9 +353,11 @@ internal static class TreeScenes
         return settings;
     }
 
-    private static Handle Add(World world, ShapeGeometry shape, Vector2 at, float angle, float mass, float inertia, uint category, uint with)
+    private static Handle Add(
+        World world, ShapeGeometry shape, Vector2 at, float angle, float mass, float inertia, uint category, uint with)
     {
-        Handle body = world.CreateBody(new BodyDef { X = at.X, Y = at.Y, Angle = angle, Mass = mass, Inertia = inertia, Flags = BodyFlags.Enabled });
+        Handle body =
+            world.CreateBody(new BodyDef { X = at.X, Y = at.Y, Angle = angle, Mass = mass, Inertia = inertia, Flags = BodyFlags.Enabled });
         Collide(world, body, shape, category, with);
         return body;
     }

@@ -49,7 +49,8 @@ internal static class TreeTiming
     private static readonly Option<bool> _lanes = Values.Flag("--lanes", "side by side alone, not one by one");
     private static readonly ValueOption<string?> _csv = Values.File("--csv", "writes the times to a file too");
 
-    public static Command Create() => Verb.Of("trees", "Time of trees of joints, ns a body and substep.", Run, _name, _part, _runs, _lanes, _csv);
+    public static Command Create() =>
+        Verb.Of("trees", "Time of trees of joints, ns a body and substep.", Run, _name, _part, _runs, _lanes, _csv);
 
     private static int Run(ParseResult result)
     {
@@ -60,7 +61,8 @@ internal static class TreeTiming
         bool lanesOnly = result.GetValue(_lanes);
         using StreamWriter? csv = Values.Open(_csv.Name, result.GetValue(_csv));
         csv?.WriteLine(StepTimes.CsvHeader);
-        output.WriteLine($"ns a body and substep: mean over {Steps} steps of the least of {runs} runs; user time, median; the least with trees one by one");
+        output.WriteLine($"ns a body and substep: mean over {Steps} steps of the least of {runs} runs; user time, median; the least with "
+            + $"trees one by one");
         if (name == "kinds")
         {
             foreach (TreeKinds.Link link in TreeKinds.All)
@@ -94,7 +96,8 @@ internal static class TreeTiming
         Cost? single = lanesOnly ? null : Measure(scene, runs, false);
         output.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"  {scene.Name,-9} {lanes.Of(lanes.Least),6:F0} {lanes.Of(lanes.User),6:F0} {single?.Of(single.Least) ?? double.NaN,6:F0}  {lanes.Hash:x16} {((single ?? lanes).Hash == lanes.Hash ? "same bits" : "OTHER BITS")}  {scene.Title}"));
+            $"  {scene.Name,-9} {lanes.Of(lanes.Least),6:F0} {lanes.Of(lanes.User),6:F0} {single?.Of(single.Least) ?? double.NaN,6:F0}  "
+                + $"{lanes.Hash:x16} {((single ?? lanes).Hash == lanes.Hash ? "same bits" : "OTHER BITS")}  {scene.Title}"));
         string name = scene.Kind.Length == 0 ? scene.Name : $"{scene.Name} {scene.Kind.Replace(',', ';')}";
         csv?.WriteLine(StepTimes.ToCsv(name, lanes.Bodies, lanes.Run, lanes.Median, lanes.Least, lanes.Hash));
     }

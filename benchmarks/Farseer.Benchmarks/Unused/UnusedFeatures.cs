@@ -27,9 +27,13 @@ internal static class UnusedFeatures
     private static readonly Feature[] Features =
     [
         new Feature("nothing (noise of the measurement)", (simulator, far) => { }),
-        new Feature("a joint between bodies that cannot move", (simulator, far) => JointFactory.Instance.CreateRevoluteJoint(simulator, far[0], far[1], far[0].Position)),
+        new Feature(
+            "a joint between bodies that cannot move",
+            (simulator, far) => JointFactory.Instance.CreateRevoluteJoint(simulator, far[0], far[1], far[0].Position)),
         new Feature("continuous collision, all bodies slow", (simulator, far) => simulator.IsContinuousCollisionEnabled = true),
-        new Feature("a sensor that nothing is near", (simulator, far) => GeomFactory.Instance.CreateRectangleGeom(simulator, far[2], 1f, 1f).IsSensor = true),
+        new Feature(
+            "a sensor that nothing is near",
+            (simulator, far) => GeomFactory.Instance.CreateRectangleGeom(simulator, far[2], 1f, 1f).IsSensor = true),
         new Feature("sleeping allowed, nothing rests", AllowSleep),
         new Feature("a handler added and removed again", (simulator, far) => ListenAndLeave(simulator)),
         new Feature("a report and a budget, off again", (simulator, far) => ReportAndStop(simulator)),
@@ -38,7 +42,8 @@ internal static class UnusedFeatures
 
     public static int Run(TextWriter output)
     {
-        output.WriteLine($"large_pyramid={Base}, {Steps} pairs of steps after {WarmSteps}; ratio of the times with and without, median (quartiles)");
+        output.WriteLine(
+            $"large_pyramid={Base}, {Steps} pairs of steps after {WarmSteps}; ratio of the times with and without, median (quartiles)");
         foreach (Feature feature in Features)
         {
             Compare(output, feature);
@@ -138,7 +143,10 @@ internal static class UnusedFeatures
         {
             Body a = first.BodyList[i];
             Body b = second.BodyList[i];
-            if (a.Position != b.Position || a.Rotation != b.Rotation || a.LinearVelocity != b.LinearVelocity || a.AngularVelocity != b.AngularVelocity)
+            if (a.Position != b.Position
+                || a.Rotation != b.Rotation
+                || a.LinearVelocity != b.LinearVelocity
+                || a.AngularVelocity != b.AngularVelocity)
             {
                 return false;
             }

@@ -8,8 +8,8 @@ using FarseerGames.FarseerPhysics;
 namespace Farseer.Benchmarks.Worlds;
 
 /// <summary>
-/// The verb <c>turns</c>: many small worlds stepped in turn, beside the same worlds stepped one after the other. In turn each finds the caches full of the
-/// others.
+/// The verb <c>turns</c>: many small worlds stepped in turn, beside the same worlds stepped one after the other. In turn each finds the
+/// caches full of the others.
 /// </summary>
 internal static class TurnTiming
 {
@@ -20,7 +20,8 @@ internal static class TurnTiming
 
     private static readonly Argument<int> _count = Verb.Maybe("worlds", "how many", DefaultWorlds);
 
-    public static Command Create() => Verb.Of("turns", "Many small worlds stepped in turn, beside the same stepped one after the other.", Run, _count);
+    public static Command Create() =>
+        Verb.Of("turns", "Many small worlds stepped in turn, beside the same stepped one after the other.", Run, _count);
 
     private static int Run(ParseResult result)
     {
@@ -60,7 +61,8 @@ internal static class TurnTiming
         double steps = (double)count * Steps;
         result.Output().WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"{count} worlds of ten boxes, us a step: {consecutive / steps:F2} one after the other, {inTurn / steps:F2} in turn, {inTurn / consecutive:F2} times"));
+            $"{count} worlds of ten boxes, us a step: {consecutive / steps:F2} one after the other, {inTurn / steps:F2} in turn, "
+                + $"{inTurn / consecutive:F2} times"));
         return 0;
     }
 }

@@ -26,7 +26,8 @@ internal static class AdviseCommand
         float seconds = Math.Min((options.Steps ?? scene.Steps) * scene.Dt, LongestSeconds);
         float error = options.Error
             ?? UsualShare * Math.Max(scene.View.Max.X - scene.View.Min.X, scene.View.Max.Y - scene.View.Min.Y);
-        Console.WriteLine(FormattableString.Invariant($"{scene.Title}: the cheapest setting for an error of {error:G3} in {seconds:0.##} s"));
+        Console.WriteLine(
+            FormattableString.Invariant($"{scene.Title}: the cheapest setting for an error of {error:G3} in {seconds:0.##} s"));
         AccuracyAdvice advice;
         try
         {
@@ -40,9 +41,11 @@ internal static class AdviseCommand
         Write(advice);
         AccuracyPoint? cheapest = advice.Cheapest;
         Console.WriteLine(cheapest is AccuracyPoint best
-            ? FormattableString.Invariant($"cheapest with an error of at most {error:G3}: {best.Iterations} iterations at {1 / best.Dt:0} updates a second")
+            ? FormattableString.Invariant(
+                $"cheapest with an error of at most {error:G3}: {best.Iterations} iterations at {1 / best.Dt:0} updates a second")
             : advice.ReferenceError > error
-                ? FormattableString.Invariant($"nobody knows the motion to {error:G3}: the two finest runs are {advice.ReferenceError:G3} apart")
+                ? FormattableString.Invariant(
+                    $"nobody knows the motion to {error:G3}: the two finest runs are {advice.ReferenceError:G3} apart")
                 : FormattableString.Invariant($"no setting keeps the error below {error:G3}"));
         return cheapest is null ? NotReached : Fine;
     }
@@ -78,7 +81,9 @@ internal static class AdviseCommand
             string verdict = best ? "  cheapest" : point.PeakError <= advice.MaximumError ? "  kept" : string.Empty;
             Console.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{1 / point.Dt,4:0}  {point.Iterations,10}  {point.ConstraintError,7:0.0E+0}  {point.MotionError,7:0.0E+0}  {point.RmsError,7:0.0E+0}  {point.EndError,7:0.0E+0}  {point.Work,5:0}  {point.MillisecondsPerSecond,9:0.00}{verdict}"));
+                $"{1 / point.Dt,4:0}  {point.Iterations,10}  {point.ConstraintError,7:0.0E+0}  {point.MotionError,7:0.0E+0}  "
+                    + $"{point.RmsError,7:0.0E+0}  {point.EndError,7:0.0E+0}  {point.Work,5:0}  "
+                        + $"{point.MillisecondsPerSecond,9:0.00}{verdict}"));
         }
     }
 

@@ -43,7 +43,8 @@ internal static class CheckCommand
         }
 
         int failed = results.Count(r => !r.AllOk);
-        AnsiConsole.MarkupLine(failed == 0 ? $"[green]{results.Count} passed[/]" : $"{results.Count - failed} passed, [red]{failed} failed[/]");
+        AnsiConsole.MarkupLine(
+            failed == 0 ? $"[green]{results.Count} passed[/]" : $"{results.Count - failed} passed, [red]{failed} failed[/]");
         return failed == 0 ? 0 : 1;
     }
 

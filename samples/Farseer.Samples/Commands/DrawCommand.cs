@@ -55,7 +55,8 @@ internal static class DrawCommand
         return 0;
     }
 
-    private static PhysicsSimulatorView View(PhysicsSimulator simulator, IDebugDraw picture, float mark, ShownParts show) => new(simulator, picture)
+    private static PhysicsSimulatorView View(PhysicsSimulator simulator, IDebugDraw picture, float mark, ShownParts show) =>
+        new(simulator, picture)
     {
         MarkLength = mark,
         EnableVerticeView = (show & ShownParts.Vertices) != 0,

@@ -15,8 +15,8 @@ using FarseerGames.FarseerPhysics.Views;
 namespace Farseer.Samples.Commands;
 
 /// <summary>
-/// Learns to balance a pole on a cart, by random search in a <see cref="WorldBatch"/>: each turn changes the best weights of a linear law at random in sixteen
-/// ways, tries each from four tilts side by side, and keeps what balances longest. Draws the best run.
+/// Learns to balance a pole on a cart, by random search in a <see cref="WorldBatch"/>: each turn changes the best weights of a linear law
+/// at random in sixteen ways, tries each from four tilts side by side, and keeps what balances longest. Draws the best run.
 /// </summary>
 internal static class LearnCommand
 {
@@ -104,7 +104,8 @@ internal static class LearnCommand
         int filled = (int)(share * BarWidth);
         return string.Create(
             CultureInfo.InvariantCulture,
-            $"turn {turn,3}  [{new string('#', filled)}{new string('.', BarWidth - filled)}]  {score * Dt:F2} of {EpisodeSteps * Dt:F2} s upright");
+            $"turn {turn,3}  [{new string('#', filled)}{new string('.', BarWidth - filled)}]  {score * Dt:F2} of {EpisodeSteps * Dt:F2} s "
+                + $"upright");
     }
 
     /// <summary>Runs all laws from all tilts at once.</summary>
@@ -245,7 +246,8 @@ internal static class LearnCommand
             Vector2 cart = _cart.Position;
             var box = new Vertices
             {
-                cart + new Vector2(-0.4f, -0.1f), cart + new Vector2(0.4f, -0.1f), cart + new Vector2(0.4f, 0.1f), cart + new Vector2(-0.4f, 0.1f),
+                cart + new Vector2(-0.4f, -0.1f), cart + new Vector2(0.4f, -0.1f), cart + new Vector2(0.4f, 0.1f),
+                cart + new Vector2(-0.4f, 0.1f),
             };
             picture.DrawPolygon(box, color, color.WithAlpha(60));
             picture.DrawLine(cart, (2 * _pole.Position) - cart, color);

@@ -10,14 +10,18 @@ namespace Farseer.Samples.Commands;
 /// <summary>Records a run, or two beside each other, and writes the page that shows it.</summary>
 internal static class RecordCommand
 {
-    private static readonly Argument<string> _scene = new("scene") { Description = "the name of a scene or a scene file; 'list' shows the names" };
+    private static readonly Argument<string> _scene =
+        new("scene") { Description = "the name of a scene or a scene file; 'list' shows the names" };
     private static readonly ValueOption<string?> _html = Values.File("--html", "the page's file; by default the scene's name");
     private static readonly ValueOption<int?> _steps = Values.Whole("--steps", "updates instead of the scene's own number", 1);
-    private static readonly ValueOption<int?> _iterations = Values.Whole("--iterations", "the accuracy dial of the simulator, 5 by default", 1);
+    private static readonly ValueOption<int?> _iterations =
+        Values.Whole("--iterations", "the accuracy dial of the simulator, 5 by default", 1);
     private static readonly ValueOption<double?> _dt = Values.Positive("--dt", "S", "a number of seconds above 0", "seconds an update");
-    private static readonly Option<string?> _beside = new("--beside") { Description = "a second scene to show beside the first, with their first difference" };
+    private static readonly Option<string?> _beside =
+        new("--beside") { Description = "a second scene to show beside the first, with their first difference" };
     private static readonly ValueOption<int?> _besideIterations = Values.Whole("--beside-iterations", "the dial of the second run", 1);
-    private static readonly ValueOption<int?> _megabytes = Values.Whole("--most-megabytes", "largest data of a run in the file, 20 by default", 1);
+    private static readonly ValueOption<int?> _megabytes =
+        Values.Whole("--most-megabytes", "largest data of a run in the file, 20 by default", 1);
 
     public static Command Create()
     {
@@ -57,7 +61,9 @@ internal static class RecordCommand
         Console.WriteLine(FormattableString.Invariant($"{first.FrameCount} updates, {new FileInfo(path).Length / 1e6:0.0} MB: {path}"));
         if (second is not null)
         {
-            Console.WriteLine(RunRecorder.Compare(first, second) is { } difference ? "first difference: " + difference : "both runs are the same, bit for bit");
+            Console.WriteLine(RunRecorder.Compare(first, second) is { } difference
+                ? "first difference: " + difference
+                : "both runs are the same, bit for bit");
         }
 
         return 0;

@@ -36,5 +36,6 @@ internal sealed class CompanionDraw : IDebugDraw
     public void DrawPoint(Vector2 position, float size, DebugColor color) => _picture.DrawPoint(Place(position), size, color);
 
     private Vector2 Place(Vector2 point) => new(
-        (float)(((point.X + _companion.ShiftX) * _companion.Scale) + _companion.Offset.X), (point.Y * _companion.Scale) + _companion.Offset.Y);
+        (float)(((point.X + _companion.ShiftX) * _companion.Scale) + _companion.Offset.X),
+        (point.Y * _companion.Scale) + _companion.Offset.Y);
 }

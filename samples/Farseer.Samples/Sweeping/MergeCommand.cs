@@ -52,7 +52,8 @@ internal static class MergeCommand
                     repeats++;
                     if (row with { Shard = other.Shard, Shards = other.Shards } != other)
                     {
-                        faults.Add($"run {row.Index} ({row.Scene}, seed {row.Seed}) has the state {row.State} in {file}, and {other.State} elsewhere");
+                        faults.Add($"run {row.Index} ({row.Scene}, seed {row.Seed}) has the state {row.State} in {file}, and {other.State} "
+                            + $"elsewhere");
                     }
                 }
 
@@ -85,7 +86,8 @@ internal static class MergeCommand
         }
 
         Save(path, rows.Values);
-        Console.WriteLine($"{rows.Count} runs of specification {first!.Specification}, each there, {repeats} repeats that agree in every bit: {path}");
+        Console.WriteLine(
+            $"{rows.Count} runs of specification {first!.Specification}, each there, {repeats} repeats that agree in every bit: {path}");
         return 0;
     }
 

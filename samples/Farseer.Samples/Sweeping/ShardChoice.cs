@@ -42,5 +42,6 @@ internal readonly record struct ShardChoice(int Index, int Count)
         ? new ShardChoice(index, count)
         : throw new UsageException($"there is no shard {index} of {count}: they are numbered from 0");
 
-    private static bool TryRead(string? text, out int value) => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out value);
+    private static bool TryRead(string? text, out int value) =>
+        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out value);
 }

@@ -16,8 +16,10 @@ namespace Farseer.Samples.Sweeping;
 /// <summary>Runs a shard of a sweep, and goes on where it stopped.</summary>
 internal static class SweepCommand
 {
-    private static readonly Argument<string> _file = new("specification") { Description = "the file that says what is run, see docs/Sweeps.md" };
-    private static readonly ValueOption<string?> _shard = Values.Word("--shard", "I/N", "a part of how many, as 0/8", "which part of how many");
+    private static readonly Argument<string> _file =
+        new("specification") { Description = "the file that says what is run, see docs/Sweeps.md" };
+    private static readonly ValueOption<string?> _shard =
+        Values.Word("--shard", "I/N", "a part of how many, as 0/8", "which part of how many");
     private static readonly ValueOption<string?> _shards =
         Values.Word("--shards", "N", "a whole number", "how many parts, where the job says which this is");
 
@@ -34,14 +36,18 @@ internal static class SweepCommand
     {
         SweepSpecification specification = SweepSpecification.Load(words.GetRequiredValue(_file));
         ShardChoice choice = ShardChoice.Find(words.GetValue(_shard), words.GetValue(_shards), Environment.GetEnvironmentVariable);
-        Run(specification, choice, words.GetValue(_out) ?? string.Create(CultureInfo.InvariantCulture, $"sweep-{choice.Index}-of-{choice.Count}.jsonl"));
+        Run(
+            specification,
+            choice,
+            words.GetValue(_out) ?? string.Create(CultureInfo.InvariantCulture, $"sweep-{choice.Index}-of-{choice.Count}.jsonl"));
         return 0;
     }
 
     private static void Run(SweepSpecification specification, ShardChoice choice, string path)
     {
         string hash = specification.Hash;
-        string version = typeof(PhysicsSimulator).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
+        string version =
+            typeof(PhysicsSimulator).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
         var done = new HashSet<int>();
         using FileStream file = Open(path);
         long whole = 0;

@@ -14,7 +14,8 @@ namespace Farseer.Samples.Sweeping;
 internal readonly record struct SweepItem(int Index, string Scene, int Iterations, float Dt, int Seed);
 
 /// <summary>
-/// What a sweep is to run: every combination of scenes, iterations, time steps and seeds. Its hash is that of what it says, not of how the file is written.
+/// What a sweep is to run: every combination of scenes, iterations, time steps and seeds. Its hash is that of what it says, not of how the
+/// file is written.
 /// </summary>
 internal sealed record SweepSpecification
 {
@@ -35,7 +36,9 @@ internal sealed record SweepSpecification
     /// <summary>Updates of each run; 0: the scene's own number.</summary>
     public int Steps { get; init; }
 
-    /// <summary>How many seeds, from 0 on. Seed 0 is the scene as it is; others move each body by up to <see cref="Jitter"/> in either direction.</summary>
+    /// <summary>
+    /// How many seeds, from 0 on. Seed 0 is the scene as it is; others move each body by up to <see cref="Jitter"/> in either direction.
+    /// </summary>
     public int Seeds { get; init; } = 1;
 
     public float Jitter { get; init; }

@@ -11,7 +11,9 @@ namespace Farseer.Samples.Terminal;
 /// <summary>Reaches into a scene: drags a body by a spring, and throws the one that is chosen.</summary>
 internal sealed class Hand
 {
-    /// <summary>Four oscillations a second, radians a second: firm enough to follow the mouse, soft enough not to tear a pile apart.</summary>
+    /// <summary>
+    /// Four oscillations a second, radians a second: firm enough to follow the mouse, soft enough not to tear a pile apart.
+    /// </summary>
     private const float Firmness = 25f;
     private const float DampingRatio = 0.7f;
 

@@ -17,7 +17,8 @@ internal sealed class WatchSession
     private const int GreatestSpeed = 5;
 
     /// <summary>What the keys do, for the last row and for the help.</summary>
-    public const string KeyText = "q quit  space pause  n step  + - speed  r restart  c contacts  tab chooses a body, w a s d throw it, the mouse drags it";
+    public const string KeyText =
+        "q quit  space pause  n step  + - speed  r restart  c contacts  tab chooses a body, w a s d throw it, the mouse drags it";
 
     /// <summary>Dots from the mouse at which a body is still grabbed: two characters.</summary>
     private const double Reach = 4.0;
@@ -272,7 +273,9 @@ internal sealed class WatchSession
 
     private TextRow Legend(int width) =>
         new TextRow(width, _colored)
-            .Add(FormattableString.Invariant($"bodies {_run.Simulator.BodyList.Count}  contacts {_run.Simulator.ContactCount}  "), Palette.Text)
+            .Add(
+                FormattableString.Invariant($"bodies {_run.Simulator.BodyList.Count}  contacts {_run.Simulator.ContactCount}  "),
+                Palette.Text)
             .Add("flying ", Palette.Flying)
             .Add("touching ", Palette.Touching)
             .Add("at rest ", Palette.Resting)

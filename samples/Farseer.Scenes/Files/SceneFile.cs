@@ -157,9 +157,11 @@ public sealed class SceneFile : Scene
         BodyFactory make = BodyFactory.Instance;
         switch (factory.Text())
         {
-            case "CreateRectangleBody": return make.CreateRectangleBody(simulator, args["width"].Number(), args["height"].Number(), args["mass"].Number());
+            case "CreateRectangleBody": return make.CreateRectangleBody(
+                simulator, args["width"].Number(), args["height"].Number(), args["mass"].Number());
             case "CreateCircleBody": return make.CreateCircleBody(simulator, args["radius"].Number(), args["mass"].Number());
-            case "CreateEllipseBody": return make.CreateEllipseBody(simulator, args["xRadius"].Number(), args["yRadius"].Number(), args["mass"].Number());
+            case "CreateEllipseBody": return make.CreateEllipseBody(
+                simulator, args["xRadius"].Number(), args["yRadius"].Number(), args["mass"].Number());
             case "CreatePolygonBody": return make.CreatePolygonBody(simulator, Outline(args["vertices"]), args["mass"].Number());
             case "CreateBody" when args.Find("body") is SceneNode copied: return make.CreateBody(simulator, BodyOf(copied));
             case "CreateBody": return make.CreateBody(simulator, args["mass"].Number(), args["momentOfInertia"].Number());
@@ -190,9 +192,11 @@ public sealed class SceneFile : Scene
         int edges = args.Find("numberOfEdges")?.Whole() ?? 0;
         switch (factory.Text())
         {
-            case "CreateRectangleGeom": return make.CreateRectangleGeom(simulator, body, args["width"].Number(), args["height"].Number(), offset, turn, cell);
+            case "CreateRectangleGeom": return make.CreateRectangleGeom(
+                simulator, body, args["width"].Number(), args["height"].Number(), offset, turn, cell);
             case "CreateCircleGeom": return make.CreateCircleGeom(simulator, body, args["radius"].Number(), edges, offset, turn, cell);
-            case "CreateEllipseGeom": return make.CreateEllipseGeom(simulator, body, args["xRadius"].Number(), args["yRadius"].Number(), edges, offset, turn, cell);
+            case "CreateEllipseGeom": return make.CreateEllipseGeom(
+                simulator, body, args["xRadius"].Number(), args["yRadius"].Number(), edges, offset, turn, cell);
             case "CreatePolygonGeom": return make.CreatePolygonGeom(simulator, body, Outline(args["vertices"]), offset, turn, cell);
             case "CreateGeom": return make.CreateGeom(simulator, body, GeomOf(args["geometry"]), offset, turn);
             default: throw factory.Fault($"is no geom factory: '{factory.Text()}'");

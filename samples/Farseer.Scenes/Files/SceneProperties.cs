@@ -79,7 +79,8 @@ internal static class SceneProperties
         _ => throw value.Fault("must be Average or Minimum"),
     };
 
-    private static FarseerGames.FarseerPhysics.Interfaces.IBroadPhaseCollider BroadPhase(PhysicsSimulator simulator, SceneNode value) => value.Text() switch
+    private static FarseerGames.FarseerPhysics.Interfaces.IBroadPhaseCollider BroadPhase(PhysicsSimulator simulator, SceneNode value) =>
+        value.Text() switch
     {
         "SelectiveSweepCollider" => new SelectiveSweepCollider(simulator),
         "SweepAndPruneCollider" => new SweepAndPruneCollider(simulator),

@@ -9,7 +9,8 @@ namespace Farseer.Scenes;
 /// <summary>The bytes of a scene file and the way from a JSON path back to line and column.</summary>
 internal sealed class SceneSource
 {
-    private static readonly JsonReaderOptions _readerOptions = new() { CommentHandling = JsonCommentHandling.Skip, AllowTrailingCommas = true };
+    private static readonly JsonReaderOptions _readerOptions =
+        new() { CommentHandling = JsonCommentHandling.Skip, AllowTrailingCommas = true };
     private readonly string _file;
     private readonly byte[] _bytes;
 

@@ -4,7 +4,9 @@ using FarseerGames.FarseerPhysics.Collisions;
 
 namespace Farseer.Scenes.Performance;
 
-/// <summary>A world for timing whole steps. Metres; y up; gravity (0, -10); density 1, friction 0.6, no restitution; the collider for large scenes.</summary>
+/// <summary>
+/// A world for timing whole steps. Metres; y up; gravity (0, -10); density 1, friction 0.6, no restitution; the collider for large scenes.
+/// </summary>
 public abstract class PerformanceScene
 {
     /// <summary>Name of the scene in the published comparison.</summary>
@@ -38,7 +40,9 @@ public abstract class PerformanceScene
         Fill(new Bricks(simulator), size);
     }
 
-    /// <summary>Moves what the scene drives by hand, before update <paramref name="step"/> (0 is the first). Nothing in most scenes.</summary>
+    /// <summary>
+    /// Moves what the scene drives by hand, before update <paramref name="step"/> (0 is the first). Nothing in most scenes.
+    /// </summary>
     public virtual void Drive(int step)
     {
     }

@@ -8,7 +8,8 @@ public static class PerformanceScenes
 {
     public static IReadOnlyList<PerformanceScene> All { get; } = 
     [
-        new LargePyramid(), new ManyPyramids(), new JointGrid(), new Smash(), new Tumbler(), new Washer(), new Junkyard(), new Compounds(), new Spinner(),
+        new LargePyramid(), new ManyPyramids(), new JointGrid(), new Smash(), new Tumbler(), new Washer(), new Junkyard(), new Compounds(),
+        new Spinner(),
         new CirclePile(), new RestingBoxes(),
     ];
 

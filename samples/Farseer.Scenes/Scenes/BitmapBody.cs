@@ -33,7 +33,8 @@ public sealed class BitmapBody : Scene
 
     public override string Title => "Body from a bitmap";
 
-    public override string Description => "A drawing with a hole becomes polygons of one body, which falls on its flat side and keeps a ball in its hole.";
+    public override string Description =>
+        "A drawing with a hole becomes polygons of one body, which falls on its flat side and keeps a ball in its hole.";
 
     public override SceneView View => new(new Vector2(-2f, -0.5f), new Vector2(2f, 3f));
 

@@ -29,7 +29,8 @@ public sealed class BreakableWall : Scene
 
     public override string Title => "Breakable walls";
 
-    public override string Description => "Bricks are joined by joints that break: a slow ball bounces off its wall, a fast one goes through.";
+    public override string Description =>
+        "Bricks are joined by joints that break: a slow ball bounces off its wall, a fast one goes through.";
 
     public override int Steps => 900;
 
@@ -103,7 +104,8 @@ public sealed class BreakableWall : Scene
     /// </summary>
     private void Join(PhysicsSimulator simulator, Body first, Body second, int wall)
     {
-        WeldJoint joint = new(first, second, 0.5f * (first.Position + second.Position)) { Breakpoint = Breakpoint, CollideConnected = false };
+        WeldJoint joint =
+            new(first, second, 0.5f * (first.Position + second.Position)) { Breakpoint = Breakpoint, CollideConnected = false };
         joint.Broke += (_, _) => _broken[wall]++;
         simulator.Add(joint);
         _joints.Add(joint);

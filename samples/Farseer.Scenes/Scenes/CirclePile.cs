@@ -19,7 +19,8 @@ public sealed class CirclePile : Scene
 
     public override string Title => "Circle pile";
 
-    public override string Description => "200 balls of five sizes fall into a bin; they fill it as densely as round things do, and lie still.";
+    public override string Description =>
+        "200 balls of five sizes fall into a bin; they fill it as densely as round things do, and lie still.";
 
     public override int Steps => 1500;
 

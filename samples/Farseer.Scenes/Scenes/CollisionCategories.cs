@@ -20,7 +20,8 @@ public sealed class CollisionCategories : Scene
 
     public override string Title => "Collision categories and groups";
 
-    public override string Description => "Every ball falls through the shelves of other categories and rests on its own; a group ignores itself.";
+    public override string Description =>
+        "Every ball falls through the shelves of other categories and rests on its own; a group ignores itself.";
 
     public override int Steps => 360;
 

@@ -31,7 +31,8 @@ public sealed class DynamicAngleJoints : Scene
 
     public override string Title => "Dynamic angle joints";
 
-    public override string Description => "A spider draws in its legs and stretches them again and again, so it jumps; then it stands with its legs at their angles.";
+    public override string Description =>
+        "A spider draws in its legs and stretches them again and again, so it jumps; then it stands with its legs at their angles.";
 
     public override SceneView View => new(new Vector2(-6f, -1f), new Vector2(6f, 5f));
 

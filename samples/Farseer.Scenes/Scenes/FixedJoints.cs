@@ -26,7 +26,8 @@ public sealed class FixedJoints : Scene
 
     public override string Title => "Fixed joints";
 
-    public override string Description => "A pendulum keeps its energy, a box lands off its middle and stays upright, a flap stops at its limits.";
+    public override string Description =>
+        "A pendulum keeps its energy, a box lands off its middle and stays upright, a flap stops at its limits.";
 
     public override SceneView View => new(new Vector2(-10.5f, -1f), new Vector2(10.5f, 9.5f));
 

@@ -35,7 +35,8 @@ public sealed class ForceKinds : Scene
 
     public override string Title => "Every kind of spring and controller";
 
-    public override string Description => "Four springs pull bodies to their rest; fluid, waves, wind, gravity, a blast, a limit of speed and rest act each on its own.";
+    public override string Description =>
+        "Four springs pull bodies to their rest; fluid, waves, wind, gravity, a blast, a limit of speed and rest act each on its own.";
 
     public override SceneView View => new(new Vector2(-60f, -260f), new Vector2(1000f, 140f));
 

@@ -22,7 +22,8 @@ public sealed class FrictionRamp : Scene
 
     public override string Title => "Friction ramp";
 
-    public override string Description => "Boxes with friction 0.25, 0.4, 0.65 and 0.9 on 30 degrees: two slide by a = g (sin - mu cos), two stay.";
+    public override string Description =>
+        "Boxes with friction 0.25, 0.4, 0.65 and 0.9 on 30 degrees: two slide by a = g (sin - mu cos), two stay.";
 
     public override int Steps => 180;
 

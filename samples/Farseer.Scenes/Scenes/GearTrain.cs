@@ -21,7 +21,8 @@ public sealed class GearTrain : Scene
 
     public override string Title => "Gears by joints";
 
-    public override string Description => "A torque turns the first of three wheels; gear joints pass it on, and all turn as their radii say.";
+    public override string Description =>
+        "A torque turns the first of three wheels; gear joints pass it on, and all turn as their radii say.";
 
     public override int Steps => 300;
 

@@ -22,7 +22,8 @@ public sealed class HangingChain : Scene
 
     public override string Title => "Hanging chain";
 
-    public override string Description => "20 links of the factory on a nail swing for 10 seconds: no hinge opens, and the energy stays what it was.";
+    public override string Description =>
+        "20 links of the factory on a nail swing for 10 seconds: no hinge opens, and the energy stays what it was.";
 
     public override SceneView View => new(new Vector2(-11f, -11f), new Vector2(11f, 5f));
 
@@ -31,7 +32,16 @@ public sealed class HangingChain : Scene
         Make.Metres(simulator);
         _simulator = simulator;
         _chain = ComplexFactory.Instance.CreateChain(
-            simulator, Vector2.Zero, new Vector2(0.8f * Links * Length, -0.6f * Links * Length), Length, 0.15f, 0.2f, true, false, 1, LinkType.RevoluteJoint);
+            simulator,
+            Vector2.Zero,
+            new Vector2(0.8f * Links * Length, -0.6f * Links * Length),
+            Length,
+            0.15f,
+            0.2f,
+            true,
+            false,
+            1,
+            LinkType.RevoluteJoint);
         Chains.Harden(_chain);
         _worst = 0.0;
         _start = 0.0;

@@ -20,7 +20,8 @@ public sealed class Inactivity : Scene
 
     public override string Title => "A thousand bodies at rest";
 
-    public override string Description => "1,000 balls lie still and are disabled; one that is shot through them wakes only those near its way, and all go to rest again.";
+    public override string Description =>
+        "1,000 balls lie still and are disabled; one that is shot through them wakes only those near its way, and all go to rest again.";
 
     public override SceneView View => new(new Vector2(-40f, -20f), new Vector2(840f, 520f));
 

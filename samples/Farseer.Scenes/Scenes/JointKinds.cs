@@ -23,7 +23,8 @@ public sealed class JointKinds : Scene
 
     public override string Title => "Every kind of joint";
 
-    public override string Description => "Eighteen pairs of boxes, each held by another kind of joint: those that hold exactly do, and nothing breaks.";
+    public override string Description =>
+        "Eighteen pairs of boxes, each held by another kind of joint: those that hold exactly do, and nothing breaks.";
 
     public override SceneView View => new(new Vector2(-2f, -1f), new Vector2(24f, 15f));
 
@@ -75,7 +76,8 @@ public sealed class JointKinds : Scene
         (Body a, Body b) = Pair(simulator, 0);
         Exact(new RevoluteJoint(a, b, Between(a, b)) { AreLimitsEnabled = true, LowerLimit = -0.8f, UpperLimit = 0.8f });
         (a, b) = Pair(simulator, 1);
-        Exact(new FixedRevoluteJoint(a, a.Position + new Vector2(0f, 0.5f)) { IsMotorEnabled = true, MotorSpeed = 2f, MaxMotorTorque = 0.5f });
+        Exact(new FixedRevoluteJoint(
+            a, a.Position + new Vector2(0f, 0.5f)) { IsMotorEnabled = true, MotorSpeed = 2f, MaxMotorTorque = 0.5f });
         (a, b) = Pair(simulator, 2);
         Exact(new WeldJoint(a, b, Between(a, b)));
         (a, b) = Pair(simulator, 3);
@@ -95,7 +97,8 @@ public sealed class JointKinds : Scene
         (Body a, Body b) = Pair(simulator, 6);
         Exact(new PinJoint(a, new Vector2(0f, 0.2f), b, Vector2.Zero));
         (a, b) = Pair(simulator, 7);
-        Loose(new DistanceJoint(a, Vector2.Zero, b, Vector2.Zero) { Frequency = 2f, AreLimitsEnabled = true, LowerLimit = 0.7f, UpperLimit = 1.3f });
+        Loose(new DistanceJoint(
+            a, Vector2.Zero, b, Vector2.Zero) { Frequency = 2f, AreLimitsEnabled = true, LowerLimit = 0.7f, UpperLimit = 1.3f });
         (a, b) = Pair(simulator, 8);
         Loose(new RopeJoint(a, Vector2.Zero, b, Vector2.Zero, 1.2f));
         (a, b) = Pair(simulator, 9);

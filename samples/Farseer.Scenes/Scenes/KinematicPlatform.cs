@@ -27,7 +27,8 @@ public sealed class KinematicPlatform : Scene
 
     public override string Title => "Kinematic platforms";
 
-    public override string Description => "A rough box rides a shuttle, a smooth one stays where it is, a third rides a lift without leaving it.";
+    public override string Description =>
+        "A rough box rides a shuttle, a smooth one stays where it is, a third rides a lift without leaving it.";
 
     public override int Steps => 1200;
 

@@ -23,7 +23,8 @@ public sealed class LinearAndAngularSprings : Scene
 
     public override string Title => "Linear and angular springs";
 
-    public override string Description => "A weight swings on a spring without losing energy, a chain of stiff springs hangs by its weight, a bar turns to its angle.";
+    public override string Description =>
+        "A weight swings on a spring without losing energy, a chain of stiff springs hangs by its weight, a bar turns to its angle.";
 
     public override SceneView View => new(new Vector2(-8f, -14f), new Vector2(8f, 2f));
 

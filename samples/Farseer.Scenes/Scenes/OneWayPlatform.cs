@@ -22,7 +22,8 @@ public sealed class OneWayPlatform : Scene
 
     public override string Title => "One-way platform";
 
-    public override string Description => "Balls shot up pass the platform unslowed and land on it; the one too slow to clear it falls back.";
+    public override string Description =>
+        "Balls shot up pass the platform unslowed and land on it; the one too slow to clear it falls back.";
 
     public override int Steps => 360;
 

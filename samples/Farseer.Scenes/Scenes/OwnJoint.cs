@@ -31,7 +31,8 @@ public sealed class OwnJoint : Scene
 
     public override string Title => "A joint of your own";
 
-    public override string Description => "A rack falls and turns a pinion through a joint that the scene itself brings, until it stands on the floor.";
+    public override string Description =>
+        "A rack falls and turns a pinion through a joint that the scene itself brings, until it stands on the floor.";
 
     public override int Steps => 300;
 

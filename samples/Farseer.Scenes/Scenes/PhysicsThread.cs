@@ -26,7 +26,8 @@ public sealed class PhysicsThread : Scene
 
     public override string Title => "Physics on another thread";
 
-    public override string Description => "A thread computes the next update while the game draws the last; the end is, bit for bit, that of one thread.";
+    public override string Description =>
+        "A thread computes the next update while the game draws the last; the end is, bit for bit, that of one thread.";
 
     public override int Steps => 300;
 
@@ -81,7 +82,8 @@ public sealed class PhysicsThread : Scene
         return
         [
             SceneOutcome.Exactly("frames drawn", _frames, Steps),
-            SceneOutcome.Exactly("bits of the state that differ from one thread", BitOperations.PopCount(threaded ^ single.MotionHash()), 0),
+            SceneOutcome.Exactly(
+                "bits of the state that differ from one thread", BitOperations.PopCount(threaded ^ single.MotionHash()), 0),
 
             // A frame drawn while the bodies move would show some at places of two updates, or inside the floor.
             SceneOutcome.AtLeast("lowest place ever drawn (m)", _lowest, 0.49),

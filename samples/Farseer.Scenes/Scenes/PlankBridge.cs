@@ -25,7 +25,8 @@ public sealed class PlankBridge : Scene
 
     public override string Title => "Bridge of planks";
 
-    public override string Description => "30 planks between two nails carry a box of 100 times a plank's weight: no hinge opens, the nails bear it all.";
+    public override string Description =>
+        "30 planks between two nails carry a box of 100 times a plank's weight: no hinge opens, the nails bear it all.";
 
     // The load lands and swings with the bridge: after 20 s by 0.04 to 0.055 m/s, however fine the steps, after 40 s by 0.03 at most.
     public override int Steps => 2400;

@@ -26,7 +26,8 @@ public sealed class Ragdoll : Scene
 
     public override string Title => "Ragdoll";
 
-    public override string Description => "A puppet of eleven bodies tumbles down stairs: its joints hold, bend no farther than they may, and it comes to rest.";
+    public override string Description =>
+        "A puppet of eleven bodies tumbles down stairs: its joints hold, bend no farther than they may, and it comes to rest.";
 
     public override int Steps => 1200;
 

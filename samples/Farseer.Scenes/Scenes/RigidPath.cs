@@ -23,7 +23,8 @@ public sealed class RigidPath : Scene
 
     public override string Title => "Rigid path";
 
-    public override string Description => "An arch of links with locked hinges lands on its feet and carries a box: its span stays what it was.";
+    public override string Description =>
+        "An arch of links with locked hinges lands on its feet and carries a box: its span stays what it was.";
 
     public override int Steps => 900;
 

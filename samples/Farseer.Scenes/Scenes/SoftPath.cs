@@ -25,7 +25,8 @@ public sealed class SoftPath : Scene
 
     public override string Title => "Soft path";
 
-    public override string Description => "A ball falls on 12 links that springs hold together: it is caught, and the springs at the ends bear all the weight.";
+    public override string Description =>
+        "A ball falls on 12 links that springs hold together: it is caught, and the springs at the ends bear all the weight.";
 
     public override int Steps => 1200;
 

@@ -30,7 +30,8 @@ public sealed class TankTrack : Scene
 
     public override string Title => "Tank track";
 
-    public override string Description => "Driven wheels in a track of 38 hinged links: the tank drives off, and the track stays around its wheels.";
+    public override string Description =>
+        "Driven wheels in a track of 38 hinged links: the tank drives off, and the track stays around its wheels.";
 
     public override SceneView View => new(new Vector2(-5f, -2f), new Vector2(25f, 6f));
 

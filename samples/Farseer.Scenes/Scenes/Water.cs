@@ -19,7 +19,8 @@ public sealed class Water : Scene
 
     public override string Title => "Water with waves and floats";
 
-    public override string Description => "Balls half as dense as water fall in and float half immersed on small waves; a stone sinks to the ground.";
+    public override string Description =>
+        "Balls half as dense as water fall in and float half immersed on small waves; a stone sinks to the ground.";
 
     public override int Steps => 1800;
 

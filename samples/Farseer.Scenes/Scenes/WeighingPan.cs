@@ -9,7 +9,10 @@ using FarseerGames.FarseerPhysics.Factories;
 
 namespace Farseer.Scenes;
 
-/// <summary>A heavy pan that swings on two springs with a hundred light balls in it: many contacts of one body, which weighs four hundred times as much as each other.</summary>
+/// <summary>
+/// A heavy pan that swings on two springs with a hundred light balls in it: many contacts of one body, which weighs four hundred times as
+/// much as each other.
+/// </summary>
 public sealed class WeighingPan : Scene
 {
     private const int Balls = 100;
@@ -29,7 +32,8 @@ public sealed class WeighingPan : Scene
 
     public override string Title => "Weighing pan";
 
-    public override string Description => "A pan of 200 kg with 100 balls of 0.5 kg swings on two springs: its period tells the weight of all.";
+    public override string Description =>
+        "A pan of 200 kg with 100 balls of 0.5 kg swings on two springs: its period tells the weight of all.";
 
     public override SceneView View => new(new Vector2(-12f, -2f), new Vector2(12f, 11f));
 

@@ -4,7 +4,9 @@ using Box2D.Dynamics.Contacts;
 
 namespace Farseer.Testbed.Scenes;
 
-/// <summary>A bar that breaks in two where it is hit hard: the listener notes the impulse, and the bar is exchanged after the step.</summary>
+/// <summary>
+/// A bar that breaks in two where it is hit hard: the listener notes the impulse, and the bar is exchanged after the step.
+/// </summary>
 public sealed class Breakable : TestScene
 {
     private readonly Listener _listener = new();

@@ -45,7 +45,8 @@ public sealed class Walker : TestScene
 
     public override IEnumerable<Outcome> Check()
     {
-        yield return That($"it has walked {_chassis.GetPosition().x - _start:0.0} m", System.Math.Abs(_chassis.GetPosition().x - _start) > 3);
+        yield return That(
+            $"it has walked {_chassis.GetPosition().x - _start:0.0} m", System.Math.Abs(_chassis.GetPosition().x - _start) > 3);
         yield return That("it stands", _chassis.GetPosition().y > 4);
     }
 

@@ -302,7 +302,8 @@ internal sealed class EngineWorld : IStepHooks
     /// <summary>Whether the filter has said that two shapes do not collide.</summary>
     public bool IsRefused(b2Shape a, b2Shape b) => Contacts.Find(a.Link.Collider.Index, b.Link.Collider.Index) is { IsAccepted: false };
 
-    public void BoxOf(b2Shape shape, out Vector2 min, out Vector2 max) => World.Reader.GetColliderBox(shape.Link.Collider, out min, out max);
+    public void BoxOf(b2Shape shape, out Vector2 min, out Vector2 max) =>
+        World.Reader.GetColliderBox(shape.Link.Collider, out min, out max);
 
     /// <summary>Whether the boxes of two shapes overlap, to within a slop: what a listener has heard touch may be a little apart.</summary>
     private bool BoxesMeet(b2Shape a, b2Shape b)

@@ -45,7 +45,8 @@ internal static class PolygonForm
                 if (k != i && k != (i + 1) % count && !(Cross(a, b, corners[k]) > 0))
                 {
                     throw new ArgumentException(
-                        "The vertices of a polygon must be convex, and no two at one place; vertex " + k.ToString(CultureInfo.InvariantCulture)
+                        "The vertices of a polygon must be convex, and no two at one place; vertex "
+                            + k.ToString(CultureInfo.InvariantCulture)
                             + " is not inside edge " + i.ToString(CultureInfo.InvariantCulture) + ".",
                         Name);
                 }

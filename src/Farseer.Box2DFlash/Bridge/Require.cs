@@ -22,7 +22,9 @@ internal static class Require
 
     /// <summary>A size of a shape: the engine must be able to square it.</summary>
     public static float Length(float value, string name) =>
-        value >= StateRange.Least && value <= StateRange.Limit ? value : throw Outside(value, name, "must be above 0, from 1.1E-19 to 9.2E18");
+        value >= StateRange.Least && value <= StateRange.Limit
+            ? value
+            : throw Outside(value, name, "must be above 0, from 1.1E-19 to 9.2E18");
 
     /// <summary>An angle or an angular velocity that the engine can hold.</summary>
     public static float Turn(float value, string name) =>

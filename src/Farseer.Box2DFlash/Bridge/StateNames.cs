@@ -127,6 +127,8 @@ internal sealed class StateNames
             b2Joint => "joint",
             _ => item.GetType().Name,
         };
-        return item is not null && _places.TryGetValue(item, out int place) ? kind + " " + place.ToString(CultureInfo.InvariantCulture) : kind;
+        return item is not null && _places.TryGetValue(item, out int place)
+            ? kind + " " + place.ToString(CultureInfo.InvariantCulture)
+            : kind;
     }
 }

@@ -100,5 +100,6 @@ internal sealed class PlaceView : b2Vec2
     }
 
     private static InvalidOperationException Refused() =>
-        new InvalidOperationException("This vector shows where the body is and cannot be set: use b2Body.SetXForm or SetMass, or Copy() it.");
+        new InvalidOperationException(
+            "This vector shows where the body is and cannot be set: use b2Body.SetXForm or SetMass, or Copy() it.");
 }

@@ -8,9 +8,9 @@ using Box2D.Dynamics.Joints;
 namespace Box2D.Bridge;
 
 /// <summary>
-/// Worlds that meet, in a few steps, the code that most worlds come to: kernels of the usual pairs of shapes on all lanes there are, contacts that begin, rest and
-/// end, overlaps, joints, a bullet and a bounce. What they leave out a world waits for when it gets there. Steps are
-/// few: after thirty calls the runtime optimises a method for what it has seen until then, and that should be the user's world.
+/// Worlds that meet, in a few steps, the code that most worlds come to: kernels of the usual pairs of shapes on all lanes there are,
+/// contacts that begin, rest and end, overlaps, joints, a bullet and a bounce. What they leave out a world waits for when it gets there.
+/// Steps are few: after thirty calls the runtime optimises a method for what it has seen until then, and that should be the user's world.
 /// </summary>
 internal sealed class WarmUpWorld
 {
@@ -18,7 +18,9 @@ internal sealed class WarmUpWorld
     private const float TimeStep = 1f / 60f;
     private const int Iterations = 10;
 
-    /// <summary>Columns that stand side by side: more than the longest vectors have lanes, so that there are full records of rows and others.</summary>
+    /// <summary>
+    /// Columns that stand side by side: more than the longest vectors have lanes, so that there are full records of rows and others.
+    /// </summary>
     private const int Columns = 20;
 
     /// <summary>Bodies of a column: more bodies in all than are looked through without a grid.</summary>

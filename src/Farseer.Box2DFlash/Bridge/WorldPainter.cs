@@ -8,7 +8,9 @@ using Box2D.Dynamics.Joints;
 
 namespace Box2D.Bridge;
 
-/// <summary>Draws what the flags ask for, in the colours and the order of the original: bodies, joints and shapes from the newest on.</summary>
+/// <summary>
+/// Draws what the flags ask for, in the colours and the order of the original: bodies, joints and shapes from the newest on.
+/// </summary>
 internal static class WorldPainter
 {
     public static void Draw(b2World world, b2DebugDraw draw, Vector2 lower, Vector2 upper)

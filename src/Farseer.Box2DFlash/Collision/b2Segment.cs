@@ -13,8 +13,10 @@ public class b2Segment
     public b2Vec2 p2 { get; set; } = new b2Vec2();
 
     /// <summary>Whether this line meets another one from its front.</summary>
-    /// <param name="lambda">Its first item becomes the place on <paramref name="segment"/>, 0 its start, 1 its end; untouched on a miss.</param>
-    /// <param name="normal">Becomes the normal of this line there, towards the start of <paramref name="segment"/>; untouched on a miss.</param>
+    /// <param name="lambda">Its first item becomes the place on <paramref name="segment"/>, 0 its start, 1 its end; untouched on a
+    /// miss.</param>
+    /// <param name="normal">Becomes the normal of this line there, towards the start of <paramref name="segment"/>; untouched on a
+    /// miss.</param>
     /// <param name="segment">The other line.</param>
     /// <param name="maxLambda">How far along the other line to look, 0 to 1.</param>
     /// <returns>True if they meet.</returns>

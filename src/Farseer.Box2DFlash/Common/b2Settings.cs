@@ -17,7 +17,9 @@ public static class b2Settings
     /// <summary>Points of a manifold at most: 2.</summary>
     public const int b2_maxManifoldPoints = 2;
 
-    /// <summary>Places in a new <see cref="Box2D.Collision.Shapes.b2PolygonDef.vertices"/>: 8. It is no limit here: a longer array may be set.</summary>
+    /// <summary>
+    /// Places in a new <see cref="Box2D.Collision.Shapes.b2PolygonDef.vertices"/>: 8. It is no limit here: a longer array may be set.
+    /// </summary>
     public const int b2_maxPolygonVertices = 8;
 
     /// <summary>Shapes at most in the original: 512. No limit here.</summary>
@@ -32,7 +34,9 @@ public static class b2Settings
     /// <summary>Angle by which the original's joints may be off, radians: 2 degrees. Joints here give way to rounding only.</summary>
     public const float b2_angularSlop = (float)(2.0 / 180.0 * System.Math.PI);
 
-    /// <summary>By how much the core shapes of <see cref="Box2D.Collision.Shapes.b2PolygonShape.GetCoreVertices"/> are shrunk, metres: 0.04.</summary>
+    /// <summary>
+    /// By how much the core shapes of <see cref="Box2D.Collision.Shapes.b2PolygonShape.GetCoreVertices"/> are shrunk, metres: 0.04.
+    /// </summary>
     public const float b2_toiSlop = 8.0f * b2_linearSlop;
 
     /// <summary>Contacts in a continuous sub-step of the original: 32. No limit here.</summary>

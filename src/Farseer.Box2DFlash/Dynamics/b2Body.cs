@@ -179,7 +179,8 @@ public partial class b2Body
     /// when one has gone.
     /// </summary>
     /// <exception cref="InvalidOperationException">
-    /// The body is destroyed, the call comes from a listener, or the densities give a mass or an inertia that is too large or too small for a float.
+    /// The body is destroyed, the call comes from a listener, or the densities give a mass or an inertia that is too large or too small for
+    /// a float.
     /// </exception>
     public void SetMassFromShapes()
     {
@@ -213,7 +214,7 @@ public partial class b2Body
         if (!Fits(mass) || !Fits(inertia))
         {
             throw new InvalidOperationException(FormattableString.Invariant(
-                $"The shapes and their density give the body a mass of {mass} and an inertia of {inertia}, which is beyond what a float can hold and divide by."));
+                $"The shapes give a mass of {mass} and an inertia of {inertia}, which is beyond what a float can hold and divide by."));
         }
 
         ApplyMass((float)mass, (float)inertia, x, y);
@@ -262,7 +263,9 @@ public partial class b2Body
         }
     }
 
-    /// <summary>Where the body is: place of the origin, and rotation. It follows the body; <see cref="b2Vec2.Copy"/> what is to be kept.</summary>
+    /// <summary>
+    /// Where the body is: place of the origin, and rotation. It follows the body; <see cref="b2Vec2.Copy"/> what is to be kept.
+    /// </summary>
     /// <returns>The transform itself, which cannot be set.</returns>
     public b2XForm GetXForm() => _xf;
 

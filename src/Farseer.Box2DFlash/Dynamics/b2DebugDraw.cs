@@ -6,8 +6,8 @@ using Box2D.Common.Math;
 namespace Box2D.Dynamics;
 
 /// <summary>
-/// Draws a world at the end of each <see cref="b2World.Step(float, int)"/>: set <see cref="m_drawFlags"/>, and <see cref="m_sprite"/> or override
-/// the drawing methods. Nothing is drawn without flags.
+/// Draws a world at the end of each <see cref="b2World.Step(float, int)"/>: set <see cref="m_drawFlags"/>, and <see cref="m_sprite"/> or
+/// override the drawing methods. Nothing is drawn without flags.
 /// </summary>
 public class b2DebugDraw
 {
@@ -120,7 +120,8 @@ public class b2DebugDraw
     /// <param name="radius">Radius, metres.</param>
     /// <param name="axis">Unit vector to where the radius is drawn.</param>
     /// <param name="color">Colour.</param>
-    /// <exception cref="ArgumentNullException"><paramref name="center"/>, <paramref name="axis"/> or <paramref name="color"/> is null.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="center"/>, <paramref name="axis"/> or <paramref name="color"/> is
+    /// null.</exception>
     public virtual void DrawSolidCircle(b2Vec2 center, float radius, b2Vec2 axis, b2Color color)
     {
         Require.NotNull(center, nameof(center));
@@ -172,7 +173,8 @@ public class b2DebugDraw
         Require.NotNull(vertices, nameof(vertices));
         if (vertexCount < 1 || vertexCount > vertices.Length)
         {
-            throw new ArgumentOutOfRangeException(nameof(vertexCount), vertexCount, "The count must be above 0 and not above that of the corners.");
+            throw new ArgumentOutOfRangeException(
+                nameof(vertexCount), vertexCount, "The count must be above 0 and not above that of the corners.");
         }
 
         m_sprite?.moveTo(vertices[0].x * m_drawScale, vertices[0].y * m_drawScale);

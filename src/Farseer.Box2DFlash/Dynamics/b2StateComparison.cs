@@ -8,8 +8,8 @@ namespace Box2D.Dynamics;
 /// <see cref="b2World.Compare"/> and <see cref="b2WorldState.Compare"/>.
 /// </summary>
 /// <remarks>
-/// Compared is all that a state holds. The fields are those that captures write, and have the names that they have in the source: what is saved is
-/// compared. References to bodies, shapes and joints are the same if these were made as the same ones in turn.
+/// Compared is all that a state holds. The fields are those that captures write, and have the names that they have in the source: what is
+/// saved is compared. References to bodies, shapes and joints are the same if these were made as the same ones in turn.
 /// </remarks>
 /// <example>
 /// <code>

@@ -31,7 +31,9 @@ public sealed class b2StateDifference
     /// <summary>Which of several the field belongs to, counted from 0; −1 if there is one alone.</summary>
     public int Index { get; }
 
-    /// <summary>Whom it concerns, as far as that is known: a body, shape or joint by its place in the list, or a pair of shapes; else empty.</summary>
+    /// <summary>
+    /// Whom it concerns, as far as that is known: a body, shape or joint by its place in the list, or a pair of shapes; else empty.
+    /// </summary>
     public string Item { get; }
 
     /// <summary>The name of the field.</summary>

@@ -24,7 +24,8 @@ public partial class b2World
         CheckBox(aabb);
         if (maxCount < 0 || maxCount > shapes.Length)
         {
-            throw new ArgumentOutOfRangeException(nameof(maxCount), maxCount, "The count must be 0 or more, and the array must have room for it.");
+            throw new ArgumentOutOfRangeException(
+                nameof(maxCount), maxCount, "The count must be 0 or more, and the array must have room for it.");
         }
 
         int count = 0;

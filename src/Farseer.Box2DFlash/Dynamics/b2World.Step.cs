@@ -72,8 +72,8 @@ public partial class b2World
 
     /// <summary>
     /// Whether overlaps are pushed out and joints that drifted apart pulled together. Default true. Without, surfaces and joints still stop
-    /// what would make it worse, so nothing falls through, but an overlap stays and a joint comes apart little by little. Springs (distance joints
-    /// with a frequency, mouse joints) pull in any case.
+    /// what would make it worse, so nothing falls through, but an overlap stays and a joint comes apart little by little. Springs (distance
+    /// joints with a frequency, mouse joints) pull in any case.
     /// </summary>
     /// <param name="flag">False leaves overlaps and joint errors as they are.</param>
     public void SetPositionCorrection(bool flag) => Engine.SetPositionCorrection(flag);
@@ -93,19 +93,24 @@ public partial class b2World
         Engine.World.SetWorkers(Require.NotNegative(count, nameof(count)), Environment.ProcessorCount, null);
 
     /// <summary>
-    /// Has the runtime compile now what the first steps of a world would wait for: it makes small worlds of its own with shapes, joints and a bullet, steps them
-    /// some times and forgets them. In a process that compiles as it goes this takes some half a second, once; called again, and in one that was published as native
-    /// code, some ten milliseconds. Worlds that exist are not touched, and what they do stays the same to the last bit. It may be called from any
-    /// thread, while others step worlds of theirs: <c>Task.Run(b2World.WarmUp)</c> while a level loads. (An addition to the original.)
+    /// Has the runtime compile now what the first steps of a world would wait for: it makes small worlds of its own with shapes, joints and
+    /// a bullet, steps them some times and forgets them. In a process that compiles as it goes this takes some half a second, once; called
+    /// again, and in one that was published as native code, some ten milliseconds. Worlds that exist are not touched, and what they do
+    /// stays the same to the last bit. It may be called from any thread, while others step worlds of theirs:
+    /// <c>Task.Run(b2World.WarmUp)</c> while a level loads. (An addition to the original.)
     /// </summary>
-    /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has them.</exception>
+    /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has
+    /// them.</exception>
     public static void WarmUp() => WarmUpWorld.Run();
 
     private void FreezeOutside()
     {
         for (b2Body? b = _bodies; b is not null; b = b.Next)
         {
-            if (b.Link.IsStatic || b.Link.IsFrozen || b.IsSleeping() || (Engine.IsInside(b) && !Engine.World.BodyStage.IsQuarantined(b.Link.Index)))
+            if (b.Link.IsStatic
+                || b.Link.IsFrozen
+                || b.IsSleeping()
+                || (Engine.IsInside(b) && !Engine.World.BodyStage.IsQuarantined(b.Link.Index)))
             {
                 continue;
             }

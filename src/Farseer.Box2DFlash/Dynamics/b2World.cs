@@ -34,7 +34,8 @@ public partial class b2World
     /// <param name="doSleep">Whether bodies at rest fall asleep.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A value is not finite, or the corners of the region are not in order.</exception>
-    /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has them.</exception>
+    /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has
+    /// them.</exception>
     public b2World(b2AABB worldAABB, b2Vec2 gravity, bool doSleep)
     {
         Require.NotNull(worldAABB, nameof(worldAABB));
@@ -69,7 +70,8 @@ public partial class b2World
             const Box2DFlash202Quirks All = (Box2DFlash202Quirks)(((int)Box2DFlash202Quirks.MouseJointStiffness << 1) - 1);
             if ((value & ~All) != 0)
             {
-                throw new ArgumentOutOfRangeException(nameof(Quirks), value, "The value must be made of members of the enum Box2DFlash202Quirks.");
+                throw new ArgumentOutOfRangeException(
+                    nameof(Quirks), value, "The value must be made of members of the enum Box2DFlash202Quirks.");
             }
 
             _quirks = value;

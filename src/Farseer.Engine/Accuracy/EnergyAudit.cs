@@ -86,7 +86,9 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
         }
     }
 
-    /// <summary>Before the substeps of a list of bodies with constraints; a step may have several, which share no body that moves.</summary>
+    /// <summary>
+    /// Before the substeps of a list of bodies with constraints; a step may have several, which share no body that moves.
+    /// </summary>
     public void BeginSolve(int* list, int count, double substep, JointSolver? joints)
     {
         _list = list;
@@ -299,7 +301,8 @@ internal sealed unsafe class EnergyAudit : ISolverAudit
         (mass.Mass * ((change.X * mean.X) + (change.Y * mean.Y))) + (mass.InverseInertia > 0 ? mass.Inertia * change.W * mean.W : 0);
 
     /// <summary>Radius of gyration: what a turn moves the matter of a body by, for each radian.</summary>
-    public static double Radius(in BodyMass mass) => mass.InverseInertia > 0 && mass.Mass > 0 ? Math.Sqrt((double)mass.Inertia / mass.Mass) : 0;
+    public static double Radius(in BodyMass mass) =>
+        mass.InverseInertia > 0 && mass.Mass > 0 ? Math.Sqrt((double)mass.Inertia / mass.Mass) : 0;
 
     public bool Moves(int body)
     {

@@ -330,7 +330,8 @@ internal sealed unsafe class ErrorMeter
         frame.SetAnchors(settings);
         rows.Count = 0;
         rows.Hard = 0;
-        rows.Size = Math.Sqrt((frame.RAX * frame.RAX) + (frame.RAY * frame.RAY)) + Math.Sqrt((frame.RBX * frame.RBX) + (frame.RBY * frame.RBY));
+        rows.Size =
+            Math.Sqrt((frame.RAX * frame.RAX) + (frame.RAY * frame.RAY)) + Math.Sqrt((frame.RBX * frame.RBX) + (frame.RBY * frame.RBY));
         _kinds.Of(link.Kind).Write(frame, settings, _joints.Flags[joint], ref rows);
     }
 

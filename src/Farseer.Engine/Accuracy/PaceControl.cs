@@ -18,7 +18,9 @@ internal sealed class PaceControl
     /// <summary>Share of the limit that is aimed at; the rest is for steps that take a little longer than the last.</summary>
     private const double Aim = 0.9;
 
-    /// <summary>Share of a longer time that is believed at once: one step may have been interrupted. A shorter one is believed whole.</summary>
+    /// <summary>
+    /// Share of a longer time that is believed at once: one step may have been interrupted. A shorter one is believed whole.
+    /// </summary>
     private const double Trust = 0.5;
 
     private double _perSubstep;

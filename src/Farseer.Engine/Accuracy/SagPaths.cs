@@ -76,7 +76,9 @@ internal sealed class SagPaths
         }
     }
 
-    /// <summary>Place and turn of a body, as a length: what its contact is off by moves it, and turns it about its other contacts by as much again.</summary>
+    /// <summary>
+    /// Place and turn of a body, as a length: what its contact is off by moves it, and turns it about its other contacts by as much again.
+    /// </summary>
     public double Of(int body) => 2 * _sag[body];
 
     private void Raise(int body, double error)

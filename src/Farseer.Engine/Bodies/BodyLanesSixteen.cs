@@ -9,8 +9,8 @@ using Farseer.Engine.Numerics.Sixteen;
 using Wide = System.Runtime.Intrinsics.Vector512<float>;
 
 /// <summary>
-/// Moves states of sixteen bodies between memory and lanes: see <see cref="Farseer.Engine.Bodies.BodyLanes"/>. Each 128 bits of a vector hold what
-/// four bodies have, so all but the first step is that of eight lanes.
+/// Moves states of sixteen bodies between memory and lanes: see <see cref="Farseer.Engine.Bodies.BodyLanes"/>. Each 128 bits of a vector
+/// hold what four bodies have, so all but the first step is that of eight lanes.
 /// </summary>
 internal static unsafe class BodyLanes
 {
@@ -123,7 +123,10 @@ internal static unsafe class BodyLanes
         v.W = r2;
     }
 
-    /// <summary>The velocities of every fourth body. In loads of 16 bytes: what was just stored so is read at once, and what is read in one go with more waits.</summary>
+    /// <summary>
+    /// The velocities of every fourth body. In loads of 16 bytes: what was just stored so is read at once, and what is read in one go with
+    /// more waits.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Wide Velocities(BodyState* bodies, int* index)
     {

@@ -13,7 +13,9 @@ internal struct BodyMotion
     public float StartY;
     public float StartW;
 
-    /// <summary>Angle turned since the middle of the step as foreseen at its start (-<see cref="BodyDrive.Lead"/> there), radians.</summary>
+    /// <summary>
+    /// Angle turned since the middle of the step as foreseen at its start (-<see cref="BodyDrive.Lead"/> there), radians.
+    /// </summary>
     public float Turned;
 
     public float ChangeX;
@@ -25,8 +27,8 @@ internal struct BodyMotion
 }
 
 /// <summary>
-/// What acts on a body from outside in every substep of a step, 32 bytes: the first half is added to the velocity, when that has been multiplied by the
-/// second, lane by lane (<see cref="Integrator.IntegrateVelocities"/>).
+/// What acts on a body from outside in every substep of a step, 32 bytes: the first half is added to the velocity, when that has been
+/// multiplied by the second, lane by lane (<see cref="Integrator.IntegrateVelocities"/>).
 /// </summary>
 [StructLayout(LayoutKind.Sequential, Size = 32)]
 internal struct BodyDrive
@@ -39,7 +41,9 @@ internal struct BodyDrive
     /// <summary>0, as the spare lane of the velocity.</summary>
     public float Spare;
 
-    /// <summary>Factors by which drag leaves linear and angular velocity after a substep; that of the y axis is that of the x axis.</summary>
+    /// <summary>
+    /// Factors by which drag leaves linear and angular velocity after a substep; that of the y axis is that of the x axis.
+    /// </summary>
     public float LinearKeep;
     public float LinearKeepY;
     public float AngularKeep;

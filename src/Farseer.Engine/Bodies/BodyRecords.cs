@@ -5,7 +5,9 @@ using System.Runtime.InteropServices;
 
 namespace Farseer.Engine.Bodies;
 
-/// <summary>What the solver reads and writes in every pass: exactly 32 bytes, two 16-byte halves, gathered and scattered by lanes.</summary>
+/// <summary>
+/// What the solver reads and writes in every pass: exactly 32 bytes, two 16-byte halves, gathered and scattered by lanes.
+/// </summary>
 [StructLayout(LayoutKind.Sequential, Size = 32)]
 internal struct BodyState
 {

@@ -50,7 +50,9 @@ internal sealed class BodyStore
 
     public Column<BodySize> Size { get; }
 
-    /// <summary>Of bodies that have flown freely: see <see cref="EnsureResiduals"/>. Those of others, and what lies beyond its end, are 0.</summary>
+    /// <summary>
+    /// Of bodies that have flown freely: see <see cref="EnsureResiduals"/>. Those of others, and what lies beyond its end, are 0.
+    /// </summary>
     public Column<BodyResidual> Residual { get; } = new Column<BodyResidual>();
 
     /// <summary>Makes room for the residuals of all bodies, before one flies: in a pile none does.</summary>

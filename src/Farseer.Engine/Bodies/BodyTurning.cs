@@ -6,7 +6,9 @@ namespace Farseer.Engine.Bodies;
 /// <summary>What passes over several bundles have turned before they compute with the first: see <see cref="MatrixTurn"/>.</summary>
 internal static unsafe class BodyTurning
 {
-    /// <summary>Turns the states of a bundle's bodies into columns, to be read when the bundles that follow have been turned as well.</summary>
+    /// <summary>
+    /// Turns the states of a bundle's bodies into columns, to be read when the bundles that follow have been turned as well.
+    /// </summary>
     /// <param name="bodies">All states.</param>
     /// <param name="index">The bodies.</param>
     /// <param name="velocity">Three columns.</param>

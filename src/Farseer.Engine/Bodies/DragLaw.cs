@@ -14,7 +14,8 @@ internal readonly struct DragLaw
         double x = k * h;
         if (x == 0)
         {
-            // What the series come to, to the bit: most bodies are not damped, and a small world has few others to share the divisions with.
+            // What the series come to, to the bit: most bodies are not damped, and a small world has few others to share the divisions
+            // with.
             Keep = 1;
             First = h;
             Second = h * h * 0.5;

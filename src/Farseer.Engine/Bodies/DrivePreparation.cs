@@ -101,7 +101,14 @@ internal static unsafe class DrivePreparation
     }
 
     private static void Drive(
-        ref BodyDrive drive, Vector2 pull, in DragLaw law, in BodyForce force, in BodyMass mass, in BodyDrag drag, float spin, double substep)
+        ref BodyDrive drive,
+        Vector2 pull,
+        in DragLaw law,
+        in BodyForce force,
+        in BodyMass mass,
+        in BodyDrag drag,
+        float spin,
+        double substep)
     {
         drive.X = (float)((pull.X + ((double)force.Force.X * mass.InverseMass)) * law.First);
         drive.Y = (float)((pull.Y + ((double)force.Force.Y * mass.InverseMass)) * law.First);

@@ -21,8 +21,8 @@ internal static unsafe class Integrator
 
     /// <summary>
     /// v ← v·keep + drive. Before that the change of the last substep is noted: where a body accelerates steadily (falls,
-    /// slides, rolls) it is what <see cref="IntegratePositions"/> needs to be exact. Lane by lane of the records themselves: to turn eight of them into lanes
-    /// and back took twice as long.
+    /// slides, rolls) it is what <see cref="IntegratePositions"/> needs to be exact. Lane by lane of the records themselves: to turn eight
+    /// of them into lanes and back took twice as long.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static void IntegrateVelocities(int* list, int count, BodyState* states, BodyMotion* motions, BodyDrive* drives)
@@ -84,7 +84,16 @@ internal static unsafe class Integrator
     {
         if (Wide.Count <= MatrixTurn.MostLanes)
         {
-            BodyLanes.Gather((float*)states, (float*)states + 4, motion, motion + 4, index, out FourColumns speed, out FourColumns moved, out start, out change);
+            BodyLanes.Gather(
+                (float*)states,
+                (float*)states + 4,
+                motion,
+                motion + 4,
+                index,
+                out FourColumns speed,
+                out FourColumns moved,
+                out start,
+                out change);
             v = BodyLanes.AsVelocity(speed);
             d = BodyLanes.AsDelta(moved);
             return;

@@ -23,10 +23,12 @@ internal static class StateRange
     public static bool Holds(in BodyState state)
     {
 #if NET8_0_OR_GREATER
-        Vector128<float> sizes = Vector128.LoadUnsafe(in state.LinearVelocity.X) & Vector128.Create(int.MaxValue, int.MaxValue, int.MaxValue, 0).AsSingle();
+        Vector128<float> sizes =
+            Vector128.LoadUnsafe(in state.LinearVelocity.X) & Vector128.Create(int.MaxValue, int.MaxValue, int.MaxValue, 0).AsSingle();
         return Vector128.LessThanOrEqualAll(sizes, Vector128.Create(Limit));
 #else
-        return Math.Abs(state.LinearVelocity.X) <= Limit & Math.Abs(state.LinearVelocity.Y) <= Limit & Math.Abs(state.AngularVelocity) <= Limit;
+        return Math.Abs(state.LinearVelocity.X) <= Limit & Math.Abs(state.LinearVelocity.Y) <= Limit
+            & Math.Abs(state.AngularVelocity) <= Limit;
 #endif
     }
 

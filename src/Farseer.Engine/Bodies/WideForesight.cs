@@ -13,7 +13,8 @@ internal static class WideForesight
         Wide lead = Wide.Max(Wide.Splat(-Foresight.LargestLead), Wide.Min(Wide.Splat(Foresight.LargestLead), Wide.Splat(0.5f * dt) * spin));
         Wide square = lead * lead;
         Wide one = Wide.One;
-        sin = lead * (one - (square * (Wide.Splat(Foresight.SineThird) - (square * (Wide.Splat(Foresight.SineFifth) - (square * Wide.Splat(Foresight.SineSeventh)))))));
+        sin = lead * (one - (square * (Wide.Splat(Foresight.SineThird)
+            - (square * (Wide.Splat(Foresight.SineFifth) - (square * Wide.Splat(Foresight.SineSeventh)))))));
         cos = one - (square * (Wide.Splat(0.5f) - (square * (Wide.Splat(Foresight.CosineFourth)
             - (square * (Wide.Splat(Foresight.CosineSixth) - (square * Wide.Splat(Foresight.CosineEighth))))))));
     }

@@ -4,8 +4,8 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.BroadPhase;
 
 /// <summary>
-/// Boxes listed anew for a step, in packs of eight with a box around each pack: neighbours in a list of walls are mostly neighbours in the world, and of 360 edges
-/// around a bin six tests of packs leave one or two packs to look into, where one after the other took 45 tests.
+/// Boxes listed anew for a step, in packs of eight with a box around each pack: neighbours in a list of walls are mostly neighbours in the
+/// world, and of 360 edges around a bin six tests of packs leave one or two packs to look into, where one after the other took 45 tests.
 /// </summary>
 [NotState(Why.Derived)]
 internal sealed class BoxPacks

@@ -3,7 +3,9 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.BroadPhase;
 
-/// <summary>Boxes as four arrays for the eight-wide test, with empty boxes behind the last one so that a test may run over the end.</summary>
+/// <summary>
+/// Boxes as four arrays for the eight-wide test, with empty boxes behind the last one so that a test may run over the end.
+/// </summary>
 internal sealed unsafe class BoxRows
 {
     // Twice the width, because a Vector of the netstandard2.0 asset may be wider than eight lanes.
@@ -48,7 +50,9 @@ internal sealed unsafe class BoxRows
         Point();
     }
 
-    /// <summary>Sets the length; old boxes stay, new ones are undefined, the padding is empty. Without a box there may be no memory yet.</summary>
+    /// <summary>
+    /// Sets the length; old boxes stay, new ones are undefined, the padding is empty. Without a box there may be no memory yet.
+    /// </summary>
     public void SetCount(int count)
     {
         if (count == 0 && _set.Capacity == 0)

@@ -6,9 +6,9 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.BroadPhase;
 
 /// <summary>
-/// The search of a world in which few boxes look for pairs: these lie side by side in lanes, and every other box is tested against eight of them
-/// at once. That costs 1 to 2 ns a box for each eight, where sorting all boxes into a grid costs some 20: a pile at rest, of which a few
-/// bodies leave their boxes in each step, is like that.
+/// The search of a world in which few boxes look for pairs: these lie side by side in lanes, and every other box is tested against eight of
+/// them at once. That costs 1 to 2 ns a box for each eight, where sorting all boxes into a grid costs some 20: a pile at rest, of which a
+/// few bodies leave their boxes in each step, is like that.
 /// </summary>
 [NotState(Why.OfOneStep)]
 internal sealed unsafe class FewSeekers

@@ -8,9 +8,9 @@ namespace Farseer.Engine.BroadPhase;
 
 /// <content>The sorting of boxes into cells, which workers share.</content>
 /// <remarks>
-/// Boxes are sorted by the upper part of the numbers of their cells first, block by block, and then within each of these bins by the cells. Both keep the order in which
-/// the boxes were given, so the result is that of sorting them at once, whoever did which block and which bin. One worker alone has one bin: to deal boxes out takes
-/// as long as half of the rest.
+/// Boxes are sorted by the upper part of the numbers of their cells first, block by block, and then within each of these bins by the cells.
+/// Both keep the order in which the boxes were given, so the result is that of sorting them at once, whoever did which block and which bin.
+/// One worker alone has one bin: to deal boxes out takes as long as half of the rest.
 /// </remarks>
 [NotState(Why.OfOneStep)]
 internal sealed unsafe partial class GridLevel : IStageWork
@@ -188,9 +188,9 @@ internal sealed unsafe partial class GridLevel : IStageWork
         }
     }
 
-    // Sorts the boxes of a bin by their cells. The starts of its cells count, are summed to where cells end, and go back to where they begin as the boxes are
-    // filled in from the last one on. The places behind the last cell are of the last bin. Each box is written to one place, and
-    // spread into the rows of bounds in a second walk: five far stores a box would each miss the cache in a large world.
+    // Sorts the boxes of a bin by their cells. The starts of its cells count, are summed to where cells end, and go back to where they
+    // begin as the boxes are filled in from the last one on. The places behind the last cell are of the last bin. Each box is written to
+    // one place, and spread into the rows of bounds in a second walk: five far stores a box would each miss the cache in a large world.
     private void Fill(int bin)
     {
         int firstCell = Math.Min(bin << _binShift, _cells);

@@ -42,10 +42,14 @@ internal sealed unsafe partial class GridLevel
     /// <summary>The box around which a member last found its pairs.</summary>
     public Box Sought(int place) => _sought.Get(place);
 
-    /// <summary>Pairs of a range of the boxes of this level with those behind them. Each looks at the rest of its cell, the next cell, and three cells of the next row.</summary>
+    /// <summary>
+    /// Pairs of a range of the boxes of this level with those behind them. Each looks at the rest of its cell, the next cell, and three
+    /// cells of the next row.
+    /// </summary>
     /// <remarks>
-    /// Both looks nearly always fit one test of eight boxes each, so these two are made without asking and their hits gathered in one mask: an
-    /// unforeseen branch costs as much as both tests. In a pile nine tenths of the hits are pairs that are known, and are left out eight at a time.
+    /// Both looks nearly always fit one test of eight boxes each, so these two are made without asking and their hits gathered in one mask:
+    /// an unforeseen branch costs as much as both tests. In a pile nine tenths of the hits are pairs that are known, and are left out eight
+    /// at a time.
     /// </remarks>
     public void CollectWithin(PairBuffer pairs, int from, int to)
     {

@@ -26,10 +26,15 @@ internal struct ProxyInfo
     public int Group;
 }
 
-/// <summary>The boxes of all pieces. A fat box is the tight box plus predicted motion; it changes only when the tight box leaves it.</summary>
+/// <summary>
+/// The boxes of all pieces. A fat box is the tight box plus predicted motion; it changes only when the tight box leaves it.
+/// </summary>
 internal sealed class ProxyStore
 {
-    /// <summary>Worlds that need so much keep it: a step would be long enough to fill it again, and a thread is not to hold the memory of the largest.</summary>
+    /// <summary>
+    /// Worlds that need so much keep it: a step would be long enough to fill it again, and a thread is not to hold the memory of the
+    /// largest.
+    /// </summary>
     private const int LargeScratch = 1 << 18;
 
     private readonly ColumnSet _set = new ColumnSet();
@@ -50,8 +55,9 @@ internal sealed class ProxyStore
     public Column<ProxyInfo> Info { get; }
 
     /// <summary>
-    /// The fat box around which a piece last found its pairs. Two whose boxes of then overlap are a pair already, so a search may leave them out; a box
-    /// that overlaps nothing is that of a piece of which this is not known. Outside of searches and what follows from them it is the fat box itself.
+    /// The fat box around which a piece last found its pairs. Two whose boxes of then overlap are a pair already, so a search may leave
+    /// them out; a box that overlaps nothing is that of a piece of which this is not known. Outside of searches and what follows from them
+    /// it is the fat box itself.
     /// </summary>
     public Column<Box> Sought { get; }
 
@@ -103,8 +109,9 @@ internal interface IBroadPhase
 
     /// <summary>
     /// Appends every unordered pair of live proxies whose fat boxes overlap (touching counts), of which at least one is
-    /// <see cref="ProxyFlags.Moved"/>, not both <see cref="ProxyFlags.Static"/>, of different bodies; each pair once, in any order. Pairs of one group may be left out, and those
-    /// that <see cref="ProxyStore.Sought"/> tells to be known. Who gets another group is removed and added.
+    /// <see cref="ProxyFlags.Moved"/>, not both <see cref="ProxyFlags.Static"/>, of different bodies; each pair once, in any order. Pairs
+    /// of one group may be left out, and those that <see cref="ProxyStore.Sought"/> tells to be known. Who gets another group is removed
+    /// and added.
     /// </summary>
     void Collect(ProxyStore proxies, PairBuffer pairs);
 

@@ -150,7 +150,9 @@ internal sealed unsafe partial class LevelGrid : IBroadPhase, IStageWork
         proxies.Scratch.Release(mark);
     }
 
-    /// <summary>A range of the active boxes asks the tree, or one of a level the level itself or a finer one; or blocks of boxes are gathered.</summary>
+    /// <summary>
+    /// A range of the active boxes asks the tree, or one of a level the level itself or a finer one; or blocks of boxes are gathered.
+    /// </summary>
     void IStageWork.Run(int worker, int from, int to)
     {
         if (_gathers)

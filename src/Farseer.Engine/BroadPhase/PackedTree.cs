@@ -131,7 +131,8 @@ internal sealed unsafe class PackedTree
                 continue;
             }
 
-            // The lowest lane on top, so that it is searched first. Which lanes there are cannot be foreseen, so each is not asked for: half a percent of a step of piles.
+            // The lowest lane on top, so that it is searched first. Which lanes there are cannot be foreseen, so each is not asked for:
+            // half a percent of a step of piles.
             for (uint left = mask; left != 0; left &= left - 1)
             {
                 depth++;

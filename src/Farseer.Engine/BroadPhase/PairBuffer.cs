@@ -26,7 +26,9 @@ internal sealed class PairBuffer
         Count++;
     }
 
-    /// <summary>Room for <paramref name="most"/> pairs behind those that are there; <see cref="SetEnd"/> tells how far it was filled.</summary>
+    /// <summary>
+    /// Room for <paramref name="most"/> pairs behind those that are there; <see cref="SetEnd"/> tells how far it was filled.
+    /// </summary>
     public unsafe ulong* Reserve(int most)
     {
         _pairs.EnsureCapacity(Math.Max(Least, Count + most));

@@ -2,7 +2,9 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.BroadPhase;
 
-/// <summary>A set of pairs that is kept from step to step: O(1) to add and remove, and a list to walk whose order does not come from a hash.</summary>
+/// <summary>
+/// A set of pairs that is kept from step to step: O(1) to add and remove, and a list to walk whose order does not come from a hash.
+/// </summary>
 internal sealed unsafe class PairSet
 {
     private readonly PairMap _slots = new PairMap();

@@ -50,7 +50,9 @@ internal sealed unsafe class SizeLevels : IStageWork
     /// <summary>The largest side in the group.</summary>
     public double MaxSize(int level) => _maxSize[level];
 
-    /// <summary>Sorts the members into groups. They lie in the scratch memory from then on, or where they were if there is only one.</summary>
+    /// <summary>
+    /// Sorts the members into groups. They lie in the scratch memory from then on, or where they were if there is only one.
+    /// </summary>
     /// <param name="runner">Who shares the measuring out; null: nobody.</param>
     /// <param name="scratch">Where room is found.</param>
     /// <param name="boxes">All boxes.</param>

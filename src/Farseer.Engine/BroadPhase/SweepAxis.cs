@@ -69,7 +69,8 @@ internal sealed unsafe class SweepAxis
 
     /// <summary>
     /// Insertion sort, which exchanges exactly the edges that changed their order. A lower edge that comes to lie before an
-    /// upper one may begin an overlap, an upper one before a lower one ends it. Returns false if it gave up after <paramref name="budget"/> exchanges.
+    /// upper one may begin an overlap, an upper one before a lower one ends it. Returns false if it gave up after <paramref name="budget"/>
+    /// exchanges.
     /// </summary>
     public bool SortStep(Box* boxes, PairSet pairs, long budget)
     {

@@ -15,8 +15,8 @@ internal sealed class BodyColors
     public const int Dynamic = 40;
 
     /// <summary>
-    /// The first of the last of these, which are for rows of a body that outweighs the other by far: it may have many rows of one of them, the light one has one. A drum with a
-    /// hundred contacts had thirty colours of one row, and for the others none.
+    /// The first of the last of these, which are for rows of a body that outweighs the other by far: it may have many rows of one of them,
+    /// the light one has one. A drum with a hundred contacts had thirty colours of one row, and for the others none.
     /// </summary>
     public const int FirstShared = 36;
 
@@ -34,7 +34,10 @@ internal sealed class BodyColors
     /// <summary>Colours among which a new row draws.</summary>
     public const int Drawn = 8;
 
-    /// <summary>In a mask: the colours that are shared, and whether the body is the heavy one of a row of them. Who is that is not the light one of another.</summary>
+    /// <summary>
+    /// In a mask: the colours that are shared, and whether the body is the heavy one of a row of them. Who is that is not the light one of
+    /// another.
+    /// </summary>
     private const ulong SharedColors = (1UL << Dynamic) - (1UL << FirstShared);
     private const ulong IsHeavy = 1UL << Masked;
 

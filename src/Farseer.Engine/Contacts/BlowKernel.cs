@@ -15,8 +15,9 @@ internal static unsafe class BlowKernel
 {
     /// <summary>
     /// A response with the arms of the moment, in units of that with the middle's, beyond which a blow keeps the middle's: K does not fit
-    /// any more, and at 2 a pass would not take any of the error off. Where arms are not turned along further (see <see cref="TurnedArms"/>) it keeps them as well: what the biased
-    /// pass pushes and the relax pass takes back would act at arms so far apart that they leave spin behind. A wall that broke at 200 m/s sent bricks off at 290.
+    /// any more, and at 2 a pass would not take any of the error off. Where arms are not turned along further (see
+    /// <see cref="TurnedArms"/>) it keeps them as well: what the biased pass pushes and the relax pass takes back would act at arms so far
+    /// apart that they leave spin behind. A wall that broke at 200 m/s sent bricks off at 290.
     /// </summary>
     private const float LargestResponse = 1.5f;
 

@@ -6,10 +6,11 @@ namespace Farseer.Engine.Contacts;
 
 /// <summary>
 /// Restitution at the moment of impact. A point that approaches fast enough to bounce is held back from the passes of its substep,
-/// so the bodies fly on exactly and overlap at its end by what they flew too far. Then the impact is made up for: the way back from the end of the substep
-/// (<see cref="WideFlight"/>) tells when the surfaces met, and with what velocities and arms (<see cref="ImpactArms"/>). The impulse that turns the speed of approach w
-/// into -e·w changes velocities by Δ and, t being the time since, places by Δ·t. A body is then where the reflected flight has brought it. Two points of a
-/// contact that land one after the other are two impacts, in their order; at the same moment they are solved together.
+/// so the bodies fly on exactly and overlap at its end by what they flew too far. Then the impact is made up for: the way back from the end
+/// of the substep (<see cref="WideFlight"/>) tells when the surfaces met, and with what velocities and arms (<see cref="ImpactArms"/>). The
+/// impulse that turns the speed of approach w into -e·w changes velocities by Δ and, t being the time since, places by Δ·t. A body is then
+/// where the reflected flight has brought it. Two points of a contact that land one after the other are two impacts, in their order; at the
+/// same moment they are solved together.
 /// </summary>
 internal static unsafe class BounceKernel
 {
@@ -23,8 +24,8 @@ internal static unsafe class BounceKernel
     public const double SameMoment = 1e-3;
 
     /// <summary>
-    /// Angle, rad, between surfaces that count as parallel: they land at once. What rests is as level as its loads are known, and a box that lands flat on it
-    /// would go from corner to corner by the rounding of that.
+    /// Angle, rad, between surfaces that count as parallel: they land at once. What rests is as level as its loads are known, and a box
+    /// that lands flat on it would go from corner to corner by the rounding of that.
     /// </summary>
     private const float Parallel = 1e-4f;
 
@@ -91,7 +92,8 @@ internal static unsafe class BounceKernel
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Wide Slowest(ContactBundle* row, int lane, BodyDrive* drives, in ContactCoefficients c)
     {
-        BodyLanes.Gather((float*)drives, row->BodyA + lane, (float*)drives, row->BodyB + lane, out FourColumns driveA, out FourColumns driveB);
+        BodyLanes.Gather(
+            (float*)drives, row->BodyA + lane, (float*)drives, row->BodyB + lane, out FourColumns driveA, out FourColumns driveB);
         Wide nx = Wide.Load(row->NormalX + lane);
         Wide ny = Wide.Load(row->NormalY + lane);
         Wide fall = Wide.Max(Wide.Abs((nx * driveA.A) + (ny * driveA.B)), Wide.Abs((nx * driveB.A) + (ny * driveB.B)));
@@ -148,7 +150,8 @@ internal static unsafe class BounceKernel
     /// <param name="c">Of the substep.</param>
     /// <param name="lanes">Bits of the lanes to look at.</param>
     /// <param name="onlyHeld">
-    /// Nothing has been struck yet: what was not held back and approaches all the same is a load that the passes have not found, and no impact.
+    /// Nothing has been struck yet: what was not held back and approaches all the same is a load that the passes have not found, and no
+    /// impact.
     /// </param>
     /// <returns>A bit for each lane with an impact.</returns>
     [MethodImpl(KernelMethod.Optimized)]
@@ -179,8 +182,10 @@ internal static unsafe class BounceKernel
             }
 
             Moments moments;
-            moments.A = WideFlight.AtEnd(bodies, motions, row->BodyA + lane, Wide.Load(row->MassA + lane) + Wide.Load(row->InertiaA + lane), inverseSubstep);
-            moments.B = WideFlight.AtEnd(bodies, motions, row->BodyB + lane, Wide.Load(row->MassB + lane) + Wide.Load(row->InertiaB + lane), inverseSubstep);
+            moments.A = WideFlight.AtEnd(
+                bodies, motions, row->BodyA + lane, Wide.Load(row->MassA + lane) + Wide.Load(row->InertiaA + lane), inverseSubstep);
+            moments.B = WideFlight.AtEnd(
+                bodies, motions, row->BodyB + lane, Wide.Load(row->MassB + lane) + Wide.Load(row->InertiaB + lane), inverseSubstep);
             moments.Row = row;
             moments.Lane = lane;
             Wide level0 = rest + Wide.Load(bounce->Point0.Level + lane);
@@ -188,7 +193,8 @@ internal static unsafe class BounceKernel
             Wide time0 = Wide.Select(met0, Moment(moments, met0, level0, s0, v0, second: false, c.Substep, out Wide w0), none);
             Wide time1 = Wide.Select(met1, Moment(moments, met1, level1, s1, v1, second: true, c.Substep, out Wide w1), none);
 
-            // Of two points the one that landed first has the first impact; the other comes after it, unless the surfaces are parallel by then.
+            // Of two points the one that landed first has the first impact; the other comes after it, unless the surfaces are parallel by
+            // then.
             Wide time = Wide.Max(time0, time1);
             Wide width = Wide.Abs(Wide.Load(row->Point1.TangentArmA + lane) - Wide.Load(row->Point0.TangentArmA + lane));
             Wide level = Wide.Splat(Parallel) * width;
@@ -220,8 +226,10 @@ internal static unsafe class BounceKernel
             }
 
             Wide time = Wide.Keep(any, Wide.Load(bounce->Time + lane));
-            var a = WideFlight.AtEnd(bodies, motions, row->BodyA + lane, Wide.Load(row->MassA + lane) + Wide.Load(row->InertiaA + lane), inverseSubstep);
-            var b = WideFlight.AtEnd(bodies, motions, row->BodyB + lane, Wide.Load(row->MassB + lane) + Wide.Load(row->InertiaB + lane), inverseSubstep);
+            var a = WideFlight.AtEnd(
+                bodies, motions, row->BodyA + lane, Wide.Load(row->MassA + lane) + Wide.Load(row->InertiaA + lane), inverseSubstep);
+            var b = WideFlight.AtEnd(
+                bodies, motions, row->BodyB + lane, Wide.Load(row->MassB + lane) + Wide.Load(row->InertiaB + lane), inverseSubstep);
             a.Before(time, out WideDelta movedA, out WideVelocity velocityA);
             b.Before(time, out WideDelta movedB, out WideVelocity velocityB);
             var arms = new ImpactArms(row, lane, movedA, movedB);
@@ -231,7 +239,8 @@ internal static unsafe class BounceKernel
             Wide old0 = Wide.Load(bounce->Point0.Push + lane);
             Wide old1 = Wide.Load(bounce->Point1.Push + lane);
             arms.Solve(
-                any & (target0 >= Wide.Zero), any & (target1 >= Wide.Zero), old0, old1, v0 - target0, v1 - target1, out Wide x0, out Wide x1);
+                any & (target0 >= Wide.Zero), any & (target1 >= Wide.Zero), old0, old1, v0 - target0, v1 - target1, out Wide x0,
+                out Wide x1);
             x0 = Wide.Select(any, x0, old0);
             x1 = Wide.Select(any, x1, old1);
             arms.Push(x0 - old0, x1 - old1, out WideVelocity changeA, out WideVelocity changeB);
@@ -246,7 +255,7 @@ internal static unsafe class BounceKernel
         }
     }
 
-    /// <summary>Lanes whose surfaces approach again after their impact: something that does not bounce has stopped one of their bodies.</summary>
+    /// <summary>Lanes whose surfaces approach again after their impact: what does not bounce has stopped one of their bodies.</summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static int FindAgain(BounceLanes* bounce, BodyState* bodies)
     {
@@ -280,8 +289,8 @@ internal static unsafe class BounceKernel
     }
 
     /// <summary>
-    /// After the impacts: their impulses are noted, and let go, for they are not to be repeated. What a contact bears besides it goes on bearing: a pile in which each blow
-    /// made its contacts forget their loads sank into itself.
+    /// After the impacts: their impulses are noted, and let go, for they are not to be repeated. What a contact bears besides it goes on
+    /// bearing: a pile in which each blow made its contacts forget their loads sank into itself.
     /// </summary>
     public static void Finish(BounceLanes* bounce)
     {
@@ -364,7 +373,9 @@ internal static unsafe class BounceKernel
     private static Wide RoundingOf(in WideVelocity a, in WideVelocity b) =>
         Wide.Splat(Rounding) * (Wide.Abs(a.X) + Wide.Abs(a.Y) + Wide.Abs(b.X) + Wide.Abs(b.Y));
 
-    /// <summary>The surfaces of a point have come through each other and still approach, fast, or as they did when they were held back.</summary>
+    /// <summary>
+    /// The surfaces of a point have come through each other and still approach, fast, or as they did when they were held back.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideMask Met(BouncePointLanes* point, int lane, Wide gap, Wide v, Wide slow)
     {
@@ -373,9 +384,9 @@ internal static unsafe class BounceKernel
     }
 
     /// <summary>
-    /// When the surfaces of a point met, as seconds before the end of the substep, and how fast. The overlap at the end is a function of that time; its root is between
-    /// 0 and the substep, and found by Newton's steps that are halvings where they would leave what is left of it. A lane whose time is found keeps it,
-    /// whatever the others still do.
+    /// When the surfaces of a point met, as seconds before the end of the substep, and how fast. The overlap at the end is a function of
+    /// that time; its root is between 0 and the substep, and found by Newton's steps that are halvings where they would leave what is left
+    /// of it. A lane whose time is found keeps it, whatever the others still do.
     /// </summary>
     /// <param name="moments">The bodies.</param>
     /// <param name="open">Lanes in which the surfaces met; the others have no time.</param>
@@ -421,8 +432,8 @@ internal static unsafe class BounceKernel
     }
 
     /// <summary>
-    /// An impact begins: it has no impulse yet, and a speed at which the surfaces are to part, if the point is struck: that by which they do not approach any more by the end of
-    /// the substep, if what drives them on has a bounce of less than that.
+    /// An impact begins: it has no impulse yet, and a speed at which the surfaces are to part, if the point is struck: that by which they
+    /// do not approach any more by the end of the substep, if what drives them on has a bounce of less than that.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Begin(
@@ -446,8 +457,8 @@ internal static unsafe class BounceKernel
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Rub(
-        ContactBundle* row, ContactPointLanes* point, BouncePointLanes* bounce, int lane, in WideDelta movedA, in WideDelta movedB, WideMask any, Wide push,
-        ref WideVelocity a, ref WideVelocity b)
+        ContactBundle* row, ContactPointLanes* point, BouncePointLanes* bounce, int lane, in WideDelta movedA, in WideDelta movedB,
+        WideMask any, Wide push, ref WideVelocity a, ref WideVelocity b)
     {
         Wide old = Wide.Load(bounce->Rub + lane);
         Wide rub = ImpactArms.Rub(row, point, lane, movedA, movedB, Wide.Keep(any, push), old, ref a, ref b);

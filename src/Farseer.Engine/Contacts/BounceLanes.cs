@@ -48,7 +48,9 @@ internal unsafe struct BouncePointLanes
 {
     public const int Lanes = ContactBundle.Lanes;
 
-    /// <summary>Base separation of a point that is held back from the passes of the substep, else <see cref="ContactBundle.NoPoint"/>.</summary>
+    /// <summary>
+    /// Base separation of a point that is held back from the passes of the substep, else <see cref="ContactBundle.NoPoint"/>.
+    /// </summary>
     public fixed float Base[Lanes];
 
     /// <summary>Impulses of its impacts so far, while it is held back.</summary>

@@ -10,7 +10,10 @@ namespace Farseer.Engine.Contacts;
 /// </summary>
 internal readonly unsafe struct BundleList
 {
-    /// <summary>Places behind the last bundle that are read as well, to ask for what they tell: the bundles of the next colour, or the last one again.</summary>
+    /// <summary>
+    /// Places behind the last bundle that are read as well, to ask for what they tell: the bundles of the next colour, or the last one
+    /// again.
+    /// </summary>
     public const int PlacesBehind = Ahead * ContactBundle.Beside;
 
     /// <summary>Records ahead for which memory is asked.</summary>
@@ -20,21 +23,24 @@ internal readonly unsafe struct BundleList
     private const int StatesAhead = 2;
 
     /// <summary>
-    /// Passes on sixteen lanes ask for nothing: each record is a stream of 44 lines, which such processors foresee by themselves (measured: a Xeon with 2 MB of second-level cache), and
-    /// asking for 34 of them kept busy what fetches lines. Since they do not, large_pyramid and many_pyramids take 0.97 of the time, 20,000 to 100,000 boxes 0.93 to 0.98. On eight
-    /// lanes and processors with 512 KB, large_pyramid took 0.96 to 0.98 with asking.
+    /// Passes on sixteen lanes ask for nothing: each record is a stream of 44 lines, which such processors foresee by themselves (measured:
+    /// a Xeon with 2 MB of second-level cache), and asking for 34 of them kept busy what fetches lines. Since they do not, large_pyramid
+    /// and many_pyramids take 0.97 of the time, 20,000 to 100,000 boxes 0.93 to 0.98. On eight lanes and processors with 512 KB,
+    /// large_pyramid took 0.96 to 0.98 with asking.
     /// </summary>
     private static bool Asks => Prefetch.IsUseful && ContactBundle.Beside > 1;
 
-    /// <summary>Up to so many bundles a colour are of a world whose rows all stay near: ten boxes at rest would notice the asking.</summary>
+    /// <summary>
+    /// Up to so many bundles a colour are of a world whose rows all stay near: ten boxes at rest would notice the asking.
+    /// </summary>
     private const int Few = 64 / ContactBundle.Lanes;
 
     /// <summary>Where they are, and <see cref="PlacesBehind"/> more.</summary>
     public readonly ContactBundle** Bundles;
 
     /// <summary>
-    /// For each of them a bit for each lane whose contact does not push before this substep, which the warm start writes: to ask the rows for it took two more lines of each
-    /// in the passes that follow.
+    /// For each of them a bit for each lane whose contact does not push before this substep, which the warm start writes: to ask the rows
+    /// for it took two more lines of each in the passes that follow.
     /// </summary>
     public readonly ushort* Fresh;
     public readonly int Count;
@@ -55,9 +61,9 @@ internal readonly unsafe struct BundleList
     }
 
     /// <summary>
-    /// What the warm start reads of a record: 34 lines of 44, 24 where contacts have one point. It reads the most for the least work, so it waits for what the
-    /// second-level cache does not hold also where rows are near; no line that it does not read, and no loop. Bytes are counted from the columns of this
-    /// record, for to take the address of a field of another one reads that record, and waits.
+    /// What the warm start reads of a record: 34 lines of 44, 24 where contacts have one point. It reads the most for the least work, so it
+    /// waits for what the second-level cache does not hold also where rows are near; no line that it does not read, and no loop. Bytes are
+    /// counted from the columns of this record, for to take the address of a field of another one reads that record, and waits.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void AskForStart(ContactBundle** at, BodyState* bodies, bool two)

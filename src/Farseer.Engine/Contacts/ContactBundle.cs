@@ -58,8 +58,8 @@ internal unsafe struct ContactBundle
     /// <summary>Separation of a point that does not exist. Finite also after the division by the substep.</summary>
     public const float NoPoint = 1e30f;
 
-    // The order is that of use: every line of the first part is read in every substep, and the passes over a large world wait for memory more than for
-    // anything else.
+    // The order is that of use: every line of the first part is read in every substep, and the passes over a large world wait for memory
+    // more than for anything else.
     public fixed int BodyA[LineLanes];
     public fixed int BodyB[LineLanes];
     public fixed float NormalX[LineLanes];
@@ -76,7 +76,9 @@ internal unsafe struct ContactBundle
     public ContactPointLanes Point0;
     public ContactPointLanes Point1;
 
-    /// <summary>Normal responses kii = mA + mB + iA·atAi² + iB·atBi². What else follows from masses and arms is found where it is needed.</summary>
+    /// <summary>
+    /// Normal responses kii = mA + mB + iA·atAi² + iB·atBi². What else follows from masses and arms is found where it is needed.
+    /// </summary>
     public fixed float K11[LineLanes];
     public fixed float K22[LineLanes];
     public fixed float Friction[LineLanes];
@@ -188,8 +190,8 @@ internal unsafe struct ContactBundle
     }
 
     /// <summary>
-    /// For walks that read a few columns of each bundle: asks for the same column some bundles on. They lie some thirty lines apart, which no
-    /// processor foresees, and to wait for each was most of such a walk.
+    /// For walks that read a few columns of each bundle: asks for the same column some bundles on. They lie some thirty lines apart, which
+    /// no processor foresees, and to wait for each was most of such a walk.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void AskAhead(void* column) => Prefetch.Line((ContactBundle*)column + Ahead);

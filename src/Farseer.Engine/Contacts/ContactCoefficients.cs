@@ -13,22 +13,22 @@ internal readonly struct ContactCoefficients
     public const float LargestGrowth = 4f;
 
     /// <summary>
-    /// The same where nothing weighs anything, and no weight tells a load from a blow: there what grew is not taken further, so that no blow is
-    /// repeated, and what fell is by all of its fall, so that one dies out. A load that lasts is started from whole.
+    /// The same where nothing weighs anything, and no weight tells a load from a blow: there what grew is not taken further, so that no
+    /// blow is repeated, and what fell is by all of its fall, so that one dies out. A load that lasts is started from whole.
     /// </summary>
     private const float WeightlessRise = 0f;
     private const float WeightlessFall = 1f;
 
     /// <summary>
-    /// Times the feed-forward that a load grows with a longer substep at most. The heavier point of a box that is about to slide with a friction of 0.6
-    /// bears four times what the other does.
+    /// Times the feed-forward that a load grows with a longer substep at most. The heavier point of a box that is about to slide with a
+    /// friction of 0.6 bears four times what the other does.
     /// </summary>
     public const float LoadInFeeds = 4f;
 
     /// <summary>
     /// Share of its lesser point's load that a contact gives up to sink to the depth of rest. If it gave up all, nothing would hold
-    /// against friction meanwhile, and a sliding box would tilt. What is given up in a substep moves it by that share of g·h²: in a shorter one a larger
-    /// share tilts it no further, and with the same share it would sink the slower, the finer the substeps are.
+    /// against friction meanwhile, and a sliding box would tilt. What is given up in a substep moves it by that share of g·h²: in a shorter
+    /// one a larger share tilts it no further, and with the same share it would sink the slower, the finer the substeps are.
     /// </summary>
     private const float UsualSettleShare = 0.25f;
     private const float MostSettleShare = 0.75f;
@@ -38,8 +38,8 @@ internal readonly struct ContactCoefficients
     public const float SmallestFeedRest = 1e-4f;
 
     /// <summary>
-    /// Size in units of the fall g·h² in the usual substep from which on a piece is large: the sag is in proportion to g·h² whatever the size, so for
-    /// smaller pieces the rest shrinks with the size, and a box of 1 cm rests as truly, for its size, as one of 1 m.
+    /// Size in units of the fall g·h² in the usual substep from which on a piece is large: the sag is in proportion to g·h² whatever the
+    /// size, so for smaller pieces the rest shrinks with the size, and a box of 1 cm rests as truly, for its size, as one of 1 m.
     /// </summary>
     private const float LargeSize = 8000f;
 
@@ -56,8 +56,8 @@ internal readonly struct ContactCoefficients
     /// <param name="bounceThreshold">Approach slower than this does not bounce.</param>
     /// <param name="coarseness">
     /// How many times as long as usual the substep is against the step. For small pieces the sag is in proportion to their size, whatever
-    /// the step; by the usual substep their rest is the same at every finer dial, and the sag falls fourfold with each doubling of the substeps. In longer substeps
-    /// the rest is less, so that the sag only grows with their length.
+    /// the step; by the usual substep their rest is the same at every finer dial, and the sag falls fourfold with each doubling of the
+    /// substeps. In longer substeps the rest is less, so that the sag only grows with their length.
     /// </param>
     /// <param name="recovery">The substep at whose rate depths go, if it is longer than h.</param>
     /// <param name="driven">How far restitutions above 1 drive.</param>
@@ -118,8 +118,9 @@ internal readonly struct ContactCoefficients
     public float FallTaken { get; }
 
     /// <summary>
-    /// What is kept of an impulse, at least, as the one before, whatever it grew from. A blow is taken for a load when it has lasted for as many substeps as
-    /// it takes the weight to grow to it; where there is no weight nothing would ever be one, and every substep began from nothing: after two.
+    /// What is kept of an impulse, at least, as the one before, whatever it grew from. A blow is taken for a load when it has lasted for as
+    /// many substeps as it takes the weight to grow to it; where there is no weight nothing would ever be one, and every substep began from
+    /// nothing: after two.
     /// </summary>
     public float LeastKept { get; }
 

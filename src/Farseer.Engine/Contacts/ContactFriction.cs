@@ -5,7 +5,8 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// Friction of a contact: two rows in turn, each within the cone of its point's normal impulse, at arms that reach from the turning cores to the surfaces.
+/// Friction of a contact: two rows in turn, each within the cone of its point's normal impulse, at arms that reach from the turning cores
+/// to the surfaces.
 /// </summary>
 internal static unsafe class ContactFriction
 {
@@ -24,7 +25,8 @@ internal static unsafe class ContactFriction
 
     /// <summary>How fast the surfaces of a point do.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Wide SlipOf(Wide slip, in WideVelocity a, in WideVelocity b, Wide armA, Wide armB) => slip + ((a.W * armA) - (b.W * armB));
+    public static Wide SlipOf(Wide slip, in WideVelocity a, in WideVelocity b, Wide armA, Wide armB) =>
+        slip + ((a.W * armA) - (b.W * armB));
 
     /// <summary>How fast the second point slips for an impulse at the first.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -32,7 +34,10 @@ internal static unsafe class ContactFriction
         Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane)
             + (Wide.Load(row->InertiaA + lane) * armA0 * armA1) + (Wide.Load(row->InertiaB + lane) * armB0 * armB1);
 
-    /// <summary>The response of a point to friction, 1/(mA + mB + iA·anA² + iB·anB²) with the arms of the surfaces. Of a point that does not exist it is any.</summary>
+    /// <summary>
+    /// The response of a point to friction, 1/(mA + mB + iA·anA² + iB·anB²) with the arms of the surfaces. Of a point that does not exist
+    /// it is any.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Wide TangentMass(ContactBundle* row, ContactPointLanes* point, int lane)
     {

@@ -13,7 +13,9 @@ namespace Farseer.Engine.Contacts;
 /// </summary>
 internal static unsafe class ContactKernel
 {
-    /// <summary>1/mass times this is the response of the corners of two boxes of that mass: of equal bodies the bound takes nothing.</summary>
+    /// <summary>
+    /// 1/mass times this is the response of the corners of two boxes of that mass: of equal bodies the bound takes nothing.
+    /// </summary>
     private const float MobilityOfPair = 5f;
 
     /// <summary>
@@ -163,8 +165,8 @@ internal static unsafe class ContactKernel
     }
 
     /// <summary>
-    /// Speed per load of a point at which the heavier of two bodies that move may sink: the response of a light one under it is far more, and at that pace the heavy one would come
-    /// down faster than the light one can stop. A body on what cannot move has no such bound.
+    /// Speed per load of a point at which the heavier of two bodies that move may sink: the response of a light one under it is far more,
+    /// and at that pace the heavy one would come down faster than the light one can stop. A body on what cannot move has no such bound.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static Wide Mobility(ContactBundle* row, int lane)
@@ -274,7 +276,8 @@ internal static unsafe class ContactKernel
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void Separations(ContactBundle* row, int lane, in WideDelta a, in WideDelta b, out Wide s0, out Wide s1, bool two = true)
+    internal static void Separations(
+        ContactBundle* row, int lane, in WideDelta a, in WideDelta b, out Wide s0, out Wide s1, bool two = true)
     {
         Wide moved = MovedAlong(row, lane, a, b);
         s0 = PointSeparation(&row->Point0, lane, a, b, moved, out _, out _);
@@ -376,7 +379,9 @@ internal static unsafe class ContactKernel
             * ((Wide.Load(row->Point0.NormalArmB + lane) * p0) + secondB - (Wide.Load(row->RadiusB + lane) * sum)));
     }
 
-    /// <summary>How fast one point is pushed along its normal by an impulse at the other, k12 = mA + mB + iA·atA1·atA2 + iB·atB1·atB2.</summary>
+    /// <summary>
+    /// How fast one point is pushed along its normal by an impulse at the other, k12 = mA + mB + iA·atA1·atA2 + iB·atB1·atB2.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Wide NormalCoupling(ContactBundle* row, int lane) =>
         Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane)
@@ -395,8 +400,8 @@ internal static unsafe class ContactKernel
     /// <summary>
     /// Finds x ≥ 0 with w = K(x - λ) + r ≥ 0 and x·w = 0. Written with b = r - Kλ, the four cases are: both points push,
     /// only the first, only the second, none; all are computed and the valid one selected, so there is no branch. Where the
-    /// points nearly coincide the rows are solved in turn. What the block is divided by is found anew each time: a division while others wait for memory
-    /// costs less than another column that is read.
+    /// points nearly coincide the rows are solved in turn. What the block is divided by is found anew each time: a division while others
+    /// wait for memory costs less than another column that is read.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void SolveBlock(

@@ -59,7 +59,9 @@ internal static unsafe class ContactLanes
         }
     }
 
-    /// <summary>Empties all lanes of all bundles of a record. Those that a colour has no rows for yet may be solved with the others.</summary>
+    /// <summary>
+    /// Empties all lanes of all bundles of a record. Those that a colour has no rows for yet may be solved with the others.
+    /// </summary>
     /// <param name="first">The first of its bundles.</param>
     public static void ClearRecord(ContactBundle* first)
     {

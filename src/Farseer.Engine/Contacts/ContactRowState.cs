@@ -5,8 +5,8 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// The rows of contacts, whole. Most of a row that is awake the next narrow phase writes anew, but not if its bodies are put to sleep before:
-/// then it is solved as it is when they wake.
+/// The rows of contacts, whole. Most of a row that is awake the next narrow phase writes anew, but not if its bodies are put to sleep
+/// before: then it is solved as it is when they wake.
 /// </summary>
 internal static unsafe class ContactRowState
 {
@@ -52,7 +52,13 @@ internal static unsafe class ContactRowState
             VisitPoint(s, ref column, contacts, nameof(ContactBundle.Point1));
             Values(s, ref column, contacts, nameof(ContactBundle.K11), nameof(ContactBundle.K22), nameof(ContactBundle.Friction));
             Numbers(s, ref column, contacts, nameof(ContactBundle.Flags));
-            Values(s, ref column, contacts, nameof(ContactBundle.FeedRate), nameof(ContactBundle.FeedShare), nameof(ContactBundle.Restitution));
+            Values(
+                s,
+                ref column,
+                contacts,
+                nameof(ContactBundle.FeedRate),
+                nameof(ContactBundle.FeedShare),
+                nameof(ContactBundle.Restitution));
             Values(s, ref column, contacts, nameof(ContactBundle.Struck));
             Numbers(s, ref column, contacts, nameof(ContactBundle.Contact), nameof(ContactBundle.PieceA), nameof(ContactBundle.PieceB),
                 nameof(ContactBundle.Id0), nameof(ContactBundle.Id1), nameof(ContactBundle.Slot));
@@ -67,9 +73,11 @@ internal static unsafe class ContactRowState
     {
         string from = point + ".";
         Values(s, ref column, contacts, from + nameof(ContactPointLanes.NormalArmA), from + nameof(ContactPointLanes.TangentArmA),
-            from + nameof(ContactPointLanes.NormalArmB), from + nameof(ContactPointLanes.TangentArmB), from + nameof(ContactPointLanes.Base));
+            from + nameof(
+                ContactPointLanes.NormalArmB), from + nameof(ContactPointLanes.TangentArmB), from + nameof(ContactPointLanes.Base));
         Values(s, ref column, contacts, from + nameof(ContactPointLanes.Normal), from + nameof(ContactPointLanes.Tangent),
-            from + nameof(ContactPointLanes.Feed), from + nameof(ContactPointLanes.PreviousNormal), from + nameof(ContactPointLanes.PreviousTangent));
+            from + nameof(
+                ContactPointLanes.Feed), from + nameof(ContactPointLanes.PreviousNormal), from + nameof(ContactPointLanes.PreviousTangent));
     }
 
     private static void Values(StateStream s, ref byte* column, int* contacts, params string[] names)

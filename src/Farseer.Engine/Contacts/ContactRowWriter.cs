@@ -26,7 +26,9 @@ internal struct ArmTurn
     public Wide RadiusB;
 }
 
-/// <summary>Turns manifolds into the lanes of a bundle: arms in the contact frame, responses, and the impulses of matching points.</summary>
+/// <summary>
+/// Turns manifolds into the lanes of a bundle: arms in the contact frame, responses, and the impulses of matching points.
+/// </summary>
 internal static unsafe class ContactRowWriter
 {
     /// <summary>Below this share of k11·k22 the determinant is noise and the points are solved row by row.</summary>
@@ -35,7 +37,9 @@ internal static unsafe class ContactRowWriter
     /// <summary>A corner is not foreseen to slide further than this share of the smaller piece: it may come to an end.</summary>
     private const float SlideShare = 0.25f;
 
-    /// <summary>The least number with all its digits: bodies of 10¹⁹ kg have determinants below it, and are solved row by row as well.</summary>
+    /// <summary>
+    /// The least number with all its digits: bodies of 10¹⁹ kg have determinants below it, and are solved row by row as well.
+    /// </summary>
     private const float LeastDeterminant = 1.17549435e-38f;
 
     /// <summary>
@@ -45,12 +49,14 @@ internal static unsafe class ContactRowWriter
     private const float DeepSags = 3f;
 
     /// <summary>
-    /// What is deep stays so down to this share of what made it so. What is pushed apart is not corrected softly: down to a half, heaps that were jammed by one or
-    /// two hundredths of their bodies stayed so, and awake, for good.
+    /// What is deep stays so down to this share of what made it so. What is pushed apart is not corrected softly: down to a half, heaps
+    /// that were jammed by one or two hundredths of their bodies stayed so, and awake, for good.
     /// </summary>
     private const float DeepEnd = 0.75f;
 
-    /// <summary>Share of the smaller piece up to which the sags count: what a load presses in further than that is deep, whatever the load.</summary>
+    /// <summary>
+    /// Share of the smaller piece up to which the sags count: what a load presses in further than that is deep, whatever the load.
+    /// </summary>
     private const float MostSag = 0.1f;
 
     /// <summary>
@@ -100,8 +106,8 @@ internal static unsafe class ContactRowWriter
     }
 
     /// <summary>
-    /// Takes the masses of bodies that no longer move out of the rows. (One that moves from now on has to wait for the next update of its rows: it may be in
-    /// several lanes of a bundle.)
+    /// Takes the masses of bodies that no longer move out of the rows. (One that moves from now on has to wait for the next update of its
+    /// rows: it may be in several lanes of a bundle.)
     /// </summary>
     /// <param name="row">The bundle.</param>
     /// <param name="moves">1 for a body that can move.</param>
@@ -204,9 +210,10 @@ internal static unsafe class ContactRowWriter
     }
 
     /// <summary>
-    /// A longer substep bears more of a load: of what lasted for two substeps, at most some times the feed-forward, which alone knows only the lesser of
-    /// two points. Whole impulses in proportion would repeat blows as much harder, and the little that sweeps have not settled: a stack of ten
-    /// boxes leapt by 20 m when steps of 1/300 and 1/30 s took turns. Without it loads sink, and boxes creep down slopes.
+    /// A longer substep bears more of a load: of what lasted for two substeps, at most some times the feed-forward, which alone knows only
+    /// the lesser of two points. Whole impulses in proportion would repeat blows as much harder, and the little that sweeps have not
+    /// settled: a stack of ten boxes leapt by 20 m when steps of 1/300 and 1/30 s took turns. Without it loads sink, and boxes creep down
+    /// slopes.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void GrowLoad(ContactPointLanes* point, int lane, Wide growth)

@@ -40,8 +40,8 @@ internal struct ContactSide
 }
 
 /// <summary>
-/// The sides of all pieces, rewritten at the start of each narrow phase. They are forgotten at its end, but for worlds where some of them may be left as they
-/// were, or compared with what they were.
+/// The sides of all pieces, rewritten at the start of each narrow phase. They are forgotten at its end, but for worlds where some of them
+/// may be left as they were, or compared with what they were.
 /// </summary>
 internal sealed unsafe class ContactSides
 {
@@ -61,7 +61,10 @@ internal sealed unsafe class ContactSides
     /// <summary>The side of piece 0; that of <see cref="NoPiece"/> stands before it.</summary>
     public ContactSide* Pointer => _first + 1;
 
-    /// <summary>Where the corners of each piece are, as <see cref="HullLanes.Pack"/> gives it: all that the kernels of hulls need besides. Something stands at <see cref="NoPiece"/>.</summary>
+    /// <summary>
+    /// Where the corners of each piece are, as <see cref="HullLanes.Pack"/> gives it: all that the kernels of hulls need besides. Something
+    /// stands at <see cref="NoPiece"/>.
+    /// </summary>
     public int* Hulls => _hulls.Pointer + 1;
 
     /// <summary>Makes room for the sides of all pieces.</summary>
@@ -103,7 +106,9 @@ internal sealed unsafe class ContactSides
         Prepare(shapes, bodies, proxies, moves, piece, piece + 1);
     }
 
-    /// <summary>Writes the sides of pieces in a row, but for those asleep, which have not changed. The first begins a word of bits.</summary>
+    /// <summary>
+    /// Writes the sides of pieces in a row, but for those asleep, which have not changed. The first begins a word of bits.
+    /// </summary>
     public void Write(ShapeStore shapes, BodyStore bodies, ProxyInfo* proxies, byte* moves, int first, int end)
     {
         ulong* visited = shapes.VisitedPieces.Words;

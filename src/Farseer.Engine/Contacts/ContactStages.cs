@@ -5,14 +5,16 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// The stages of the biased and the relax pass. A bundle is one long chain, gather – separations – block – friction – scatter, of some 160 cycles
-/// and 600 instructions. A processor looks ahead some 150 results, so it never saw the next bundle and waited. Now up to
-/// <see cref="ContactWork.MostBundles"/> bundles go through each stage before the next: a stage is short enough for several of them to be under way at once.
-/// What stages hand on stays in the nearest cache. No bit changes, for rows of a colour share no body.
+/// The stages of the biased and the relax pass. A bundle is one long chain, gather – separations – block – friction – scatter, of some 160
+/// cycles and 600 instructions. A processor looks ahead some 150 results, so it never saw the next bundle and waited. Now up to
+/// <see cref="ContactWork.MostBundles"/> bundles go through each stage before the next: a stage is short enough for several of them to be
+/// under way at once. What stages hand on stays in the nearest cache. No bit changes, for rows of a colour share no body.
 /// </summary>
 internal static unsafe class ContactStages
 {
-    /// <summary>Velocities, and what the biased pass is to make 0. Few bodies turn so far that it is to be found again with limited arms.</summary>
+    /// <summary>
+    /// Velocities, and what the biased pass is to make 0. Few bodies turn so far that it is to be found again with limited arms.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void AimBiased<TPoints>(
         in BundleList rows, ContactBundle** some, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
@@ -50,7 +52,8 @@ internal static unsafe class ContactStages
                 Gather(row, lane, work, moved, bodies, out WideDelta movedA, out WideDelta movedB);
                 ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1, two);
 
-                // What is put down and read again leaves registers to the rest: with sixteen of them, 69 instructions of 508 went to the stack, now 28 of 455.
+                // What is put down and read again leaves registers to the rest: with sixteen of them, 69 instructions of 508 went to the
+                // stack, now 28 of 455.
                 s0.Store(work->Value0 + lane);
                 if (two)
                 {
@@ -156,7 +159,8 @@ internal static unsafe class ContactStages
                 Wide gap0 = ContactKernel.PointSeparation(&row->Point0, lane, movedA, movedB, along, out Wide armA0, out Wide armB0) - rest;
                 Wide armA1 = armA0;
                 Wide armB1 = armB0;
-                Wide gap1 = two ? ContactKernel.PointSeparation(&row->Point1, lane, movedA, movedB, along, out armA1, out armB1) - rest : gap0;
+                Wide gap1 =
+                    two ? ContactKernel.PointSeparation(&row->Point1, lane, movedA, movedB, along, out armA1, out armB1) - rest : gap0;
                 LimitTurns<TTurns>(ref movedA, ref movedB, ref least);
                 if (default(TTurns).AreLimited)
                 {
@@ -174,7 +178,8 @@ internal static unsafe class ContactStages
                     armA1.Store(work->ArmA1 + lane);
                     armB1.Store(work->ArmB1 + lane);
 
-                    // Gaps that differ by their rounding are level: else what is left open to the next substep by one point would spin the body.
+                    // Gaps that differ by their rounding are level: else what is left open to the next substep by one point would spin the
+                    // body.
                     WideMask flat = Wide.Max(gap0 - gap1, gap1 - gap0) <= rest;
                     Wide mean = Wide.Splat(0.5f) * (gap0 + gap1);
                     gap0 = Wide.Select(flat, mean, gap0);
@@ -192,7 +197,8 @@ internal static unsafe class ContactStages
     /// <summary>Velocities, and what is to be 0 for the contacts of deep islands to move apart.</summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static void AimApart<TPoints>(
-        in BundleList rows, ContactBundle** some, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, float recoveryRate)
+        in BundleList rows, ContactBundle** some, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c,
+        float recoveryRate)
         where TPoints : struct, IContactPoints
     {
         bool two = default(TPoints).AreTwo;

@@ -43,7 +43,8 @@ internal enum PairKind : byte
 }
 
 /// <summary>
-/// A pair of pieces whose fat boxes overlap, 24 bytes. Its colliders are those of the pieces, its impulses and its constraint live in a lane of a <see cref="ContactBundle"/>.
+/// A pair of pieces whose fat boxes overlap, 24 bytes. Its colliders are those of the pieces, its impulses and its constraint live in a
+/// lane of a <see cref="ContactBundle"/>.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 internal struct ContactRecord
@@ -117,7 +118,9 @@ internal struct ContactRecord
 /// <summary>All pairs, the map from pieces to pairs, and the list of pairs without a row.</summary>
 internal sealed class ContactStore
 {
-    /// <summary>In the idle list a pair's kind stands above its number: a column holds fewer records than there are numbers below it.</summary>
+    /// <summary>
+    /// In the idle list a pair's kind stands above its number: a column holds fewer records than there are numbers below it.
+    /// </summary>
     private const int KindShift = 28;
     private const int NumberMask = (1 << KindShift) - 1;
 
@@ -179,8 +182,9 @@ internal sealed class ContactStore
     public int IdleCount { get; private set; }
 
     /// <summary>
-    /// Bodies of the pairs without a row, in the order of the idle list, for walks on lanes; 0 from the last one to the end of its bundle. By the records that were a walk over
-    /// five times as many, most of them free where more pairs were at one time: 1.2 % of a step of spinner.
+    /// Bodies of the pairs without a row, in the order of the idle list, for walks on lanes; 0 from the last one to the end of its bundle.
+    /// By the records that were a walk over five times as many, most of them free where more pairs were at one time: 1.2 % of a step of
+    /// spinner.
     /// </summary>
     public unsafe int* IdleBodyA => _idleA.Pointer;
 
@@ -240,7 +244,9 @@ internal sealed class ContactStore
         }
     }
 
-    /// <summary>Makes room for so many more pairs at once, if they are many: grown one by one there would be up to a quarter to spare.</summary>
+    /// <summary>
+    /// Makes room for so many more pairs at once, if they are many: grown one by one there would be up to a quarter to spare.
+    /// </summary>
     public void Expect(int more)
     {
         if (more > Count)

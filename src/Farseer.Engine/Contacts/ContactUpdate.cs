@@ -43,7 +43,9 @@ internal unsafe struct ContactUpdateInput
     /// <summary>Ratio of this step's substep to the last one's, at most 1: of an impulse nothing says how much was a blow.</summary>
     public float ImpulseScale;
 
-    /// <summary>By how much a longer substep exceeds the last one, as a share of that: loads, which the feed-forward tells, grow with it.</summary>
+    /// <summary>
+    /// By how much a longer substep exceeds the last one, as a share of that: loads, which the feed-forward tells, grow with it.
+    /// </summary>
     public float LoadGrowth;
     public ContactCoefficients Coefficients;
 }
@@ -139,7 +141,8 @@ internal static unsafe class ContactUpdate
 #endif
 
     /// <summary>Updates pairs without rows.</summary>
-    public static void UpdateIdle(in ContactUpdateInput input, ContactBundle* row, out ContactFates fates) => Update(input, row, isNew: true, out fates);
+    public static void UpdateIdle(in ContactUpdateInput input, ContactBundle* row, out ContactFates fates) =>
+        Update(input, row, isNew: true, out fates);
 
     /// <summary>
     /// Looks again at pairs without rows beside a body that is struck in this step, as far as it may be thrown.
@@ -163,7 +166,9 @@ internal static unsafe class ContactUpdate
         return lanes & touch.Hit & ~FindRefused(row, bits, 0);
     }
 
-    /// <summary>Pairs of a fast body with what cannot move: the sweep looks after these along the way that the body takes in the end.</summary>
+    /// <summary>
+    /// Pairs of a fast body with what cannot move: the sweep looks after these along the way that the body takes in the end.
+    /// </summary>
     private static int FindFastAtWalls(in ContactUpdateInput input, in PairBits bits)
     {
         int atWalls = 0;
@@ -177,8 +182,8 @@ internal static unsafe class ContactUpdate
     }
 
     /// <summary>
-    /// Writes the constraints of pairs that have just been given a place in the graph. Their manifolds are found again: to keep those of all
-    /// pairs for the few that get a row was a tenth of what a body kept, and no quicker.
+    /// Writes the constraints of pairs that have just been given a place in the graph. Their manifolds are found again: to keep those of
+    /// all pairs for the few that get a row was a tenth of what a body kept, and no quicker.
     /// </summary>
     /// <param name="input">Columns and numbers of this step.</param>
     /// <param name="row">Names the pairs.</param>
@@ -210,7 +215,8 @@ internal static unsafe class ContactUpdate
     /// <summary>
     /// Writes the constraint of a pair that will not meet by its velocities, from where it is; it is lane 0 of the bundle.
     /// </summary>
-    /// <returns>False if it has no points, or would meet by what they say: a corner that the body passes, or the side of something in its way.</returns>
+    /// <returns>False if it has no points, or would meet by what they say: a corner that the body passes, or the side of something in its
+    /// way.</returns>
     public static bool TryFillBeside(in ContactUpdateInput input, ContactBundle* row)
     {
         PairBits bits = PairStage.Load(input, row);
@@ -271,8 +277,8 @@ internal static unsafe class ContactUpdate
     }
 
     /// <summary>
-    /// What is to become of the pairs of a bundle, or of two side by side. Bits of many fields are never handed over by value: a copy, which reads several of
-    /// them at once, waits for those just written one by one.
+    /// What is to become of the pairs of a bundle, or of two side by side. Bits of many fields are never handed over by value: a copy,
+    /// which reads several of them at once, waits for those just written one by one.
     /// </summary>
     /// <param name="input">Columns and numbers of this step.</param>
     /// <param name="row">Names the pairs and their flags.</param>
@@ -329,7 +335,9 @@ internal static unsafe class ContactUpdate
             int bit = 1 << lane;
             ContactFlags flags = ((touching & bit) != 0 ? ContactFlags.Touching : ContactFlags.None)
                 | ((bits.Solid & bit) != 0 ? ContactFlags.Solid : ContactFlags.None)
-                | ((bits.Heard & bit) != 0 ? ContactFlags.Heard | ((ContactFlags)row->Flags[lane] & ContactFlags.Vetoed) : ContactFlags.None)
+                | ((bits.Heard & bit) != 0
+                    ? ContactFlags.Heard | ((ContactFlags)row->Flags[lane] & ContactFlags.Vetoed)
+                    : ContactFlags.None)
                 | ((due & bit) != 0 ? ContactFlags.Due : ContactFlags.None);
             if ((int)flags != (row->Flags[lane] & ContactBundle.FlagBits))
             {

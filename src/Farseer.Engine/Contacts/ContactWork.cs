@@ -10,8 +10,9 @@ namespace Farseer.Engine.Contacts;
 internal unsafe struct ContactWork
 {
     /// <summary>
-    /// Bundles that go through the stages together: with their bodies and what they hand on, four of sixteen lanes are some 20 KB of the nearest cache. Three took the same time, six 1.01 of a step, eight 1.017,
-    /// twelve 1.04 and sixteen 1.06; of eight lanes eight took 1.009. A bit a vector of all of them fits an integer.
+    /// Bundles that go through the stages together: with their bodies and what they hand on, four of sixteen lanes are some 20 KB of the
+    /// nearest cache. Three took the same time, six 1.01 of a step, eight 1.017, twelve 1.04 and sixteen 1.06; of eight lanes eight took
+    /// 1.009. A bit a vector of all of them fits an integer.
     /// </summary>
     public const int MostBundles = 4;
 
@@ -101,7 +102,9 @@ internal unsafe struct ContactWork
     }
 }
 
-/// <summary>What the bodies of a bundle have moved: used only where vectors have no more than <see cref="Numerics.MatrixTurn.MostLanes"/>.</summary>
+/// <summary>
+/// What the bodies of a bundle have moved: used only where vectors have no more than <see cref="Numerics.MatrixTurn.MostLanes"/>.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct ContactMoved
 {

@@ -19,7 +19,9 @@ internal sealed class DormantContacts
     /// <summary>Next pair of the same body.</summary>
     public int Next(int entry) => Side(entry).Next - 1;
 
-    /// <summary>Makes room for so many contacts and bodies, so that a pile that falls asleep bit by bit does not allocate each time.</summary>
+    /// <summary>
+    /// Makes room for so many contacts and bodies, so that a pile that falls asleep bit by bit does not allocate each time.
+    /// </summary>
     public void Reserve(int contacts, int bodies)
     {
         _links.EnsureCapacity(contacts);

@@ -30,14 +30,14 @@ internal static unsafe class FastPairs
     private const float ToleranceShare = 1e-3f;
 
     /// <summary>
-    /// Share of the extent up to which surfaces that touched count as touching: what met within the tolerance of an impact stays in touch, and the tremor after
-    /// it is not a row of separations.
+    /// Share of the extent up to which surfaces that touched count as touching: what met within the tolerance of an impact stays in touch,
+    /// and the tremor after it is not a row of separations.
     /// </summary>
     public const float TouchShare = 2 * ToleranceShare;
 
     /// <summary>
-    /// Share of a way up to which a search looks beyond the time of an impact that is known already: the way of what is fast is longer than its extent, and this much
-    /// of it longer than the tolerance.
+    /// Share of a way up to which a search looks beyond the time of an impact that is known already: the way of what is fast is longer than
+    /// its extent, and this much of it longer than the tolerance.
     /// </summary>
     public const double MomentShare = ToleranceShare;
 
@@ -55,7 +55,8 @@ internal static unsafe class FastPairs
     /// <param name="sweep">Where they go.</param>
     /// <param name="touch">Which touch.</param>
     /// <param name="racing">Those that keep their points though one body moves fast past the other; both can move.</param>
-    public static int Defer(in ContactUpdateInput input, ContactBundle* row, int lanes, in SweepBits sweep, ref TouchBits touch, out int racing)
+    public static int Defer(
+        in ContactUpdateInput input, ContactBundle* row, int lanes, in SweepBits sweep, ref TouchBits touch, out int racing)
     {
         int deferred = 0;
         racing = 0;
@@ -93,7 +94,8 @@ internal static unsafe class FastPairs
     }
 
     /// <summary>The extent by which a pair is measured on its way.</summary>
-    public static float Extent(in Shapes.Piece a, in Shapes.Piece b, bool movesA, bool movesB) => Extent(a.Extent, b.Extent, movesA, movesB);
+    public static float Extent(in Shapes.Piece a, in Shapes.Piece b, bool movesA, bool movesB) =>
+        Extent(a.Extent, b.Extent, movesA, movesB);
 
     /// <summary>The same of the extents of its pieces: that of the one that moves, the smaller one if both do.</summary>
     public static float Extent(float a, float b, bool movesA, bool movesB) => !movesA ? b : !movesB ? a : Math.Min(a, b);
@@ -119,7 +121,10 @@ internal static unsafe class FastPairs
         return pairs->Count[lane] > 1 ? Math.Min(first, pairs->Point1.Separation[lane]) : first;
     }
 
-    /// <summary>It has no lasting contact. A limb has: its joint may stop its turn within the step, and the sweep would stop it alone, away from its hinge.</summary>
+    /// <summary>
+    /// It has no lasting contact. A limb has: its joint may stop its turn within the step, and the sweep would stop it alone, away from its
+    /// hinge.
+    /// </summary>
     private static bool Tumbles(in ContactUpdateInput input, int body, SideLanes* side, int lane)
     {
         float turn = side->AngularVelocity[lane] * input.Dt;

@@ -46,7 +46,10 @@ internal static unsafe class HiddenContact
     /// <summary>The other's contact must lean less by this factor.</summary>
     private const float Clearly = 0.5f;
 
-    /// <summary>Faces that lean towards each other by more than this (sine) meet at a corner: their nearer point alone says with what the contact is.</summary>
+    /// <summary>
+    /// Faces that lean towards each other by more than this (sine) meet at a corner: their nearer point alone says with what the contact
+    /// is.
+    /// </summary>
     private const float Level = 0.1f;
 
     /// <summary>Corners of the body that are no farther back than this share of its extent are its front.</summary>

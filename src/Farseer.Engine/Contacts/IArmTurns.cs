@@ -1,6 +1,9 @@
 namespace Farseer.Engine.Contacts;
 
-/// <summary>Whether arms are turned along as far as bodies have turned, or no further than <see cref="TurnedArms"/> allows: a type, so that each has code of its own.</summary>
+/// <summary>
+/// Whether arms are turned along as far as bodies have turned, or no further than <see cref="TurnedArms"/> allows: a type, so that each has
+/// code of its own.
+/// </summary>
 internal interface IArmTurns
 {
     bool AreLimited { get; }

@@ -16,8 +16,8 @@ internal readonly struct TwoPoints : IContactPoints
 }
 
 /// <summary>
-/// One each, as in heaps of circles: a second point that does not exist is found not to push, and its arms and impulses are 0, so to leave it out
-/// changes no bit.
+/// One each, as in heaps of circles: a second point that does not exist is found not to push, and its arms and impulses are 0, so to leave
+/// it out changes no bit.
 /// </summary>
 internal readonly struct OnePoint : IContactPoints
 {

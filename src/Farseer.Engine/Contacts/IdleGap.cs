@@ -29,8 +29,8 @@ internal unsafe struct IdleBundle
 /// the rest is no longer more than the margin of contacts. What falls together does not come nearer, so only relative ways count.
 /// </summary>
 /// <remarks>
-/// Of a body's edge with normal n and of the other hull's vertices v, s = min n·(x + v) - const separates the two, x being the way between the
-/// centres. A way of length d takes at most d from it, a turn of the other by b at most b·r, if no vertex is farther than r from its
+/// Of a body's edge with normal n and of the other hull's vertices v, s = min n·(x + v) - const separates the two, x being the way between
+/// the centres. A way of length d takes at most d from it, a turn of the other by b at most b·r, if no vertex is farther than r from its
 /// centre, and a turn of the edge by a moves the other in its frame by at most a·(|x| + r). The largest of all edges' separations, which
 /// the kernels compare with the margin, is at least that of this one. Two circles have no edge, and each turn counts with its own r.
 /// What <see cref="FastPairs"/> would look after along the way cannot meet either if the gap is more than both may move.
@@ -38,12 +38,16 @@ internal unsafe struct IdleBundle
 internal static unsafe class IdleGap
 {
     /// <summary>
-    /// Kept from the gap, in distances of the farthest points and in extents: the kernels' rounding, and the hair by which bodies at one place are parted.
+    /// Kept from the gap, in distances of the farthest points and in extents: the kernels' rounding, and the hair by which bodies at one
+    /// place are parted.
     /// </summary>
     private const float RoundingShare = 1e-5f;
     private const float HairShare = 5e-4f;
 
-    /// <summary>Taken from the gap in each step for the rounding of the subtraction, which would lose the smallest motions: four units of the last place.</summary>
+    /// <summary>
+    /// Taken from the gap in each step for the rounding of the subtraction, which would lose the smallest motions: four units of the last
+    /// place.
+    /// </summary>
     private const float Loss = 4.8e-7f;
 
     /// <summary>The margin is worked out from like numbers in another order.</summary>
@@ -112,7 +116,9 @@ internal static unsafe class IdleGap
         return look;
     }
 
-    /// <summary>Notes the gaps of pairs that have just been looked at; of those with points or with a listener nothing is to be known.</summary>
+    /// <summary>
+    /// Notes the gaps of pairs that have just been looked at; of those with points or with a listener nothing is to be known.
+    /// </summary>
     /// <param name="pairs">What the kernels found.</param>
     /// <param name="all">All idle pairs.</param>
     /// <param name="places">Places of these in the idle list.</param>

@@ -5,9 +5,9 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// The points of a bundle's contacts with the arms of one moment. An impact sees velocities and gives impulses at the same arms, those of its moment: then an
-/// impulse x with x·(v + v') ≤ 0, v and v' being the velocities of its point before and after, takes the energy -x·(v + v')/2 and never adds any,
-/// whatever the shape and the spin.
+/// The points of a bundle's contacts with the arms of one moment. An impact sees velocities and gives impulses at the same arms, those of
+/// its moment: then an impulse x with x·(v + v') ≤ 0, v and v' being the velocities of its point before and after, takes the energy -x·(v +
+/// v')/2 and never adds any, whatever the shape and the spin.
 /// </summary>
 internal unsafe ref struct ImpactArms
 {
@@ -79,13 +79,21 @@ internal unsafe ref struct ImpactArms
     }
 
     /// <summary>
-    /// Friction of a point within the cone of the impact's own normal impulse, at the arms of the surfaces. It ends a slip and never reverses it, so it takes
-    /// energy as well.
+    /// Friction of a point within the cone of the impact's own normal impulse, at the arms of the surfaces. It ends a slip and never
+    /// reverses it, so it takes energy as well.
     /// </summary>
     /// <returns>The tangential impulse of the impact.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Wide Rub(
-        ContactBundle* row, ContactPointLanes* point, int lane, in WideDelta movedA, in WideDelta movedB, Wide normal, Wide before, ref WideVelocity a, ref WideVelocity b)
+        ContactBundle* row,
+        ContactPointLanes* point,
+        int lane,
+        in WideDelta movedA,
+        in WideDelta movedB,
+        Wide normal,
+        Wide before,
+        ref WideVelocity a,
+        ref WideVelocity b)
     {
         Wide armA = Along(point->NormalArmA, point->TangentArmA, lane, movedA);
         Wide armB = Along(point->NormalArmB, point->TangentArmB, lane, movedB);

@@ -40,8 +40,8 @@ internal static unsafe class PairManifolds
     }
 
     /// <summary>
-    /// Whether a pair with points, whose arms <see cref="PairStage.Touch"/> has found, overlaps or will within <paramref name="time"/>, or, if
-    /// it touched, is hardly apart.
+    /// Whether a pair with points, whose arms <see cref="PairStage.Touch"/> has found, overlaps or will within <paramref name="time"/>, or,
+    /// if it touched, is hardly apart.
     /// </summary>
     public static bool WillTouch(in ContactUpdateInput input, int lane, bool touched, float time)
     {

@@ -6,8 +6,8 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// What the narrow phase does with the pairs of a bundle before and after it finds their manifolds: gathers the sides, sees whether the surfaces touch. The
-/// pairs are named by the first columns of the bundle.
+/// What the narrow phase does with the pairs of a bundle before and after it finds their manifolds: gathers the sides, sees whether the
+/// surfaces touch. The pairs are named by the first columns of the bundle.
 /// </summary>
 internal static unsafe class PairStage
 {
@@ -18,8 +18,8 @@ internal static unsafe class PairStage
     public const float SkinShare = 0.02f;
 
     /// <summary>
-    /// A pair that would sink into each other by this share of the smaller extent within the step is struck: what touches it must be ready to
-    /// be struck on. A smaller blow leaves an overlap of a few percent in the worst case.
+    /// A pair that would sink into each other by this share of the smaller extent within the step is struck: what touches it must be ready
+    /// to be struck on. A smaller blow leaves an overlap of a few percent in the worst case.
     /// </summary>
     public const float BlowShare = 0.25f;
 
@@ -157,7 +157,8 @@ internal static unsafe class PairStage
             WideMask blow = touch & (sunk > (Wide.Splat(BlowShare) * extent));
             bits.Blows |= WideLanes.Bits(blow) << lane;
             WideMask solid = AreSolid(flagsA & flagsB, flagsA | flagsB);
-            Wide now = Wide.Keep(touch, Wide.FromBits((int)ContactFlags.Touching)) | Wide.Keep(solid, Wide.FromBits((int)ContactFlags.Solid));
+            Wide now =
+                Wide.Keep(touch, Wide.FromBits((int)ContactFlags.Touching)) | Wide.Keep(solid, Wide.FromBits((int)ContactFlags.Solid));
             bits.Touching |= WideLanes.Bits(touch) << lane;
             bits.Touched |= WideLanes.Bits(before) << lane;
             bits.Hit |= WideLanes.Bits(any) << lane;
@@ -168,7 +169,8 @@ internal static unsafe class PairStage
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideMask TouchPoint(PairLanes* pairs, PointLanes* point, int lane, Wide speed, Wide gain, Wide reach, Wide dt, out Wide sunk)
+    private static WideMask TouchPoint(
+        PairLanes* pairs, PointLanes* point, int lane, Wide speed, Wide gain, Wide reach, Wide dt, out Wide sunk)
     {
         Wide nx = Wide.Load(pairs->NormalX + lane);
         Wide ny = Wide.Load(pairs->NormalY + lane);
@@ -200,7 +202,9 @@ internal static unsafe class PairStage
         bitsD |= laneD << lane;
     }
 
-    /// <summary>Pairs that push: <paramref name="both"/> and <paramref name="any"/> are what the flags of their sides share and have.</summary>
+    /// <summary>
+    /// Pairs that push: <paramref name="both"/> and <paramref name="any"/> are what the flags of their sides share and have.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideMask AreSolid(Wide both, Wide any) =>
         WideLanes.Has(both, (int)SideFlags.Responds) & WideLanes.Has(any, (int)SideFlags.Moves);

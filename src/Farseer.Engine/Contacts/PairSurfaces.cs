@@ -14,7 +14,10 @@ internal struct PairSurface
     /// <summary>How fast the surfaces run past their bodies, both together, along t = (ny, -nx) as A sees it.</summary>
     public float Speed;
 
-    /// <summary>Arm at which a normal impulse may resist that one rolls on the other, a length; of <see cref="IPairSurfaces"/> a share of the smaller piece's half width.</summary>
+    /// <summary>
+    /// Arm at which a normal impulse may resist that one rolls on the other, a length; of <see cref="IPairSurfaces"/> a share of the
+    /// smaller piece's half width.
+    /// </summary>
     public float RollingArm;
 
     /// <summary>Places of the pieces in their colliders.</summary>
@@ -24,7 +27,9 @@ internal struct PairSurface
     /// <summary>1: friction and restitution are these, and not what the colliders say.</summary>
     public int IsSet;
 
-    /// <summary>Forces of friction at both points and torque against rolling in the last substep; what they are is told by the names of the points.</summary>
+    /// <summary>
+    /// Forces of friction at both points and torque against rolling in the last substep; what they are is told by the names of the points.
+    /// </summary>
     public float Rub0;
     public float Rub1;
     public float Roll;
@@ -35,7 +40,10 @@ internal struct PairSurface
     public readonly bool IsSpecial => IsSet != 0 && (Speed != 0 || RollingArm > 0);
 }
 
-/// <summary>Says what the surfaces of a pair are. It is asked on the calling thread, for each pair of a collider that has <see cref="ColliderFlags.OwnSurface"/>.</summary>
+/// <summary>
+/// Says what the surfaces of a pair are. It is asked on the calling thread, for each pair of a collider that has
+/// <see cref="ColliderFlags.OwnSurface"/>.
+/// </summary>
 internal interface IPairSurfaces
 {
     /// <summary>All pairs are asked about, whatever their colliders.</summary>

@@ -6,14 +6,15 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// The passes over rows of which many have one heavy body: a drum, a rotor, a ram. Those of a bundle are solved side by side from the same velocities, and what each
-/// changes of the velocities of its bodies is added to them, lane after lane, so that the order of vectors and their width mean nothing and no momentum is lost. To the next
-/// bundle the heavy body has moved on.
+/// The passes over rows of which many have one heavy body: a drum, a rotor, a ram. Those of a bundle are solved side by side from the same
+/// velocities, and what each changes of the velocities of its bodies is added to them, lane after lane, so that the order of vectors and
+/// their width mean nothing and no momentum is lost. To the next bundle the heavy body has moved on.
 /// </summary>
 /// <remarks>
-/// A lane does not see what the others do to the heavy body at the same time. With the answers h of that one and l of the light ones to an impulse, its relative velocity is
-/// off by h/(h + l) of what each other lane takes from its own: with l at least 64 h and seven others by a ninth at most, where all push against each other, and in the next pass
-/// by a ninth of that. One after the other, as rows of the overflow are, they were a third of the passes of a tumbler (docs/decisions/017).
+/// A lane does not see what the others do to the heavy body at the same time. With the answers h of that one and l of the light ones to an
+/// impulse, its relative velocity is off by h/(h + l) of what each other lane takes from its own: with l at least 64 h and seven others by
+/// a ninth at most, where all push against each other, and in the next pass by a ninth of that. One after the other, as rows of the
+/// overflow are, they were a third of the passes of a tumbler (docs/decisions/017).
 /// </remarks>
 internal static unsafe class SharedKernel
 {
@@ -99,7 +100,8 @@ internal static unsafe class SharedKernel
 
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            ContactStages.TakeRubbed(*at, lane, work, (blows & ContactWork.Bit(0, lane)) != 0, out WideVelocity a, out WideVelocity b, two: true);
+            ContactStages.TakeRubbed(
+                *at, lane, work, (blows & ContactWork.Bit(0, lane)) != 0, out WideVelocity a, out WideVelocity b, two: true);
             KeepChange(ChangesOf(work), lane, a, b);
         }
     }
@@ -114,7 +116,8 @@ internal static unsafe class SharedKernel
     {
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            ContactStages.TakePushed(row, lane, work, (blows & ContactWork.Bit(0, lane)) != 0, out WideVelocity a, out WideVelocity b, two: true);
+            ContactStages.TakePushed(
+                row, lane, work, (blows & ContactWork.Bit(0, lane)) != 0, out WideVelocity a, out WideVelocity b, two: true);
             KeepChange(ChangesOf(work), lane, a, b);
         }
     }
@@ -151,12 +154,14 @@ internal static unsafe class SharedKernel
         {
             if (row->MassA[lane] + row->InertiaA[lane] > 0)
             {
-                *BodyState.VelocityOf(bodies + row->BodyA[lane]) += new Vector4(changes->VelocityAX[lane], changes->VelocityAY[lane], changes->SpinA[lane], 0);
+                *BodyState.VelocityOf(bodies + row->BodyA[lane]) +=
+                    new Vector4(changes->VelocityAX[lane], changes->VelocityAY[lane], changes->SpinA[lane], 0);
             }
 
             if (row->MassB[lane] + row->InertiaB[lane] > 0)
             {
-                *BodyState.VelocityOf(bodies + row->BodyB[lane]) += new Vector4(changes->VelocityBX[lane], changes->VelocityBY[lane], changes->SpinB[lane], 0);
+                *BodyState.VelocityOf(bodies + row->BodyB[lane]) +=
+                    new Vector4(changes->VelocityBX[lane], changes->VelocityBY[lane], changes->SpinB[lane], 0);
             }
         }
     }

@@ -5,20 +5,23 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// How far arms are turned along to find speeds with, while impulses act at those of the step's middle. For an impulse of 1 at an arm a a speed found with a', turned by φ, changes by
-/// k' = m + i·a·a' and not by K = m + i·a², so a sweep leaves 1 - k'/K of an error. For boxes and rods (i·r² up to 3 m) k' is negative from φ = 71° on: the answer
-/// has the wrong sign, and what is jammed multiplied its impulses tenfold a substep. Up to 26° k'/K lies between 0.63 and 1.29.
+/// How far arms are turned along to find speeds with, while impulses act at those of the step's middle. For an impulse of 1 at an arm a a
+/// speed found with a', turned by φ, changes by k' = m + i·a·a' and not by K = m + i·a², so a sweep leaves 1 - k'/K of an error. For boxes
+/// and rods (i·r² up to 3 m) k' is negative from φ = 71° on: the answer has the wrong sign, and what is jammed multiplied its impulses
+/// tenfold a substep. Up to 26° k'/K lies between 0.63 and 1.29.
 /// </summary>
 internal static unsafe class TurnedArms
 {
-    /// <summary>Cosine of the largest turn from the step's middle, 0.45 rad: what spins at 54 rad/s at 60 steps a second gets as far.</summary>
+    /// <summary>
+    /// Cosine of the largest turn from the step's middle, 0.45 rad: what spins at 54 rad/s at 60 steps a second gets as far.
+    /// </summary>
     private const float LeastCosine = 0.9f;
 
     private const float LargestSine = 0.43588989f;
 
     /// <summary>
-    /// The displacement with a turn no larger than that. (A turn as contacts see it is at most a radian, where sines grow with it.) A smaller one is left as it is to the last bit, since stages
-    /// ask for many lanes at once whether some are larger.
+    /// The displacement with a turn no larger than that. (A turn as contacts see it is at most a radian, where sines grow with it.) A
+    /// smaller one is left as it is to the last bit, since stages ask for many lanes at once whether some are larger.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WideDelta Limited(in WideDelta moved)

@@ -5,8 +5,9 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Contacts;
 
 /// <summary>
-/// How the bodies of one side of a bundle move at one moment, with their steady acceleration: where they are, and how fast, some time before and after it.
-/// With x, v and a at that moment they were at x - v·t + a·t²/2 a time t before, with the velocity v - a·t; so were their angles.
+/// How the bodies of one side of a bundle move at one moment, with their steady acceleration: where they are, and how fast, some time
+/// before and after it. With x, v and a at that moment they were at x - v·t + a·t²/2 a time t before, with the velocity v - a·t; so were
+/// their angles.
 /// </summary>
 internal unsafe struct WideFlight
 {
@@ -68,10 +69,13 @@ internal unsafe struct WideFlight
     }
 
     /// <summary>
-    /// Gives bodies what an impact changed their velocities by a <paramref name="time"/> ago: they are where that has brought them since. The change
-    /// is taken into the velocity of the substep's start, so that the next impact sees the steady acceleration alone.
+    /// Gives bodies what an impact changed their velocities by a <paramref name="time"/> ago: they are where that has brought them since.
+    /// The change is taken into the velocity of the substep's start, so that the next impact sees the steady acceleration alone.
     /// </summary>
-    /// <remarks>By value, for a local whose place is given away stays in memory; and by itself, for twice within a kernel was more than the compiler takes in.</remarks>
+    /// <remarks>
+    /// By value, for a local whose place is given away stays in memory; and by itself, for twice within a kernel was more than the compiler
+    /// takes in.
+    /// </remarks>
     [MethodImpl(KernelMethod.Optimized)]
     public static void CatchUp(BodyState* bodies, BodyMotion* motions, int* index, WideVelocity change, Wide time)
     {

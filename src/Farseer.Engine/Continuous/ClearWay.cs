@@ -46,8 +46,8 @@ internal static unsafe class ClearWay
     }
 
     /// <summary>
-    /// Whether the circles around the bodies' centres in which the pieces turn stay apart: a third of what then was searched in vain, and all of it where neither has edges. The way of
-    /// one seen from the other lies within an eighth of its acceleration of its chord.
+    /// Whether the circles around the bodies' centres in which the pieces turn stay apart: a third of what then was searched in vain, and
+    /// all of it where neither has edges. The way of one seen from the other lies within an eighth of its acceleration of its chord.
     /// </summary>
     private static bool PassesFar(ShapeStore shapes, in ContactRecord record, in BodyPath a, in BodyPath b, double gap)
     {

@@ -61,7 +61,10 @@ internal sealed partial class FastBodySweep
             }
 
             Surface beside = Look(input, leg, time, left, other);
-            if (beside.Manifold.Count > 0 && !beside.IsHidden && beside.Depth <= 2 * beside.Tolerance && Impact.Approaches(after, beside.Obstacle, beside.Own))
+            if (beside.Manifold.Count > 0
+                && !beside.IsHidden
+                && beside.Depth <= 2 * beside.Tolerance
+                && Impact.Approaches(after, beside.Obstacle, beside.Own))
             {
                 other.Mode = input.Listener.OnImpact(other.Contact, beside.Manifold) ? SweepMode.Met : SweepMode.Passed;
                 other.Target = beside.Target;
@@ -177,7 +180,13 @@ internal sealed partial class FastBodySweep
         surface.Tolerance = FastPairs.Tolerance(extent);
         BodyPath otherPath = PathOf(input, other, left);
         PairInput pair = ImpactPose.Pair(
-            input.Shapes, record.PieceA, record.PieceB, isA ? path : otherPath, isA ? otherPath : path, time, (float)(4 * surface.Tolerance));
+            input.Shapes,
+            record.PieceA,
+            record.PieceB,
+            isA ? path : otherPath,
+            isA ? otherPath : path,
+            time,
+            (float)(4 * surface.Tolerance));
         Collision.Collide(pair, out surface.Manifold);
         double depth = surface.Manifold.Count > 0 ? surface.Manifold.Point0.Separation : -CoreShare * extent;
         depth = surface.Manifold.Count > 1 ? Math.Min(depth, surface.Manifold.Point1.Separation) : depth;
@@ -185,7 +194,8 @@ internal sealed partial class FastBodySweep
         surface.Target = Math.Min(depth, surface.Tolerance) - (2 * surface.Tolerance);
         if (surface.Manifold.Count > 0)
         {
-            surface.Obstacle = Describe(input, candidate.Contact, isA, otherPath.XAt(time) - path.XAt(time), otherPath.YAt(time) - path.YAt(time));
+            surface.Obstacle =
+                Describe(input, candidate.Contact, isA, otherPath.XAt(time) - path.XAt(time), otherPath.YAt(time) - path.YAt(time));
             surface.Obstacle.Slowest = Slowest(input, leg.Gain, surface.Manifold.Normal);
             surface.Own = isA ? Impact.Flip(surface.Manifold) : Impact.Shift(surface.Manifold, pair.Offset);
             surface.IsHidden = record.Mover == (isA ? record.PieceA : record.PieceB)
@@ -220,7 +230,9 @@ internal sealed partial class FastBodySweep
         /// <summary>How deep it may come before it is met again.</summary>
         public double Target;
 
-        /// <summary>Notes what changed the body's velocity. The tangent turns with the normal, so its part is the same for both bodies.</summary>
+        /// <summary>
+        /// Notes what changed the body's velocity. The tangent turns with the normal, so its part is the same for both bodies.
+        /// </summary>
         public void NoteGiven(in Mover before, in Mover after)
         {
             if (after.InverseMass > 0)

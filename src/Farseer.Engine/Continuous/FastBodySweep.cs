@@ -355,7 +355,8 @@ internal sealed partial class FastBodySweep
     }
 
     /// <summary>They come nowhere so near that they would count as touching.</summary>
-    private static bool IsClear(in SweepInput input, in ContactRecord record, bool isA, in BodyPath path, in BodyPath other, float extent) =>
+    private static bool IsClear(
+        in SweepInput input, in ContactRecord record, bool isA, in BodyPath path, in BodyPath other, float extent) =>
         isA
             ? ClearWay.Holds(input.Shapes, record, path, other, ofA: false, PairStage.SkinShare * extent)
             : ClearWay.Holds(input.Shapes, record, other, path, ofA: true, PairStage.SkinShare * extent);

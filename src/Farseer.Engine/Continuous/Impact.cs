@@ -19,7 +19,9 @@ internal struct Mover
     public readonly double Speed => Math.Abs(VelocityX) + Math.Abs(VelocityY) + (Math.Abs(Spin) * Reach);
 }
 
-/// <summary>What an impact meets: the other body, with the velocity of its surface. One that no impulse moves has no inverse mass.</summary>
+/// <summary>
+/// What an impact meets: the other body, with the velocity of its surface. One that no impulse moves has no inverse mass.
+/// </summary>
 internal struct Obstacle
 {
     /// <summary>Its centre from the mover's.</summary>
@@ -194,8 +196,8 @@ internal static class Impact
         }
 
         /// <summary>
-        /// The speed at which the surfaces are to part at least. An impulse x at a point takes the energy -x·(v + v')/2, so one that parts already may come to approach as fast: stopped
-        /// before, it would add energy. It is met again later.
+        /// The speed at which the surfaces are to part at least. An impulse x at a point takes the energy -x·(v + v')/2, so one that parts
+        /// already may come to approach as fast: stopped before, it would add energy. It is met again later.
         /// </summary>
         public double Target(in Obstacle other)
         {
@@ -207,8 +209,9 @@ internal static class Impact
 }
 
 /// <summary>
-/// The impact of a body with one of several things that it meets at the same moment. Each point has the speed at which it is to part from what it was before all of
-/// them; the impulses are found in turns, x ≥ 0 with v' ≥ -e·v and x·(v' + e·v) = 0, and of these energies none is gained: Σ x·(v + v')/2 = (1 - e)·Σ x·v/2 ≤ 0, e being 1 where surfaces part.
+/// The impact of a body with one of several things that it meets at the same moment. Each point has the speed at which it is to part from
+/// what it was before all of them; the impulses are found in turns, x ≥ 0 with v' ≥ -e·v and x·(v' + e·v) = 0, and of these energies none
+/// is gained: Σ x·(v + v')/2 = (1 - e)·Σ x·v/2 ≤ 0, e being 1 where surfaces part.
 /// </summary>
 internal struct ImpactInTurns
 {

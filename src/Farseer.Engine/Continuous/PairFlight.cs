@@ -322,7 +322,8 @@ internal sealed class PairFlight
             return given;
         }
 
-        private readonly void NoteOnWay(ContactImpulses impulses, in FreeLeg a, double time, in Manifold manifold, in PairImpulse given, double approach)
+        private readonly void NoteOnWay(
+            ContactImpulses impulses, in FreeLeg a, double time, in Manifold manifold, in PairImpulse given, double approach)
         {
             Vector2 point = manifold.Point0.Anchor;
             point = manifold.Count > 1 ? (point + manifold.Point1.Anchor) / 2 : point;

@@ -7,8 +7,9 @@ namespace Farseer.Engine.Graph;
 /// <summary>
 /// The bundles of several colours numbered one after the other: a phase that does not care for colours is then one range for the workers,
 /// and not one a colour. The first parts of all colours come first, then their second ones, a part for each worker: so a worker begins with
-/// the rows that are its own in the passes, where each colour is cut by itself, and they stay in its cache (groups that are solved together are cut there as one, halves between them). Each part begins with a record and with a number
-/// that is a whole number of records: where a colour ends in the middle of one, the number of the bundle that is not there is left out.
+/// the rows that are its own in the passes, where each colour is cut by itself, and they stay in its cache (groups that are solved together
+/// are cut there as one, halves between them). Each part begins with a record and with a number that is a whole number of records: where a
+/// colour ends in the middle of one, the number of the bundle that is not there is left out.
 /// </summary>
 [NotState(Why.OfOneStep)]
 internal sealed class ColorRanges
@@ -75,7 +76,10 @@ internal sealed class ColorRanges
         return _colors[color].Part(from + shift, Math.Min(end + shift, _colors[color].BundleCount));
     }
 
-    /// <summary>The numbers of the bundles of a part of a colour. In the order of the colours, and of the parts of each, the bundles are in an order that no number of workers changes.</summary>
+    /// <summary>
+    /// The numbers of the bundles of a part of a colour. In the order of the colours, and of the parts of each, the bundles are in an order
+    /// that no number of workers changes.
+    /// </summary>
     /// <param name="place">From 0, below <see cref="Places"/>.</param>
     /// <param name="from">The first number.</param>
     /// <param name="to">One past the last.</param>

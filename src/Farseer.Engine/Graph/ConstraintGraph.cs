@@ -22,21 +22,21 @@ internal sealed unsafe partial class ConstraintGraph
     private const int MostChanges = 1024;
 
     /// <summary>
-    /// Pairs of a world so small that its steps take as long as its bundles are many, however few lanes of them are filled: there a row takes a
-    /// colour that has a lane to spare. Pyramids of 6 to 36 boxes have 6 to 13 bundles for 7 to 15, and take 0.83 to 0.94 of the time; one of 55
-    /// has as many as before, and took 1.06 of it.
+    /// Pairs of a world so small that its steps take as long as its bundles are many, however few lanes of them are filled: there a row
+    /// takes a colour that has a lane to spare. Pyramids of 6 to 36 boxes have 6 to 13 bundles for 7 to 15, and take 0.83 to 0.94 of the
+    /// time; one of 55 has as many as before, and took 1.06 of it.
     /// </summary>
     private const int FewPairs = 128;
 
     /// <summary>
-    /// The first rows of such a world are drawn as anywhere, else a stack would have two colours, its odd and its even contacts: as accurate, but a stack of ten
-    /// far from the origin was left with 1.3 µm/s instead of 1.1.
+    /// The first rows of such a world are drawn as anywhere, else a stack would have two colours, its odd and its even contacts: as
+    /// accurate, but a stack of ten far from the origin was left with 1.3 µm/s instead of 1.1.
     /// </summary>
     private const int FirstRows = 2;
 
     /// <summary>
-    /// What a body at least answers an impulse with, in units of what a heavy one answers it with: eight rows side by side on that one then find it wrong by a ninth at most.
-    /// A drum or a rotor answers with thousandths.
+    /// What a body at least answers an impulse with, in units of what a heavy one answers it with: eight rows side by side on that one then
+    /// find it wrong by a ninth at most. A drum or a rotor answers with thousandths.
     /// </summary>
     private const float HeavyRatio = 64f;
     private const int NoBody = -1;
@@ -48,7 +48,8 @@ internal sealed unsafe partial class ConstraintGraph
     private readonly BodyColors _bodies = new BodyColors();
     private readonly RowArena _arena = new RowArena();
     private readonly Column<int> _degree = new Column<int>();
-    // By group and colour; the first also has the colour of those asleep. All of a group are made with its first row: one that is used late is not to allocate then.
+    // By group and colour; the first also has the colour of those asleep. All of a group are made with its first row: one that is used late
+    // is not to allocate then.
     private readonly List<GraphColor[]> _colors = new List<GraphColor[]>();
     [NotState(Why.OfOneStep)]
     private readonly IndexList _moving = new IndexList();
@@ -120,7 +121,8 @@ internal sealed unsafe partial class ConstraintGraph
         NeedGroups(1);
         int color = _bodies.Choose(record.BodyA, record.BodyB, movesA, movesB, _isSmall && RowCount >= FirstRows ? ColorsToFill() : 0);
         int heavy = movesA && movesB && color >= BodyColors.Drawn ? TryShare(record, ref color) : NoBody;
-        int group = IsWhole(color) ? 0 : Groups.Choose(record.BodyA, record.BodyB, movesA, movesB, _degree[record.BodyA], _degree[record.BodyB]);
+        int group =
+            IsWhole(color) ? 0 : Groups.Choose(record.BodyA, record.BodyB, movesA, movesB, _degree[record.BodyA], _degree[record.BodyB]);
         GraphColor rows = _colors[group][color];
         _usedChanged |= rows.RowCount == 0;
         int row = rows.AddRow();
@@ -195,7 +197,8 @@ internal sealed unsafe partial class ConstraintGraph
     }
 
     /// <summary>
-    /// Gives rows that may no longer be solved side by side a colour of their own: those that bounce, whose impacts have an order, and those of bodies whose masses are others now.
+    /// Gives rows that may no longer be solved side by side a colour of their own: those that bounce, whose impacts have an order, and
+    /// those of bodies whose masses are others now.
     /// </summary>
     public void RecallShared(Column<ContactRecord> records)
     {
@@ -400,7 +403,8 @@ internal sealed unsafe partial class ConstraintGraph
             for (int i = 0; i < ColorCount; i++)
             {
                 int color = BodyColors.InOrder(i);
-                colors[color] = new GraphColor(_arena, color >= BodyColors.Masked, BodyColors.IsGrounded(color), i, group, BodyColors.IsShared(color));
+                colors[color] =
+                    new GraphColor(_arena, color >= BodyColors.Masked, BodyColors.IsGrounded(color), i, group, BodyColors.IsShared(color));
             }
 
             colors[Dormant] = new GraphColor(_arena);

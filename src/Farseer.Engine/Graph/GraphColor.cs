@@ -36,7 +36,9 @@ internal sealed unsafe class GraphColor
     [NotState(Why.Elsewhere)]
     public bool IsGrounded { get; private set; }
 
-    /// <summary>Its contacts may have the heavier of their bodies in common, and are solved a bundle at a time: see <see cref="SharedKernel"/>.</summary>
+    /// <summary>
+    /// Its contacts may have the heavier of their bodies in common, and are solved a bundle at a time: see <see cref="SharedKernel"/>.
+    /// </summary>
     [NotState(Why.Elsewhere)]
     public bool IsShared { get; private set; }
 

@@ -146,7 +146,9 @@ internal sealed unsafe class RowArena
         _free[size] = extent;
     }
 
-    /// <summary>Makes room for so many rows, and a quarter more: extents end half empty, and rows that overflow have a bundle each.</summary>
+    /// <summary>
+    /// Makes room for so many rows, and a quarter more: extents end half empty, and rows that overflow have a bundle each.
+    /// </summary>
     public void Reserve(int rows)
     {
         int bundles = rows / ContactBundle.Lanes * 5 / 4;

@@ -6,7 +6,8 @@ namespace Farseer.Engine.Graph;
 /// <summary>
 /// Groups of islands whose rows lie side by side, so that they stay near while all passes of all substeps are over them. A row whose
 /// bodies are of two groups goes to group 0, which all begin in, and ties both to it: tied groups are solved together with it,
-/// colour by colour, until the rows are sorted anew. Where there are no groups of islands the rows may be halved instead, by their bodies: see <see cref="RowHalves"/>.
+/// colour by colour, until the rows are sorted anew. Where there are no groups of islands the rows may be halved instead, by their bodies:
+/// see <see cref="RowHalves"/>.
 /// </summary>
 internal sealed class RowGroups
 {

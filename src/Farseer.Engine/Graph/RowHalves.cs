@@ -4,10 +4,11 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Graph;
 
 /// <summary>
-/// Parts the rows of a large world that is solved as one in two: those of the first bodies and those of the others, each colour of one half beside
-/// that of the other. Two workers then begin with a half each in every pass, and rows that are new come to theirs. Before, each colour was cut where half
-/// of its rows were, and new rows lay behind all others, wherever their bodies were: of 45,000 times that a pass over a pile of 10,000 discs touches a body the other
-/// worker had written to it last in 5,000; now in 600. A line that comes from another processor takes as long as sixteen rows.
+/// Parts the rows of a large world that is solved as one in two: those of the first bodies and those of the others, each colour of one half
+/// beside that of the other. Two workers then begin with a half each in every pass, and rows that are new come to theirs. Before, each
+/// colour was cut where half of its rows were, and new rows lay behind all others, wherever their bodies were: of 45,000 times that a pass
+/// over a pile of 10,000 discs touches a body the other worker had written to it last in 5,000; now in 600. A line that comes from another
+/// processor takes as long as sixteen rows.
 /// </summary>
 /// <remarks>
 /// The halves are the same for any number of workers, so that the order of the rows is, which bounces are taken in. Groups of islands
@@ -28,13 +29,17 @@ internal sealed unsafe class RowHalves
     private int _wait;
 
     /// <summary>
-    /// The rows of fewer bodies are not halved. Default 6,144: one worker takes 1.007 of the time with halves of 10,000 bodies, 1.013 with those of a pyramid of 5,050, whose bodies are in the order
-    /// of the rows anyway. Where there are so many, new rows go to their half from the first on, so that few need to be moved.
+    /// The rows of fewer bodies are not halved. Default 6,144: one worker takes 1.007 of the time with halves of 10,000 bodies, 1.013 with
+    /// those of a pyramid of 5,050, whose bodies are in the order of the rows anyway. Where there are so many, new rows go to their half
+    /// from the first on, so that few need to be moved.
     /// </summary>
     [NotState(Why.Running)]
     public int LeastBodies { get; set; } = 6144;
 
-    /// <summary>Rows of a colour that is halved, by default 512: half of as many are hardly worth sharing, and a record that is not full costs them most.</summary>
+    /// <summary>
+    /// Rows of a colour that is halved, by default 512: half of as many are hardly worth sharing, and a record that is not full costs them
+    /// most.
+    /// </summary>
     [NotState(Why.Running)]
     public int LeastOfColor { get; set; } = 512;
 

@@ -7,14 +7,16 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Graph;
 
 /// <summary>
-/// Puts the rows of each colour in the order of their bodies. Rows come in the order in which pairs are found, so a pass over a colour reached the
-/// bodies at random, and of two workers, each with its half of every colour, both wrote to all bodies: of 28,000 times that a pass over a pyramid of base 100
-/// touches a body, the other worker had touched it last in 13,600 cases; in the order of bodies in 880. Pairs of one kind come together: a kernel of the narrow phase
-/// works on whole bundles, and of a heap of several kinds of shape a bundle as they come takes up to four kernels.
+/// Puts the rows of each colour in the order of their bodies. Rows come in the order in which pairs are found, so a pass over a colour
+/// reached the bodies at random, and of two workers, each with its half of every colour, both wrote to all bodies: of 28,000 times that a
+/// pass over a pyramid of base 100 touches a body, the other worker had touched it last in 13,600 cases; in the order of bodies in 880.
+/// Pairs of one kind come together: a kernel of the narrow phase works on whole bundles, and of a heap of several kinds of shape a bundle
+/// as they come takes up to four kernels.
 /// </summary>
 /// <remarks>
-/// Passes come to the same bits in any order, since rows of a colour share no body; those that may, of heavy bodies and of the overflow, stay as they are. Bounces and fast pairs
-/// are taken in the order of the rows, so where there are such a run is another one than without, but the same for any number of workers.
+/// Passes come to the same bits in any order, since rows of a colour share no body; those that may, of heavy bodies and of the overflow,
+/// stay as they are. Bounces and fast pairs are taken in the order of the rows, so where there are such a run is another one than without,
+/// but the same for any number of workers.
 /// </remarks>
 internal sealed unsafe class RowOrder : IStageWork
 {

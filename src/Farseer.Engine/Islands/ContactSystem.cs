@@ -28,9 +28,10 @@ internal unsafe struct SystemPoint
 }
 
 /// <summary>
-/// All points of a few contacts as one problem, solved directly: impulses x ≥ 0 and speeds w = A·x + b ≥ 0 with x·w = 0, A being what an impulse at one point changes at another. Passes
-/// over the contacts take as many sweeps as one body is heavier than another; this takes none. Points are moved between those that push (x = -b/A by a Cholesky factor)
-/// and those that part until none pulls and none approaches: all wrong ones at once, which ends after a few turns, and one at a time when that does not get on.
+/// All points of a few contacts as one problem, solved directly: impulses x ≥ 0 and speeds w = A·x + b ≥ 0 with x·w = 0, A being what an
+/// impulse at one point changes at another. Passes over the contacts take as many sweeps as one body is heavier than another; this takes
+/// none. Points are moved between those that push (x = -b/A by a Cholesky factor) and those that part until none pulls and none approaches:
+/// all wrong ones at once, which ends after a few turns, and one at a time when that does not get on.
 /// </summary>
 internal sealed unsafe class ContactSystem
 {
@@ -238,7 +239,8 @@ internal sealed unsafe class ContactSystem
     /// <summary>What the impulse of the second point changes in the speed of the first.</summary>
     private static double Response(in SystemPoint p, in SystemPoint q)
     {
-        double cosine = ((double)p.Bundle->NormalX[p.Lane] * q.Bundle->NormalX[q.Lane]) + ((double)p.Bundle->NormalY[p.Lane] * q.Bundle->NormalY[q.Lane]);
+        double cosine = ((double)p.Bundle->NormalX[p.Lane] * q.Bundle->NormalX[q.Lane])
+            + ((double)p.Bundle->NormalY[p.Lane] * q.Bundle->NormalY[q.Lane]);
         int a = p.Bundle->BodyA[p.Lane];
         int b = p.Bundle->BodyB[p.Lane];
         double sum = 0;
@@ -263,5 +265,6 @@ internal sealed unsafe class ContactSystem
         return sum;
     }
 
-    private static double Share(double mass, double inertia, double cosine, double arm, double other) => (mass * cosine) + (inertia * arm * other);
+    private static double Share(double mass, double inertia, double cosine, double arm, double other) =>
+        (mass * cosine) + (inertia * arm * other);
 }

@@ -8,16 +8,16 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Islands;
 
 /// <summary>
-/// Finds islands of many levels that are a little too deep in each of them. What soft contacts take back of an overlap leaves at the rate r, and the passes
-/// that forget that speed reach some levels far: of a tower of n levels the top goes off at r·E, with E the sum over the levels. Gravity takes that back within
-/// the way E itself if (r·E)² ≤ 2·g·E. What is more is pushed apart as deep islands are, without speed, until half of that is left: 40 boxes that began 2 mm in each
-/// other threw the topmost up by 1.1 m.
+/// Finds islands of many levels that are a little too deep in each of them. What soft contacts take back of an overlap leaves at the rate
+/// r, and the passes that forget that speed reach some levels far: of a tower of n levels the top goes off at r·E, with E the sum over the
+/// levels. Gravity takes that back within the way E itself if (r·E)² ≤ 2·g·E. What is more is pushed apart as deep islands are, without
+/// speed, until half of that is left: 40 boxes that began 2 mm in each other threw the topmost up by 1.1 m.
 /// </summary>
 internal sealed unsafe class DeepStacks
 {
     /// <summary>
-    /// Up to so many levels a sweep pushes far enough. Beyond, deep islands remember their pushes (<see cref="Solver.CarriedPushes"/>); with fewer levels a
-    /// tower would rise too high.
+    /// Up to so many levels a sweep pushes far enough. Beyond, deep islands remember their pushes (<see cref="Solver.CarriedPushes"/>);
+    /// with fewer levels a tower would rise too high.
     /// </summary>
     private const int ManyLevels = 16;
 
@@ -41,7 +41,8 @@ internal sealed unsafe class DeepStacks
     /// <param name="deep">By island: above 0 if it is deep.</param>
     /// <param name="anyDeep">Some island is.</param>
     /// <returns>The same afterwards.</returns>
-    public bool Find(IslandStore islands, ConstraintGraph graph, in ContactCoefficients c, bool cold, Scratch scratch, float* deep, bool anyDeep)
+    public bool Find(
+        IslandStore islands, ConstraintGraph graph, in ContactCoefficients c, bool cold, Scratch scratch, float* deep, bool anyDeep)
     {
         bool looks = c.Gravity > 0 && (cold || _wereAny);
         if (looks)
@@ -61,7 +62,8 @@ internal sealed unsafe class DeepStacks
     public static bool IsHigh(IslandStore islands, int island) => islands.FirstSlot[island + 1] - islands.FirstSlot[island] > ManyLevels;
 
     /// <summary>How far the surfaces of a point are apart before anything has moved in this step, plus the depth of rest.</summary>
-    public static float Separation(ContactPointLanes* point, int lane) => point->Base[lane] + (point->NormalArmB[lane] - point->NormalArmA[lane]);
+    public static float Separation(ContactPointLanes* point, int lane) =>
+        point->Base[lane] + (point->NormalArmB[lane] - point->NormalArmA[lane]);
 
     /// <summary>Room for so many bodies.</summary>
     public void Reserve(int bodyEnd) => _wereDeep.EnsureCapacity(bodyEnd);

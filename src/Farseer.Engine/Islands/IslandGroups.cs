@@ -76,7 +76,9 @@ internal sealed unsafe class IslandGroups
         Sorts++;
     }
 
-    /// <summary>Fills group after group with the islands in their order, which is that of their first bodies; group 0 stays empty.</summary>
+    /// <summary>
+    /// Fills group after group with the islands in their order, which is that of their first bodies; group 0 stays empty.
+    /// </summary>
     /// <returns>How many groups there are; 0: most rows are of islands that are too large.</returns>
     private int Pack(IslandStore islands, ConstraintGraph graph, byte* moves)
     {

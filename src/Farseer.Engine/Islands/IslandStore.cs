@@ -13,13 +13,15 @@ namespace Farseer.Engine.Islands;
 /// only when rows came or went. Each level of an island has a slot.
 /// </summary>
 /// <remarks>
-/// Neighbours are listed colour by colour, since rows of one colour share no body that moves: workers that have parts of it write to lists of their
-/// own. In which order a list names them follows from who was first where islands are kept, and nothing follows from that: levels are the
-/// lengths of shortest ways, islands are numbered by their lowest bodies.
+/// Neighbours are listed colour by colour, since rows of one colour share no body that moves: workers that have parts of it write to lists
+/// of their own. In which order a list names them follows from who was first where islands are kept, and nothing follows from that: levels
+/// are the lengths of shortest ways, islands are numbered by their lowest bodies.
 /// </remarks>
 internal sealed unsafe partial class IslandStore : IStageWork
 {
-    /// <summary>Bundles of a colour whose neighbours are worth another worker's while, and bundles of any that are written, some 1 µs.</summary>
+    /// <summary>
+    /// Bundles of a colour whose neighbours are worth another worker's while, and bundles of any that are written, some 1 µs.
+    /// </summary>
     private const int LeastBundles = 24;
 
     /// <summary>Rows from which on levels and islands are searched at the same time, each by one worker.</summary>
@@ -286,7 +288,8 @@ internal sealed unsafe partial class IslandStore : IStageWork
         islandOf[first] = island;
         for (int head = 0; head < queued; head++)
         {
-            // A row between two bodies that move is a neighbour of both, and counts half at each; one with what cannot move is nobody's neighbour.
+            // A row between two bodies that move is a neighbour of both, and counts half at each; one with what cannot move is nobody's
+            // neighbour.
             int body = queue[head];
             ends += (2 * _degrees[body]) - (end[body] - begin[body]);
             for (int k = begin[body]; k < end[body]; k++)

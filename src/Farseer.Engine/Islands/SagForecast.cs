@@ -13,8 +13,8 @@ namespace Farseer.Engine.Islands;
 /// <summary>
 /// Foresees how far each island sinks under its own weight: what lies above a level, shared among the contacts of that level, on
 /// their softness. It takes masses, contacts and the length of the step, not the present motion, so a stack has its substeps from its
-/// first step on, as long as it rests. The substeps that a user asks for do not enter either: they divide the error by four for each doubling, whatever
-/// an island adds to them.
+/// first step on, as long as it rests. The substeps that a user asks for do not enter either: they divide the error by four for each
+/// doubling, whatever an island adds to them.
 /// </summary>
 internal sealed unsafe class SagForecast
 {
@@ -34,18 +34,22 @@ internal sealed unsafe class SagForecast
     private const double WideShare = 1.5;
 
     /// <summary>
-    /// An island of so many levels that all but rests for so many times to sleep, the longer watch of <see cref="RestJudge"/>, and does not fall asleep takes twice
-    /// the substeps, and after as long again four times as many: with the usual ones the loads of a heap go to and fro at the limit of friction, and it creeps.
-    /// Asleep it costs nothing.
+    /// An island of so many levels that all but rests for so many times to sleep, the longer watch of <see cref="RestJudge"/>, and does not
+    /// fall asleep takes twice the substeps, and after as long again four times as many: with the usual ones the loads of a heap go to and
+    /// fro at the limit of friction, and it creeps. Asleep it costs nothing.
     /// </summary>
     private const int ManyLevelsToSleep = 4;
     private const float TimesToSleep = 8;
     private const float MostForSleep = 2;
 
-    /// <summary>A surface that leans carries its load by pressing harder, as in an arch; not beyond this (cosine), where others carry it.</summary>
+    /// <summary>
+    /// A surface that leans carries its load by pressing harder, as in an arch; not beyond this (cosine), where others carry it.
+    /// </summary>
     private const double LeastSteepness = 0.25;
 
-    /// <summary>A larger island would pay with more time than its sag is worth: it is the scene. A contact between two bodies has two ends.</summary>
+    /// <summary>
+    /// A larger island would pay with more time than its sag is worth: it is the scene. A contact between two bodies has two ends.
+    /// </summary>
     private const int MostEnds = 4096;
 
     /// <summary>
@@ -61,7 +65,9 @@ internal sealed unsafe class SagForecast
     private const float RestSteps = 1;
     private const float UnrestSteps = 4;
 
-    /// <summary>Steps that an island goes without after it was pushed apart: fine substeps would make speed of what is left of an overlap.</summary>
+    /// <summary>
+    /// Steps that an island goes without after it was pushed apart: fine substeps would make speed of what is left of an overlap.
+    /// </summary>
     private const byte StepsAfterDeep = 60;
 
     private readonly Column<byte> _wait = new Column<byte>();
@@ -98,7 +104,8 @@ internal sealed unsafe class SagForecast
     /// <param name="gravity">Gravity of the world.</param>
     /// <param name="timeToSleep">Seconds for which what rests must do so to fall asleep; infinite if nothing may.</param>
     /// <param name="rebuilt">The islands were built anew.</param>
-    public void Begin(IslandStore islands, ConstraintGraph graph, BodyStore bodies, float dt, Vector2 gravity, float timeToSleep, bool rebuilt)
+    public void Begin(
+        IslandStore islands, ConstraintGraph graph, BodyStore bodies, float dt, Vector2 gravity, float timeToSleep, bool rebuilt)
     {
         ReserveIslands(islands.Count);
         _fine.EnsureCapacity(bodies.Ids.End);
@@ -136,8 +143,8 @@ internal sealed unsafe class SagForecast
     }
 
     /// <summary>
-    /// Bodies, contacts and masses of each island. Neighbours in number are mostly of one island, whose sums stay at hand as long as that is so: to read and write
-    /// them for each body, one waiting for the one before, was a hundredth of a step.
+    /// Bodies, contacts and masses of each island. Neighbours in number are mostly of one island, whose sums stay at hand as long as that
+    /// is so: to read and write them for each body, one waiting for the one before, was a hundredth of a step.
     /// </summary>
     private void CountBodies(IslandStore islands, int* degrees, BodyMass* masses)
     {
@@ -190,7 +197,8 @@ internal sealed unsafe class SagForecast
     /// <summary>How often the substeps of each island are to be doubled in this step.</summary>
     /// <returns>True if any takes more than the step.</returns>
     public bool Find(
-        IslandStore islands, FeedForwardSettings feedForward, ConstraintGraph graph, BodyStore bodies, int* list, int count, in ContactCoefficients c, Scratch scratch)
+        IslandStore islands, FeedForwardSettings feedForward, ConstraintGraph graph, BodyStore bodies, int* list, int count,
+        in ContactCoefficients c, Scratch scratch)
     {
         AnyRaised = false;
         if (!_any)
@@ -242,8 +250,8 @@ internal sealed unsafe class SagForecast
     }
 
     /// <summary>
-    /// There are at most as many islands, and levels in all, as bodies: later steps allocate nothing, whatever piles up in them. A world that was built dense
-    /// has fewer.
+    /// There are at most as many islands, and levels in all, as bodies: later steps allocate nothing, whatever piles up in them. A world
+    /// that was built dense has fewer.
     /// </summary>
     public void Reserve(int bodyEnd)
     {

@@ -10,7 +10,8 @@ namespace Farseer.Engine.Islands;
 /// <summary>
 /// The impulses with which a small island of level contacts would rest, solved for directly. Passes over the contacts take as many
 /// sweeps as a box is lighter than what stands on it until they find the load, and meanwhile it is squeezed: 1:10⁴ sank by 83 mm,
-/// and with twice the iterations the box was thrown out. Given once, when a resting island begins without any impulse; the passes go on from there.
+/// and with twice the iterations the box was thrown out. Given once, when a resting island begins without any impulse; the passes go on
+/// from there.
 /// </summary>
 [NotState(Why.OfOneStep)]
 internal sealed unsafe class StartingLoads
@@ -61,8 +62,8 @@ internal sealed unsafe class StartingLoads
     }
 
     /// <summary>
-    /// Gives contacts the impulses that were found. All of them are fed forward, so that nothing sinks at first, and swings; what is to be left of the sag comes with the island's own
-    /// pace. That follows from the loads, and was found in this step before there were any.
+    /// Gives contacts the impulses that were found. All of them are fed forward, so that nothing sinks at first, and swings; what is to be
+    /// left of the sag comes with the island's own pace. That follows from the loads, and was found in this step before there were any.
     /// </summary>
     public static void Feed(ContactSystem system)
     {
@@ -95,7 +96,9 @@ internal sealed unsafe class StartingLoads
             ref Entry entry = ref _entries[k];
             ContactBundle* bundle = entry.Bundle;
             int lane = entry.Lane;
-            if (_system.Count + 2 > 2 * MostContacts || !IsLevel(bundle, lane, gravity, c.Gravity) || bundle->Point0.Normal[lane] + bundle->Point1.Normal[lane] != 0)
+            if (_system.Count + 2 > 2 * MostContacts
+                || !IsLevel(bundle, lane, gravity, c.Gravity)
+                || bundle->Point0.Normal[lane] + bundle->Point1.Normal[lane] != 0)
             {
                 return false;
             }

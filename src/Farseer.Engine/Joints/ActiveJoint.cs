@@ -71,8 +71,8 @@ internal unsafe struct ActiveJoint
     public fixed double Goal[JointRows.Most];
 
     /// <summary>
-    /// What of the overrun of a limit came from outside, negative: so far from its place the limit stands meanwhile, and from there its error counts. And
-    /// its error before bodies were displaced; then that where the substep left them, before impacts.
+    /// What of the overrun of a limit came from outside, negative: so far from its place the limit stands meanwhile, and from there its
+    /// error counts. And its error before bodies were displaced; then that where the substep left them, before impacts.
     /// </summary>
     public fixed double Outside[JointRows.Most];
     public fixed double Stood[JointRows.Most];
@@ -81,7 +81,9 @@ internal unsafe struct ActiveJoint
     public fixed double Block[9];
     public fixed double Lambda[JointRows.Most];
 
-    /// <summary>What an iterated motor or limit started the substep from; a free tree starts the other half of its forces from it again.</summary>
+    /// <summary>
+    /// What an iterated motor or limit started the substep from; a free tree starts the other half of its forces from it again.
+    /// </summary>
     public fixed double Start[JointRows.Most];
 
     /// <summary>Impulse on body B in the step: linear and about its centre.</summary>
@@ -92,8 +94,8 @@ internal unsafe struct ActiveJoint
     public fixed double PlainGiven[3];
 
     /// <summary>
-    /// What h·v left of each hard row in the last substep although its target was met, over h²: the bend of the ways that its bodies took. And
-    /// that foreseen for the next one.
+    /// What h·v left of each hard row in the last substep although its target was met, over h²: the bend of the ways that its bodies took.
+    /// And that foreseen for the next one.
     /// </summary>
     public fixed double Bend[3];
     public fixed double Foreseen[3];
@@ -104,7 +106,9 @@ internal unsafe struct ActiveJoint
     /// <summary>Of a soft point: what one of its rows answers to the other.</summary>
     public double PointCoupling;
 
-    /// <summary>Spring: Δλ = -(q·v + κ·(φ + c·u) + k·λ)/(k·(1 + q)), the sum of the substep's λ starting from 0; u is the speed before all loads.</summary>
+    /// <summary>
+    /// Spring: Δλ = -(q·v + κ·(φ + c·u) + k·λ)/(k·(1 + q)), the sum of the substep's λ starting from 0; u is the speed before all loads.
+    /// </summary>
     public fixed double SpringQ[JointRows.Most];
     public fixed double SpringKappa[JointRows.Most];
     public fixed double SpringLead[JointRows.Most];

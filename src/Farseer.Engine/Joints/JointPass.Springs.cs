@@ -9,10 +9,10 @@ namespace Farseer.Engine.Joints;
 internal sealed unsafe partial class JointPass
 {
     /// <summary>
-    /// Frequency and damping of a spring are those of the masses it feels, but of no less than this share of what its two ends answer each by
-    /// itself, in all directions, or their bodies alone. Where joints leave its row next to no freedom (a body on a hinge, pulled along its
-    /// arm; a rail beside a rod) it would else be so stiff that what little of it turns the body throws it about. A heavy body on a lever is
-    /// heavy in all directions that there are.
+    /// Frequency and damping of a spring are those of the masses it feels, but of no less than this share of what its two ends answer each
+    /// by itself, in all directions, or their bodies alone. Where joints leave its row next to no freedom (a body on a hinge, pulled along
+    /// its arm; a rail beside a rod) it would else be so stiff that what little of it turns the body throws it about. A heavy body on a
+    /// lever is heavy in all directions that there are.
     /// </summary>
     public const double LeastFreedom = 0.125;
 
@@ -90,9 +90,9 @@ internal sealed unsafe partial class JointPass
     }
 
     /// <summary>
-    /// What a spring does in a substep, of that share, frequency and damping ratio. Every v' = (G·v - κφ)/D - (G - 1)·u/D, u being the speed
-    /// before the loads of the substep and v that after them, has the exact swing; under a steady load F it rests at G·h·F/κ, which is
-    /// the spring's own length for G = κ/(hω²). With κ' = κ/G, 1 + q = D/G and c = (G - 1)/κ that is v' = (v - κ'(φ + c·u))/(1 + q).
+    /// What a spring does in a substep, of that share, frequency and damping ratio. Every v' = (G·v - κφ)/D - (G - 1)·u/D, u being the
+    /// speed before the loads of the substep and v that after them, has the exact swing; under a steady load F it rests at G·h·F/κ, which
+    /// is the spring's own length for G = κ/(hω²). With κ' = κ/G, 1 + q = D/G and c = (G - 1)/κ that is v' = (v - κ'(φ + c·u))/(1 + q).
     /// </summary>
     public static void FindSpring(
         double share, double stiffness, double damping, double h, double most, out double q, out double kappa, out double lead)

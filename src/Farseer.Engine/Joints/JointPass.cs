@@ -70,8 +70,8 @@ internal sealed unsafe partial class JointPass
     }
 
     /// <summary>
-    /// The impulses of the substep before, on the bodies' own masses: the trees are solved afterwards. None where bodies are being displaced: a limit
-    /// that three joints contradicted kept 1,600 N·s there, which displacements turned into 3·10⁸ J.
+    /// The impulses of the substep before, on the bodies' own masses: the trees are solved afterwards. None where bodies are being
+    /// displaced: a limit that three joints contradicted kept 1,600 N·s there, which displacements turned into 3·10⁸ J.
     /// </summary>
     public void WarmStart(ActiveJoint* joint, JointRows* r)
     {
@@ -98,9 +98,9 @@ internal sealed unsafe partial class JointPass
     }
 
     /// <summary>
-    /// Motors and limits of free trees, which have moved, start their other half as they did the first. So a motor of the torque M turns a wheel
-    /// of the inertia I by h·(ω₀ + ½h·M/I) and not by h·(ω₀ + h·M/I), and holds half of a weight with half of its force twice; a rope of
-    /// the pull T moves its bodies by ½h²·T/m and not by h²·T/m.
+    /// Motors and limits of free trees, which have moved, start their other half as they did the first. So a motor of the torque M turns a
+    /// wheel of the inertia I by h·(ω₀ + ½h·M/I) and not by h·(ω₀ + h·M/I), and holds half of a weight with half of its force twice; a rope
+    /// of the pull T moves its bodies by ½h²·T/m and not by h²·T/m.
     /// </summary>
     public void Resume(ActiveJoint* joint, JointRows* r)
     {

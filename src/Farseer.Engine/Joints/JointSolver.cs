@@ -122,7 +122,9 @@ internal sealed unsafe class JointSolver
     /// <summary>The pivots of nets, which have rows on lanes.</summary>
     public NetSolver Nets => _nets;
 
-    /// <summary>Joints of nets have errors from outside: <see cref="PullNets"/> is to give displacements, and <see cref="NetsPulled"/> follows them.</summary>
+    /// <summary>
+    /// Joints of nets have errors from outside: <see cref="PullNets"/> is to give displacements, and <see cref="NetsPulled"/> follows them.
+    /// </summary>
     public bool NetsDisturbed => _nets.Disturbed;
 
     public void PullNets() => _nets.Pull();
@@ -346,7 +348,9 @@ internal sealed unsafe class JointSolver
         return 0.5 * ((j[0] * (v[0] + s.LinearVelocity.X)) + (j[1] * (v[1] + s.LinearVelocity.Y)) + (j[2] * (v[2] + s.AngularVelocity)));
     }
 
-    /// <summary>Writes, or reads, what later steps read of it: the trees and what was found out about them, last impulses and errors.</summary>
+    /// <summary>
+    /// Writes, or reads, what later steps read of it: the trees and what was found out about them, last impulses and errors.
+    /// </summary>
     public void Visit(StateStream s)
     {
         _work.Visit(s);

@@ -28,9 +28,9 @@ internal unsafe struct JointStep
     public double ImpulseScale;
 
     /// <summary>
-    /// The share of the last impulses to start from: those of a longer substep by the ratio, those of a shorter one as they are. Of an impulse
-    /// nothing says how much was a blow, which does not go by the length of the substep; a step of 1/60 s after one of 10⁻⁴ s would repeat
-    /// it 167 times as hard.
+    /// The share of the last impulses to start from: those of a longer substep by the ratio, those of a shorter one as they are. Of an
+    /// impulse nothing says how much was a blow, which does not go by the length of the substep; a step of 1/60 s after one of 10⁻⁴ s would
+    /// repeat it 167 times as hard.
     /// </summary>
     public readonly double StartScale => Math.Min(1, ImpulseScale);
 

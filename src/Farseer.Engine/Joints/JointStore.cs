@@ -156,7 +156,9 @@ internal sealed class JointStore
         _first[body] = entry;
     }
 
-    /// <summary>Both ways: the frame of the world has an entry of each joint with a fixed point, and those before one would be walked over.</summary>
+    /// <summary>
+    /// Both ways: the frame of the world has an entry of each joint with a fixed point, and those before one would be walked over.
+    /// </summary>
     private void Unlink(int body, int entry)
     {
         int next = NextOf(entry);

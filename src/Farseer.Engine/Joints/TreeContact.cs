@@ -64,7 +64,9 @@ internal unsafe struct TreeContact
     public bool Hit;
     public bool Impact;
 
-    /// <summary>How long ago the surfaces met, before the end of the substep; their acceleration; approach slower than this is rest.</summary>
+    /// <summary>
+    /// How long ago the surfaces met, before the end of the substep; their acceleration; approach slower than this is rest.
+    /// </summary>
     public double Since;
     public double Acceleration;
     public double Slow;
@@ -83,7 +85,9 @@ internal unsafe struct TreeContact
     public TreeContactPoint Point0;
     public TreeContactPoint Point1;
 
-    /// <summary>Normal responses and their coupling; 1/(k11·k22 - k12²), or 0: solve row by row. The coupling of the tangent rows.</summary>
+    /// <summary>
+    /// Normal responses and their coupling; 1/(k11·k22 - k12²), or 0: solve row by row. The coupling of the tangent rows.
+    /// </summary>
     public double K11;
     public double K22;
     public double K12;

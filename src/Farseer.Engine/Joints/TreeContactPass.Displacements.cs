@@ -28,8 +28,8 @@ internal sealed unsafe partial class TreeContactPass
     }
 
     /// <summary>
-    /// Displacements have turned the surfaces, and what they pressed with is none of the load that they have now: in the way in which a tree gives least it may
-    /// be a thousand times as much as a blow.
+    /// Displacements have turned the surfaces, and what they pressed with is none of the load that they have now: in the way in which a
+    /// tree gives least it may be a thousand times as much as a blow.
     /// </summary>
     public static void Forget(TreeContact* contact)
     {
@@ -46,10 +46,14 @@ internal sealed unsafe partial class TreeContactPass
         point.Feed = 0;
     }
 
-    /// <summary>Rounding of a gap that the narrow phase finds, as a share of the lengths it is the difference of: four last places of a float.</summary>
+    /// <summary>
+    /// Rounding of a gap that the narrow phase finds, as a share of the lengths it is the difference of: four last places of a float.
+    /// </summary>
     private const double GapRounding = 2.384185791015625e-7;
 
-    /// <summary>Before the first substep: points that press go on from the gaps of the last step, if these are what was found within rounding.</summary>
+    /// <summary>
+    /// Before the first substep: points that press go on from the gaps of the last step, if these are what was found within rounding.
+    /// </summary>
     public void Recall(TreeContact* contact, in HeldGap held)
     {
         PlacePoints(contact);
@@ -83,7 +87,9 @@ internal sealed unsafe partial class TreeContactPass
         }
     }
 
-    /// <summary>The lengths that a gap is the difference of: the arms along the normal, axis by axis, and the size of the smaller body there.</summary>
+    /// <summary>
+    /// The lengths that a gap is the difference of: the arms along the normal, axis by axis, and the size of the smaller body there.
+    /// </summary>
     private static double LengthsOf(TreeContact* contact, in TreeContactPoint point)
     {
         double a = Math.Abs(point.NormalArmA) + Math.Abs(point.TangentArmA);

@@ -293,9 +293,10 @@ internal sealed unsafe partial class TreeContactPass
     }
 
     /// <summary>
-    /// The response of surfaces that joints of one tree bind, out of reach if what they overlap by would go only with a large turn: about a hinge that lies
-    /// within both of its bodies no turn undoes their overlap, and the arm that is left of it is a few hundredths of the depth. Pushed against it the links of a
-    /// rope spun at hundreds of radians a second, and a wrecking ball was thrown as high as thirty metres. Impulses fade alike, or what is out of reach would push on.
+    /// The response of surfaces that joints of one tree bind, out of reach if what they overlap by would go only with a large turn: about a
+    /// hinge that lies within both of its bodies no turn undoes their overlap, and the arm that is left of it is a few hundredths of the
+    /// depth. Pushed against it the links of a rope spun at hundreds of radians a second, and a wrecking ball was thrown as high as thirty
+    /// metres. Impulses fade alike, or what is out of reach would push on.
     /// </summary>
     private double WithinReach(TreeContact* contact, TreeContactPoint* p, double k, double* a, double* b)
     {

@@ -2,7 +2,9 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints;
 
-/// <summary>Trees that are solved apart from the general passes for as long as they need nothing else, and then given back to them.</summary>
+/// <summary>
+/// Trees that are solved apart from the general passes for as long as they need nothing else, and then given back to them.
+/// </summary>
 internal abstract class TreesAside
 {
     /// <summary>Trees given back by the last pass.</summary>

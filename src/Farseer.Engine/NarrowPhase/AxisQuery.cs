@@ -121,7 +121,9 @@ internal unsafe struct AxisQuery
     private static float Base(Vector2 offset, Vector2 vertex, Vector2 normal) =>
         ((offset.X - vertex.X) * normal.X) + ((offset.Y - vertex.Y) * normal.Y);
 
-    /// <summary>True unless the way on from the last direction to this one is less than a right angle (edges may have been left out).</summary>
+    /// <summary>
+    /// True unless the way on from the last direction to this one is less than a right angle (edges may have been left out).
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool IsFar(Vector2 last, Vector2 next) =>
         (next.X * last.X) + (next.Y * last.Y) <= 0 || (last.X * next.Y) - (last.Y * next.X) < 0;

@@ -87,7 +87,9 @@ internal static class BoxBox
         }
     }
 
-    /// <summary>The other box seen from the reference face: coordinates along the face and out of it, from the reference's centre.</summary>
+    /// <summary>
+    /// The other box seen from the reference face: coordinates along the face and out of it, from the reference's centre.
+    /// </summary>
     private readonly struct BoxView
     {
         private readonly float _normalX;
@@ -159,8 +161,10 @@ internal static class BoxBox
             ManifoldPoint pointHi;
             float outLo = _halfDepth + (0.5f * yLo);
             float outHi = _halfDepth + (0.5f * yHi);
-            pointLo.Anchor = new Vector2(reference.X + (_normalX * outLo) - (_normalY * lo), reference.Y + (_normalY * outLo) + (_normalX * lo));
-            pointHi.Anchor = new Vector2(reference.X + (_normalX * outHi) - (_normalY * hi), reference.Y + (_normalY * outHi) + (_normalX * hi));
+            pointLo.Anchor =
+                new Vector2(reference.X + (_normalX * outLo) - (_normalY * lo), reference.Y + (_normalY * outLo) + (_normalX * lo));
+            pointHi.Anchor =
+                new Vector2(reference.X + (_normalX * outHi) - (_normalY * hi), reference.Y + (_normalY * outHi) + (_normalX * hi));
             pointLo.Separation = yLo;
             pointHi.Separation = yHi;
             pointLo.Id = EdgeContact.Id(_edge, (_incident + 1) & 3, flipped);

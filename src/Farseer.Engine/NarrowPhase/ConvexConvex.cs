@@ -17,7 +17,9 @@ internal static unsafe class ConvexConvex
     /// </summary>
     public const float ReferenceBias = 0.001f;
 
-    /// <summary>Overlap of a seamed piece, in extents, from which on a contact must come of it even without an outline edge in reach.</summary>
+    /// <summary>
+    /// Overlap of a seamed piece, in extents, from which on a contact must come of it even without an outline edge in reach.
+    /// </summary>
     private const float SeamlessDepth = 0.04f;
 
     public static void Collide(in PairInput pair, out Manifold manifold)

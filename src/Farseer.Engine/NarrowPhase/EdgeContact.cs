@@ -10,7 +10,14 @@ internal static class EdgeContact
     public const float ShortestArm = 1e-6f;
 
     public static unsafe void Build(
-        in Hull reference, in Hull other, in Placement placement, in AxisQuery axis, float margin, float scale, ref Manifold manifold, bool flipped)
+        in Hull reference,
+        in Hull other,
+        in Placement placement,
+        in AxisQuery axis,
+        float margin,
+        float scale,
+        ref Manifold manifold,
+        bool flipped)
     {
         int edge = axis.Edge;
         int edgeEnd = reference.Next(edge);
@@ -189,7 +196,15 @@ internal readonly struct Corner
     }
 
     public unsafe void Build(
-        in Hull reference, in Hull other, in Placement placement, Vector2 edgeNormal, Vector2 tangent, float margin, float scale, ref Manifold manifold, bool flipped)
+        in Hull reference,
+        in Hull other,
+        in Placement placement,
+        Vector2 edgeNormal,
+        Vector2 tangent,
+        float margin,
+        float scale,
+        ref Manifold manifold,
+        bool flipped)
     {
         float x = _place.X - _end;
         float y = _place.Y;

@@ -12,8 +12,8 @@ internal struct WidePoint
 }
 
 /// <summary>
-/// The points and normals that the contact of two hulls may be made of. Where lanes are turned by way of memory, they are all turned before the first is
-/// read; elsewhere each is gathered when it is wanted, and nothing is kept here.
+/// The points and normals that the contact of two hulls may be made of. Where lanes are turned by way of memory, they are all turned before
+/// the first is read; elsewhere each is gathered when it is wanted, and nothing is kept here.
 /// </summary>
 internal unsafe struct FeaturePoints
 {

@@ -42,7 +42,9 @@ internal unsafe struct Hull
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly bool IsReal(int edge) => Flags == PieceFlags.None || (IsLink ? edge == 0 : After[edge] == Normals[edge]);
 
-    /// <summary>True if vertex i is the open end of a chain: it has no neighbour, and admits what comes from beyond the link on either side.</summary>
+    /// <summary>
+    /// True if vertex i is the open end of a chain: it has no neighbour, and admits what comes from beyond the link on either side.
+    /// </summary>
     public readonly bool IsOpenEnd(int vertex) => IsLink && Before[vertex] == -After[vertex];
 
     /// <summary>

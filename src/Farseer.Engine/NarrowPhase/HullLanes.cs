@@ -25,7 +25,9 @@ internal unsafe struct HullLanes
     /// <summary>Hulls with more corners are left to the code for one pair.</summary>
     public const int MostCorners = Piece.MostLaneCorners;
 
-    /// <summary>Corner i of all lanes stands at i·<see cref="LineLanes"/>, likewise the outward normal of the edge that starts there.</summary>
+    /// <summary>
+    /// Corner i of all lanes stands at i·<see cref="LineLanes"/>, likewise the outward normal of the edge that starts there.
+    /// </summary>
     public fixed float VertexX[MostCorners * LineLanes];
     public fixed float VertexY[MostCorners * LineLanes];
     public fixed float NormalX[MostCorners * LineLanes];
@@ -48,7 +50,8 @@ internal unsafe struct HullLanes
     public static HullLanes* At(HullLanes* hulls, int lane) => (HullLanes*)((float*)hulls + lane);
 
     /// <summary>
-    /// Names the hulls of some lanes. The others repeat the first point of the pool; a lane without a piece is named -1, and something must stand there.
+    /// Names the hulls of some lanes. The others repeat the first point of the pool; a lane without a piece is named -1, and something must
+    /// stand there.
     /// </summary>
     /// <param name="hulls">The lanes to name.</param>
     /// <param name="lanes">Those that have a hull, a bit each.</param>

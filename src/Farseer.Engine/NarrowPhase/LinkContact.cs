@@ -83,7 +83,8 @@ internal static unsafe class LinkContact
 
     /// <summary>
     /// True if, of the part of the other piece that lies over or under the link, more reaches out behind it than before it: the way out
-    /// to the back is the shorter one. A little beyond the link's ends belongs to it: of a rod that leans over a joint it would be but the tip.
+    /// to the back is the shorter one. A little beyond the link's ends belongs to it: of a rod that leans over a joint it would be but the
+    /// tip.
     /// </summary>
     private static bool IsBehind(in Hull link, in Hull other, in Placement placement, float beyond)
     {
@@ -102,8 +103,8 @@ internal static unsafe class LinkContact
     }
 
     /// <summary>
-    /// True if the other piece lies on the link's face with its nearest corner or with one of the sides at it, and no deeper than the larger
-    /// of the two is thick: beyond is the far side of a floor.
+    /// True if the other piece lies on the link's face with its nearest corner or with one of the sides at it, and no deeper than the
+    /// larger of the two is thick: beyond is the far side of a floor.
     /// </summary>
     private static bool Touches(in Hull link, in Hull other, in Placement placement, in AxisQuery axis, float deepest)
     {
@@ -117,7 +118,8 @@ internal static unsafe class LinkContact
 
         Vector2 normal = placement.Rotation.InverseRotate(link.Normals[0]);
         return axis.Separation >= deepest
-            && (Vector2.Dot(other.Normals[support], normal) < -Steep || Vector2.Dot(other.Normals[other.Previous(support)], normal) < -Steep);
+            && (Vector2.Dot(other.Normals[support], normal) < -Steep
+                || Vector2.Dot(other.Normals[other.Previous(support)], normal) < -Steep);
     }
 
     /// <summary>Places along a link from its start and heights before it.</summary>

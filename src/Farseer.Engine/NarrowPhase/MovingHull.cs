@@ -35,7 +35,9 @@ internal unsafe struct MovingHull
     private double _arm;
     private HullRotor _rotor;
 
-    /// <summary>Takes a piece and its way, field by field: what was just written one by one is not there yet for a copy of all of it, which waits.</summary>
+    /// <summary>
+    /// Takes a piece and its way, field by field: what was just written one by one is not there yet for a copy of all of it, which waits.
+    /// </summary>
     public void Begin(ShapeStore shapes, int piece, in BodyPath path)
     {
         ref Piece p = ref shapes.Pieces[piece];
@@ -88,7 +90,8 @@ internal unsafe struct MovingHull
     }
 
     /// <summary>The least of d·r over the vertices r, from the body's centre.</summary>
-    public readonly double Lowest(double dx, double dy) => HullHeights.Lowest(Vertices, Count, _rotor.ToLocalX(dx, dy), _rotor.ToLocalY(dx, dy));
+    public readonly double Lowest(double dx, double dy) =>
+        HullHeights.Lowest(Vertices, Count, _rotor.ToLocalX(dx, dy), _rotor.ToLocalY(dx, dy));
 
     /// <summary>The vertex of the least d·r, the first one of several.</summary>
     public readonly int LowestAt(double dx, double dy)
@@ -110,7 +113,9 @@ internal unsafe struct MovingHull
         return index;
     }
 
-    /// <summary>The fastest that the arm of a vertex changes its speed along any direction, over the rest from <paramref name="f"/> on.</summary>
+    /// <summary>
+    /// The fastest that the arm of a vertex changes its speed along any direction, over the rest from <paramref name="f"/> on.
+    /// </summary>
     public readonly double Bend(double f)
     {
         double fastest = Math.Max(Math.Abs(Path.SpinAt(f)), Math.Abs(Path.SpinAt(1)));

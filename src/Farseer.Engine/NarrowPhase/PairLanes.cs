@@ -59,8 +59,9 @@ internal unsafe struct PointLanes
 }
 
 /// <summary>
-/// Pairs side by side on their way through the narrow phase: each stage reads what it needs at the point of use and writes its result, so no stage holds
-/// more than a few vectors. It stays in the first-level cache. Stages of eight lanes and of sixteen work on the same columns: see <see cref="Beside"/>.
+/// Pairs side by side on their way through the narrow phase: each stage reads what it needs at the point of use and writes its result, so
+/// no stage holds more than a few vectors. It stays in the first-level cache. Stages of eight lanes and of sixteen work on the same
+/// columns: see <see cref="Beside"/>.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct PairLanes
@@ -92,7 +93,9 @@ internal unsafe struct PairLanes
     /// <summary>0, 1 or 2 points.</summary>
     public fixed float Count[LineLanes];
 
-    /// <summary>Separation along the axis that separates the pieces, or a number that says nothing; what counts is what is more than the margin.</summary>
+    /// <summary>
+    /// Separation along the axis that separates the pieces, or a number that says nothing; what counts is what is more than the margin.
+    /// </summary>
     public fixed float Gap[LineLanes];
 
     /// <summary>-1: that axis turns with A; 1: with B; 0: it leads from one centre to the other.</summary>

@@ -9,8 +9,9 @@ using System.Runtime.Intrinsics.X86;
 namespace Farseer.Engine.NarrowPhase;
 
 /// <summary>
-/// A lower bound of how far apart two pieces on their ways are along a direction n that is held fast: every vertex goes on as fast as now, and
-/// the ways bend by no more than they can. Asked for at two times at once, of both pieces side by side, for most of a search for a time of impact asks for it.
+/// A lower bound of how far apart two pieces on their ways are along a direction n that is held fast: every vertex goes on as fast as now,
+/// and the ways bend by no more than they can. Asked for at two times at once, of both pieces side by side, for most of a search for a time
+/// of impact asks for it.
 /// </summary>
 /// <remarks>d·(ω×r) = ω·(r×d), so in the time t each vertex r adds to d·r the part of it along ω·t·d turned by a right angle.</remarks>
 internal readonly unsafe ref struct SeparationBound
@@ -120,7 +121,13 @@ internal readonly unsafe ref struct SeparationBound
 
     /// <summary>The same of one piece, with vectors that hold no more.</summary>
     private static Vector128<double> Lowest(
-        Vector2* vertices, int last, Vector128<double> nx, Vector128<double> ny, Vector128<double> cos, Vector128<double> sin, Vector128<double> turn)
+        Vector2* vertices,
+        int last,
+        Vector128<double> nx,
+        Vector128<double> ny,
+        Vector128<double> cos,
+        Vector128<double> sin,
+        Vector128<double> turn)
     {
         Vector128<double> dx = nx + (turn * ny);
         Vector128<double> dy = ny - (turn * nx);
@@ -150,7 +157,8 @@ internal readonly unsafe ref struct SeparationBound
 #else
     private double At(double time)
     {
-        double along = _offset + Lowest(_verticesB, _lastB, _rotorB, _x, _y, _spinB * time) + Lowest(_verticesA, _lastA, _rotorA, -_x, -_y, _spinA * time);
+        double along = _offset + Lowest(_verticesB, _lastB, _rotorB, _x, _y, _spinB * time)
+            + Lowest(_verticesA, _lastA, _rotorA, -_x, -_y, _spinA * time);
         return along + (time * (_speed - (0.5 * time * _bend)));
     }
 

@@ -27,7 +27,8 @@ internal struct ImpactQuery
 /// what its arc may bend, so the steps are of second order and a search mostly ends after three to ten of them.
 /// </summary>
 /// <remarks>
-/// Nearly all pairs are asked twice: how far apart they are where the ways begin, or whether they meet deeply enough, and then when. Where the ways begin is looked at once.
+/// Nearly all pairs are asked twice: how far apart they are where the ways begin, or whether they meet deeply enough, and then when. Where
+/// the ways begin is looked at once.
 /// </remarks>
 internal unsafe ref struct TimeOfImpact
 {
@@ -133,7 +134,9 @@ internal unsafe ref struct TimeOfImpact
         }
     }
 
-    /// <summary>Greatest separation over the edge normals of both, and over the line between two vertices where these are nearest.</summary>
+    /// <summary>
+    /// Greatest separation over the edge normals of both, and over the line between two vertices where these are nearest.
+    /// </summary>
     private static double Separation(in MovingHull a, in MovingHull b, out double nx, out double ny)
     {
         var best = new Axis { Separation = double.NegativeInfinity };
@@ -246,7 +249,8 @@ internal unsafe ref struct TimeOfImpact
     {
         ref readonly BodyPath pathA = ref a.Path;
         ref readonly BodyPath pathB = ref b.Path;
-        double speed = ((pathB.VelocityXAt(from) - pathA.VelocityXAt(from)) * nx) + ((pathB.VelocityYAt(from) - pathA.VelocityYAt(from)) * ny);
+        double speed =
+            ((pathB.VelocityXAt(from) - pathA.VelocityXAt(from)) * nx) + ((pathB.VelocityYAt(from) - pathA.VelocityYAt(from)) * ny);
         double gain = ((pathB.AccelerationX - pathA.AccelerationX) * nx) + ((pathB.AccelerationY - pathA.AccelerationY) * ny);
         double bend = a.Bend(from) + b.Bend(from) - Math.Min(gain, 0);
         var bound = new SeparationBound(a, b, nx, ny, speed, bend);

@@ -72,7 +72,9 @@ internal static unsafe class WideConvex
         return placement;
     }
 
-    /// <summary>Finds the best axis of each side, notes which lanes no axis separates by more than the margin, and whose reference is B.</summary>
+    /// <summary>
+    /// Finds the best axis of each side, notes which lanes no axis separates by more than the margin, and whose reference is B.
+    /// </summary>
     /// <returns>0 if there are none.</returns>
     private static int FindAxes(PairLanes* pairs, WideMask named, int cornersA, int cornersB, int lane)
     {
@@ -210,7 +212,9 @@ internal static unsafe class WideConvex
         Write(pairs, lane, active, flipped, manifold);
     }
 
-    /// <summary>Turns the manifold from the reference hull's frame to world axes about A's centre, its normal leading from A to B.</summary>
+    /// <summary>
+    /// Turns the manifold from the reference hull's frame to world axes about A's centre, its normal leading from A to B.
+    /// </summary>
     private static void Write(PairLanes* pairs, int lane, WideMask active, WideMask flipped, in WideManifold manifold)
     {
         WidePlacement frame;

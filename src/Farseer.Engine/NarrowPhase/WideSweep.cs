@@ -107,7 +107,9 @@ internal static unsafe class WideSweep
         return apart | (across > half + (halves.Width * (Wide.Abs(dx) + Wide.Abs(dy))));
     }
 
-    /// <summary>Whether the way from one offset to the other stays on one side of the axis, farther out than the sum of the halves.</summary>
+    /// <summary>
+    /// Whether the way from one offset to the other stays on one side of the axis, farther out than the sum of the halves.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideMask Apart(Wide nx, Wide ny, Wide x, Wide y, Wide dx, Wide dy, Wide halves)
     {

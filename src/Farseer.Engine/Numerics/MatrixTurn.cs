@@ -4,13 +4,17 @@ using System.Runtime.CompilerServices;
 namespace Farseer.Engine.Numerics;
 
 /// <summary>
-/// Turns records into lanes and back where nobody offers shuffles: the framework's transposition of a matrix moves numbers and computes nothing, and a
-/// runtime that knows vectors keeps it in registers. What it writes are halves of a lane vector. To read the whole vector at once waits until both halves
-/// have left the processor, and everything before them: passes turn several bundles before they compute with the first.
+/// Turns records into lanes and back where nobody offers shuffles: the framework's transposition of a matrix moves numbers and computes
+/// nothing, and a runtime that knows vectors keeps it in registers. What it writes are halves of a lane vector. To read the whole vector at
+/// once waits until both halves have left the processor, and everything before them: passes turn several bundles before they compute with
+/// the first.
 /// </summary>
 internal static unsafe class MatrixTurn
 {
-    /// <summary>Vectors of no more lanes than that are filled by turning, for want of something better. (A constant, as the length of vectors is to the compiler: of two ways it looks at one.)</summary>
+    /// <summary>
+    /// Vectors of no more lanes than that are filled by turning, for want of something better. (A constant, as the length of vectors is to
+    /// the compiler: of two ways it looks at one.)
+    /// </summary>
 #if NET8_0_OR_GREATER
     public const int MostLanes = 4;
 #else
@@ -59,7 +63,9 @@ internal static unsafe class MatrixTurn
         *(Vector4*)second = rows[1];
     }
 
-    /// <summary>The same of points of a pool, to be read when all that is needed has been turned; what lies behind a point is read as well.</summary>
+    /// <summary>
+    /// The same of points of a pool, to be read when all that is needed has been turned; what lies behind a point is read as well.
+    /// </summary>
     /// <param name="pool">Where the points lie.</param>
     /// <param name="index">Their places.</param>
     /// <param name="count">How many, a multiple of <see cref="Records"/>.</param>
@@ -71,7 +77,12 @@ internal static unsafe class MatrixTurn
         for (int i = 0; i < count; i += Records)
         {
             ToTwoColumns(
-                (float*)(pool + index[i]), (float*)(pool + index[i + 1]), (float*)(pool + index[i + 2]), (float*)(pool + index[i + 3]), x + i, y + i);
+                (float*)(pool + index[i]),
+                (float*)(pool + index[i + 1]),
+                (float*)(pool + index[i + 2]),
+                (float*)(pool + index[i + 3]),
+                x + i,
+                y + i);
         }
     }
 

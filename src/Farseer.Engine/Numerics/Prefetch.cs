@@ -7,8 +7,8 @@ namespace Farseer.Engine.Numerics;
 
 /// <summary>
 /// Asks for memory that is read soon and at places that the processor cannot foresee: records reached by an index. Changes nothing but
-/// time, and any address will do; but to take the address of a field is to look whether its record is there: what may lie behind the last record is asked
-/// for by counting bytes.
+/// time, and any address will do; but to take the address of a field is to look whether its record is there: what may lie behind the last
+/// record is asked for by counting bytes.
 /// </summary>
 internal static unsafe class Prefetch
 {
@@ -33,8 +33,8 @@ internal static unsafe class Prefetch
     }
 
     /// <summary>
-    /// The same, no nearer than the second-level cache: for the many lines of what is read some steps on. The nearest cache waits for few lines at a
-    /// time, and has no room for so many.
+    /// The same, no nearer than the second-level cache: for the many lines of what is read some steps on. The nearest cache waits for few
+    /// lines at a time, and has no room for so many.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void LineInBulk(void* address)

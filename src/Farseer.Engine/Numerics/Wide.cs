@@ -32,7 +32,8 @@ internal static unsafe class WideLanes
         if (Wide.Count > BundleLanes)
         {
             throw new PlatformNotSupportedException(
-                $"Vector<float> has {Wide.Count} lanes in this process, and Farseer computes with at most {BundleLanes} of them: leave DOTNET_MaxVectorTBitWidth unset, or set it to {BundleLanes * 32}. "
+                $"Vector<float> has {Wide.Count} lanes in this process, and Farseer computes with at most {BundleLanes} of them: leave "
+                    + $"DOTNET_MaxVectorTBitWidth unset, or set it to {BundleLanes * 32}. "
                 + "(Where processors have AVX-512, long passes take sixteen lanes all the same.)");
         }
     }
@@ -84,8 +85,9 @@ internal static unsafe class WideLanes
         }
 
         /// <summary>
-        /// Where the mask is set <paramref name="a"/>, elsewhere <paramref name="b"/>. Of a mask that is not itself a comparison the compiler does not know that
-        /// lanes are set or not as a whole, and takes three instructions where AVX-512 has one for it; a blend is one as well.
+        /// Where the mask is set <paramref name="a"/>, elsewhere <paramref name="b"/>. Of a mask that is not itself a comparison the
+        /// compiler does not know that lanes are set or not as a whole, and takes three instructions where AVX-512 has one for it; a blend
+        /// is one as well.
         /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Wide Select(WideMask mask, Wide a, Wide b)

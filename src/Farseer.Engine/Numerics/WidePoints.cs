@@ -35,8 +35,8 @@ internal static unsafe class WidePoints
 
 #if NET8_0_OR_GREATER
     /// <summary>
-    /// Brings four points in a row of each lane into lane vectors. Where a lane's last one is before a point, that repeats the one before it; what
-    /// lies behind it in the pool is read all the same.
+    /// Brings four points in a row of each lane into lane vectors. Where a lane's last one is before a point, that repeats the one before
+    /// it; what lies behind it in the pool is read all the same.
     /// </summary>
     /// <param name="pool">Where the points lie.</param>
     /// <param name="start">The place of each lane's first point.</param>
@@ -83,7 +83,8 @@ internal static unsafe class WidePoints
 #endif
 
     /// <summary>
-    /// Brings four points in a row of each lane of a bundle into columns, whatever lies behind the last one of a lane: see <see cref="RepeatLast"/>.
+    /// Brings four points in a row of each lane of a bundle into columns, whatever lies behind the last one of a lane: see
+    /// <see cref="RepeatLast"/>.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void TurnFour(Vector2* pool, int* start, float* x, float* y)

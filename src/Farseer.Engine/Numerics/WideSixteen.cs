@@ -9,8 +9,8 @@ using Wide = System.Runtime.Intrinsics.Vector512<float>;
 using WideMask = System.Runtime.Intrinsics.Vector512<float>;
 
 /// <summary>
-/// <c>Wide</c> with sixteen lanes, for the kernels that are compiled a second time where processors have them: see docs/decisions/021-sixteen-lanes.md. What the
-/// members mean is told in <see cref="Farseer.Engine.Numerics.WideLanes"/>.
+/// <c>Wide</c> with sixteen lanes, for the kernels that are compiled a second time where processors have them: see
+/// docs/decisions/021-sixteen-lanes.md. What the members mean is told in <see cref="Farseer.Engine.Numerics.WideLanes"/>.
 /// </summary>
 internal static unsafe class WideLanes
 {

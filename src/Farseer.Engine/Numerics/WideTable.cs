@@ -8,8 +8,9 @@ using System.Runtime.Intrinsics.X86;
 namespace Farseer.Engine.Numerics;
 
 /// <summary>
-/// Reads a table at a place for each lane: what a walk over bundles asks of their bodies or islands. One by one, with a branch or a store for each lane, such
-/// walks waited for themselves: that over the slots of rows alone was 2.5 % of a step of circle_pile, beside what remains of it.
+/// Reads a table at a place for each lane: what a walk over bundles asks of their bodies or islands. One by one, with a branch or a store
+/// for each lane, such walks waited for themselves: that over the slots of rows alone was 2.5 % of a step of circle_pile, beside what
+/// remains of it.
 /// </summary>
 internal static unsafe class WideTable
 {

@@ -59,6 +59,7 @@ internal static class WideTrigonometry
         Wide z = x * x;
         sin = x + (x * z * (Wide.Splat(-0.16666654611f) + (z * (Wide.Splat(8.3321608736e-3f) + (z * Wide.Splat(-1.9515295891e-4f))))));
         cos = (Wide.One - (Wide.Splat(0.5f) * z))
-            + (z * z * (Wide.Splat(4.166664568298827e-2f) + (z * (Wide.Splat(-1.388731625493765e-3f) + (z * Wide.Splat(2.443315711809948e-5f))))));
+            + (z * z * (Wide.Splat(4.166664568298827e-2f)
+                + (z * (Wide.Splat(-1.388731625493765e-3f) + (z * Wide.Splat(2.443315711809948e-5f))))));
     }
 }

@@ -42,7 +42,9 @@ internal sealed unsafe class QueryIndex
     private readonly Scratch _scratch = new Scratch();
     private long _version;
 
-    /// <summary>The version that all boxes are up to, written when they are; <see cref="Stale"/>: some are not, as after a state was gone back to.</summary>
+    /// <summary>
+    /// The version that all boxes are up to, written when they are; <see cref="Stale"/>: some are not, as after a state was gone back to.
+    /// </summary>
     private long _fresh = Stale;
     private int _known;
     private int _count;

@@ -46,7 +46,9 @@ internal sealed unsafe partial class WorldQueries
         _told = this;
     }
 
-    /// <summary>Asks the same world, with memory of its own: two threads may ask by one each at a time, while the world is left alone.</summary>
+    /// <summary>
+    /// Asks the same world, with memory of its own: two threads may ask by one each at a time, while the world is left alone.
+    /// </summary>
     public WorldQueries(WorldQueries other)
     {
         _shapes = other._shapes;
@@ -170,7 +172,9 @@ internal sealed unsafe partial class WorldQueries
         return found;
     }
 
-    /// <summary>Smallest float that is not below a share or a distance: a bound for boxes, whose own bounds err by less than the last factor.</summary>
+    /// <summary>
+    /// Smallest float that is not below a share or a distance: a bound for boxes, whose own bounds err by less than the last factor.
+    /// </summary>
     private static float Above(double value) => value >= float.MaxValue ? float.MaxValue : (float)(value * 1.000001);
 
     private ref BodyPose PoseOf(int piece) => ref _bodies.Pose[_shapes.Pieces[piece].Body];

@@ -40,14 +40,15 @@ internal sealed class WorldSettings
     public bool AdaptSubsteps { get; set; } = true;
 
     /// <summary>
-    /// Depth at which a contact rests, a length of the scene, if <see cref="AllowedPenetrationShare"/> is not less. 0 or more; default 0.05 (the original's).
+    /// Depth at which a contact rests, a length of the scene, if <see cref="AllowedPenetrationShare"/> is not less. 0 or more; default 0.05
+    /// (the original's).
     /// </summary>
     public float AllowedPenetration { get; set; } = DefaultAllowedPenetration;
 
     /// <summary>
-    /// Share of the smaller piece's shorter side at which a contact rests at most. 0 or more; default 0: surfaces rest at each other in whatever unit the
-    /// lengths of a scene are, and all that they sink in by is the sag of the solver, which falls fourfold with each doubling of the substeps. An original whose
-    /// bodies rest in each other has its own.
+    /// Share of the smaller piece's shorter side at which a contact rests at most. 0 or more; default 0: surfaces rest at each other in
+    /// whatever unit the lengths of a scene are, and all that they sink in by is the sag of the solver, which falls fourfold with each
+    /// doubling of the substeps. An original whose bodies rest in each other has its own.
     /// </summary>
     public float AllowedPenetrationShare { get; set; }
 
@@ -61,8 +62,8 @@ internal sealed class WorldSettings
     public float BounceThreshold { get; set; }
 
     /// <summary>
-    /// Speed up to which restitutions above 1 drive bodies on, a speed of the scene; above 0. Default infinite: as far as the body's size and the
-    /// step allow.
+    /// Speed up to which restitutions above 1 drive bodies on, a speed of the scene; above 0. Default infinite: as far as the body's size
+    /// and the step allow.
     /// </summary>
     public float MostDrivenSpeed { get; set; } = float.PositiveInfinity;
 
@@ -82,8 +83,8 @@ internal sealed class WorldSettings
     public bool KeepImpulses { get; set; } = true;
 
     /// <summary>
-    /// Overlaps are pushed out and joints that drifted apart pulled together. False: surfaces and joints only stop what would make it worse.
-    /// Default true.
+    /// Overlaps are pushed out and joints that drifted apart pulled together. False: surfaces and joints only stop what would make it
+    /// worse. Default true.
     /// </summary>
     public bool CorrectPositions { get; set; } = true;
 

@@ -124,7 +124,9 @@ internal sealed class DistanceGrid
         return inside ? -distance : distance;
     }
 
-    /// <summary>Distance from edge <paramref name="index"/> of an outline, the nearest point on it and the normal (dy, -dx) of its way.</summary>
+    /// <summary>
+    /// Distance from edge <paramref name="index"/> of an outline, the nearest point on it and the normal (dy, -dx) of its way.
+    /// </summary>
     public static float NearestOnEdge(ReadOnlySpan<Vector2> outline, int index, Vector2 point, out Vector2 position, out Vector2 normal)
     {
         Vector2 a = outline[index];

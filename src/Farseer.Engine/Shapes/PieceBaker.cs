@@ -113,7 +113,8 @@ internal static unsafe class PieceBaker
             return PieceTraits.None;
         }
 
-        PieceTraits traits = flags == PieceFlags.None && corners > 1 && corners <= Piece.MostLaneCorners ? PieceTraits.Hull : PieceTraits.None;
+        PieceTraits traits =
+            flags == PieceFlags.None && corners > 1 && corners <= Piece.MostLaneCorners ? PieceTraits.Hull : PieceTraits.None;
         return kind switch
         {
             ShapeKind.Box => traits | PieceTraits.Box | (axis != Vector2.UnitX ? PieceTraits.Tilted : PieceTraits.None),
@@ -139,7 +140,9 @@ internal static unsafe class PieceBaker
         0.5f * (((v[1].X - v[0].X) * axis.X) + ((v[1].Y - v[0].Y) * axis.Y)),
         0.5f * (((v[2].Y - v[1].Y) * axis.X) - ((v[2].X - v[1].X) * axis.Y)));
 
-    /// <summary>Unit normal to the right of the way from <paramref name="from"/> to <paramref name="to"/>, rounded once from double.</summary>
+    /// <summary>
+    /// Unit normal to the right of the way from <paramref name="from"/> to <paramref name="to"/>, rounded once from double.
+    /// </summary>
     public static Vector2 EdgeNormal(Vector2 from, Vector2 to)
     {
         double x = (double)to.X - from.X;

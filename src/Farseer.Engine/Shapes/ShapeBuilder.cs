@@ -4,7 +4,9 @@ using System.Numerics;
 
 namespace Farseer.Engine.Shapes;
 
-/// <summary>Makes shapes from what a user gives. Arguments are checked at the facade's door, outlines by <see cref="Outline.Check"/>.</summary>
+/// <summary>
+/// Makes shapes from what a user gives. Arguments are checked at the facade's door, outlines by <see cref="Outline.Check"/>.
+/// </summary>
 internal static class ShapeBuilder
 {
     /// <summary>Share by which a four-cornered outline may miss right angles and still be a box: the rounding of its corners.</summary>
@@ -101,7 +103,9 @@ internal static class ShapeBuilder
         return new ShapeGeometry(pieces);
     }
 
-    /// <summary>That of a long strip of the loop's area and outline: it is twice the one by the other. A loop that is solid outwards has no bound.</summary>
+    /// <summary>
+    /// That of a long strip of the loop's area and outline: it is twice the one by the other. A loop that is solid outwards has no bound.
+    /// </summary>
     private static float ThicknessOf(List<Vector2> corner)
     {
         Vector2[] points = corner.ToArray();

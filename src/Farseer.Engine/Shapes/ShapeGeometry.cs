@@ -47,7 +47,9 @@ internal sealed class PieceGeometry
     /// <summary>A segment that collides only on the side of its outward normal (links of a chain).</summary>
     public bool OneSided { get; set; }
 
-    /// <summary>How far the body behind a one-sided segment reaches, on an average over its outline; infinite where nothing bounds it.</summary>
+    /// <summary>
+    /// How far the body behind a one-sided segment reaches, on an average over its outline; infinite where nothing bounds it.
+    /// </summary>
     public float Thickness { get; set; } = float.PositiveInfinity;
 }
 

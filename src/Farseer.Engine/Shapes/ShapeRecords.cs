@@ -14,7 +14,9 @@ internal enum PieceFlags : byte
     OneSided = 2,
 }
 
-/// <summary>Which kernels for lanes can do a piece. The values are bits of the flags of a side, so that no step works them out again.</summary>
+/// <summary>
+/// Which kernels for lanes can do a piece. The values are bits of the flags of a side, so that no step works them out again.
+/// </summary>
 [Flags]
 internal enum PieceTraits : ushort
 {

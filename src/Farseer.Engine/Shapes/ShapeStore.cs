@@ -222,7 +222,10 @@ internal sealed class ShapeStore
         }
 
         return Box.FromDouble(
-            pose.X + (minX - r) - spare.MinX, pose.Y + (minY - r) - spare.MinY, pose.X + (maxX + r) + spare.MaxX, pose.Y + (maxY + r) + spare.MaxY);
+            pose.X + (minX - r) - spare.MinX,
+            pose.Y + (minY - r) - spare.MinY,
+            pose.X + (maxX + r) + spare.MaxX,
+            pose.Y + (maxY + r) + spare.MaxY);
 #endif
     }
 

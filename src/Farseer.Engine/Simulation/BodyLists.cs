@@ -167,7 +167,8 @@ internal sealed unsafe class BodyLists
         Fast.Begin(scratch, ActiveCount);
         _solver.EnsureCapacity(bodies.State.Capacity + WideLanes.BundleLanes);
         _free.EnsureCapacity(bodies.State.Capacity + 1);
-        _work.FindHeld(runner, bodies, _active.Pointer, ActiveCount, new Holders { Graph = graph, Springs = springs, Joints = joints, All = all });
+        _work.FindHeld(
+            runner, bodies, _active.Pointer, ActiveCount, new Holders { Graph = graph, Springs = springs, Joints = joints, All = all });
         byte* marks = _work.Marks;
         int* active = _active.Pointer;
         int* solver = _solver.Pointer;

@@ -10,8 +10,8 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Simulation;
 
 /// <summary>
-/// Which bodies take part in a step, also when a handler switches them within it; and takes those out whose state left its range, so that the
-/// others do not catch it.
+/// Which bodies take part in a step, also when a handler switches them within it; and takes those out whose state left its range, so that
+/// the others do not catch it.
 /// </summary>
 internal sealed class BodyStage
 {

@@ -182,7 +182,9 @@ internal sealed unsafe class BodyWork : IStageWork
         }
     }
 
-    /// <summary>The bodies of a word below <paramref name="end"/>; none of those asleep, which do not move, as when they fell asleep.</summary>
+    /// <summary>
+    /// The bodies of a word below <paramref name="end"/>; none of those asleep, which do not move, as when they fell asleep.
+    /// </summary>
     private void RunWord(int word, int end)
     {
         if (_part == Part.UseUpForces)

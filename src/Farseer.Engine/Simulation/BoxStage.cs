@@ -24,8 +24,8 @@ internal sealed unsafe class BoxStage : IStageWork
     private const float MarginShare = 0.2f;
 
     /// <summary>
-    /// What moves by more than this share of its extent in a step gets a new box soon in any case, for which it pays less in pairs with a smaller margin. What creeps would leave such a one
-    /// again and again: with 0.1 for all a pyramid takes 1.08 of the time.
+    /// What moves by more than this share of its extent in a step gets a new box soon in any case, for which it pays less in pairs with a
+    /// smaller margin. What creeps would leave such a one again and again: with 0.1 for all a pyramid takes 1.08 of the time.
     /// </summary>
     private const float MovingShare = 0.06f;
     private const float MovingMarginShare = 0.05f;
@@ -88,7 +88,9 @@ internal sealed unsafe class BoxStage : IStageWork
         }
     }
 
-    /// <summary>Words of 64 bodies. A body that only moved gets its boxes here; one whose pieces or flags may have changed must wait.</summary>
+    /// <summary>
+    /// Words of 64 bodies. A body that only moved gets its boxes here; one whose pieces or flags may have changed must wait.
+    /// </summary>
     void IStageWork.Run(int worker, int from, int to)
     {
         BodyStore bodies = _stores.Bodies;
@@ -155,7 +157,9 @@ internal sealed unsafe class BoxStage : IStageWork
         }
     }
 
-    /// <summary>What follows for a piece with a new box follows from no order among them, so neither does it matter who listed which.</summary>
+    /// <summary>
+    /// What follows for a piece with a new box follows from no order among them, so neither does it matter who listed which.
+    /// </summary>
     private void EndMoved()
     {
         IndexList all = _moved[0];

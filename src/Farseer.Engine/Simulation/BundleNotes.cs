@@ -5,8 +5,9 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Simulation;
 
 /// <summary>
-/// What the updates of many bundles add up to, and which of them something follows from: these are few, and so one thread walks over them afterwards,
-/// in their order. To look at the outcomes of all took it up to a sixtieth of a step, most of it waiting for what the other workers had written.
+/// What the updates of many bundles add up to, and which of them something follows from: these are few, and so one thread walks over them
+/// afterwards, in their order. To look at the outcomes of all took it up to a sixtieth of a step, most of it waiting for what the other
+/// workers had written.
 /// </summary>
 [NotState(Why.OfOneStep)]
 internal sealed unsafe class BundleNotes

@@ -91,7 +91,8 @@ internal sealed unsafe class ContactEvents
         for (int i = 0; i < _oldCount; i++)
         {
             PairOfColliders pair = _oldPairs[i];
-            if (!_stores.Bodies.IsStill(_stores.Shapes.Colliders[pair.A].Body) || !_stores.Bodies.IsStill(_stores.Shapes.Colliders[pair.B].Body))
+            if (!_stores.Bodies.IsStill(_stores.Shapes.Colliders[pair.A].Body)
+                || !_stores.Bodies.IsStill(_stores.Shapes.Colliders[pair.B].Body))
             {
                 _oldKeys[kept] = _oldKeys[i];
                 _oldPairs[kept++] = pair;
@@ -107,7 +108,8 @@ internal sealed unsafe class ContactEvents
         if ((record.Flags & ContactFlags.Heard) != 0 && IsReported(record))
         {
             _woken.EnsureCapacity(_wokenCount + 1);
-            _woken[_wokenCount++] = new PairOfColliders { A = _stores.Shapes.ColliderOf(record.PieceA), B = _stores.Shapes.ColliderOf(record.PieceB) };
+            _woken[_wokenCount++] =
+                new PairOfColliders { A = _stores.Shapes.ColliderOf(record.PieceA), B = _stores.Shapes.ColliderOf(record.PieceB) };
         }
     }
 
@@ -335,7 +337,8 @@ internal sealed unsafe class ContactEvents
         ((ulong)(uint)_stores.Shapes.Order[colliderA] << 32) | (uint)_stores.Shapes.Order[colliderB];
 
     /// <returns>False if the pair gives no response in this step.</returns>
-    private bool RaiseContact(ContactStore contacts, ConstraintGraph graph, IStepHooks hooks, int start, int end, in PairOfColliders pair, bool began)
+    private bool RaiseContact(
+        ContactStore contacts, ConstraintGraph graph, IStepHooks hooks, int start, int end, in PairOfColliders pair, bool began)
     {
         _points.EnsureCapacity(2 * (end - start));
         int points = 0;

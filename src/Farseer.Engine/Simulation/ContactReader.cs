@@ -137,7 +137,10 @@ internal sealed class ContactReader
             }
 
             ref ContactRecord first = ref _contacts.Records[_visitContacts[start]];
-            visitor.Visit(_shapes.ColliderOf(first.PieceA), _shapes.ColliderOf(first.PieceB), new ReadOnlySpan<ContactPoint>(_visitPoints.Pointer, points));
+            visitor.Visit(
+                _shapes.ColliderOf(first.PieceA),
+                _shapes.ColliderOf(first.PieceB),
+                new ReadOnlySpan<ContactPoint>(_visitPoints.Pointer, points));
             start = end;
         }
     }
@@ -159,7 +162,8 @@ internal sealed class ContactReader
     {
         normal = 0;
         tangent = 0;
-        ulong key = PairBuffer.Pack(_shapes.Require(colliderA, nameof(colliderA)).FirstPiece, _shapes.Require(colliderB, nameof(colliderB)).FirstPiece);
+        ulong key = PairBuffer.Pack(
+            _shapes.Require(colliderA, nameof(colliderA)).FirstPiece, _shapes.Require(colliderB, nameof(colliderB)).FirstPiece);
         if (!_contacts.Map.TryGet(key, out int index) || _contacts.Records[index].Color < 0)
         {
             return false;
@@ -188,7 +192,8 @@ internal sealed class ContactReader
     private unsafe float RubOf(int contact, ContactBundle* bundle, int lane, float tangent) =>
         (tangent * _settings.Substeps) + (_contactStage.Lone.TangentOf(contact) * ShareOfPoint(bundle, lane));
 
-    private static unsafe float ShareOfPoint(ContactBundle* bundle, int lane) => (bundle->Flags[lane] & ContactBundle.SingleMark) != 0 ? 1f : 0.5f;
+    private static unsafe float ShareOfPoint(ContactBundle* bundle, int lane) =>
+        (bundle->Flags[lane] & ContactBundle.SingleMark) != 0 ? 1f : 0.5f;
 
     /// <summary>What it bears, and its share of the blows that it had in the step, which are let go when they are over.</summary>
     private unsafe float ImpulseOf(ContactBundle* bundle, int lane, float normal)

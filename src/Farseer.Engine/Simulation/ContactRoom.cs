@@ -10,8 +10,8 @@ namespace Farseer.Engine.Simulation;
 
 /// <summary>
 /// Room for contacts to come. Bodies that touch nothing yet will pile up, and a pile has several contacts a body: what grew with them
-/// went on allocating for seconds. A pile that was built as one and does not bounce has its contacts in its first step, and gets no more room
-/// than these need. What is not used is address space that nobody touches.
+/// went on allocating for seconds. A pile that was built as one and does not bounce has its contacts in its first step, and gets no more
+/// room than these need. What is not used is address space that nobody touches.
 /// </summary>
 internal sealed class ContactRoom
 {
@@ -22,7 +22,9 @@ internal sealed class ContactRoom
     private const int PairsAPiece = 10;
     private const int RowsAPiece = 5;
 
-    /// <summary>Twice the rows for each piece from which on a world lies as dense as it will: 2.97 in a large pyramid, 2 in a grid of boxes.</summary>
+    /// <summary>
+    /// Twice the rows for each piece from which on a world lies as dense as it will: 2.97 in a large pyramid, 2 in a grid of boxes.
+    /// </summary>
     private const int DenseTwice = 5;
 
     /// <summary>So few pieces get room for a crowd all the same: it is little, and they may be heaped up later.</summary>
@@ -52,7 +54,8 @@ internal sealed class ContactRoom
     private readonly SolveStage _solve;
     private bool _roomIsDue;
 
-    public ContactRoom(WorldStores stores, SleepStage sleep, ContactStage contactStage, PairFinder pairs, SweepStage sweeps, SolveStage solve)
+    public ContactRoom(
+        WorldStores stores, SleepStage sleep, ContactStage contactStage, PairFinder pairs, SweepStage sweeps, SolveStage solve)
     {
         _stores = stores;
         _bodies = stores.Bodies;
@@ -109,7 +112,10 @@ internal sealed class ContactRoom
         }
     }
 
-    /// <summary>Pieces that can move and may collide with any other, how many of them are neither boxes nor discs, those that cannot move, and whether a collider has several.</summary>
+    /// <summary>
+    /// Pieces that can move and may collide with any other, how many of them are neither boxes nor discs, those that cannot move, and
+    /// whether a collider has several.
+    /// </summary>
     private int CountPieces(out int hulls, out int immovable, out bool anySeveral)
     {
         int count = 0;

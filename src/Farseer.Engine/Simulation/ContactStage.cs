@@ -18,7 +18,9 @@ internal sealed unsafe class ContactStage : IStageWork
     private const int RecordsAhead = 12;
     private const int KeysAhead = 6;
 
-    /// <summary>Pairs that come to an end, some 5 µs, from which on the map forgets them at the same time as everything else does.</summary>
+    /// <summary>
+    /// Pairs that come to an end, some 5 µs, from which on the map forgets them at the same time as everything else does.
+    /// </summary>
     private const int ManyDropped = 128;
     private const int Sides = 2;
 
@@ -26,7 +28,7 @@ internal sealed unsafe class ContactStage : IStageWork
     private readonly ContactSides _sides = new ContactSides();
     private readonly FastPairStage _fast = new FastPairStage();
     private readonly StruckPairs _struck = new StruckPairs();
-    private readonly ContactWork _work = new ContactWork();
+    private readonly ContactUpdateWork _work = new ContactUpdateWork();
     private readonly IdleWork _idle = new IdleWork();
     private ScratchList<int> _lost;
     private ScratchList<int> _dropped;
@@ -62,7 +64,8 @@ internal sealed unsafe class ContactStage : IStageWork
     /// <param name="graph">The rows.</param>
     /// <param name="joints">What holds bodies besides rows.</param>
     /// <param name="allHeld">Every body is in the solver's hands.</param>
-    public void Update(StageRunner runner, SleepStage sleep, ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
+    public void Update(
+        StageRunner runner, SleepStage sleep, ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
     {
         ContactStore contacts = input.Contacts;
         Scratch scratch = input.Scratch;
@@ -257,7 +260,10 @@ internal sealed unsafe class ContactStage : IStageWork
         DropParted(contacts, next, contacts.IdleCount);
     }
 
-    /// <summary>Notes the pairs of a stretch of the idle list that are forgotten without a look: pairs go in the order of the list, looked at or not.</summary>
+    /// <summary>
+    /// Notes the pairs of a stretch of the idle list that are forgotten without a look: pairs go in the order of the list, looked at or
+    /// not.
+    /// </summary>
     private int DropParted(ContactStore contacts, int from, int to)
     {
         while (from < to && contacts.KeepsGaps)
@@ -313,8 +319,8 @@ internal sealed unsafe class ContactStage : IStageWork
     }
 
     /// <summary>
-    /// Takes the rows of lost pairs, and forgets those that are over. What knows pairs by their pieces and what knows them by their numbers have
-    /// nothing in common but the pairs, so two workers can clear them at the same time.
+    /// Takes the rows of lost pairs, and forgets those that are over. What knows pairs by their pieces and what knows them by their numbers
+    /// have nothing in common but the pairs, so two workers can clear them at the same time.
     /// </summary>
     private void Take(StageRunner runner, ContactStore contacts, ConstraintGraph graph)
     {

@@ -66,7 +66,13 @@ internal sealed unsafe class FastPairStage : IStageWork
     }
 
     public void Decide(
-        StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld, StruckPairs struck, LonePairs lone)
+        StageRunner runner,
+        in ContactUpdateInput input,
+        ConstraintGraph graph,
+        JointStore joints,
+        bool allHeld,
+        StruckPairs struck,
+        LonePairs lone)
     {
         if (_contacts.Count == 0)
         {
@@ -122,8 +128,8 @@ internal sealed unsafe class FastPairStage : IStageWork
                 Foresee(_input, _graph, _contacts[i], ref found);
             }
 
-            // Bodies that are held stay so while rows are given: then a pair that meets nothing does not meet anything either. What rows are not to see to now
-            // they may when another one holds its body.
+            // Bodies that are held stay so while rows are given: then a pair that meets nothing does not meet anything either. What rows
+            // are not to see to now they may when another one holds its body.
             bool due = movers == _ofMovers && (!found.IsKnown || found.Meets || found.FreeA || found.FreeB || IsBeside(_input, record));
             _kinds[i] = (movers ? Kinds.OfMovers : Kinds.None) | (due ? Kinds.Due : Kinds.None);
         }
@@ -203,7 +209,8 @@ internal sealed unsafe class FastPairStage : IStageWork
         ref Piece pieceB = ref input.Shapes.Pieces[record.PieceB];
         float extent = FastPairs.Extent(pieceA, pieceB, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
 
-        // Most of what a body may meet along its way stays before one edge of it or of the other: half of the searches of a rotor in a heap.
+        // Most of what a body may meet along its way stays before one edge of it or of the other: half of the searches of a rotor in a
+        // heap.
         double gap = PairStage.SkinShare * extent;
         if (ClearWay.HoldsForEither(input.Shapes, record, a, b, gap))
         {
@@ -256,8 +263,8 @@ internal sealed unsafe class FastPairStage : IStageWork
     }
 
     /// <summary>
-    /// Gives a row to a pair of a limb that passes something: its joints may stop it within the step and drive it in, where the sweep would hold it alone, away
-    /// from its hinge (by 55 mm at a knee that came to its limit).
+    /// Gives a row to a pair of a limb that passes something: its joints may stop it within the step and drive it in, where the sweep would
+    /// hold it alone, away from its hinge (by 55 mm at a knee that came to its limit).
     /// </summary>
     private void GiveBeside(in ContactUpdateInput input, ConstraintGraph graph, int contact)
     {

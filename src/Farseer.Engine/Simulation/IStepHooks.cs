@@ -72,7 +72,9 @@ internal struct ContactPoint
     /// <summary>Distance of the surfaces; negative when they overlap.</summary>
     public float Separation;
 
-    /// <summary>What the contact gave in the step: the sum, if there is one, else the impulses of the last substep times the number of substeps.</summary>
+    /// <summary>
+    /// What the contact gave in the step: the sum, if there is one, else the impulses of the last substep times the number of substeps.
+    /// </summary>
     public float NormalImpulse;
     public float TangentImpulse;
 

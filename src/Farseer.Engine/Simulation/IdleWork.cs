@@ -60,7 +60,9 @@ internal sealed unsafe class IdleWork : IStageWork
     /// <summary>Place in the idle list of a pair that was looked at.</summary>
     public int Place(int looked) => _looked != null ? _looked[looked] : looked;
 
-    /// <summary>Of the pairs of a bundle of the idle list those, a bit each, that are forgotten without a look, as their boxes have parted.</summary>
+    /// <summary>
+    /// Of the pairs of a bundle of the idle list those, a bit each, that are forgotten without a look, as their boxes have parted.
+    /// </summary>
     public int Parted(int bundle) => _parted[bundle];
 
     /// <summary>The first bundle of a range of which a pair is, or <paramref name="to"/>.</summary>
@@ -158,7 +160,9 @@ internal sealed unsafe class IdleWork : IStageWork
 
     private static int Bundles(int pairs) => (pairs + ContactBundle.Lanes - 1) / ContactBundle.Lanes;
 
-    /// <summary>Finds the pairs of some bundles that must be looked at, and of the others those whose boxes are new and have parted.</summary>
+    /// <summary>
+    /// Finds the pairs of some bundles that must be looked at, and of the others those whose boxes are new and have parted.
+    /// </summary>
     private void PassOver(in ContactUpdateInput input, int from, int to)
     {
         ContactStore contacts = input.Contacts;
@@ -186,8 +190,8 @@ internal sealed unsafe class IdleWork : IStageWork
     }
 
     /// <summary>
-    /// Puts pairs of one kind next to each other, where there are several: each kernel works on whole bundles, and of a heap of boxes, circles and capsules a bundle as they come
-    /// takes three of the four.
+    /// Puts pairs of one kind next to each other, where there are several: each kernel works on whole bundles, and of a heap of boxes,
+    /// circles and capsules a bundle as they come takes three of the four.
     /// </summary>
     private void SortByKind(in ContactUpdateInput input)
     {
@@ -263,7 +267,7 @@ internal sealed unsafe class IdleWork : IStageWork
             _notes.Note(i, follows);
             if (follows != 0)
             {
-                ContactWork.Keep(input.Pairs, _outcomes + i, fates);
+                ContactUpdateWork.Keep(input.Pairs, _outcomes + i, fates);
             }
 
             if (contacts.KeepsGaps)
@@ -276,8 +280,9 @@ internal sealed unsafe class IdleWork : IStageWork
     }
 
     /// <summary>
-    /// The records of the bundle after next are asked for: without, a step takes 1.03 of its time. What the next one reads of their sides, poses and boxes is not: processors that
-    /// reach for the next bundle while they compute with this one took 0.99 of their time without being asked, others as long.
+    /// The records of the bundle after next are asked for: without, a step takes 1.03 of its time. What the next one reads of their sides,
+    /// poses and boxes is not: processors that reach for the next bundle while they compute with this one took 0.99 of their time without
+    /// being asked, others as long.
     /// </summary>
     private void AskForRecords(ContactStore contacts, int first)
     {

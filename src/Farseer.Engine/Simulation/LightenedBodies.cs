@@ -6,8 +6,9 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Simulation;
 
 /// <summary>
-/// Bodies that have lost mass since the last step. The impulses that their contacts start from were found with the mass before: from the ground they throw the body up, and before
-/// its contact with the ground takes that back, those with what lies on it have been thrown as well. A box on a plate that went from 1 kg to 10 g left at 0.45 m/s, sixty on one that went from 100 kg to 10 g at 90.
+/// Bodies that have lost mass since the last step. The impulses that their contacts start from were found with the mass before: from the
+/// ground they throw the body up, and before its contact with the ground takes that back, those with what lies on it have been thrown as
+/// well. A box on a plate that went from 1 kg to 10 g left at 0.45 m/s, sixty on one that went from 100 kg to 10 g at 90.
 /// </summary>
 internal sealed unsafe class LightenedBodies
 {

@@ -13,10 +13,14 @@ namespace Farseer.Engine.Simulation;
 /// <summary>Proxies, and the making of pairs.</summary>
 internal sealed class PairFinder
 {
-    /// <summary>New pairs from one that is made to that whose colliders and place in the map are asked for; to that whose pieces are, twice as many.</summary>
+    /// <summary>
+    /// New pairs from one that is made to that whose colliders and place in the map are asked for; to that whose pieces are, twice as many.
+    /// </summary>
     private const int NewPairsAhead = 6;
 
-    /// <summary>New pairs that are described before they are entered: all of a first step at once would take room that no later one needs.</summary>
+    /// <summary>
+    /// New pairs that are described before they are entered: all of a first step at once would take room that no later one needs.
+    /// </summary>
     private const int PairsAtOnce = 4096;
     private readonly WorldStores _stores;
     private readonly BodyStore _bodies;
@@ -126,8 +130,8 @@ internal sealed class PairFinder
     }
 
     /// <summary>
-    /// A pair was refused, which it may not be the next time: what filters, joints and listeners say changes without new boxes. It must be found again, and
-    /// one of its pieces without a box of which pairs are known sees to that. Workers tell.
+    /// A pair was refused, which it may not be the next time: what filters, joints and listeners say changes without new boxes. It must be
+    /// found again, and one of its pieces without a box of which pairs are known sees to that. Workers tell.
     /// </summary>
     public void NoteRefused(ulong key)
     {
@@ -198,7 +202,9 @@ internal sealed class PairFinder
         }
     }
 
-    /// <summary>Makes the pairs, which have all passed the filters: workers describe some thousand at a time, and one thread enters them.</summary>
+    /// <summary>
+    /// Makes the pairs, which have all passed the filters: workers describe some thousand at a time, and one thread enters them.
+    /// </summary>
     private unsafe void AddAll()
     {
         int mark = _stores.Scratch.Mark;
@@ -366,7 +372,8 @@ internal sealed class PairFinder
     /// </summary>
     public void EndPair(Handle colliderA, Handle colliderB)
     {
-        ulong key = PairBuffer.Pack(_shapes.Require(colliderA, nameof(colliderA)).FirstPiece, _shapes.Require(colliderB, nameof(colliderB)).FirstPiece);
+        ulong key = PairBuffer.Pack(
+            _shapes.Require(colliderA, nameof(colliderA)).FirstPiece, _shapes.Require(colliderB, nameof(colliderB)).FirstPiece);
         if (!_contacts.Map.TryGet(key, out int index))
         {
             return;

@@ -8,8 +8,8 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Simulation;
 
 /// <summary>
-/// Leaves those of the pairs that were found which are new and pass the filters, in ranges, and describes these. In a net of joints nearly all pairs that are
-/// found are pairs of neighbours, again in each step. Before that, forgets which boxes were new in the step before.
+/// Leaves those of the pairs that were found which are new and pass the filters, in ranges, and describes these. In a net of joints nearly
+/// all pairs that are found are pairs of neighbours, again in each step. Before that, forgets which boxes were new in the step before.
 /// </summary>
 [NotState(Why.OfOneStep)]
 internal sealed unsafe class PairWork : IStageWork
@@ -23,7 +23,9 @@ internal sealed unsafe class PairWork : IStageWork
     /// <summary>Pairs from one that is described to that whose colliders are asked for; to that whose pieces are, twice as many.</summary>
     private const int Near = 6;
 
-    /// <summary>Pairs that are looked up before those of them that are new are judged: their pieces and colliders are asked for meanwhile.</summary>
+    /// <summary>
+    /// Pairs that are looked up before those of them that are new are judged: their pieces and colliders are asked for meanwhile.
+    /// </summary>
     private const int Block = 64;
 
     /// <summary>Boxes that are, some 1 µs.</summary>

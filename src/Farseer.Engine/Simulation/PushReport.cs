@@ -184,7 +184,9 @@ internal sealed class PushReport
         hit.Normal = manifold.Normal;
     }
 
-    /// <summary>The impulses of the last step for the points of a reader. What a point gave that is there no more goes to the first one.</summary>
+    /// <summary>
+    /// The impulses of the last step for the points of a reader. What a point gave that is there no more goes to the first one.
+    /// </summary>
     public unsafe void AddSums(int contact, in ContactRecord record, ContactPoint* points, int from, int count)
     {
         if (count == 0)

@@ -60,7 +60,9 @@ internal sealed class Removals
         _anyStale = true;
     }
 
-    /// <summary>Ends what was removed or changed since the last step: pairs first, then colliders, then bodies. Not within a step.</summary>
+    /// <summary>
+    /// Ends what was removed or changed since the last step: pairs first, then colliders, then bodies. Not within a step.
+    /// </summary>
     public void Purge()
     {
         if (!_stores.IsStepping)

@@ -81,7 +81,9 @@ internal sealed partial class SleepStage
         }
     }
 
-    /// <summary>Makes room for as many bodies and contacts as there are to fall asleep and to wake, which may be after a thousand steps.</summary>
+    /// <summary>
+    /// Makes room for as many bodies and contacts as there are to fall asleep and to wake, which may be after a thousand steps.
+    /// </summary>
     public void Reserve()
     {
         if (_settings.AllowSleep && _bodies.Ids.End > 1)
@@ -177,7 +179,9 @@ internal sealed partial class SleepStage
             input.Islands = _islands;
             input.Dt = dt;
             bool isDue = _rest.Watch(_stores.Runner, input);
-            if (_rest.AnyRested && (!_graph.Changed || _graph.RowCount == 0) && (isDue || GroupsChanged || ++_stepsUngrouped >= MostStepsUngrouped))
+            if (_rest.AnyRested
+                && (!_graph.Changed || _graph.RowCount == 0)
+                && (isDue || GroupsChanged || ++_stepsUngrouped >= MostStepsUngrouped))
             {
                 GroupsChanged = false;
                 _stepsUngrouped = 0;

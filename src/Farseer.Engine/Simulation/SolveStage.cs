@@ -44,8 +44,9 @@ internal sealed class SolveStage
     private readonly PushReport _pushes;
 
     /// <summary>
-    /// The substep at whose rate depths are taken back: the longest of late. The sag under a load goes by the square of the substep; a short one after a
-    /// long one would close it at a speed larger by their ratio. It stays for as long as such a sag takes to go, and then comes down as fast.
+    /// The substep at whose rate depths are taken back: the longest of late. The sag under a load goes by the square of the substep; a
+    /// short one after a long one would close it at a speed larger by their ratio. It stays for as long as such a sag takes to go, and then
+    /// comes down as fast.
     /// </summary>
     private float _recovery;
 
@@ -138,8 +139,8 @@ internal sealed class SolveStage
     }
 
     /// <summary>
-    /// The longest substep of late, at whose rate depths go: held for as long as the sag that came of it takes to go, then down at its pace.
-    /// Without the hold, steps of two lengths in turn would give a stack another height each time.
+    /// The longest substep of late, at whose rate depths go: held for as long as the sag that came of it takes to go, then down at its
+    /// pace. Without the hold, steps of two lengths in turn would give a stack another height each time.
     /// </summary>
     private void FindRecovery(float dt, float substep)
     {
@@ -311,7 +312,9 @@ internal sealed class SolveStage
         return true;
     }
 
-    /// <summary>The islands that need more substeps than the others: solved by themselves, their rows taken out of the graph meanwhile.</summary>
+    /// <summary>
+    /// The islands that need more substeps than the others: solved by themselves, their rows taken out of the graph meanwhile.
+    /// </summary>
     private unsafe void SolveClasses(SolverInput input, JointSolver? joints, float dt)
     {
         for (int index = 1; index < IslandClasses.Count; index++)

@@ -10,13 +10,14 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Simulation;
 
 /// <summary>
-/// Pairs beside a blow. A pair has a row if its bodies may meet within the step by the velocities of its start; but who is struck by a third
-/// one in this step leaves with another velocity, and would fly into what lies beside it until the next step finds them overlapping: in
-/// a heap of U-shapes by a sixth of their thickness, whatever the substeps. So bodies that will be struck are noted with the way by which
-/// the blow may throw them off theirs, and their pairs without rows are looked at again as far as that.
+/// Pairs beside a blow. A pair has a row if its bodies may meet within the step by the velocities of its start; but who is struck by a
+/// third one in this step leaves with another velocity, and would fly into what lies beside it until the next step finds them overlapping:
+/// in a heap of U-shapes by a sixth of their thickness, whatever the substeps. So bodies that will be struck are noted with the way by
+/// which the blow may throw them off theirs, and their pairs without rows are looked at again as far as that.
 /// </summary>
 /// <remarks>
-/// Workers look at blocks of pairs and of bundles. A block packs what it looks at into bundles of its own, so that these do not follow from who had which.
+/// Workers look at blocks of pairs and of bundles. A block packs what it looks at into bundles of its own, so that these do not follow from
+/// who had which.
 /// </remarks>
 [NotState(Why.OfOneStep)]
 internal sealed unsafe class StruckPairs : IStageWork
@@ -26,7 +27,9 @@ internal sealed unsafe class StruckPairs : IStageWork
     private const int BlockBundles = 64;
     private const int BlockWords = BlockPairs / BitSet.WordBits;
 
-    /// <summary>A limb whips on by more than the way that was taken from the struck one: twice, if that is stopped in the middle of its way.</summary>
+    /// <summary>
+    /// A limb whips on by more than the way that was taken from the struck one: twice, if that is stopped in the middle of its way.
+    /// </summary>
     private const float Whip = 2;
 
     /// <summary>Bodies that a blow is handed on to by joints: three puppets. In a bridge or a net the nearest.</summary>
@@ -346,9 +349,9 @@ internal sealed unsafe class StruckPairs : IStageWork
     }
 
     /// <summary>
-    /// The most by which a point of a piece is thrown off its way, by what the struck points would sink in. An impulse at the lever x·R that ends the approach of a body with the
-    /// inverse mass m and inertia i on one of m' moves the rim, at the lever R, by (m + i·R²·x)/(m + i·R²·x² + m'), if that one is hit in its middle: at most by 1/(2x) at the root of
-    /// i·R²·x² + 2·m·x = m + m'.
+    /// The most by which a point of a piece is thrown off its way, by what the struck points would sink in. An impulse at the lever x·R
+    /// that ends the approach of a body with the inverse mass m and inertia i on one of m' moves the rim, at the lever R, by (m +
+    /// i·R²·x)/(m + i·R²·x² + m'), if that one is hit in its middle: at most by 1/(2x) at the root of i·R²·x² + 2·m·x = m + m'.
     /// </summary>
     private float ShareOf(in ContactUpdateInput input, int body, int piece, int other)
     {

@@ -86,7 +86,9 @@ internal sealed partial class SweepStage
             box.MaxY + reach.MaxY + swing);
     }
 
-    /// <summary>Whether <see cref="SeekPairs"/> would find a pair that is not known, of a body that is no bullet. What cannot move is listed.</summary>
+    /// <summary>
+    /// Whether <see cref="SeekPairs"/> would find a pair that is not known, of a body that is no bullet. What cannot move is listed.
+    /// </summary>
     private bool MeetsUnknown(int piece, in Box box)
     {
         var spread = new SpreadBox(box);
@@ -187,7 +189,8 @@ internal sealed partial class SweepStage
         for (int i = 0; i < _beyond.Count; i++)
         {
             bool moves = _bodies.IsMovable(_shapes.Colliders[_beyond[i]].Body);
-            for (int other = _shapes.Colliders[_beyond[i]].FirstPiece; other >= 0 && (!moves || _bodies.IsBullet(body)); other = _shapes.NextPiece[other])
+            for (int other = _shapes.Colliders[_beyond[i]].FirstPiece; other >= 0
+                && (!moves || _bodies.IsBullet(body)); other = _shapes.NextPiece[other])
             {
                 SeekPair(piece, other, moves);
             }

@@ -57,7 +57,14 @@ internal sealed partial class SweepStage : IImpactListener
     [NotState(Why.OfOneStep)]
     private bool _sweepGathered;
 
-    public SweepStage(WorldStores stores, BoxStage boxes, PairFinder pairs, ContactStage contactStage, ContactEvents events, PushReport pushes, AccuracyStage accuracy)
+    public SweepStage(
+        WorldStores stores,
+        BoxStage boxes,
+        PairFinder pairs,
+        ContactStage contactStage,
+        ContactEvents events,
+        PushReport pushes,
+        AccuracyStage accuracy)
     {
         _stores = stores;
         _bodies = stores.Bodies;
@@ -160,8 +167,8 @@ internal sealed partial class SweepStage : IImpactListener
     }
 
     /// <summary>
-    /// Whether the sweep would leave a fast body as it is. What cannot move is where it is whatever happens to others, and pairs with it are found for one body and not for another,
-    /// so the answer stands; of a body that is looked after against others that move it is no.
+    /// Whether the sweep would leave a fast body as it is. What cannot move is where it is whatever happens to others, and pairs with it
+    /// are found for one body and not for another, so the answer stands; of a body that is looked after against others that move it is no.
     /// </summary>
     public unsafe bool MeetsNothing(FastBodySweep sweep, int position, float dt, float substep)
     {
@@ -183,7 +190,8 @@ internal sealed partial class SweepStage : IImpactListener
     }
 
     /// <summary>
-    /// Puts the pairs in the order of their places, and finds where those of each begin. They were listed in their own order, which those of a place keep.
+    /// Puts the pairs in the order of their places, and finds where those of each begin. They were listed in their own order, which those
+    /// of a place keep.
     /// </summary>
     private unsafe void SortSweepPairs(int places)
     {
@@ -321,7 +329,9 @@ internal sealed partial class SweepStage : IImpactListener
         SortSweepPairs((2 * pairs.Count) + fast.Count);
     }
 
-    /// <summary>Marks those of some pairs in which one body is looked after against the other; the first is the first of a word of marks.</summary>
+    /// <summary>
+    /// Marks those of some pairs in which one body is looked after against the other; the first is the first of a word of marks.
+    /// </summary>
     public unsafe void MarkSwept(ulong* marks, int from, int to)
     {
         const SweepRoles FastAtWall = SweepRoles.Fast | SweepRoles.Wall;

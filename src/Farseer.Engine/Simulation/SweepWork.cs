@@ -6,8 +6,8 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Simulation;
 
 /// <summary>
-/// The parts of the sweep that workers share: which pairs fast bodies are looked after in, and which of these bodies meet nothing, so that the sweep
-/// itself, which goes from body to body in their order, passes over most of them.
+/// The parts of the sweep that workers share: which pairs fast bodies are looked after in, and which of these bodies meet nothing, so that
+/// the sweep itself, which goes from body to body in their order, passes over most of them.
 /// </summary>
 [NotState(Why.OfOneStep)]
 internal sealed unsafe class SweepWork : IStageWork

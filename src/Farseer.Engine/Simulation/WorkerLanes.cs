@@ -5,8 +5,9 @@ using Farseer.Engine.NarrowPhase;
 namespace Farseer.Engine.Simulation;
 
 /// <summary>
-/// Where pairs and rows pass through on their way, for each worker of the narrow phase. It stays from step to step and from world to world: a bundle in which pairs are
-/// only looked at must never have held an impulse, and lanes that are not in use have numbers, not bits that chance left there.
+/// Where pairs and rows pass through on their way, for each worker of the narrow phase. It stays from step to step and from world to world:
+/// a bundle in which pairs are only looked at must never have held an impulse, and lanes that are not in use have numbers, not bits that
+/// chance left there.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 internal struct WorkerLanes

@@ -146,8 +146,8 @@ internal sealed partial class World : IDisposable
     public void Dispose() => _stores.Workers.Dispose();
 
     /// <summary>
-    /// Advances by <paramref name="dt"/> seconds, above 0 and finite. What the step forgets at its end lies in memory that worlds stepped by
-    /// one thread share: it is in the cache already, and thousands of small worlds have none of their own.
+    /// Advances by <paramref name="dt"/> seconds, above 0 and finite. What the step forgets at its end lies in memory that worlds stepped
+    /// by one thread share: it is in the cache already, and thousands of small worlds have none of their own.
     /// </summary>
     /// <param name="dt">Seconds.</param>
     /// <param name="shared">

@@ -6,7 +6,10 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Solver;
 
-/// <summary>16 bytes in the order of a velocity: how far a body was pushed out of overlaps in the substep before, and the share of it that it goes on with.</summary>
+/// <summary>
+/// 16 bytes in the order of a velocity: how far a body was pushed out of overlaps in the substep before, and the share of it that it goes
+/// on with.
+/// </summary>
 internal struct CarriedPush
 {
     public float X;
@@ -20,16 +23,16 @@ internal struct CarriedPush
 }
 
 /// <summary>
-/// The memory of pushes against overlap in deep islands of many levels. A sweep that remembers nothing pushes no further than some levels: an
-/// overlap spreads through n levels in n² sweeps, and a high heap sank under its weight faster than it came apart. When each body goes on
-/// by most of what it was pushed in the substep before, overlaps run through the heap as a wave does, some half of a level a substep. It is a way,
-/// not a speed: no velocity comes of it, and steps of changing length go on with it alike.
+/// The memory of pushes against overlap in deep islands of many levels. A sweep that remembers nothing pushes no further than some levels:
+/// an overlap spreads through n levels in n² sweeps, and a high heap sank under its weight faster than it came apart. When each body goes
+/// on by most of what it was pushed in the substep before, overlaps run through the heap as a wave does, some half of a level a substep. It
+/// is a way, not a speed: no velocity comes of it, and steps of changing length go on with it alike.
 /// </summary>
 internal sealed unsafe class CarriedPushes
 {
     /// <summary>
-    /// The share that is lost in a substep, times the levels. The slowest wave of n levels would swing back below some 2 over n, but nothing draws the heap together again,
-    /// and half of that lets a heap of forty rise by 6.1 m in four seconds instead of 5.2.
+    /// The share that is lost in a substep, times the levels. The slowest wave of n levels would swing back below some 2 over n, but
+    /// nothing draws the heap together again, and half of that lets a heap of forty rise by 6.1 m in four seconds instead of 5.2.
     /// </summary>
     private const float LossOfLevels = 1f;
 
@@ -64,7 +67,9 @@ internal sealed unsafe class CarriedPushes
             if (island != last)
             {
                 last = island;
-                keep = island >= 0 && island < islands.Count && IsHigh(feedForward, islands, island) ? 1 - (LossOfLevels / Levels(islands, island)) : 0;
+                keep = island >= 0 && island < islands.Count && IsHigh(feedForward, islands, island)
+                    ? 1 - (LossOfLevels / Levels(islands, island))
+                    : 0;
             }
 
             if (keep == 0 || !_carried)

@@ -13,7 +13,9 @@ namespace Farseer.Engine.Solver;
 /// </summary>
 internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
 {
-    /// <summary>Records that are worth another worker's while, some 0.5 µs of a pass: a phase of two blocks takes 0.3 µs to share.</summary>
+    /// <summary>
+    /// Records that are worth another worker's while, some 0.5 µs of a pass: a phase of two blocks takes 0.3 µs to share.
+    /// </summary>
     private const int LeastRecords = 8;
 
     /// <summary>Bundles of a colour of a world whose rows are no longer near, some 8 MB in all colours.</summary>
@@ -23,13 +25,14 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     private const int MostShort = 8;
 
     /// <summary>
-    /// An odd number of bundles up to this is solved bundle by bundle, on eight lanes: with 3, 5 and 7 bundles a step of boxes at rest takes 0.91, 0.95 and 0.975 of its time
-    /// on a core that halves 512 bits, with 2 and 4 it would take 1.02 and 1.06.
+    /// An odd number of bundles up to this is solved bundle by bundle, on eight lanes: with 3, 5 and 7 bundles a step of boxes at rest
+    /// takes 0.91, 0.95 and 0.975 of its time on a core that halves 512 bits, with 2 and 4 it would take 1.02 and 1.06.
     /// </summary>
     private const int MostOdd = 7;
 
     /// <summary>
-    /// Where the bundles of all colours are, or their records where these are solved as one: looked up once for all passes, and <see cref="BundleList.PlacesBehind"/> more.
+    /// Where the bundles of all colours are, or their records where these are solved as one: looked up once for all passes, and
+    /// <see cref="BundleList.PlacesBehind"/> more.
     /// </summary>
     private readonly Column<nint> _list = new Column<nint>();
 
@@ -39,8 +42,8 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     private int _colorCount;
 
     /// <summary>
-    /// The phases of a pass: a colour that is shared, or some in a row that are not worth it, which one worker does. For each phase the first
-    /// colour that is behind it, and whether it is one of these.
+    /// The phases of a pass: a colour that is shared, or some in a row that are not worth it, which one worker does. For each phase the
+    /// first colour that is behind it, and whether it is one of these.
     /// </summary>
     private readonly StageList _stages = new StageList();
 
@@ -56,10 +59,16 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
     /// <param name="bodies">The store.</param>
     /// <param name="coefficients">Constants of the substeps.</param>
     /// <param name="colors">The rows of all passes that follow, whose points are known by now.</param>
-    /// <param name="bundleRoom">Bundles that the rows of the world have memory for: as long as that does not grow, nothing here does.</param>
+    /// <param name="bundleRoom">Bundles that the rows of the world have memory for: as long as that does not grow, nothing here
+    /// does.</param>
     /// <param name="areHalves">The rows are halved: see <see cref="RowHalves"/>.</param>
     public void Begin(
-        StageRunner runner, BodyStore bodies, in ContactCoefficients coefficients, ReadOnlySpan<GraphColor> colors, int bundleRoom, bool areHalves)
+        StageRunner runner,
+        BodyStore bodies,
+        in ContactCoefficients coefficients,
+        ReadOnlySpan<GraphColor> colors,
+        int bundleRoom,
+        bool areHalves)
     {
         ReserveBundles(bundleRoom);
         ReserveColors(runner, Math.Max(colors.Length, Math.Min(bundleRoom, ConstraintGraph.ColorCount)));
@@ -101,7 +110,10 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         Run(colors, ContactPassKind.Relax, rub);
     }
 
-    /// <summary>Makes room for what <see cref="Choose"/> may find in a world of so many bodies: a part for four, where each has five contacts or less.</summary>
+    /// <summary>
+    /// Makes room for what <see cref="Choose"/> may find in a world of so many bodies: a part for four, where each has five contacts or
+    /// less.
+    /// </summary>
     public void ReserveChosen(int bodies) => _chosen.EnsureCapacity(bodies / 4);
 
     /// <summary>Chooses the records with rows of some islands.</summary>
@@ -266,7 +278,9 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         }
     }
 
-    /// <summary>Lists the colours. Those of several groups that are solved together have the same place and no body in common, and are one.</summary>
+    /// <summary>
+    /// Lists the colours. Those of several groups that are solved together have the same place and no body in common, and are one.
+    /// </summary>
     private void ListColors(ReadOnlySpan<GraphColor> colors, bool areHalves)
     {
         _colorCount = 0;
@@ -322,7 +336,9 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         }
     }
 
-    /// <summary>A colour's rows are solved a record at a time. Of a few bundles, not if half of the last record would be worked for nothing.</summary>
+    /// <summary>
+    /// A colour's rows are solved a record at a time. Of a few bundles, not if half of the last record would be worked for nothing.
+    /// </summary>
     private static bool AreRecords(int bundles, bool hasOrder)
     {
 #if NET8_0_OR_GREATER

@@ -16,7 +16,10 @@ internal static unsafe class FinishBodies
     public const byte OutOfRange = 1;
     public const byte MovedFast = 2;
 
-    /// <summary>Moves the bodies of a range of the list, but for those that are out of range. These are marked, and those that moved by more than their size.</summary>
+    /// <summary>
+    /// Moves the bodies of a range of the list, but for those that are out of range. These are marked, and those that moved by more than
+    /// their size.
+    /// </summary>
     /// <param name="bodies">The store.</param>
     /// <param name="list">The range.</param>
     /// <param name="count">Bodies of it.</param>

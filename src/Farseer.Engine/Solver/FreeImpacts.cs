@@ -10,9 +10,10 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Solver;
 
 /// <summary>
-/// The contacts of bodies that fly free until they meet: nothing presses on them yet, and they have contacts with what cannot move, or with one other
-/// such body, only. What happens when they meet concerns nobody else, so it happens at its own moment whatever their restitution: without one a
-/// body stops there as exactly as it bounces with one. (What others hold besides is stopped with all of them together, by the passes.)
+/// The contacts of bodies that fly free until they meet: nothing presses on them yet, and they have contacts with what cannot move, or with
+/// one other such body, only. What happens when they meet concerns nobody else, so it happens at its own moment whatever their restitution:
+/// without one a body stops there as exactly as it bounces with one. (What others hold besides is stopped with all of them together, by the
+/// passes.)
 /// </summary>
 internal sealed unsafe class FreeImpacts
 {
@@ -105,8 +106,9 @@ internal sealed unsafe class FreeImpacts
     }
 
     /// <summary>
-    /// The lanes of a bundle with such contacts, or with contacts of small islands between bodies that move, which nothing presses yet. (What is already held by something that cannot
-    /// move, and meets more of it, is the passes' business.) Bundles are asked for in the order of the rows.
+    /// The lanes of a bundle with such contacts, or with contacts of small islands between bodies that move, which nothing presses yet.
+    /// (What is already held by something that cannot move, and meets more of it, is the passes' business.) Bundles are asked for in the
+    /// order of the rows.
     /// </summary>
     /// <param name="row">The bundle.</param>
     /// <param name="free">Those that concern nobody else.</param>
@@ -150,7 +152,9 @@ internal sealed unsafe class FreeImpacts
         return a == b ? -1 : a ? row->BodyA[lane] : row->BodyB[lane];
     }
 
-    /// <summary>Nobody else is concerned. Several of a body with what cannot move, <c>twice</c>, are one problem if they are of one moment.</summary>
+    /// <summary>
+    /// Nobody else is concerned. Several of a body with what cannot move, <c>twice</c>, are one problem if they are of one moment.
+    /// </summary>
     private bool IsFree(ContactBundle* row, int lane, int* degrees, JointSolver? joints, SpringStore? springs, out bool twice)
     {
         int mover = Mover(row, lane);

@@ -61,7 +61,9 @@ internal sealed unsafe partial class ImpactPass
         _timeOf[island] = NoteOnce(_islandsHit, _hitIn, _smallRound, island) ? time : Math.Max(_timeOf[island], time);
     }
 
-    /// <summary>Lists an island that was not listed since a count began; as many may be struck at once as there are, so the list is not searched.</summary>
+    /// <summary>
+    /// Lists an island that was not listed since a count began; as many may be struck at once as there are, so the list is not searched.
+    /// </summary>
     /// <returns>True if it was not listed yet.</returns>
     private static bool NoteOnce(IndexList list, Column<int> listedIn, int now, int island)
     {
@@ -75,7 +77,9 @@ internal sealed unsafe partial class ImpactPass
         return true;
     }
 
-    /// <summary>Small islands that were struck bear what has come to lie on them; where impacts are left, what approaches is stopped.</summary>
+    /// <summary>
+    /// Small islands that were struck bear what has come to lie on them; where impacts are left, what approaches is stopped.
+    /// </summary>
     private void FinishSmall(in SolverInput input)
     {
         for (int i = 0; i < _islandsHit.Count; i++)

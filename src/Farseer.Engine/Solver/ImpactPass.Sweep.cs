@@ -91,7 +91,8 @@ internal sealed unsafe partial class ImpactPass
             int hits = bounce->Hits;
             for (int lane = 0; hits >> lane != 0; lane++)
             {
-                bool shared = (YieldsA(row, lane) && _hitsAt[row->BodyA[lane]] > 1) || (YieldsB(row, lane) && _hitsAt[row->BodyB[lane]] > 1);
+                bool shared =
+                    (YieldsA(row, lane) && _hitsAt[row->BodyA[lane]] > 1) || (YieldsB(row, lane) && _hitsAt[row->BodyB[lane]] > 1);
                 bounce->Hits &= shared ? hits : ~(1 << lane);
             }
 

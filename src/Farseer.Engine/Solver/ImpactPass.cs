@@ -29,19 +29,22 @@ internal sealed unsafe partial class ImpactPass
     private const int LeastTurns = 1;
 
     /// <summary>
-    /// Rounds in which nothing but weak bounces happens: a body that is pressed between a rotor and a heap goes to and fro between them for as long as it is let.
-    /// Of a speed at which balls meet less than 3/4 is handed on, so after 64 rounds 10⁻⁸ of it is left.
+    /// Rounds in which nothing but weak bounces happens: a body that is pressed between a rotor and a heap goes to and fro between them for
+    /// as long as it is let. Of a speed at which balls meet less than 3/4 is handed on, so after 64 rounds 10⁻⁸ of it is left.
     /// </summary>
     private const int MostWeakRounds = 64;
 
     /// <summary>
-    /// Room from the first step on, and bundles for each body where something bounces, and where bodies only fall: later steps are not to allocate.
+    /// Room from the first step on, and bundles for each body where something bounces, and where bodies only fall: later steps are not to
+    /// allocate.
     /// </summary>
     private const int LeastBundles = 64;
     private const float BouncingShare = 0.5f;
     private const float FallingShare = 1f / 32;
 
-    /// <summary>Visits of bundles in the sweeps of a round, but for the first few: what still approaches is found by the next one.</summary>
+    /// <summary>
+    /// Visits of bundles in the sweeps of a round, but for the first few: what still approaches is found by the next one.
+    /// </summary>
     private const int SweepVisits = 512;
     private const int LeastSweeps = 2;
 
@@ -222,7 +225,8 @@ internal sealed unsafe partial class ImpactPass
         int weakRounds = 0;
         _visits = PassVisits * _count;
         _goesOn = false;
-        for (int round = 0; round < MostRounds && weakRounds < MostWeakRounds && (round < LeastRounds || _visits < MostVisits || !_concerned); round++)
+        for (int round =
+            0; round < MostRounds && weakRounds < MostWeakRounds && (round < LeastRounds || _visits < MostVisits || !_concerned); round++)
         {
             bool any = FindFirst(bodies, input.Coefficients, round > 0);
             _goesOn = any && _concerned;
@@ -249,8 +253,9 @@ internal sealed unsafe partial class ImpactPass
     }
 
     /// <summary>
-    /// Lets the impulses of the substep's impacts go. If impacts are left, what approaches still is stopped without a bounce, all of it together: the series of impacts in a pile has
-    /// no end, and what it tends to is that nothing approaches. Left as it is, it would fly on, and the pile sink into itself.
+    /// Lets the impulses of the substep's impacts go. If impacts are left, what approaches still is stopped without a bounce, all of it
+    /// together: the series of impacts in a pile has no end, and what it tends to is that nothing approaches. Left as it is, it would fly
+    /// on, and the pile sink into itself.
     /// </summary>
     public void Finish(in SolverInput input, ContactPasses passes)
     {
@@ -350,7 +355,9 @@ internal sealed unsafe partial class ImpactPass
         return strong == 0;
     }
 
-    /// <summary>The lanes with a body that the last round changed: which contacts lie beside them in a bundle is to change nothing.</summary>
+    /// <summary>
+    /// The lanes with a body that the last round changed: which contacts lie beside them in a bundle is to change nothing.
+    /// </summary>
     private int ChangedLanes(ContactBundle* row, int can)
     {
         int changed = 0;
@@ -414,7 +421,8 @@ internal sealed unsafe partial class ImpactPass
     {
         BodyStore bodies = input.Bodies;
         ListMet();
-        bool some = input.Joints is not { Impacts.TiesBodies: true } && passes.Choose(FindStruckIslands(input.Islands), input.Islands.OfSlot);
+        bool some =
+            input.Joints is not { Impacts.TiesBodies: true } && passes.Choose(FindStruckIslands(input.Islands), input.Islands.OfSlot);
         for (int turn = 0; turn < Turns && (turn < LeastTurns || _visits < MostVisits); turn++)
         {
             _visits += _count;

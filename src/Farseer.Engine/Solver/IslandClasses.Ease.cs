@@ -9,11 +9,13 @@ namespace Farseer.Engine.Solver;
 internal sealed unsafe partial class IslandClasses
 {
     /// <summary>
-    /// Lets an island that comes to its finer substeps rest as deep as it lies. Fine contacts are stiff: what the coarse ones sank in by, they would take back at
-    /// once, each at its own pace r·s, which in a tower adds up to the speed of its top: of 40 boxes at rest the topmost, which had hopped, was thrown up by 1.1 m,
-    /// came to rest, and was thrown up again. The feed-forward φ that holds a contact of the depth -s in balance follows from r·s + K·γ·(λ - φ) = 0; from there it goes
-    /// to its share of the load at its own pace, and the depth with it. What lies no deeper than fine contacts do keeps its feed-forward. Only where there are so many levels that
-    /// sweeps do not reach through them: others would only rise later, and where steps change in length, and an island is now fine and now is not, never.
+    /// Lets an island that comes to its finer substeps rest as deep as it lies. Fine contacts are stiff: what the coarse ones sank in by,
+    /// they would take back at once, each at its own pace r·s, which in a tower adds up to the speed of its top: of 40 boxes at rest the
+    /// topmost, which had hopped, was thrown up by 1.1 m, came to rest, and was thrown up again. The feed-forward φ that holds a contact of
+    /// the depth -s in balance follows from r·s + K·γ·(λ - φ) = 0; from there it goes to its share of the load at its own pace, and the
+    /// depth with it. What lies no deeper than fine contacts do keeps its feed-forward. Only where there are so many levels that sweeps do
+    /// not reach through them: others would only rise later, and where steps change in length, and an island is now fine and now is not,
+    /// never.
     /// </summary>
     /// <param name="index">The class.</param>
     /// <param name="forecast">Tells which islands are new in their class.</param>

@@ -14,8 +14,8 @@ namespace Farseer.Engine.Solver;
 /// <summary>
 /// Islands (bodies joined by joints or contacts) by how many substeps they need: class k takes 2ᵏ times those of the step. Which
 /// class an island belongs to follows from its state alone, from the loads that its trees pass on and the sag of its contacts, unless the
-/// user chose for one of its bodies. Islands of class 0 stay where they are; the rows of the others are borrowed from the graph while they are solved,
-/// unless all rows are of one class: then they stay, and only count in its substeps meanwhile.
+/// user chose for one of its bodies. Islands of class 0 stay where they are; the rows of the others are borrowed from the graph while they
+/// are solved, unless all rows are of one class: then they stay, and only count in its substeps meanwhile.
 /// </summary>
 internal sealed unsafe partial class IslandClasses
 {
@@ -88,7 +88,9 @@ internal sealed unsafe partial class IslandClasses
     /// <summary>Count of <see cref="List"/> filled up to whole bundles with body 0.</summary>
     public int PaddedCount(int index) => _padded[index];
 
-    /// <summary>Asks for what the user chose and, unless nothing is to adapt by itself, for the loads of trees and the islands that sink too far.</summary>
+    /// <summary>
+    /// Asks for what the user chose and, unless nothing is to adapt by itself, for the loads of trees and the islands that sink too far.
+    /// </summary>
     /// <returns>True if an island needs more substeps.</returns>
     public bool Find(
         bool adapts,
@@ -224,7 +226,9 @@ internal sealed unsafe partial class IslandClasses
         }
     }
 
-    /// <summary>Kinematic bodies were moved with class 0; for those of this class they start again, and come out at the same place.</summary>
+    /// <summary>
+    /// Kinematic bodies were moved with class 0; for those of this class they start again, and come out at the same place.
+    /// </summary>
     public void RewindKinematic(int index, BodyStore bodies, float dt)
     {
         for (int i = 0; i < _counts[index]; i++)
@@ -325,7 +329,9 @@ internal sealed unsafe partial class IslandClasses
         _loans[_loanCount++] = new Loan { Home = bundle, Lane = lane, Class = index, Place = place };
     }
 
-    /// <summary>A pace is slow against the slowest mode, and a stiffer island has faster modes; that of trees is not known so well.</summary>
+    /// <summary>
+    /// A pace is slow against the slowest mode, and a stiffer island has faster modes; that of trees is not known so well.
+    /// </summary>
     private void ShortenPace(ContactBundle* bundle, int lane, float share)
     {
         bool jointed = ((_listed[Root(bundle->BodyA[lane])] | _listed[Root(bundle->BodyB[lane])]) & Jointed) != 0;
@@ -420,8 +426,8 @@ internal sealed unsafe partial class IslandClasses
     }
 
     /// <summary>
-    /// Room for all that may be lent, once anything is: which islands need how many substeps, and which colours their rows have, differs from step to step. Each
-    /// colour that is lent has a row.
+    /// Room for all that may be lent, once anything is: which islands need how many substeps, and which colours their rows have, differs
+    /// from step to step. Each colour that is lent has a row.
     /// </summary>
     private void MakeRoom()
     {

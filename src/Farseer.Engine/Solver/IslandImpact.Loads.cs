@@ -9,10 +9,11 @@ namespace Farseer.Engine.Solver;
 internal sealed unsafe partial class IslandImpact
 {
     /// <summary>
-    /// Gives the contacts of an island the impulses that bear it from now on: passes would take long to find how much heavier it has become. Friction is not solved for, so only
-    /// islands of level contacts are given some.
+    /// Gives the contacts of an island the impulses that bear it from now on: passes would take long to find how much heavier it has
+    /// become. Friction is not solved for, so only islands of level contacts are given some.
     /// </summary>
-    public void GiveLoads(int island, SmallIslands islands, BounceLanes* bounces, BodyStore bodies, Vector2 gravity, in ContactCoefficients c)
+    public void GiveLoads(
+        int island, SmallIslands islands, BounceLanes* bounces, BodyStore bodies, Vector2 gravity, in ContactCoefficients c)
     {
         _system.Clear();
         for (int k = islands.First(island); k >= 0; k = islands[k].Next)
@@ -76,5 +77,6 @@ internal sealed unsafe partial class IslandImpact
     private static BodyDrive DriveOf(BodyStore bodies, int body, float answer) => answer > 0 ? bodies.Drive[body] : default;
 
     /// <summary>One of the bodies can move.</summary>
-    private static bool Answers(ContactBundle* row, int lane) => row->MassA[lane] + row->InertiaA[lane] + row->MassB[lane] + row->InertiaB[lane] > 0;
+    private static bool Answers(ContactBundle* row, int lane) =>
+        row->MassA[lane] + row->InertiaA[lane] + row->MassB[lane] + row->InertiaB[lane] > 0;
 }

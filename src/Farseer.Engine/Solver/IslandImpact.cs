@@ -9,9 +9,10 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Solver;
 
 /// <summary>
-/// An impact in a small island, solved directly with all contacts that touch and do not bounce: what falls on something that stands has no speed back, whatever the masses. (A sweep over
-/// contacts takes off a heavy body's speed the share of the light one's mass; what it has not found by then is stored as overlap and given back as speed.) Contacts that
-/// bounce hand a blow on one after the other, as they do everywhere.
+/// An impact in a small island, solved directly with all contacts that touch and do not bounce: what falls on something that stands has no
+/// speed back, whatever the masses. (A sweep over contacts takes off a heavy body's speed the share of the light one's mass; what it has
+/// not found by then is stored as overlap and given back as speed.) Contacts that bounce hand a blow on one after the other, as they do
+/// everywhere.
 /// </summary>
 internal sealed unsafe partial class IslandImpact
 {
@@ -59,7 +60,8 @@ internal sealed unsafe partial class IslandImpact
     /// <param name="time">The moment, seconds before the end of the substep.</param>
     /// <param name="stop">Contacts that bounce are stopped with the others, and there is no new impact.</param>
     /// <param name="c">Of the substep.</param>
-    public void Solve(int island, SmallIslands islands, BounceLanes* bounces, BodyStore bodies, float time, bool stop, in ContactCoefficients c)
+    public void Solve(
+        int island, SmallIslands islands, BounceLanes* bounces, BodyStore bodies, float time, bool stop, in ContactCoefficients c)
     {
         _system.Clear();
         _bodies.Clear();
@@ -108,16 +110,17 @@ internal sealed unsafe partial class IslandImpact
     }
 
     /// <summary>
-    /// Finds what pushes and what rubs by turns: friction changes how fast surfaces approach, and they push on it until neither changes any more. Left to the next round, what friction
-    /// has undone would be an impact of its own, at a moment that rounding tells.
+    /// Finds what pushes and what rubs by turns: friction changes how fast surfaces approach, and they push on it until neither changes any
+    /// more. Left to the next round, what friction has undone would be an impact of its own, at a moment that rounding tells.
     /// </summary>
     /// <returns>False if no impulses were found.</returns>
     private bool Balance()
     {
         double before = 0;
 
-        // Newton's rule with friction in the balance may add energy, and what has not come to one may too: those are pushed as if they were smooth, and rubbed afterwards, which takes energy
-        // in any case. Without a bounce impulses p leave velocities v' with p·v' ≤ 0, and take half of pᵀKp.
+        // Newton's rule with friction in the balance may add energy, and what has not come to one may too: those are pushed as if they were
+        // smooth, and rubbed afterwards, which takes energy in any case. Without a bounce impulses p leave velocities v' with p·v' ≤ 0, and
+        // take half of pᵀKp.
         int turns = _bounces ? 1 : Turns;
         for (int i = 0; _bounces && i < _system.Count; i++)
         {
@@ -229,7 +232,10 @@ internal sealed unsafe partial class IslandImpact
         }
     }
 
-    /// <summary>It is loaded, or nearer than a substep's fall and its rounding: what rests has gaps about 0, and their rounding is to decide nothing.</summary>
+    /// <summary>
+    /// It is loaded, or nearer than a substep's fall and its rounding: what rests has gaps about 0, and their rounding is to decide
+    /// nothing.
+    /// </summary>
     private static bool Touches(ContactPointLanes* point, int lane, double gap, in ContactCoefficients c)
     {
         double arms = Math.Abs(point->NormalArmA[lane]) + Math.Abs(point->NormalArmB[lane]);
@@ -243,7 +249,8 @@ internal sealed unsafe partial class IslandImpact
         ref BodyState a = ref bodies.State[row->BodyA[lane]];
         ref BodyState b = ref bodies.State[row->BodyB[lane]];
         Vector2 moved = b.DeltaPosition - a.DeltaPosition;
-        double along = ((double)row->NormalX[lane] * moved.X) + ((double)row->NormalY[lane] * moved.Y) - ContactBundle.RestDepthOf(row, lane);
+        double along =
+            ((double)row->NormalX[lane] * moved.X) + ((double)row->NormalY[lane] * moved.Y) - ContactBundle.RestDepthOf(row, lane);
         gap0 = along + row->Point0.Base[lane] + Along(&row->Point0, lane, b, second: true) - Along(&row->Point0, lane, a, second: false);
         gap1 = along + row->Point1.Base[lane] + Along(&row->Point1, lane, b, second: true) - Along(&row->Point1, lane, a, second: false);
     }
@@ -353,7 +360,8 @@ internal sealed unsafe partial class IslandImpact
         double bound = row->Friction[lane] * Math.Max(point.Impulse, 0);
         Change a = ChangeOf(row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane]);
         Change b = ChangeOf(row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane]);
-        double slip = side.Slip + (row->NormalY[lane] * (b.X - a.X)) - (row->NormalX[lane] * (b.Y - a.Y)) + (a.W * side.AlongA) - (b.W * side.AlongB);
+        double slip =
+            side.Slip + (row->NormalY[lane] * (b.X - a.X)) - (row->NormalX[lane] * (b.Y - a.Y)) + (a.W * side.AlongA) - (b.W * side.AlongB);
         double response = row->MassA[lane] + row->MassB[lane]
             + (row->InertiaA[lane] * side.AlongA * side.AlongA) + (row->InertiaB[lane] * side.AlongB * side.AlongB);
         double found = Math.Max(-bound, Math.Min(bound, side.Rub - (slip / response)));
@@ -398,7 +406,8 @@ internal sealed unsafe partial class IslandImpact
         motion.StartX += (float)change.X;
         motion.StartY += (float)change.Y;
         motion.StartW += (float)change.W;
-        state.DeltaPosition = new Vector2((float)(state.DeltaPosition.X + (change.X * time)), (float)(state.DeltaPosition.Y + (change.Y * time)));
+        state.DeltaPosition =
+            new Vector2((float)(state.DeltaPosition.X + (change.X * time)), (float)(state.DeltaPosition.Y + (change.Y * time)));
         if (change.W * time != 0)
         {
             motion.Turned = (float)(motion.Turned + (change.W * time));

@@ -19,13 +19,18 @@ internal unsafe struct SmallIslandRow
     public int Place;
 }
 
-/// <summary>Islands whose contacts are few enough to be solved directly, those of them in which something new has come to touch: their rows, island by island.</summary>
+/// <summary>
+/// Islands whose contacts are few enough to be solved directly, those of them in which something new has come to touch: their rows, island
+/// by island.
+/// </summary>
 internal sealed unsafe class SmallIslands
 {
     /// <summary>Contacts of the largest, which have two points each.</summary>
     public const int MostContacts = ContactSystem.MostPoints / 2;
 
-    /// <summary>First rows of islands that are not asked for, or whose bodies hang on joints: these answer as more than themselves.</summary>
+    /// <summary>
+    /// First rows of islands that are not asked for, or whose bodies hang on joints: these answer as more than themselves.
+    /// </summary>
     private const int Unasked = -2;
     private const int Jointed = -3;
 

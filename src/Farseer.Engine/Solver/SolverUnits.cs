@@ -96,7 +96,9 @@ internal sealed unsafe class SolverUnits : IStageWork
         input.Runner.RunEach(this, _count);
     }
 
-    /// <summary>All that units need, once there are groups: how many of these are units, and how many colours those have, differs from step to step.</summary>
+    /// <summary>
+    /// All that units need, once there are groups: how many of these are units, and how many colours those have, differs from step to step.
+    /// </summary>
     private void MakeRoom(StageRunner runner, ConstraintGraph graph)
     {
         if (_unitOf.Length == 0)

@@ -9,9 +9,10 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Solver;
 
 /// <summary>
-/// Friction of contacts whose surfaces run past their bodies, and the torque that resists rolling: one by one, in the order of the contacts, after the
-/// relax pass of each substep and the impacts, whose normal impulses bound both. Their rows have no friction. A substep starts from the forces of the one before, so
-/// what lasts is exact: a belt drives as hard as it can until nothing slips, and a ball on a slope that its resistance holds stands still.
+/// Friction of contacts whose surfaces run past their bodies, and the torque that resists rolling: one by one, in the order of the
+/// contacts, after the relax pass of each substep and the impacts, whose normal impulses bound both. Their rows have no friction. A substep
+/// starts from the forces of the one before, so what lasts is exact: a belt drives as hard as it can until nothing slips, and a ball on a
+/// slope that its resistance holds stands still.
 /// </summary>
 internal sealed unsafe class SurfacePass
 {
@@ -173,7 +174,8 @@ internal sealed unsafe class SurfacePass
         if (mass != 0 || spin != 0)
         {
             ref BodyState state = ref _bodies.State[body];
-            state.LinearVelocity = new Vector2((float)(state.LinearVelocity.X + (mass * px)), (float)(state.LinearVelocity.Y + (mass * py)));
+            state.LinearVelocity =
+                new Vector2((float)(state.LinearVelocity.X + (mass * px)), (float)(state.LinearVelocity.Y + (mass * py)));
             state.AngularVelocity = (float)(state.AngularVelocity + spin);
         }
     }

@@ -130,20 +130,40 @@ internal static unsafe class SpringKernel
         double impulse = (change - drive) / mass;
         shift /= mass;
         EndState.Push(
-            bodies, row.Def.BodyA, 0, -impulse * row.InverseMassA * row.NormalX, -impulse * row.InverseMassA * row.NormalY, -impulse * row.InverseInertiaA * row.TurnA);
+            bodies,
+            row.Def.BodyA,
+            0,
+            -impulse * row.InverseMassA * row.NormalX,
+            -impulse * row.InverseMassA * row.NormalY,
+            -impulse * row.InverseInertiaA * row.TurnA);
         EndState.Shift(
-            bodies, row.Def.BodyA, -shift * row.InverseMassA * row.NormalX, -shift * row.InverseMassA * row.NormalY, -shift * row.InverseInertiaA * row.TurnA);
+            bodies,
+            row.Def.BodyA,
+            -shift * row.InverseMassA * row.NormalX,
+            -shift * row.InverseMassA * row.NormalY,
+            -shift * row.InverseInertiaA * row.TurnA);
         EndState.Push(
-            bodies, row.Def.BodyB, 0, impulse * row.InverseMassB * row.NormalX, impulse * row.InverseMassB * row.NormalY, impulse * row.InverseInertiaB * row.TurnB);
+            bodies,
+            row.Def.BodyB,
+            0,
+            impulse * row.InverseMassB * row.NormalX,
+            impulse * row.InverseMassB * row.NormalY,
+            impulse * row.InverseInertiaB * row.TurnB);
         EndState.Shift(
-            bodies, row.Def.BodyB, shift * row.InverseMassB * row.NormalX, shift * row.InverseMassB * row.NormalY, shift * row.InverseInertiaB * row.TurnB);
+            bodies,
+            row.Def.BodyB,
+            shift * row.InverseMassB * row.NormalX,
+            shift * row.InverseMassB * row.NormalY,
+            shift * row.InverseInertiaB * row.TurnB);
     }
 
     /// <summary>C' for the given velocities of the ends.</summary>
     public static double Speed(in SpringRow row, double ax, double ay, double aw, double bx, double by, double bw) =>
         (row.NormalX * (bx - ax)) + (row.NormalY * (by - ay)) + (row.TurnB * bw) - (row.TurnA * aw);
 
-    /// <summary>The way that the integrator gives a velocity v that changes by <paramref name="change"/>: half of the drive's change is taken back.</summary>
+    /// <summary>
+    /// The way that the integrator gives a velocity v that changes by <paramref name="change"/>: half of the drive's change is taken back.
+    /// </summary>
     private static double Plain(double speed, double change, double drive, double h) => h * (speed + change - (drive / 2));
 
     private static void SetArm(in BodyPose pose, double lead, Vector2 anchor, out double x, out double y)

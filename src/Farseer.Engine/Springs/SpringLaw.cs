@@ -13,7 +13,9 @@ namespace Farseer.Engine.Springs;
 /// </summary>
 internal struct SpringLaw
 {
-    /// <summary>Above this angle a substep samples the oscillation less than twice a period: its frequency is no longer to be had.</summary>
+    /// <summary>
+    /// Above this angle a substep samples the oscillation less than twice a period: its frequency is no longer to be had.
+    /// </summary>
     private const double LargestTurn = 3.0;
 
     private const double SeriesLimit = 1e-5;

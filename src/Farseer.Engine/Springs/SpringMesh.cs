@@ -22,7 +22,6 @@ internal sealed unsafe partial class SpringMesh
 {
     /// <summary>Ratio of the squared residuals at which a solution is good: 1e-7 in the velocities, what a float holds.</summary>
     private const double Tolerance = 1e-14;
-
     private const int MostRounds = 300;
 
     private readonly Column<Mesh> _meshes = new Column<Mesh>();
@@ -405,7 +404,8 @@ internal sealed unsafe partial class SpringMesh
     /// <summary>What the spring gives in the substep at the present guess, without the damping of single spins.</summary>
     private double Impulse(in SpringRow row, in Mesh mesh, BodyStore bodies, double h)
     {
-        double speed = SpeedOfEnd(row.Def.BodyB, row.MovesB, row, row.TurnB, bodies) - SpeedOfEnd(row.Def.BodyA, row.MovesA, row, row.TurnA, bodies);
+        double speedA = SpeedOfEnd(row.Def.BodyA, row.MovesA, row, row.TurnA, bodies);
+        double speed = SpeedOfEnd(row.Def.BodyB, row.MovesB, row, row.TurnB, bodies) - speedA;
         return -((h * row.Def.Stiffness * row.Stretch) + (Weight(row, mesh, h) * speed));
     }
 

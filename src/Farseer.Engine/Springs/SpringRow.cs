@@ -51,7 +51,10 @@ internal struct SpringDef
 
     public readonly bool IsSameAs(in SpringDef other) =>
         Kind == other.Kind && BodyA == other.BodyA && BodyB == other.BodyB && AnchorA == other.AnchorA && AnchorB == other.AnchorB
-        && Rest.Equals(other.Rest) && Stiffness.Equals(other.Stiffness) && Damping.Equals(other.Damping) && MaxTorque.Equals(other.MaxTorque);
+        && Rest.Equals(other.Rest)
+        && Stiffness.Equals(other.Stiffness)
+        && Damping.Equals(other.Damping)
+        && MaxTorque.Equals(other.MaxTorque);
 }
 
 /// <summary>One spring during a step: what was asked for, and what the substeps need.</summary>
@@ -78,7 +81,9 @@ internal struct SpringRow
     public double InverseInertiaA;
     public double InverseInertiaB;
 
-    /// <summary>Centre of B minus centre of A at the step's start, or (in X) the difference of the angles in its foreseen middle less the rest.</summary>
+    /// <summary>
+    /// Centre of B minus centre of A at the step's start, or (in X) the difference of the angles in its foreseen middle less the rest.
+    /// </summary>
     public double OffsetX;
     public double OffsetY;
 

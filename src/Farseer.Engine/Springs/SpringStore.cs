@@ -208,8 +208,8 @@ internal sealed unsafe class SpringStore
     }
 
     /// <summary>
-    /// Finds what hangs together by springs and trees of joints. The root of a mesh then holds its number of springs and its largest load, the others
-    /// keep the mark that they are touched.
+    /// Finds what hangs together by springs and trees of joints. The root of a mesh then holds its number of springs and its largest load,
+    /// the others keep the mark that they are touched.
     /// </summary>
     private void JoinMeshes(JointSolver? joints)
     {

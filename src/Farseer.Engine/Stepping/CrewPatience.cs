@@ -4,16 +4,20 @@ using System.Diagnostics;
 namespace Farseer.Engine.Stepping;
 
 /// <summary>
-/// Whether helpers are worth waiting for. Where other programs want the processors too, the system takes one from a helper in the midst of a
-/// block, and the step stands still for a time slice, some milliseconds. A step that does so again and again is better done alone. And where processors are far
-/// from each other, or are two halves of one, sharing may take longer than it saves, whoever comes in time: now and then some steps are done the other way, and what is quicker goes on.
+/// Whether helpers are worth waiting for. Where other programs want the processors too, the system takes one from a helper in the midst of
+/// a block, and the step stands still for a time slice, some milliseconds. A step that does so again and again is better done alone. And
+/// where processors are far from each other, or are two halves of one, sharing may take longer than it saves, whoever comes in time: now
+/// and then some steps are done the other way, and what is quicker goes on.
 /// </summary>
 internal sealed class CrewPatience
 {
     /// <summary>Share of a step that helpers are thought to save.</summary>
     private const double Gain = 0.25;
 
-    /// <summary>Steps that are not shared when waiting has outweighed that: so many for each step that it could have done meanwhile, twice as many each time, up to a limit.</summary>
+    /// <summary>
+    /// Steps that are not shared when waiting has outweighed that: so many for each step that it could have done meanwhile, twice as many
+    /// each time, up to a limit.
+    /// </summary>
     private const double RestShare = 4;
     private const int MostRest = 256;
 
@@ -27,7 +31,9 @@ internal sealed class CrewPatience
     private const int FirstStretch = 16;
     private const int LastStretch = 512;
 
-    /// <summary>Of the time of one worker what sharing may take at most: what only saves less than that is not worth another processor.</summary>
+    /// <summary>
+    /// Of the time of one worker what sharing may take at most: what only saves less than that is not worth another processor.
+    /// </summary>
     private const double WorthSharing = 0.97;
 
     private readonly double[] _usual = new double[Trial];

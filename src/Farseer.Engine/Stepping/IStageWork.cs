@@ -6,7 +6,8 @@ namespace Farseer.Engine.Stepping;
 /// </summary>
 internal interface IStageWork
 {
-    /// <param name="worker">From 0, below <see cref="StageRunner.Workers"/>; two calls at a time never share it, so it may index a scratch.</param>
+    /// <param name="worker">From 0, below <see cref="StageRunner.Workers"/>; two calls at a time never share it, so it may index a
+    /// scratch.</param>
     /// <param name="from">First item.</param>
     /// <param name="to">One past the last.</param>
     void Run(int worker, int from, int to);

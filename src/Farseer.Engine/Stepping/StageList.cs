@@ -3,7 +3,10 @@ using System.Threading;
 
 namespace Farseer.Engine.Stepping;
 
-/// <summary>How large the phases of a row are, for <see cref="StageRunner.RunAll"/>: known before, so that workers need not be told from one to the next.</summary>
+/// <summary>
+/// How large the phases of a row are, for <see cref="StageRunner.RunAll"/>: known before, so that workers need not be told from one to the
+/// next.
+/// </summary>
 internal sealed class StageList
 {
     private const int BlockBits = 16;

@@ -188,7 +188,8 @@ internal sealed partial class StageRunner
         int done = 0;
         int block;
 
-        // Of the two halves of a phase both begin far from the middle, so that what is left for the other one is near to what it has done itself.
+        // Of the two halves of a phase both begin far from the middle, so that what is left for the other one is near to what it has done
+        // itself.
         bool fromEnd = (owner != worker) != ((owner & 1) != 0);
         while ((block = TakeBlock(owner, phase, fromEnd)) >= 0)
         {

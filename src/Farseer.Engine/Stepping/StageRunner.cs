@@ -13,14 +13,14 @@ namespace Farseer.Engine.Stepping;
 /// than the block that it has in hand. Which worker did what is never visible: see <see cref="IStageWork"/>.
 /// </summary>
 /// <remarks>
-/// A word that one processor writes and another one reads takes 0.1 to 0.3 µs to get there, so what is counted here is how often workers wait for
-/// such a word. A share is one word: the number of the phase, the next block, one past the last. Taking a block is one compare-and-swap. Nobody hands
-/// shares out: a word of an older phase stands for the whole share, so it stays with its owner. It cannot be mistaken: as long as a share is not taken its phase
-/// is not over, and the number keeps a worker that looks at an old phase from taking a block of a new one. What a phase does is read after a block of
-/// it has been taken: until that is reported as done the phase cannot end. Each worker reports in a word of its own, which only ever grows.
-/// In a row of phases (<see cref="StageList"/>) each worker goes from one to the next as soon as the reports add up, without being told.
-/// Tried and left: fixed halves with a counter to spin on, which is 0.1 µs a phase faster on idle cores and loses all of it, and
-/// more, whenever something else runs on one of them.
+/// A word that one processor writes and another one reads takes 0.1 to 0.3 µs to get there, so what is counted here is how often workers
+/// wait for such a word. A share is one word: the number of the phase, the next block, one past the last. Taking a block is one
+/// compare-and-swap. Nobody hands shares out: a word of an older phase stands for the whole share, so it stays with its owner. It cannot be
+/// mistaken: as long as a share is not taken its phase is not over, and the number keeps a worker that looks at an old phase from taking a
+/// block of a new one. What a phase does is read after a block of it has been taken: until that is reported as done the phase cannot end.
+/// Each worker reports in a word of its own, which only ever grows. In a row of phases (<see cref="StageList"/>) each worker goes from one
+/// to the next as soon as the reports add up, without being told. Tried and left: fixed halves with a counter to spin on, which is 0.1 µs a
+/// phase faster on idle cores and loses all of it, and more, whenever something else runs on one of them.
 /// </remarks>
 [NotState(Why.Running)]
 internal sealed partial class StageRunner : IDisposable
@@ -29,20 +29,22 @@ internal sealed partial class StageRunner : IDisposable
     public const int MostWorkers = 62;
 
     /// <summary>
-    /// Blocks that a worker's own share of a phase is cut into: what is left of the last one is what a phase waits for. So those of a long phase
-    /// are no larger than so many times what is worth another thread's while.
+    /// Blocks that a worker's own share of a phase is cut into: what is left of the last one is what a phase waits for. So those of a long
+    /// phase are no larger than so many times what is worth another thread's while.
     /// </summary>
     private const int BlocksAShare = 4;
     private const int LargestBlock = 16;
     private const int MostBlocks = short.MaxValue;
 
     /// <summary>
-    /// A helper that has found nothing to do for so many looks, some 0.8 ms, goes to sleep. What one thread does alone within a step of 10 ms takes 0.2 to
-    /// 0.7 ms at a time, and a helper that slept meanwhile missed what came next, until it was called again and awake.
+    /// A helper that has found nothing to do for so many looks, some 0.8 ms, goes to sleep. What one thread does alone within a step of 10
+    /// ms takes 0.2 to 0.7 ms at a time, and a helper that slept meanwhile missed what came next, until it was called again and awake.
     /// </summary>
     private const int MostIdleLooks = 24_000;
 
-    /// <summary>Looks at a counter after which a waiting thread lets others run: what it waits for has been held back by the system.</summary>
+    /// <summary>
+    /// Looks at a counter after which a waiting thread lets others run: what it waits for has been held back by the system.
+    /// </summary>
     private const int PatientLooks = 2000;
 
     /// <summary>
@@ -64,8 +66,8 @@ internal sealed partial class StageRunner : IDisposable
     private const int FirstShare = 4 * Spread;
 
     /// <summary>
-    /// Looks, some 0.3 µs, at the reports of the others before a worker that has done its share looks at theirs: nearly always they are about to be done, and to
-    /// look at a share takes it away from its owner for a while.
+    /// Looks, some 0.3 µs, at the reports of the others before a worker that has done its share looks at theirs: nearly always they are
+    /// about to be done, and to look at a share takes it away from its owner for a while.
     /// </summary>
     private const int PoliteLooks = 8;
 
@@ -213,11 +215,17 @@ internal sealed partial class StageRunner : IDisposable
     /// <param name="work">The phase.</param>
     /// <param name="count">Its items.</param>
     /// <param name="least">Items that are worth being done by another thread.</param>
-    /// <remarks>Who calls it knows which class its work is, so in a step of one thread that is a plain call: looking it up at one place for all took 1.4 % of a step with 20 boxes.</remarks>
+    /// <remarks>
+    /// Who calls it knows which class its work is, so in a step of one thread that is a plain call: looking it up at one place for all took
+    /// 1.4 % of a step with 20 boxes.
+    /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Run(IStageWork work, int count, int least) => Run(work, count, count / 2, least);
 
-    /// <summary>The same where the first half of the workers is to begin with the items below <paramref name="middle"/>, which are near to it, and the others with the rest.</summary>
+    /// <summary>
+    /// The same where the first half of the workers is to begin with the items below <paramref name="middle"/>, which are near to it, and
+    /// the others with the rest.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Run(IStageWork work, int count, int middle, int least)
     {
@@ -287,7 +295,10 @@ internal sealed partial class StageRunner : IDisposable
         Complete();
     }
 
-    /// <summary>Into how many blocks <see cref="Run(IStageWork, int, int)"/> would cut a phase, as many for each worker if there are enough; 1: it is not worth sharing.</summary>
+    /// <summary>
+    /// Into how many blocks <see cref="Run(IStageWork, int, int)"/> would cut a phase, as many for each worker if there are enough; 1: it
+    /// is not worth sharing.
+    /// </summary>
     public int BlocksOf(int count, int least)
     {
         int usual = BlocksAShare * Workers;
@@ -295,7 +306,9 @@ internal sealed partial class StageRunner : IDisposable
         return blocks < Workers ? blocks : blocks - (blocks % Workers);
     }
 
-    /// <summary>Empties a list of phases. A helper that comes late may be looking at it for a row that is over: from now on it finds none.</summary>
+    /// <summary>
+    /// Empties a list of phases. A helper that comes late may be looking at it for a row that is over: from now on it finds none.
+    /// </summary>
     public void Clear(StageList stages)
     {
         if (Workers > 1)

@@ -11,7 +11,10 @@ namespace Farseer.Engine.Storage;
 internal sealed unsafe class Column<T> : IColumn
     where T : unmanaged
 {
-    /// <summary>That of a cache line, and of a vector, which is enough for the few records of a small column: most of the hundreds of a small world are.</summary>
+    /// <summary>
+    /// That of a cache line, and of a vector, which is enough for the few records of a small column: most of the hundreds of a small world
+    /// are.
+    /// </summary>
     private const int Alignment = 64;
     private const int SmallAlignment = 16;
     private const int SmallBytes = 1 << 10;
@@ -81,7 +84,10 @@ internal sealed unsafe class Column<T> : IColumn
         }
     }
 
-    /// <summary>By itself: it allocates, and what that needs of the thread was looked up by each of the dozens of questions of a step whether there is room (3 % of one with 20 boxes).</summary>
+    /// <summary>
+    /// By itself: it allocates, and what that needs of the thread was looked up by each of the dozens of questions of a step whether there
+    /// is room (3 % of one with 20 boxes).
+    /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void Grow(int capacity) => Move(ColumnGrowth.Next(_capacity, capacity, sizeof(T)));
 

@@ -9,7 +9,8 @@ namespace Farseer.Engine.Storage;
 internal static class ColumnGrowth
 {
     /// <summary>
-    /// A column begins with so many records, or with fewer if they would take more than <see cref="LeastBytes"/>: what comes and goes by ones is not to make it grow late, time and again.
+    /// A column begins with so many records, or with fewer if they would take more than <see cref="LeastBytes"/>: what comes and goes by
+    /// ones is not to make it grow late, time and again.
     /// </summary>
     private const int Least = 16;
     private const int LeastBytes = 1 << 12;

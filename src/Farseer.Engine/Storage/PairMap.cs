@@ -10,8 +10,8 @@ namespace Farseer.Engine.Storage;
 /// purpose: its order would be that of the hash.
 /// </summary>
 /// <remarks>
-/// While both numbers of all keys and all values are small enough, key and value share a word: that is two thirds of the memory, and one line to wait for
-/// instead of two. The first that is larger turns the map into one of keys and values apart, for good.
+/// While both numbers of all keys and all values are small enough, key and value share a word: that is two thirds of the memory, and one
+/// line to wait for instead of two. The first that is larger turns the map into one of keys and values apart, for good.
 /// </remarks>
 internal sealed unsafe class PairMap
 {
@@ -24,7 +24,8 @@ internal sealed unsafe class PairMap
     private const uint NumberMask = (1u << NumberBits) - 1;
     private const uint ValueMask = (1u << ValueBits) - 1;
 
-    // Of one word: the numbers of the key, then the value plus one. Apart: the keys plus one. So an empty slot is zero and new memory is an empty table.
+    // Of one word: the numbers of the key, then the value plus one. Apart: the keys plus one. So an empty slot is zero and new memory is an
+    // empty table.
     private Column<ulong> _slots = new Column<ulong>(16);
 
     // The slots before the last growth, unless they are many: with them a table that goes back to a state and grows again needs no memory.

@@ -3,8 +3,8 @@ using System.Collections.Generic;
 namespace Farseer.Engine.Storage;
 
 /// <summary>
-/// Memory that the phases of a step use one after the other, aligned to cache lines. Each phase had columns of its own for what it forgets at
-/// its end, which together were more than all that is kept of a body. What is taken holds whatever was there before; it stays
+/// Memory that the phases of a step use one after the other, aligned to cache lines. Each phase had columns of its own for what it forgets
+/// at its end, which together were more than all that is kept of a body. What is taken holds whatever was there before; it stays
 /// where it is until it is released, also if more is taken meanwhile. Taken by the calling thread alone.
 /// </summary>
 [NotState(Why.OfOneStep)]

@@ -184,7 +184,8 @@ internal sealed unsafe class StateComparer
         }
     }
 
-    [UnconditionalSuppressMessage("Trimming", "IL2075", Justification = "Fields that were cut off have no names: they are told by their bytes.")]
+    [UnconditionalSuppressMessage(
+        "Trimming", "IL2075", Justification = "Fields that were cut off have no names: they are told by their bytes.")]
     private void CompareValues(in StateNote note, int record, string name, string path, object mine, object its)
     {
         Type type = mine.GetType();
@@ -202,7 +203,9 @@ internal sealed unsafe class StateComparer
 
         foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))
         {
-            if (_found.Count < _most && !field.FieldType.IsPointer && !field.IsDefined(typeof(CompilerGeneratedAttribute), false) | IsProperty(field))
+            if (_found.Count < _most
+                && !field.FieldType.IsPointer
+                && !field.IsDefined(typeof(CompilerGeneratedAttribute), false) | IsProperty(field))
             {
                 CompareValues(note, record, name, path + "." + NameOf(field), field.GetValue(mine)!, field.GetValue(its)!);
             }

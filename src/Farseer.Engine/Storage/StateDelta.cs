@@ -9,9 +9,9 @@ namespace Farseer.Engine.Storage;
 /// </summary>
 /// <remarks>
 /// Of words: whether the places of the sections are told, and if so, how many there are, each, and the end; then the number of
-/// references and where each is; then the number of bytes that follow. These are blocks of up to sixteen words: how many words further than the
-/// one before it begins, seven bits a byte; for each four of its words how many bytes their differences take, see <see cref="WordPacker"/>; and
-/// those bytes. Numbers that change change little: the upper bytes of most differences are zero.
+/// references and where each is; then the number of bytes that follow. These are blocks of up to sixteen words: how many words further than
+/// the one before it begins, seven bits a byte; for each four of its words how many bytes their differences take, see
+/// <see cref="WordPacker"/>; and those bytes. Numbers that change change little: the upper bytes of most differences are zero.
 /// </remarks>
 internal sealed unsafe class StateDelta
 {

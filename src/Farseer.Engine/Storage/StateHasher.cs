@@ -17,7 +17,9 @@ internal static unsafe class StateHasher
         return hash ^ (hash >> 29);
     }
 
-    /// <summary>Adds all that a stream holds, but for references and for what is not the same in simulations that were made in the same way.</summary>
+    /// <summary>
+    /// Adds all that a stream holds, but for references and for what is not the same in simulations that were made in the same way.
+    /// </summary>
     public static ulong Add(ulong hash, StateStream s)
     {
         int at = 0;

@@ -21,11 +21,14 @@ internal sealed unsafe partial class StateStream
     public Func<Type, bool>? StaysWithReader { get; set; }
 
     /// <summary>
-    /// Comes before the visit of a part that is made when it is first needed: the state, of another world, has one, and this world has none yet.
+    /// Comes before the visit of a part that is made when it is first needed: the state, of another world, has one, and this world has none
+    /// yet.
     /// </summary>
     public bool Lacks(object? part) => IsReading && part is null && _objectAt < ObjectCount && ReferenceEquals(_objects[_objectAt], this);
 
-    /// <summary>Becomes what was written elsewhere. A reference to the stream itself stands for what the reader has of his own in its place.</summary>
+    /// <summary>
+    /// Becomes what was written elsewhere. A reference to the stream itself stands for what the reader has of his own in its place.
+    /// </summary>
     public void Load(ReadOnlySpan<byte> bytes, ReadOnlySpan<object?> objects)
     {
         Shape(default, new StatePlace { At = bytes.Length, ObjectAt = objects.Length });

@@ -46,8 +46,8 @@ internal sealed unsafe partial class StateStream
     }
 
     /// <summary>
-    /// A column that is not the same in all simulations that were made in the same way: numbers that say who is older, and what lies side by
-    /// side in lanes, of which there are more on some processors. It is a part of the state, and not of its hash.
+    /// A column that is not the same in all simulations that were made in the same way: numbers that say who is older, and what lies side
+    /// by side in lanes, of which there are more on some processors. It is a part of the state, and not of its hash.
     /// </summary>
     public void Local<T>(Column<T> column, [CallerArgumentExpression(nameof(column))] string name = "")
         where T : unmanaged

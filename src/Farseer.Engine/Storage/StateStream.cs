@@ -210,7 +210,9 @@ internal sealed unsafe partial class StateStream
         ClearBehind(column, count);
     }
 
-    /// <summary>What lies behind so many records is zero when a state was read, as in new memory: what follows does not depend on what was there.</summary>
+    /// <summary>
+    /// What lies behind so many records is zero when a state was read, as in new memory: what follows does not depend on what was there.
+    /// </summary>
     public void ClearBehind<T>(Column<T> column, int count)
         where T : unmanaged
     {

@@ -30,7 +30,8 @@ internal struct StateNote
 }
 
 /// <summary>
-/// The names of all fields of a state, noted by the stream as they are visited: a field that is saved is named without being told of anywhere else.
+/// The names of all fields of a state, noted by the stream as they are visited: a field that is saved is named without being told of
+/// anywhere else.
 /// </summary>
 internal sealed class StateTrace
 {
@@ -55,7 +56,8 @@ internal sealed class StateTrace
         _who = who;
     }
 
-    public void Note(int at, int objectAt, string name, StateKind? kind, bool isCount = false, bool isColumn = false) => _notes.Add(new StateNote
+    public void Note(int at, int objectAt, string name, StateKind? kind, bool isCount = false, bool isColumn = false) =>
+        _notes.Add(new StateNote
     {
         At = at,
         ObjectAt = objectAt,

@@ -9,9 +9,9 @@ using System.Runtime.Intrinsics.X86;
 namespace Farseer.Engine.Storage;
 
 /// <summary>
-/// Differences of words in few bytes, four words at a time: a difference takes none, two, three or four bytes, without those above that are zero,
-/// and one byte tells which of these it is for each of the four, the lower bits of the choices in its lower half. Where the processor has an
-/// instruction that moves bytes as a table says, the four are packed at once; the bytes are the same either way.
+/// Differences of words in few bytes, four words at a time: a difference takes none, two, three or four bytes, without those above that are
+/// zero, and one byte tells which of these it is for each of the four, the lower bits of the choices in its lower half. Where the processor
+/// has an instruction that moves bytes as a table says, the four are packed at once; the bytes are the same either way.
 /// </summary>
 internal sealed unsafe class WordPacker
 {

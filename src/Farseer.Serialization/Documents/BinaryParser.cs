@@ -135,7 +135,9 @@ internal sealed class BinaryParser
     {
         int at = _at;
         ulong length = Count();
-        return length <= (ulong)((_bytes.Length - _at) / size) ? (int)length : throw _document.Fault("a length is more than what is left of the file", at);
+        return length <= (ulong)((_bytes.Length - _at) / size)
+            ? (int)length
+            : throw _document.Fault("a length is more than what is left of the file", at);
     }
 
     private void Forward(int bytes) =>

@@ -6,8 +6,8 @@ using System.Text;
 namespace FarseerGames.FarseerPhysics.Serialization.Documents;
 
 /// <summary>
-/// Writes the binary form: after eight bytes that tell it apart, a value is a <see cref="SceneKind"/> and what belongs to it. A name stands in full where it
-/// comes first, and later as its number. Bytes come in the order of small machines, whichever one it runs on.
+/// Writes the binary form: after eight bytes that tell it apart, a value is a <see cref="SceneKind"/> and what belongs to it. A name stands
+/// in full where it comes first, and later as its number. Bytes come in the order of small machines, whichever one it runs on.
 /// </summary>
 internal sealed class BinarySink : SceneSink
 {

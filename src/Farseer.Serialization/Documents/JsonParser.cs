@@ -10,7 +10,12 @@ internal static class JsonParser
     {
         ReadOnlySpan<byte> bytes = document.Bytes;
         int start = bytes.Length >= 3 && bytes[0] == 0xEF && bytes[1] == 0xBB && bytes[2] == 0xBF ? 3 : 0;
-        var options = new JsonReaderOptions { CommentHandling = JsonCommentHandling.Skip, AllowTrailingCommas = true, MaxDepth = SceneDocument.MostDepth };
+        var options = new JsonReaderOptions
+        {
+            CommentHandling = JsonCommentHandling.Skip,
+            AllowTrailingCommas = true,
+            MaxDepth = SceneDocument.MostDepth,
+        };
         var reader = new Utf8JsonReader(bytes.Slice(start), options);
         int name = -1;
         int nameLength = 0;
@@ -46,7 +51,13 @@ internal static class JsonParser
             int end = problem.IndexOf(" LineNumber:", StringComparison.Ordinal);
             problem = end > 0 ? problem.Substring(0, end) : problem;
             throw new SceneFileException(
-                "is no JSON. " + problem, "", "", start + reader.BytesConsumed, (exception.LineNumber ?? 0) + 1, (exception.BytePositionInLine ?? 0) + 1, exception);
+                "is no JSON. " + problem,
+                "",
+                "",
+                start + reader.BytesConsumed,
+                (exception.LineNumber ?? 0) + 1,
+                (exception.BytePositionInLine ?? 0) + 1,
+                exception);
         }
     }
 

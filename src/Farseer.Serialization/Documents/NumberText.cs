@@ -14,7 +14,9 @@ internal static class NumberText
         }
 
         string text = value.ToString("R", CultureInfo.InvariantCulture);
-        return float.Parse(text, CultureInfo.InvariantCulture).Equals(value) ? Signed(text, value) : value.ToString("G9", CultureInfo.InvariantCulture);
+        return float.Parse(text, CultureInfo.InvariantCulture).Equals(value)
+            ? Signed(text, value)
+            : value.ToString("G9", CultureInfo.InvariantCulture);
     }
 
     public static string Of(double value)
@@ -25,7 +27,9 @@ internal static class NumberText
         }
 
         string text = value.ToString("R", CultureInfo.InvariantCulture);
-        return double.Parse(text, CultureInfo.InvariantCulture).Equals(value) ? Signed(text, value) : value.ToString("G17", CultureInfo.InvariantCulture);
+        return double.Parse(text, CultureInfo.InvariantCulture).Equals(value)
+            ? Signed(text, value)
+            : value.ToString("G17", CultureInfo.InvariantCulture);
     }
 
     public static bool TryName(string text, out double value)

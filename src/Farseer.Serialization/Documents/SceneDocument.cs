@@ -5,8 +5,8 @@ using System.Text;
 namespace FarseerGames.FarseerPhysics.Serialization.Documents;
 
 /// <summary>
-/// A file, taken apart and not yet believed: records of where its values stand. It takes a multiple of the file's size, whatever lengths the file
-/// claims.
+/// A file, taken apart and not yet believed: records of where its values stand. It takes a multiple of the file's size, whatever lengths
+/// the file claims.
 /// </summary>
 internal sealed class SceneDocument
 {

@@ -88,7 +88,9 @@ internal readonly struct SceneNode
         {
             case SceneKind.Single:
                 return Float(Record.Offset);
-            case SceneKind.Number when Utf8Parser.TryParse(Span, out float value, out int used) && used == Span.Length && !float.IsInfinity(value):
+            case SceneKind.Number when Utf8Parser.TryParse(Span, out float value, out int used)
+                && used == Span.Length
+                && !float.IsInfinity(value):
                 return value;
             case SceneKind.String when NumberText.TryName(Text(), out double named):
                 return (float)named;
@@ -106,7 +108,9 @@ internal readonly struct SceneNode
             case SceneKind.Double:
                 uint low = Word(Record.Offset);
                 return BitConverter.Int64BitsToDouble((long)(((ulong)Word(Record.Offset + 4) << 32) | low));
-            case SceneKind.Number when Utf8Parser.TryParse(Span, out double value, out int used) && used == Span.Length && !double.IsInfinity(value):
+            case SceneKind.Number when Utf8Parser.TryParse(Span, out double value, out int used)
+                && used == Span.Length
+                && !double.IsInfinity(value):
                 return value;
             case SceneKind.String when NumberText.TryName(Text(), out double named):
                 return named;

@@ -30,7 +30,8 @@ internal sealed class SceneObject
     public List<SceneNode> TakeItems(string name) => TryTake(name, out SceneNode value) ? value.Items() : new List<SceneNode>();
 
     /// <summary>A number that is taken later.</summary>
-    public double Look(string name, double without) => _members.TryGetValue(name, out SceneNode value) && !value.IsNull ? value.Finite() : without;
+    public double Look(string name, double without) =>
+        _members.TryGetValue(name, out SceneNode value) && !value.IsNull ? value.Finite() : without;
 
     public void Finish()
     {

@@ -61,5 +61,6 @@ internal sealed class WorldContents
     }
 
     // A frozen body's shapes have left the engine, and collide with nothing any more.
-    private long OrderOf(b2Shape shape) => shape.Link.IsAttached ? World.Engine.World.Shapes.Order[shape.Link.Collider.Index] : long.MaxValue;
+    private long OrderOf(b2Shape shape) =>
+        shape.Link.IsAttached ? World.Engine.World.Shapes.Order[shape.Link.Collider.Index] : long.MaxValue;
 }

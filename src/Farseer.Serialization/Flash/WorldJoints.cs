@@ -57,7 +57,8 @@ internal static class WorldJoints
         }
     }
 
-    private static Vector2 Vector(SceneObject members, string name) => members.TryTake(name, out SceneNode node) ? node.Vector() : Vector2.Zero;
+    private static Vector2 Vector(SceneObject members, string name) =>
+        members.TryTake(name, out SceneNode node) ? node.Vector() : Vector2.Zero;
 
     private static b2Joint JointOf(SceneObject members, string name, WorldContents contents)
     {

@@ -13,7 +13,8 @@ using FarseerGames.FarseerPhysics.Serialization.Documents;
 namespace FarseerGames.FarseerPhysics.Serialization.Flash;
 
 /// <summary>
-/// Makes a world of the other facade, as a program does that makes bodies, gives them shapes, then masses, and joins them; velocities and sleep come last.
+/// Makes a world of the other facade, as a program does that makes bodies, gives them shapes, then masses, and joins them; velocities and
+/// sleep come last.
 /// </summary>
 internal sealed class WorldReader
 {
@@ -66,7 +67,8 @@ internal sealed class WorldReader
     {
         var box = new b2AABB
         {
-            lowerBound = WorldTables.Of(members.Take("lowerBound").Vector()), upperBound = WorldTables.Of(members.Take("upperBound").Vector()),
+            lowerBound = WorldTables.Of(members.Take("lowerBound").Vector()),
+            upperBound = WorldTables.Of(members.Take("upperBound").Vector()),
         };
         b2Vec2 gravity = WorldTables.Of(members.Take("gravity").Vector());
         bool sleeps = members.Take("doSleep").Flag();
@@ -121,7 +123,8 @@ internal sealed class WorldReader
         {
             def = new b2CircleDef
             {
-                radius = radius.Single(), localPosition = WorldTables.Of(members.TryTake("center", out SceneNode center) ? center.Vector() : Vector2.Zero),
+                radius = radius.Single(),
+                localPosition = WorldTables.Of(members.TryTake("center", out SceneNode center) ? center.Vector() : Vector2.Zero),
             };
         }
         else
@@ -174,7 +177,8 @@ internal sealed class WorldReader
     }
 
     // As far as places reach in a world.
-    private static double Place(SceneNode node) => Math.Abs(node.Finite()) <= 9.2e18 ? node.Double() : throw node.Error("must be a place within 9.2e18");
+    private static double Place(SceneNode node) =>
+        Math.Abs(node.Finite()) <= 9.2e18 ? node.Double() : throw node.Error("must be a place within 9.2e18");
 
     private static void SetMotion(b2Body body, SceneObject members)
     {
@@ -183,7 +187,8 @@ internal sealed class WorldReader
         bool keeps = members.TryTake("keepsVelocity", out SceneNode k) && k.Flag();
         var force = new BodyForce
         {
-            Force = members.TryTake("force", out SceneNode f) ? f.Vector() : Vector2.Zero, Torque = members.TryTake("torque", out SceneNode t) ? t.Single() : 0,
+            Force = members.TryTake("force", out SceneNode f) ? f.Vector() : Vector2.Zero,
+            Torque = members.TryTake("torque", out SceneNode t) ? t.Single() : 0,
         };
         bool isFrozen = members.TryTake("isFrozen", out SceneNode frozen) && frozen.Flag();
         bool isSleeping = members.TryTake("isSleeping", out SceneNode sleeping) && sleeping.Flag();

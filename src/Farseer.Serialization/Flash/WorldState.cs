@@ -24,7 +24,8 @@ internal static class WorldState
         {
             contents.World.Read(stream, new Box2D.Bridge.StateRoster());
         }
-        catch (Exception exception) when (exception is InvalidOperationException or InvalidCastException or ArgumentException or NullReferenceException or IndexOutOfRangeException)
+        catch (Exception exception) when (exception is InvalidOperationException or InvalidCastException or ArgumentException
+            or NullReferenceException or IndexOutOfRangeException)
         {
             throw fault("does not fit the scene", exception);
         }

@@ -5,7 +5,9 @@ internal sealed class RecordedFrame
 {
     public float Dt { get; set; }
 
-    /// <summary>The simulator just before the update, as a file; null: it is what the update before has left, but for <see cref="Before"/>.</summary>
+    /// <summary>
+    /// The simulator just before the update, as a file; null: it is what the update before has left, but for <see cref="Before"/>.
+    /// </summary>
     public byte[]? Keyframe { get; set; }
 
     /// <summary>What the program changed since the update before; null: nothing.</summary>

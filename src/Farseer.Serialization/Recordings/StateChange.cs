@@ -28,7 +28,10 @@ internal sealed class StateChange
         bool keepsReferences = from.Part.References.AsSpan().SequenceEqual(to.Part.References);
         bool keepsRoom = from.Part.Room.AsSpan().SequenceEqual(to.Part.Room);
         var difference = new StatePart(
-            Parted(to.Part.Bytes, from.Part.Bytes), keepsReferences ? [] : to.Part.References, keepsRoom ? [] : to.Part.Room, to.Part.Layout);
+            Parted(to.Part.Bytes, from.Part.Bytes),
+            keepsReferences ? [] : to.Part.References,
+            keepsRoom ? [] : to.Part.Room,
+            to.Part.Layout);
         return new StateChange(from.Hash, to.Hash, difference, keepsReferences, keepsRoom);
     }
 

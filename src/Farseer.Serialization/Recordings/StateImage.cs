@@ -10,7 +10,9 @@ using FarseerGames.FarseerPhysics.Serialization.States;
 
 namespace FarseerGames.FarseerPhysics.Serialization.Recordings;
 
-/// <summary>A state in terms of the objects of a file, so that two simulators that were loaded of the same file can be compared and set by it.</summary>
+/// <summary>
+/// A state in terms of the objects of a file, so that two simulators that were loaded of the same file can be compared and set by it.
+/// </summary>
 internal sealed class StateImage
 {
     private StateImage(StatePart part)
@@ -51,7 +53,9 @@ internal sealed class StateImage
     }
 
     public bool IsSameAs(StateImage other) =>
-        Hash == other.Hash && Part.Bytes.AsSpan().SequenceEqual(other.Part.Bytes) && Part.References.AsSpan().SequenceEqual(other.Part.References);
+        Hash == other.Hash
+        && Part.Bytes.AsSpan().SequenceEqual(other.Part.Bytes)
+        && Part.References.AsSpan().SequenceEqual(other.Part.References);
 
     /// <summary>What no state says and only a file does: objects that were replaced since it was written.</summary>
     public static List<object?> FixedParts(SceneContents contents)

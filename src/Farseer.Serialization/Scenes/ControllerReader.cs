@@ -23,7 +23,8 @@ internal sealed class ControllerReader
     {
         SceneNode name = members.Take("kind");
         string text = name.Text();
-        ControllerKindOfFile kind = ControllerTables.Kinds.FirstOrDefault(k => k.Name == text) ?? throw name.Error("is no kind of controller");
+        ControllerKindOfFile kind =
+            ControllerTables.Kinds.FirstOrDefault(k => k.Name == text) ?? throw name.Error("is no kind of controller");
         bool isOfSimulator = members.TryTake("isOfSimulator", out SceneNode own) && own.Flag();
         Controller controller = isOfSimulator && kind.Type == typeof(InactivityController)
             ? _contents.Simulator.InactivityController : kind.Make(_contents.Simulator);
@@ -61,7 +62,8 @@ internal sealed class ControllerReader
         wave.CountNodes(out int previous, out int result, out int places);
         if (nodes == 1 || previous != nodes || result != nodes || places != nodes)
         {
-            throw members.Node.Error("must have as many numbers in currentWave, previousWave, resultWave and xPosition, none or at least 2");
+            throw members.Node.Error(
+                "must have as many numbers in currentWave, previousWave, resultWave and xPosition, none or at least 2");
         }
     }
 
@@ -81,7 +83,11 @@ internal sealed class ControllerReader
 
         if (container is not null)
         {
-            SceneObject.Try(members.Node, fluid, container, (f, c) => f.Initialize(c, f.Density, f.LinearDragCoefficient, f.RotationalDragCoefficient, gravity));
+            SceneObject.Try(
+                members.Node,
+                fluid,
+                container,
+                (f, c) => f.Initialize(c, f.Density, f.LinearDragCoefficient, f.RotationalDragCoefficient, gravity));
         }
 
         int[] geoms = members.TryTake("geoms", out SceneNode places) ? places.Wholes() : [];

@@ -38,7 +38,9 @@ internal sealed class GeomReader
         Geom? made = null;
         SceneObject.Try(members.Node, body, model, (b, m) => made = new Geom(b, m, offset, turn));
         Geom geom = made!;
-        if (members.TryTake("collisionGridCellSize", out SceneNode cell) && cell.Single() is float size && size != geom.CollisionGridCellSize)
+        if (members.TryTake("collisionGridCellSize", out SceneNode cell)
+            && cell.Single() is float size
+            && size != geom.CollisionGridCellSize)
         {
             SceneObject.Try(cell, geom, size, static (g, v) => g.CollisionGridCellSize = v);
         }

@@ -18,7 +18,8 @@ internal sealed class SceneReader
     private readonly SceneContents _contents;
     private readonly SceneFileOptions _options;
     private readonly SceneObject _root;
-    private readonly List<(SceneNode Node, Action<SceneReader, SceneNode> Add)> _adding = new List<(SceneNode Node, Action<SceneReader, SceneNode> Add)>();
+    private readonly List<(SceneNode Node, Action<SceneReader, SceneNode> Add)> _adding =
+        new List<(SceneNode Node, Action<SceneReader, SceneNode> Add)>();
 
     public SceneReader(SceneObject root, SceneFileOptions options)
     {
@@ -145,7 +146,11 @@ internal sealed class SceneReader
     private void ReadScaling(SceneObject members)
     {
         float preferred = members.Take("preferredUpdateInterval").Single();
-        SceneObject.Try(members.Node, Simulator, preferred, static (simulator, v) => simulator.Scaling = new Scaling(v, simulator.Scaling.MaximumUpdateInterval));
+        SceneObject.Try(
+            members.Node,
+            Simulator,
+            preferred,
+            static (simulator, v) => simulator.Scaling = new Scaling(v, simulator.Scaling.MaximumUpdateInterval));
         SimulatorTables.Scaling.Read(Simulator.Scaling, members);
         Simulator.Scaling.VisitHidden(new HiddenReader(members));
         members.Finish();
@@ -222,5 +227,6 @@ internal sealed class SceneReader
     }
 
     internal static T ItemAt<T>(SceneNode node, List<T> items, int place) =>
-        place >= 0 && place < items.Count ? items[place] : throw node.Error("must be the place of an item, from 0 to below " + items.Count.ToString(System.Globalization.CultureInfo.InvariantCulture));
+        place >= 0 && place < items.Count ? items[place] : throw node.Error(
+            "must be the place of an item, from 0 to below " + items.Count.ToString(System.Globalization.CultureInfo.InvariantCulture));
 }

@@ -285,5 +285,6 @@ internal sealed class SceneWriter
     }
 
     private static NotSupportedException Unknown(object item) =>
-        new NotSupportedException(item.GetType().FullName + " is not of the library, and no file holds it: take it out before saving, and add it after loading.");
+        new NotSupportedException(
+            item.GetType().FullName + " is not of the library, and no file holds it: take it out before saving, and add it after loading.");
 }

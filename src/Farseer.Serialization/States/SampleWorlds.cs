@@ -29,7 +29,8 @@ internal static class SampleWorlds
         };
         Body floor = BodyFactory.Instance.CreateRectangleBody(simulator, 64, 1, 1);
         floor.IsStatic = true;
-        GeomFactory.Instance.CreateChainGeom(simulator, floor, new Vertices(new[] { new Vector2(32, 0), new Vector2(0, 0), new Vector2(-32, 0) }), false)
+        GeomFactory.Instance.CreateChainGeom(
+            simulator, floor, new Vertices(new[] { new Vector2(32, 0), new Vector2(0, 0), new Vector2(-32, 0) }), false)
             .SetSegmentMaterial(0, new SurfaceMaterial { Friction = 1, Speed = 1 });
         foreach (JointKindOfFile kind in JointTables.Kinds)
         {
@@ -66,7 +67,8 @@ internal static class SampleWorlds
 
     public static IReadOnlyList<StateNote> WorldTrace()
     {
-        var world = new b2World(new b2AABB { lowerBound = new b2Vec2(-64, -64), upperBound = new b2Vec2(64, 64) }, new b2Vec2(0, -10), true);
+        var world =
+            new b2World(new b2AABB { lowerBound = new b2Vec2(-64, -64), upperBound = new b2Vec2(64, 64) }, new b2Vec2(0, -10), true);
         b2Body ground = world.GetGroundBody();
         ground.CreateShape(Rectangle(32, 1));
         b2Body first = Ball(world, -1);
@@ -75,7 +77,8 @@ internal static class SampleWorlds
         hinge.Initialize(ground, first, new b2Vec2(-1, 2));
         var slider = new b2PrismaticJointDef();
         slider.Initialize(ground, second, new b2Vec2(1, 2), new b2Vec2(1, 0));
-        var gear = new b2GearJointDef { joint1 = world.CreateJoint(hinge), joint2 = world.CreateJoint(slider), body1 = first, body2 = second };
+        var gear =
+            new b2GearJointDef { joint1 = world.CreateJoint(hinge), joint2 = world.CreateJoint(slider), body1 = first, body2 = second };
         world.CreateJoint(gear);
         var rod = new b2DistanceJointDef();
         rod.Initialize(first, second, new b2Vec2(-1, 1), new b2Vec2(1, 1));

@@ -40,8 +40,8 @@ internal static class SimulatorState
         StatePart.Of(stream, Places(contents), StateLayout.OfSimulator, contents.Simulator, contents.Simulator.World);
 
     /// <summary>
-    /// Lets a simulator run for once, with all that is in it: parts of the engine that are made with the first step are there then, and have room. What
-    /// else comes of it the state replaces.
+    /// Lets a simulator run for once, with all that is in it: parts of the engine that are made with the first step are there then, and
+    /// have room. What else comes of it the state replaces.
     /// </summary>
     public static void Prepare(PhysicsSimulator simulator)
     {
@@ -61,7 +61,8 @@ internal static class SimulatorState
         {
             simulator.Read(stream, new Bridge.StateRoster(), new Bridge.StateRoster())?.Throw();
         }
-        catch (Exception exception) when (exception is InvalidOperationException or InvalidCastException or ArgumentException or NullReferenceException or IndexOutOfRangeException)
+        catch (Exception exception) when (exception is InvalidOperationException or InvalidCastException or ArgumentException
+            or NullReferenceException or IndexOutOfRangeException)
         {
             throw fault("does not fit the scene", exception);
         }
@@ -91,5 +92,6 @@ internal static class SimulatorState
         || type == typeof(Grid) || type == typeof(Vertices) || type == typeof(Bridge.GeomForm);
 
     private static IEnumerable<object> Places(SceneContents contents) =>
-        contents.BodyItems.AsEnumerable<object>().Concat(contents.GeomItems).Concat(contents.JointItems).Concat(contents.SpringItems).Concat(contents.ControllerItems);
+        contents.BodyItems.AsEnumerable<object>().Concat(contents.GeomItems).Concat(contents.JointItems).Concat(contents.SpringItems)
+            .Concat(contents.ControllerItems);
 }

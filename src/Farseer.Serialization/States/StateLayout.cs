@@ -5,8 +5,8 @@ using Farseer.Engine.Storage;
 namespace FarseerGames.FarseerPhysics.Serialization.States;
 
 /// <summary>
-/// A number for how a state lies in memory: names and places of all fields of a world that has one of everything. A version of the library that adds
-/// or moves one has another number, and nobody has to think of it.
+/// A number for how a state lies in memory: names and places of all fields of a world that has one of everything. A version of the library
+/// that adds or moves one has another number, and nobody has to think of it.
 /// </summary>
 internal static class StateLayout
 {

@@ -9,8 +9,8 @@ using FarseerGames.FarseerPhysics.Serialization.Documents;
 namespace FarseerGames.FarseerPhysics.Serialization.States;
 
 /// <summary>
-/// The state of a world as a part of a file: its bytes, which objects of the file it refers to, and how much room its columns have. Only an unchanged
-/// file of the same layout is believed: the bytes are memory of the engine.
+/// The state of a world as a part of a file: its bytes, which objects of the file it refers to, and how much room its columns have. Only an
+/// unchanged file of the same layout is believed: the bytes are memory of the engine.
 /// </summary>
 internal sealed class StatePart
 {
@@ -68,7 +68,11 @@ internal sealed class StatePart
     public static StatePart Read(SceneObject members)
     {
         SceneNode layout = members.Take("layout");
-        if (!ulong.TryParse(layout.Text(), System.Globalization.NumberStyles.HexNumber, System.Globalization.CultureInfo.InvariantCulture, out ulong number))
+        if (!ulong.TryParse(
+            layout.Text(),
+            System.Globalization.NumberStyles.HexNumber,
+            System.Globalization.CultureInfo.InvariantCulture,
+            out ulong number))
         {
             throw layout.Error("must be 16 hexadecimal digits");
         }

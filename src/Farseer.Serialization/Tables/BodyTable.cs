@@ -6,7 +6,9 @@ namespace FarseerGames.FarseerPhysics.Serialization.Tables;
 /// <summary>The members of bodies.</summary>
 internal static class BodyTable
 {
-    /// <summary>Set while the body is in no simulator. What locks it comes before its velocities, which it would change, and its sleep last.</summary>
+    /// <summary>
+    /// Set while the body is in no simulator. What locks it comes before its velocities, which it would change, and its sleep last.
+    /// </summary>
     public static Table<Body> All { get; } = new Table<Body>()
         .Text("name", b => b.Name, (b, v) => b.Name = v)
         .Double("x", b => b.PositionX, (b, v) => b.PositionX = v)

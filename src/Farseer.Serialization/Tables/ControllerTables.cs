@@ -16,21 +16,26 @@ internal static class ControllerTables
     /// <summary>All kinds of the library.</summary>
     public static IReadOnlyList<ControllerKindOfFile> Kinds { get; } =
     [
-        new ControllerKindOfFile("Explosion", typeof(ExplosionController), _ => new ExplosionController(), new Table<ExplosionController>(s_bodies)),
-        new ControllerKindOfFile("FluidDrag", typeof(FluidDragController), _ => new FluidDragController(), new Table<FluidDragController>(s_controller)
+        new ControllerKindOfFile(
+            "Explosion", typeof(ExplosionController), _ => new ExplosionController(), new Table<ExplosionController>(s_bodies)),
+        new ControllerKindOfFile("FluidDrag", typeof(FluidDragController), _ =>
+            new FluidDragController(), new Table<FluidDragController>(s_controller)
             .Number("density", c => c.Density, (c, v) => c.Density = v)
             .Number("linearDragCoefficient", c => c.LinearDragCoefficient, (c, v) => c.LinearDragCoefficient = v)
             .Number("rotationalDragCoefficient", c => c.RotationalDragCoefficient, (c, v) => c.RotationalDragCoefficient = v)
             .Without(nameof(FluidDragController.Entry), "a handler")),
-        new ControllerKindOfFile("Gravity", typeof(GravityController), _ => new GravityController(default, 0, 1), new Table<GravityController>(s_bodies)
+        new ControllerKindOfFile("Gravity", typeof(GravityController), _ =>
+            new GravityController(default, 0, 1), new Table<GravityController>(s_bodies)
             .Vector("center", c => c.Center, (c, v) => c.Center = v)
             .Number("strength", c => c.Strength, (c, v) => c.Strength = v)
             .Number("minRadius", c => c.MinRadius, (c, v) => c.MinRadius = v)
             .Number("maxRadius", c => c.MaxRadius, (c, v) => c.MaxRadius = v)),
-        new ControllerKindOfFile("Inactivity", typeof(InactivityController), s => new InactivityController(s), new Table<InactivityController>(s_controller)
+        new ControllerKindOfFile("Inactivity", typeof(InactivityController), s =>
+            new InactivityController(s), new Table<InactivityController>(s_controller)
             .Number("activationDistance", c => c.ActivationDistance, (c, v) => c.ActivationDistance = v)
             .Number("maxIdleTime", c => c.MaxIdleTime, (c, v) => c.MaxIdleTime = v)),
-        new ControllerKindOfFile("VelocityLimit", typeof(VelocityLimitController), _ => new VelocityLimitController(0, 0), new Table<VelocityLimitController>(s_bodies)
+        new ControllerKindOfFile("VelocityLimit", typeof(VelocityLimitController), _ =>
+            new VelocityLimitController(0, 0), new Table<VelocityLimitController>(s_bodies)
             .Number("maxLinearVelocity", c => c.MaxLinearVelocity, (c, v) => c.MaxLinearVelocity = v)
             .Number("maxAngularVelocity", c => c.MaxAngularVelocity, (c, v) => c.MaxAngularVelocity = v)),
         new ControllerKindOfFile("Wave", typeof(WaveController), _ => new WaveController(), new Table<WaveController>(s_controller)

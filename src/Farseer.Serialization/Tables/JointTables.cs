@@ -56,13 +56,16 @@ internal static class JointTables
         World("FixedAngle", typeof(FixedAngleJoint), b => new FixedAngleJoint(b), new Table<FixedAngleJoint>(s_joint)
             .Number("targetAngle", j => j.TargetAngle, (j, v) => j.TargetAngle = v)
             .Number("maxImpulse", j => j.MaxImpulse, (j, v) => j.MaxImpulse = v)),
-        World("FixedAngleLimit", typeof(FixedAngleLimitJoint), b => new FixedAngleLimitJoint(b, 0, 0), new Table<FixedAngleLimitJoint>(s_joint)
+        World("FixedAngleLimit", typeof(FixedAngleLimitJoint), b =>
+            new FixedAngleLimitJoint(b, 0, 0), new Table<FixedAngleLimitJoint>(s_joint)
             .Number("lowerLimit", j => j.LowerLimit, (j, v) => j.LowerLimit = v)
             .Number("upperLimit", j => j.UpperLimit, (j, v) => j.UpperLimit = v)
             .Number("slop", j => j.Slop, (j, v) => j.Slop = v)),
-        World("FixedPrismatic", typeof(FixedPrismaticJoint), b => new FixedPrismaticJoint(b, default, Vector2.UnitX), new Table<FixedPrismaticJoint>(s_drivenWorld)
+        World("FixedPrismatic", typeof(FixedPrismaticJoint), b =>
+            new FixedPrismaticJoint(b, default, Vector2.UnitX), new Table<FixedPrismaticJoint>(s_drivenWorld)
             .Number("maxMotorForce", j => j.MaxMotorForce, (j, v) => j.MaxMotorForce = v)),
-        World("FixedRevolute", typeof(FixedRevoluteJoint), b => new FixedRevoluteJoint(b, default), new Table<FixedRevoluteJoint>(s_drivenWorld)
+        World("FixedRevolute", typeof(FixedRevoluteJoint), b =>
+            new FixedRevoluteJoint(b, default), new Table<FixedRevoluteJoint>(s_drivenWorld)
             .Number("maxImpulse", j => j.MaxImpulse, (j, v) => j.MaxImpulse = v)
             .Number("maxMotorTorque", j => j.MaxMotorTorque, (j, v) => j.MaxMotorTorque = v)),
         Pair("Gear", typeof(GearJoint), (a, b) => new GearJoint(a, b), new Table<GearJoint>(s_joint)
@@ -75,9 +78,11 @@ internal static class JointTables
             .Number("maxTorque", j => j.MaxTorque, (j, v) => j.MaxTorque = v)),
         Pair("Pin", typeof(PinJoint), (a, b) => new PinJoint(a, default, b, default), new Table<PinJoint>(s_anchored)
             .Number("targetDistance", j => j.TargetDistance, (j, v) => j.TargetDistance = v)),
-        Pair("Prismatic", typeof(PrismaticJoint), (a, b) => new PrismaticJoint(a, b, default, Vector2.UnitX), new Table<PrismaticJoint>(s_drivenPair)
+        Pair("Prismatic", typeof(PrismaticJoint), (a, b) =>
+            new PrismaticJoint(a, b, default, Vector2.UnitX), new Table<PrismaticJoint>(s_drivenPair)
             .Number("maxMotorForce", j => j.MaxMotorForce, (j, v) => j.MaxMotorForce = v)),
-        Pair("Pulley", typeof(PulleyJoint), (a, b) => new PulleyJoint(a, default, default, b, default, default), new Table<PulleyJoint>(s_anchored)
+        Pair("Pulley", typeof(PulleyJoint), (a, b) =>
+            new PulleyJoint(a, default, default, b, default, default), new Table<PulleyJoint>(s_anchored)
             .Number("ratio", j => j.Ratio, (j, v) => j.Ratio = v)
             .Number("totalLength", j => j.TotalLength, (j, v) => j.TotalLength = v)),
         Pair("Revolute", typeof(RevoluteJoint), (a, b) => new RevoluteJoint(a, b, default), new Table<RevoluteJoint>(s_drivenPair)

@@ -23,11 +23,13 @@ internal static class SpringTables
             .Vector("anchor2", s => s.Anchor2, (s, v) => s.Anchor2 = v)
             .Number("maxTorque", s => s.MaxTorque, (s, v) => s.MaxTorque = v)
             .Number("torqueMultiplier", s => s.TorqueMultiplier, (s, v) => s.TorqueMultiplier = v)),
-        new SpringKindOfFile("FixedAngle", typeof(FixedAngleSpring), () => new FixedAngleSpring(), Body, new Table<FixedAngleSpring>(s_spring)
+        new SpringKindOfFile("FixedAngle", typeof(FixedAngleSpring), () =>
+            new FixedAngleSpring(), Body, new Table<FixedAngleSpring>(s_spring)
             .Number("targetAngle", s => s.TargetAngle, (s, v) => s.TargetAngle = v)
             .Number("maxTorque", s => s.MaxTorque, (s, v) => s.MaxTorque = v)
             .Number("torqueMultiplier", s => s.TorqueMultiplier, (s, v) => s.TorqueMultiplier = v)),
-        new SpringKindOfFile("FixedLinear", typeof(FixedLinearSpring), () => new FixedLinearSpring(), Body, new Table<FixedLinearSpring>(s_spring)
+        new SpringKindOfFile("FixedLinear", typeof(FixedLinearSpring), () =>
+            new FixedLinearSpring(), Body, new Table<FixedLinearSpring>(s_spring)
             .Vector("bodyAttachPoint", s => s.BodyAttachPoint, (s, v) => s.BodyAttachPoint = v)
             .Vector("worldAttachPoint", s => s.WorldAttachPoint, (s, v) => s.WorldAttachPoint = v)
             .Number("restLength", s => s.RestLength, (s, v) => s.RestLength = v)

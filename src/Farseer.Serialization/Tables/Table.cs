@@ -76,7 +76,12 @@ internal sealed class Table<T> : Table
         Add(name, get, set, static (sink, value) => sink.Vector(value), static node => node.Vector());
 
     public Table<T> Text(string name, Func<T, string?> get, Action<T, string> set) =>
-        Add(name, item => get(item) ?? "", (item, value) => SetUnlessEmpty(item, value, set), static (sink, value) => sink.Text(value), static node => node.Text());
+        Add(
+            name,
+            item => get(item) ?? "",
+            (item, value) => SetUnlessEmpty(item, value, set),
+            static (sink, value) => sink.Text(value),
+            static node => node.Text());
 
     /// <summary>Members of an enum by name, several of them as in <c>Cat1, Cat4</c>.</summary>
     public Table<T> Choice<TEnum>(string name, Func<T, TEnum> get, Action<T, TEnum> set)
@@ -95,7 +100,8 @@ internal sealed class Table<T> : Table
         }
     }
 
-    private Table<T> Add<TValue>(string name, Func<T, TValue> get, Action<T, TValue> set, Action<SceneSink, TValue> write, Func<SceneNode, TValue> read)
+    private Table<T> Add<TValue>(
+        string name, Func<T, TValue> get, Action<T, TValue> set, Action<SceneSink, TValue> write, Func<SceneNode, TValue> read)
     {
         _fields.Add(new Field<TValue>(name, get, set, write, read));
         return this;

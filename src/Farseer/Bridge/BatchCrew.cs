@@ -10,8 +10,8 @@ internal interface IBatchWork
 }
 
 /// <summary>
-/// Threads that share out numbers, each taking the next one that nobody has: the calling one, and helpers of its own that sleep meanwhile. They know
-/// the work only while it is done, so that what it belongs to can be collected; who drops the crew calls <see cref="Stop"/>.
+/// Threads that share out numbers, each taking the next one that nobody has: the calling one, and helpers of its own that sleep meanwhile.
+/// They know the work only while it is done, so that what it belongs to can be collected; who drops the crew calls <see cref="Stop"/>.
 /// </summary>
 internal sealed class BatchCrew
 {

@@ -87,7 +87,8 @@ internal struct BodyLink
     /// <summary>Gravity pulls otherwise at the body: by a force, and not by itself.</summary>
     public bool IsPulledApart { get; set; }
 
-    private BodyFlags EngineFlags => (IsSimulated ? UserFlags : UserFlags | BodyFlags.Static) | (IsPulledApart ? BodyFlags.IgnoreGravity : BodyFlags.None);
+    private BodyFlags EngineFlags =>
+        (IsSimulated ? UserFlags : UserFlags | BodyFlags.Static) | (IsPulledApart ? BodyFlags.IgnoreGravity : BodyFlags.None);
 
     /// <summary>Moves the state into the columns of <paramref name="world"/>.</summary>
     public void Attach(World world, bool isSimulated)
@@ -223,7 +224,8 @@ internal struct BodyLink
     {
         if (_world is not null)
         {
-            const BodyFlags Owned = BodyFlags.Enabled | BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.IgnoreGravity | BodyFlags.QuadraticDrag
+            const BodyFlags Owned =
+                BodyFlags.Enabled | BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.IgnoreGravity | BodyFlags.QuadraticDrag
                 | BodyFlags.NeverSleeps | BodyFlags.Bullet | BodyFlags.Discrete | BodyFlags.Substeps;
             BodyFlags flags = EngineFlags;
             _world.SetFlags(_handle, flags & Owned, Owned & ~flags);

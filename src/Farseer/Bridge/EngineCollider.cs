@@ -52,7 +52,9 @@ internal sealed class EngineCollider
         return accepted;
     }
 
-    /// <summary>If two geoms of overlapping boxes may become a pair: the rule of <see cref="Geom.CollidesWith"/> and its companions.</summary>
+    /// <summary>
+    /// If two geoms of overlapping boxes may become a pair: the rule of <see cref="Geom.CollidesWith"/> and its companions.
+    /// </summary>
     public static bool MayCollide(Geom a, Geom b)
     {
         if (a.Body is not { } bodyA || b.Body is not { } bodyB)

@@ -43,7 +43,9 @@ internal sealed class EventRelay : IStepHooks
     [NotState(Why.Calm)]
     public bool IsClearing { get; set; }
 
-    /// <summary>Also while disposed geoms wait to leave. To ask for each pair whether its geoms live was a tenth of a tumbling scene.</summary>
+    /// <summary>
+    /// Also while disposed geoms wait to leave. To ask for each pair whether its geoms live was a tenth of a tumbling scene.
+    /// </summary>
     public bool JudgesPairs => _simulator.HasDisposedGeoms || (Collider is not null && Collider.HasHandlers);
 
     public bool AcceptPair(int colliderA, int colliderB)

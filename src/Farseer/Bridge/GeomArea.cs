@@ -5,7 +5,9 @@ using FarseerGames.FarseerPhysics.Collisions;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
-/// <summary>Area of a geom and its second moment about the place of its body, which mass and moment of inertia are in proportion to.</summary>
+/// <summary>
+/// Area of a geom and its second moment about the place of its body, which mass and moment of inertia are in proportion to.
+/// </summary>
 internal readonly struct GeomArea
 {
     private GeomArea(double area, double inertia)
@@ -31,13 +33,16 @@ internal readonly struct GeomArea
                 return About(disc, disc * form.Radius * form.Radius / 2, Vector2.Zero, geom);
             case FormKind.Box:
                 double box = (double)form.Size.X * form.Size.Y;
-                return About(box, box * (((double)form.Size.X * form.Size.X) + ((double)form.Size.Y * form.Size.Y)) / 12, Vector2.Zero, geom);
+                return About(
+                    box, box * (((double)form.Size.X * form.Size.X) + ((double)form.Size.Y * form.Size.Y)) / 12, Vector2.Zero, geom);
             case FormKind.Capsule:
                 double length = Vector2.Distance(form.Points[0], form.Points[1]);
-                return About(CapsuleArea(length, form.Radius), CapsuleInertia(length, form.Radius), (form.Points[0] + form.Points[1]) / 2, geom);
+                return About(
+                    CapsuleArea(length, form.Radius), CapsuleInertia(length, form.Radius), (form.Points[0] + form.Points[1]) / 2, geom);
             case FormKind.Rounded:
                 Vector2 size = form.Points[2] - form.Points[0];
-                return About(RoundedArea(size, form.Radius), RoundedInertia(size, form.Radius), (form.Points[0] + form.Points[2]) / 2, geom);
+                return About(
+                    RoundedArea(size, form.Radius), RoundedInertia(size, form.Radius), (form.Points[0] + form.Points[2]) / 2, geom);
             default:
                 Vertices outline = geom.LocalVertices;
                 double area = Math.Abs(outline.GetArea());

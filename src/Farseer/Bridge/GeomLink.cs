@@ -6,7 +6,9 @@ using FarseerGames.FarseerPhysics.Dynamics;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
-/// <summary>A geom's material and filters, and the collider that mirrors them while the geom is in a world. A part of the geom: it is never copied.</summary>
+/// <summary>
+/// A geom's material and filters, and the collider that mirrors them while the geom is in a world. A part of the geom: it is never copied.
+/// </summary>
 internal struct GeomLink
 {
     private World? _world;
@@ -140,7 +142,9 @@ internal struct GeomLink
         flags |= ResponseEnabled && !IsSensor ? ColliderFlags.ResponseEnabled : ColliderFlags.None;
         flags |= geom.OnCollision is not null ? ColliderFlags.WantsContact : ColliderFlags.None;
         flags |= geom.OnSeparation is not null ? ColliderFlags.WantsSeparation : ColliderFlags.None;
-        flags |= geom.OneWayDirection != System.Numerics.Vector2.Zero ? ColliderFlags.WantsContact | ColliderFlags.WantsSeparation : ColliderFlags.None;
+        flags |= geom.OneWayDirection != System.Numerics.Vector2.Zero
+            ? ColliderFlags.WantsContact | ColliderFlags.WantsSeparation
+            : ColliderFlags.None;
         flags |= geom.HasSurface ? ColliderFlags.OwnSurface : ColliderFlags.None;
         return flags | (geom.Simulator is { } simulator ? simulator.Relay.Recorder.WantedOf(IsSensor) : ColliderFlags.None);
     }

@@ -4,9 +4,9 @@ using System.Numerics;
 namespace FarseerGames.FarseerPhysics.Bridge;
 
 /// <summary>
-/// The outline of the first thing in a bitmap as version 2.0.1 found it: from pixel to neighbouring pixel, clockwise on the screen, starting
-/// at the topmost left one. A vertex is made where the pixels passed bulge out of the line from the last vertex to the present pixel by more than
-/// the tolerance, at the one that bulges most.
+/// The outline of the first thing in a bitmap as version 2.0.1 found it: from pixel to neighbouring pixel, clockwise on the screen,
+/// starting at the topmost left one. A vertex is made where the pixels passed bulge out of the line from the last vertex to the present
+/// pixel by more than the tolerance, at the one that bulges most.
 /// </summary>
 internal static class HullWalk
 {

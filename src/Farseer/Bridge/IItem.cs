@@ -1,6 +1,8 @@
 namespace FarseerGames.FarseerPhysics.Bridge;
 
-/// <summary>What joints, springs and controllers have in common: they are taken in and out at an update and give up when a body is gone.</summary>
+/// <summary>
+/// What joints, springs and controllers have in common: they are taken in and out at an update and give up when a body is gone.
+/// </summary>
 internal interface IItem : IStatePart
 {
     PhysicsSimulator? Simulator { get; set; }

@@ -10,8 +10,8 @@ internal interface IStatePart
 }
 
 /// <summary>
-/// Which roster entered somebody last, and as which: so a roster knows at once whom it has, and a reference is told by a number that is the same
-/// in every simulation that was made in the same way.
+/// Which roster entered somebody last, and as which: so a roster knows at once whom it has, and a reference is told by a number that is the
+/// same in every simulation that was made in the same way.
 /// </summary>
 [NotState(Why.OfOneStep)]
 internal struct StateMark

@@ -113,7 +113,10 @@ internal sealed class ItemQueue<T>
         for (int i = 0; i < _in.Count; i++)
         {
             T item = _in[i];
-            if (item.Membership == Membership.AddQueued && ReferenceEquals(item.Simulator, _owner) && !item.IsDisposed && items.IndexOf(item, listed) < 0)
+            if (item.Membership == Membership.AddQueued
+                && ReferenceEquals(item.Simulator, _owner)
+                && !item.IsDisposed
+                && items.IndexOf(item, listed) < 0)
             {
                 items.Add(item);
             }
@@ -147,7 +150,9 @@ internal sealed class ItemQueue<T>
     /// <summary>Takes out what waited when the update began.</summary>
     public void TakeOut() => Drop(_out);
 
-    /// <summary>Lets those go that are to leave or are disposed, of items that are in the list or wait; tells of those that were in the list.</summary>
+    /// <summary>
+    /// Lets those go that are to leave or are disposed, of items that are in the list or wait; tells of those that were in the list.
+    /// </summary>
     /// <param name="leaving">The items, removed from here as well. What handlers add to it stays.</param>
     public void Drop(List<T> leaving)
     {

@@ -7,7 +7,9 @@ using FarseerGames.FarseerPhysics.Collisions;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
-/// <summary>What the library accepts as an outline: repeated, collinear and clockwise vertices are put right, the rest is refused.</summary>
+/// <summary>
+/// What the library accepts as an outline: repeated, collinear and clockwise vertices are put right, the rest is refused.
+/// </summary>
 internal static class OutlineRules
 {
     /// <summary>A copy in the documented order, without vertices that repeat the one before.</summary>

@@ -39,7 +39,10 @@ internal sealed class PixelContours
     /// <summary>Number of islands, in the order of their topmost left pixels.</summary>
     public int Count => _islands;
 
-    /// <summary>Outer outline first, then the holes, of an island from 1 to <see cref="Count"/>; the outline clockwise on the screen, holes the other way.</summary>
+    /// <summary>
+    /// Outer outline first, then the holes, of an island from 1 to <see cref="Count"/>; the outline clockwise on the screen, holes the
+    /// other way.
+    /// </summary>
     public List<Vertices> Trace(int island)
     {
         var visited = new HashSet<int>();

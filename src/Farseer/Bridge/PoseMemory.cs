@@ -5,7 +5,9 @@ using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
-/// <summary>Where bodies were when the last update began, by their place in the world. There is none unless somebody draws between updates.</summary>
+/// <summary>
+/// Where bodies were when the last update began, by their place in the world. There is none unless somebody draws between updates.
+/// </summary>
 internal sealed class PoseMemory
 {
     private BodyPose[] _before = [];

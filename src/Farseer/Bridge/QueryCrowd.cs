@@ -7,7 +7,8 @@ using Farseer.Engine.Simulation;
 namespace FarseerGames.FarseerPhysics.Bridge;
 
 /// <summary>
-/// Hands a <see cref="QueryLink"/> to each query. One thread gets the same one again and again; another one is made only when two ask at once.
+/// Hands a <see cref="QueryLink"/> to each query. One thread gets the same one again and again; another one is made only when two ask at
+/// once.
 /// </summary>
 internal sealed class QueryCrowd
 {
@@ -38,7 +39,9 @@ internal sealed class QueryCrowd
         return new QueryTurn(this, link?.TryUse(thread) == true ? link : Find(thread));
     }
 
-    /// <summary>The first of several threads brings the boxes up to the poses, and the others wait: the engine knows no threads here.</summary>
+    /// <summary>
+    /// The first of several threads brings the boxes up to the poses, and the others wait: the engine knows no threads here.
+    /// </summary>
     private void Freshen()
     {
         lock (_all)

@@ -15,8 +15,8 @@ using QueryFilter = FarseerGames.FarseerPhysics.Collisions.QueryFilter;
 namespace FarseerGames.FarseerPhysics.Bridge;
 
 /// <summary>
-/// Hands queries to the engine and turns what it finds into geoms: those that it simulates, and those that wait for the next update. One thread at a time
-/// uses it; several use one each, which <see cref="QueryCrowd"/> hands out.
+/// Hands queries to the engine and turns what it finds into geoms: those that it simulates, and those that wait for the next update. One
+/// thread at a time uses it; several use one each, which <see cref="QueryCrowd"/> hands out.
 /// </summary>
 internal sealed class QueryLink
 {
@@ -190,7 +190,8 @@ internal sealed class QueryLink
     private static bool Better(bool found, in RayCastHit other, ref RayCastHit hit)
     {
         bool before = !found || other.Fraction < hit.Fraction
-            || (other.Fraction == hit.Fraction && (other.StartsInside == hit.StartsInside ? IsOlder(other.Geom, hit.Geom) : other.StartsInside));
+            || (other.Fraction == hit.Fraction
+                && (other.StartsInside == hit.StartsInside ? IsOlder(other.Geom, hit.Geom) : other.StartsInside));
         hit = before ? other : hit;
         return true;
     }

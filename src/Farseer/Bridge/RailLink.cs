@@ -34,6 +34,10 @@ internal static class RailLink
         settings.BreakForce = double.PositiveInfinity;
         bool both = locks == (MotionLocks.X | MotionLocks.Y);
         body.Link.Rail = world.CreateJoint(
-            both ? JointKind.Revolute : JointKind.Wheel, World.WorldFrame, body.Link.Handle, settings, JointFlags.Enabled | JointFlags.CollideConnected);
+            both ? JointKind.Revolute : JointKind.Wheel,
+            World.WorldFrame,
+            body.Link.Handle,
+            settings,
+            JointFlags.Enabled | JointFlags.CollideConnected);
     }
 }

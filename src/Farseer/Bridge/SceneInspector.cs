@@ -12,7 +12,9 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 /// <summary>Looks over a scene for what is seldom meant so. It reads only, and may take its time.</summary>
 internal sealed class SceneInspector
 {
-    /// <summary>Share of the smaller one's shorter side from which on an overlap is deep, and of which a body is far below its rest depth.</summary>
+    /// <summary>
+    /// Share of the smaller one's shorter side from which on an overlap is deep, and of which a body is far below its rest depth.
+    /// </summary>
     private const float DeepShare = 0.1f;
 
     /// <summary>Ratio of masses through joints or contacts from which on iterations count.</summary>
@@ -43,7 +45,8 @@ internal sealed class SceneInspector
         return _findings;
     }
 
-    private void Find(int number, object subject, string message, string dial) => _findings.Add(new InspectionFinding(number, subject, message, dial));
+    private void Find(int number, object subject, string message, string dial) =>
+        _findings.Add(new InspectionFinding(number, subject, message, dial));
 
     private static string Show(double value) => value.ToString("G4", CultureInfo.InvariantCulture);
 
@@ -54,7 +57,11 @@ internal sealed class SceneInspector
         {
             if (!present.Contains(geom.Body) && !geom.Body.IsStatic)
             {
-                Find(1, geom, "Its body is not in the simulator, so nothing moves it.", "Add the body, or set Body.IsStatic if it is meant to stand.");
+                Find(
+                    1,
+                    geom,
+                    "Its body is not in the simulator, so nothing moves it.",
+                    "Add the body, or set Body.IsStatic if it is meant to stand.");
             }
         }
 
@@ -62,12 +69,20 @@ internal sealed class SceneInspector
         {
             if (!body.IsStatic && !body.IsKinematic && !body.Geoms.Any(g => ReferenceEquals(g.Simulator, _simulator)))
             {
-                Find(2, body, "It has no geom in the simulator, so it meets nothing.", "Make a geom for it, or leave it out of the simulator.");
+                Find(
+                    2,
+                    body,
+                    "It has no geom in the simulator, so it meets nothing.",
+                    "Make a geom for it, or leave it out of the simulator.");
             }
 
             if (!body.Enabled && body.IsQuarantined)
             {
-                Find(3, body, "It was taken out because its numbers were out of range.", "See PhysicsSimulator.BodyQuarantined; set Body.Enabled to bring it back.");
+                Find(
+                    3,
+                    body,
+                    "It was taken out because its numbers were out of range.",
+                    "See PhysicsSimulator.BodyQuarantined; set Body.Enabled to bring it back.");
             }
         }
     }
@@ -85,7 +100,11 @@ internal sealed class SceneInspector
 
             if (geom.RestitutionCoefficient > 1)
             {
-                Find(13, geom, "Its restitution, " + Show(geom.RestitutionCoefficient) + ", is above 1: bounces drive bodies on.", "Set Geom.RestitutionCoefficient to 1 or less, unless it is a bumper.");
+                Find(
+                    13,
+                    geom,
+                    "Its restitution, " + Show(geom.RestitutionCoefficient) + ", is above 1: bounces drive bodies on.",
+                    "Set Geom.RestitutionCoefficient to 1 or less, unless it is a bumper.");
             }
 
             _simulator.QueryGeom(geom, near, all);
@@ -103,7 +122,8 @@ internal sealed class SceneInspector
     {
         AABB a = geom.AABB;
         AABB b = other.AABB;
-        float deep = Math.Min(Math.Min(a.Max.X, b.Max.X) - Math.Max(a.Min.X, b.Min.X), Math.Min(a.Max.Y, b.Max.Y) - Math.Max(a.Min.Y, b.Min.Y));
+        float deep =
+            Math.Min(Math.Min(a.Max.X, b.Max.X) - Math.Max(a.Min.X, b.Min.X), Math.Min(a.Max.Y, b.Max.Y) - Math.Max(a.Min.Y, b.Min.Y));
         float size = Math.Min(a.GetShortestSide(), b.GetShortestSide());
         float depth = Depth(geom, other);
         if (depth > DeepShare * size && deep > 0)
@@ -113,17 +133,28 @@ internal sealed class SceneInspector
                 "Place them apart, or let them: CollisionGroup. Falls of this kind are slowed by PhysicsSimulator.BiasFactor.");
         }
 
-        if (geom.FrictionCoefficient + other.FrictionCoefficient == 0 && Moves(geom.Body) && Moves(other.Body) && _simulator.Gravity != Vector2.Zero
+        if (geom.FrictionCoefficient + other.FrictionCoefficient == 0
+            && Moves(geom.Body)
+            && Moves(other.Body)
+            && _simulator.Gravity != Vector2.Zero
             && _simulator.MixMaterials is null)
         {
-            Find(5, geom, "It and " + other + " touch without friction: a stack slides apart.", "Set Geom.FrictionCoefficient; its default is 0.");
+            Find(
+                5,
+                geom,
+                "It and " + other + " touch without friction: a stack slides apart.",
+                "Set Geom.FrictionCoefficient; its default is 0.");
         }
 
         float heavy = Math.Max(geom.Body.Mass, other.Body.Mass);
         float light = Math.Min(geom.Body.Mass, other.Body.Mass);
         if (Moves(geom.Body) && Moves(other.Body) && heavy > HeavyRatio * light && !_simulator.AdaptIterations)
         {
-            Find(6, geom, "It and " + other + " differ " + Show(heavy / light) + " times in mass.", "Set PhysicsSimulator.AdaptIterations, or Body.IterationFactor.");
+            Find(
+                6,
+                geom,
+                "It and " + other + " differ " + Show(heavy / light) + " times in mass.",
+                "Set PhysicsSimulator.AdaptIterations, or Body.IterationFactor.");
         }
     }
 
@@ -154,14 +185,16 @@ internal sealed class SceneInspector
     private void InspectFilters()
     {
         // Kinds of geoms by their filter and by whether they move: scenes have few.
-        List<Geom> kinds = [.. _geoms.GroupBy(g => (g.CollisionGroup, g.CollisionCategories, g.CollidesWith, g.CollisionEnabled, Moves(g.Body), g.Body)).Select(k => k.First())];
+        List<Geom> kinds = [.. _geoms.GroupBy(g =>
+            (g.CollisionGroup, g.CollisionCategories, g.CollidesWith, g.CollisionEnabled, Moves(g.Body), g.Body)).Select(k => k.First())];
         foreach (Geom geom in kinds)
         {
             bool meets = false;
             bool wanted = false;
             foreach (Geom other in kinds)
             {
-                if (!ReferenceEquals(geom.Body, other.Body) && (Moves(geom.Body) || Moves(other.Body) || other.Body.IsKinematic || geom.Body.IsKinematic))
+                if (!ReferenceEquals(geom.Body, other.Body)
+                    && (Moves(geom.Body) || Moves(other.Body) || other.Body.IsKinematic || geom.Body.IsKinematic))
                 {
                     meets |= Collide(geom, other);
                     wanted |= (geom.CollidesWith & other.CollisionCategories) != 0 && (other.CollidesWith & geom.CollisionCategories) == 0;
@@ -170,11 +203,19 @@ internal sealed class SceneInspector
 
             if (!meets && geom.IsSensor)
             {
-                Find(7, geom, "Nothing in the scene can enter it.", "Look at CollidesWith, CollisionCategories and CollisionGroup; static geoms do not meet each other.");
+                Find(
+                    7,
+                    geom,
+                    "Nothing in the scene can enter it.",
+                    "Look at CollidesWith, CollisionCategories and CollisionGroup; static geoms do not meet each other.");
             }
             else if (!meets && wanted)
             {
-                Find(8, geom, "It wants to collide, but no other wants it.", "Both sides must: CollidesWith of the others, or Farseer201Quirks.OneSidedCategoryFilter.");
+                Find(
+                    8,
+                    geom,
+                    "It wants to collide, but no other wants it.",
+                    "Both sides must: CollidesWith of the others, or Farseer201Quirks.OneSidedCategoryFilter.");
             }
         }
     }
@@ -196,11 +237,13 @@ internal sealed class SceneInspector
     {
         const float Step = 1f / 60;
         float way = body.LinearVelocity.Length() * Step;
-        Geom? thin = _geoms.Find(g => g.Body.IsStatic && !g.IsSensor && g.AABB.GetShortestSide() < way && body.Geoms.Any(own => Collide(own, g)));
+        Geom? thin =
+            _geoms.Find(g => g.Body.IsStatic && !g.IsSensor && g.AABB.GetShortestSide() < way && body.Geoms.Any(own => Collide(own, g)));
         if (thin is not null)
         {
             Find(
-                9, body, "It goes " + Show(way) + " in 1/60 s and may pass " + thin + ", which is " + Show(thin.AABB.GetShortestSide()) + " thick.",
+                9, body, "It goes " + Show(way) + " in 1/60 s and may pass " + thin + ", which is " + Show(thin.AABB.GetShortestSide())
+                    + " thick.",
                 "Set IsContinuousCollisionEnabled of the simulator and the body.");
         }
     }
@@ -238,7 +281,11 @@ internal sealed class SceneInspector
                 float ratio = Math.Max(one.Mass, two.Mass) / Math.Min(one.Mass, two.Mass);
                 if (ratio > HeavyRatio)
                 {
-                    Find(6, joint, "Its bodies differ " + Show(ratio) + " times in mass.", "Set PhysicsSimulator.AdaptIterations, or Body.IterationFactor.");
+                    Find(
+                        6,
+                        joint,
+                        "Its bodies differ " + Show(ratio) + " times in mass.",
+                        "Set PhysicsSimulator.AdaptIterations, or Body.IterationFactor.");
                 }
             }
 

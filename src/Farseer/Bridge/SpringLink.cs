@@ -71,7 +71,9 @@ internal static class SpringLink
         spring.Memory.Tell(simulator.World, def);
     }
 
-    /// <summary>Index of a body; one that is not in this world is a place of it, index 0, with the point and the angle that it has now.</summary>
+    /// <summary>
+    /// Index of a body; one that is not in this world is a place of it, index 0, with the point and the angle that it has now.
+    /// </summary>
     private static int IndexIn(World world, Body? body, ref Vector2 point, out double angle)
     {
         angle = 0;

@@ -112,7 +112,8 @@ internal static class StateNames
     };
 
     private static string Label(string kind, int place, string? name) =>
-        kind + (place < 0 ? "" : " " + place.ToString(CultureInfo.InvariantCulture)) + (string.IsNullOrEmpty(name) ? "" : " '" + name + "'");
+        kind + (place < 0 ? "" : " " + place.ToString(CultureInfo.InvariantCulture))
+        + (string.IsNullOrEmpty(name) ? "" : " '" + name + "'");
 
     private static int Place<T>(List<T>? list, T item) => list is null ? -1 : list.IndexOf(item);
 }

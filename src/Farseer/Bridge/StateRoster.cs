@@ -76,7 +76,9 @@ internal sealed class StateRoster
     /// <summary>Whether somebody is there; <see cref="Index()"/> comes before.</summary>
     public bool Has(IStatePart item) => item.Mark.Round == _round;
 
-    /// <summary>What a reference of a state is told by: a number that is the same in every simulation that was made in the same way.</summary>
+    /// <summary>
+    /// What a reference of a state is told by: a number that is the same in every simulation that was made in the same way.
+    /// </summary>
     public ulong Number(object? item)
     {
         const ulong Others = 3;

@@ -8,7 +8,8 @@ using Farseer.Engine.Stepping;
 namespace FarseerGames.FarseerPhysics.Bridge;
 
 /// <summary>
-/// Events of steps for tracing tools. The order of the numbers is that of the parameters of each event's method, which the tools read from the method.
+/// Events of steps for tracing tools. The order of the numbers is that of the parameters of each event's method, which the tools read from
+/// the method.
 /// </summary>
 [EventSource(Name = StepSignals.Name)]
 internal sealed unsafe class StepEventSource : EventSource
@@ -45,7 +46,8 @@ internal sealed unsafe class StepEventSource : EventSource
         double sleep)
     {
         // The schema of what Tell writes, which does so without boxing.
-        _ = step + bodies + sleeping + contacts + islands + substeps + changes + broadPhase + narrowPhase + islandsTime + forces + solve + finish
+        _ = step + bodies + sleeping + contacts + islands + substeps + changes + broadPhase + narrowPhase + islandsTime + forces + solve
+            + finish
             + continuous + sleep;
         _ = missedBudget;
     }

@@ -16,14 +16,19 @@ internal static class StepMeter
         _meter.CreateHistogram<double>("farseer.step.phase.duration", "s", "Time of one phase of a step.");
 
     private static readonly Histogram<int> _bodies = _meter.CreateHistogram<int>("farseer.step.bodies", "{body}", "Bodies in a step.");
-    private static readonly Histogram<int> _sleeping = _meter.CreateHistogram<int>("farseer.step.sleeping", "{body}", "Bodies asleep after a step.");
-    private static readonly Histogram<int> _contacts = _meter.CreateHistogram<int>("farseer.step.contacts", "{contact}", "Contacts after a step.");
-    private static readonly Histogram<int> _islands = _meter.CreateHistogram<int>("farseer.step.islands", "{island}", "Islands told apart in a step.");
-    private static readonly Histogram<int> _substeps = _meter.CreateHistogram<int>("farseer.step.substeps", "{substep}", "Substeps of a step.");
+    private static readonly Histogram<int> _sleeping =
+        _meter.CreateHistogram<int>("farseer.step.sleeping", "{body}", "Bodies asleep after a step.");
+    private static readonly Histogram<int> _contacts =
+        _meter.CreateHistogram<int>("farseer.step.contacts", "{contact}", "Contacts after a step.");
+    private static readonly Histogram<int> _islands =
+        _meter.CreateHistogram<int>("farseer.step.islands", "{island}", "Islands told apart in a step.");
+    private static readonly Histogram<int> _substeps =
+        _meter.CreateHistogram<int>("farseer.step.substeps", "{substep}", "Substeps of a step.");
     private static readonly Counter<long> _missed =
         _meter.CreateCounter<long>("farseer.budget.missed", "{step}", "Steps that missed their error budget.");
 
-    private static readonly Counter<long> _rollbacks = _meter.CreateCounter<long>("farseer.rollbacks", "{rollback}", "States gone back to.");
+    private static readonly Counter<long> _rollbacks =
+        _meter.CreateCounter<long>("farseer.rollbacks", "{rollback}", "States gone back to.");
 
     private static readonly KeyValuePair<string, object?>[] _phases =
     [
@@ -33,7 +38,13 @@ internal static class StepMeter
 
     /// <summary>Somebody hears of steps.</summary>
     public static bool IsHeard =>
-        _duration.Enabled || _phase.Enabled || _bodies.Enabled || _sleeping.Enabled || _contacts.Enabled || _islands.Enabled || _substeps.Enabled
+        _duration.Enabled
+        || _phase.Enabled
+        || _bodies.Enabled
+        || _sleeping.Enabled
+        || _contacts.Enabled
+        || _islands.Enabled
+        || _substeps.Enabled
         || _missed.Enabled;
 
     public static void Tell(StepProfile profile, in StepFigures figures)

@@ -2,7 +2,9 @@ using Farseer.Engine.Simulation;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
-/// <summary>What a simulator tells those who watch the process: see docs/Observability.md. While nobody does, it costs a few comparisons an update.</summary>
+/// <summary>
+/// What a simulator tells those who watch the process: see docs/Observability.md. While nobody does, it costs a few comparisons an update.
+/// </summary>
 internal static class StepSignals
 {
     /// <summary>The name of the event source and of the meter.</summary>

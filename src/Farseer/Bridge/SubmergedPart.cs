@@ -9,8 +9,8 @@ using FarseerGames.FarseerPhysics.Interfaces;
 namespace FarseerGames.FarseerPhysics.Bridge;
 
 /// <summary>
-/// The part of a geom that is in a fluid. What has straight bounds is cut out exactly. Of any other fluid only points can be asked for: the geom's
-/// outline is then divided, and where it passes the surface found by halving.
+/// The part of a geom that is in a fluid. What has straight bounds is cut out exactly. Of any other fluid only points can be asked for: the
+/// geom's outline is then divided, and where it passes the surface found by halving.
 /// </summary>
 [NotState(Why.OfOneStep)]
 internal sealed class SubmergedPart
@@ -244,7 +244,12 @@ internal sealed class SubmergedPart
         for (int i = 0; i < _whole.Count; i++)
         {
             OutlineEdge edge = _whole[i];
-            Gather(fluid, edge, Holds(fluid, edge.X, edge.Y), Holds(fluid, edge.EndX, edge.EndY), edge.Radius > 0 ? ArcHalvings : LineHalvings);
+            Gather(
+                fluid,
+                edge,
+                Holds(fluid, edge.X, edge.Y),
+                Holds(fluid, edge.EndX, edge.EndY),
+                edge.Radius > 0 ? ArcHalvings : LineHalvings);
         }
 
         _inside.Close();

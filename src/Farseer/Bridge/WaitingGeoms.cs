@@ -8,8 +8,8 @@ using FarseerGames.FarseerPhysics.Collisions;
 namespace FarseerGames.FarseerPhysics.Bridge;
 
 /// <summary>
-/// Geoms that wait for the next update, or for a new outline or body in it, in a world of their own that only queries see. If a query took them into
-/// that of the simulator, bodies would get other places there than without it, and the run other bits.
+/// Geoms that wait for the next update, or for a new outline or body in it, in a world of their own that only queries see. If a query took
+/// them into that of the simulator, bodies would get other places there than without it, and the run other bits.
 /// </summary>
 internal sealed class WaitingGeoms
 {

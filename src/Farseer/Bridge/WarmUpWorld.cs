@@ -9,19 +9,25 @@ using FarseerGames.FarseerPhysics.Factories;
 namespace FarseerGames.FarseerPhysics.Bridge;
 
 /// <summary>
-/// Worlds that meet, in a few updates, the code that most worlds come to: kernels of the usual pairs of shapes on all lanes there are, contacts that begin,
-/// rest and end, overlaps, joints and springs, a bullet, a bounce and queries. What they leave out a scene waits for when it gets there. Updates
-/// are few: after thirty calls the runtime optimises a method for what it has seen until then, and that should be the user's scene.
+/// Worlds that meet, in a few updates, the code that most worlds come to: kernels of the usual pairs of shapes on all lanes there are,
+/// contacts that begin, rest and end, overlaps, joints and springs, a bullet, a bounce and queries. What they leave out a scene waits for
+/// when it gets there. Updates are few: after thirty calls the runtime optimises a method for what it has seen until then, and that should
+/// be the user's scene.
 /// </summary>
 internal sealed class WarmUpWorld
 {
     private const int Updates = 4;
     private const float Dt = 1f / 60f;
 
-    /// <summary>Columns that stand side by side: more than the longest vectors have lanes, so that there are full records of rows and others.</summary>
+    /// <summary>
+    /// Columns that stand side by side: more than the longest vectors have lanes, so that there are full records of rows and others.
+    /// </summary>
     private const int Columns = 20;
 
-    /// <summary>Of circles, so that with the bodies beside them there is an even number of bundles of contacts with the ground, and of boxes an odd one.</summary>
+    /// <summary>
+    /// Of circles, so that with the bodies beside them there is an even number of bundles of contacts with the ground, and of boxes an odd
+    /// one.
+    /// </summary>
     private const int CircleColumns = 28;
 
     /// <summary>Bodies of a column: more bodies in all than are looked through without a grid.</summary>

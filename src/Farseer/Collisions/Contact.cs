@@ -50,10 +50,11 @@ public struct Contact : IEquatable<Contact>
     }
 
     /// <summary>
-    /// The impulse along the normal that the contact gave in the last update, mass times length/s; at least 0. It pushed the second geom along
+    /// The impulse along the normal that the contact gave in the last update, mass times length/s; at least 0. It pushed the second geom
+    /// along
     /// <see cref="Normal"/> and the first one the other way. At rest it is the load times the time of the update. With
-    /// <see cref="PhysicsSimulator.SumImpulses"/> it is the sum over the whole update, else that of its last substep as if all had been like it, which
-    /// is the same for what presses evenly. Default 0. (An addition to the original.)
+    /// <see cref="PhysicsSimulator.SumImpulses"/> it is the sum over the whole update, else that of its last substep as if all had been
+    /// like it, which is the same for what presses evenly. Default 0. (An addition to the original.)
     /// </summary>
     public float NormalImpulse { readonly get; private set; }
 

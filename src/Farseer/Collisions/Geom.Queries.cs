@@ -7,7 +7,9 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// <content>Questions about single points and pairs, answered from the exact outline.</content>
 public partial class Geom
 {
-    /// <summary>Tells if a world point is inside the geom or on its edge. For a circle its <see cref="LocalVertices"/> count, as in all queries.</summary>
+    /// <summary>
+    /// Tells if a world point is inside the geom or on its edge. For a circle its <see cref="LocalVertices"/> count, as in all queries.
+    /// </summary>
     /// <param name="point">Point in world coordinates.</param>
     /// <returns>True if inside.</returns>
     public bool Collide(Vector2 point)
@@ -28,7 +30,10 @@ public partial class Geom
     public bool Collide(Geom geometry)
     {
         Require.NotNull(geometry, nameof(geometry));
-        return _form is not null && geometry._form is not null && AABB.Intersect(AABB, geometry.AABB) && OutlineQuery.Overlap(this, geometry);
+        return _form is not null
+            && geometry._form is not null
+            && AABB.Intersect(AABB, geometry.AABB)
+            && OutlineQuery.Overlap(this, geometry);
     }
 
     /// <summary>

@@ -4,13 +4,15 @@ using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
 
-/// <content>Surfaces: belts, resistance to rolling, one-way platforms, materials by segment, who touches. (Additions to the original.)</content>
+/// <content>
+/// Surfaces: belts, resistance to rolling, one-way platforms, materials by segment, who touches. (Additions to the original.)
+/// </content>
 public partial class Geom
 {
     /// <summary>
-    /// How fast the surface runs past the body, as of a conveyor belt, length/s: along (n.Y, -n.X) of the outward normal n all around the outline, so on top of a
-    /// belt to +x where y points up, and to -x where y points down. Friction carries along what lies on it, as fast as that, and drives the belt's body back; it
-    /// acts once a substep, after the contacts. Default 0.
+    /// How fast the surface runs past the body, as of a conveyor belt, length/s: along (n.Y, -n.X) of the outward normal n all around the
+    /// outline, so on top of a belt to +x where y points up, and to -x where y points down. Friction carries along what lies on it, as fast
+    /// as that, and drives the belt's body back; it acts once a substep, after the contacts. Default 0.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float SurfaceSpeed
@@ -28,9 +30,9 @@ public partial class Geom
     }
 
     /// <summary>
-    /// How hard it is to roll on the geom or for the geom: a share of the load at the arm of the smaller body's half width, so a ball of resistance c slows down
-    /// by c·g in rolling and stays on slopes up to the tangent c; at least 0. Of two geoms the larger one counts. In the plane rolling and
-    /// spinning about a contact are the same motion, so it is for both. Default 0.
+    /// How hard it is to roll on the geom or for the geom: a share of the load at the arm of the smaller body's half width, so a ball of
+    /// resistance c slows down by c·g in rolling and stays on slopes up to the tangent c; at least 0. Of two geoms the larger one counts.
+    /// In the plane rolling and spinning about a contact are the same motion, so it is for both. Default 0.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float RollingResistance
@@ -48,8 +50,9 @@ public partial class Geom
     }
 
     /// <summary>
-    /// The side of a one-way platform that holds, in body coordinates, of any length: (0, 1) for its top where y points up. What comes from there stays
-    /// out; what comes from elsewhere, or rises through it, passes until it has left. (0, 0), the default, is a geom that holds on all sides.
+    /// The side of a one-way platform that holds, in body coordinates, of any length: (0, 1) for its top where y points up. What comes from
+    /// there stays out; what comes from elsewhere, or rises through it, passes until it has left. (0, 0), the default, is a geom that holds
+    /// on all sides.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public Vector2 OneWayDirection
@@ -73,9 +76,12 @@ public partial class Geom
     internal bool HasSegments => _extras?.Segments is not null;
 
     /// <summary>Pairs of the geom are asked about.</summary>
-    internal bool HasSurface => _extras is not null && (_extras.Segments is not null || _extras.Surface.Speed != 0 || _extras.Surface.RollingResistance > 0);
+    internal bool HasSurface =>
+        _extras is not null && (_extras.Segments is not null || _extras.Surface.Speed != 0 || _extras.Surface.RollingResistance > 0);
 
-    /// <summary>Gives a segment of a chain a material of its own, in place of the geom's. Segment i leads from point i to the next.</summary>
+    /// <summary>
+    /// Gives a segment of a chain a material of its own, in place of the geom's. Segment i leads from point i to the next.
+    /// </summary>
     /// <param name="segment">From 0 to below <see cref="SegmentCount"/>.</param>
     /// <param name="material">Its material.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such segment.</exception>
@@ -101,8 +107,8 @@ public partial class Geom
     public SurfaceMaterial GetSegmentMaterial(int segment) => MaterialOf(Require.Within(segment, 0, SegmentCount - 1, nameof(segment)));
 
     /// <summary>
-    /// Lists the geoms that touch this one as of the last update, in the order of their making: of a sensor those that are in it. What was removed since is left out. It looks at
-    /// all contacts of the simulator; nothing is allocated once the list has its size.
+    /// Lists the geoms that touch this one as of the last update, in the order of their making: of a sensor those that are in it. What was
+    /// removed since is left out. It looks at all contacts of the simulator; nothing is allocated once the list has its size.
     /// </summary>
     /// <param name="geoms">Is emptied and filled.</param>
     /// <returns>Number of geoms; 0 for a geom that is in no simulator.</returns>
@@ -118,7 +124,9 @@ public partial class Geom
         System.Collections.Generic.List<Dynamics.Arbiter> arbiters = Simulator.ArbiterList;
         for (int i = 0; i < arbiters.Count; i++)
         {
-            Geom? other = ReferenceEquals(arbiters[i].GeomA, this) ? arbiters[i].GeomB : ReferenceEquals(arbiters[i].GeomB, this) ? arbiters[i].GeomA : null;
+            Geom? other = ReferenceEquals(arbiters[i].GeomA, this)
+                ? arbiters[i].GeomB
+                : ReferenceEquals(arbiters[i].GeomB, this) ? arbiters[i].GeomA : null;
             if (other is { IsDisposed: false } && other.Membership != Membership.RemoveQueued)
             {
                 geoms.Add(other);
@@ -148,11 +156,18 @@ public partial class Geom
             return own;
         }
 
-        return new SurfaceMaterial { Friction = Link.Friction, Restitution = Link.Restitution, Speed = SurfaceSpeed, RollingResistance = RollingResistance };
+        return new SurfaceMaterial
+        {
+            Friction = Link.Friction,
+            Restitution = Link.Restitution,
+            Speed = SurfaceSpeed,
+            RollingResistance = RollingResistance,
+        };
     }
 
     /// <summary>The material that a segment has of its own, if it has one.</summary>
-    internal SurfaceMaterial? OwnMaterial(int segment) => _extras?.Segments is { } segments && segment < segments.Length ? segments[segment] : null;
+    internal SurfaceMaterial? OwnMaterial(int segment) =>
+        _extras?.Segments is { } segments && segment < segments.Length ? segments[segment] : null;
 
     private void CopySurface(Geom geometry)
     {

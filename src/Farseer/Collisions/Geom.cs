@@ -76,7 +76,9 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
         Join(body);
     }
 
-    /// <summary>Makes a copy of a geom for another body, with the same offset: shape, material and filters are copied, handlers and tag are not.</summary>
+    /// <summary>
+    /// Makes a copy of a geom for another body, with the same offset: shape, material and filters are copied, handlers and tag are not.
+    /// </summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="geometry">The geom to copy.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
@@ -85,7 +87,9 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
     {
     }
 
-    /// <summary>Makes a copy of a geom for another body at another offset: shape, material and filters are copied, handlers and tag are not.</summary>
+    /// <summary>
+    /// Makes a copy of a geom for another body at another offset: shape, material and filters are copied, handlers and tag are not.
+    /// </summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="geometry">The geom to copy.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>
@@ -121,8 +125,9 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
     /// <param name="geometry2">The geom that it touches.</param>
     /// <param name="contactList">
     /// The contacts, deepest first. Positions are world coordinates, normals point from <paramref name="geometry1"/> to
-    /// <paramref name="geometry2"/> (see <see cref="Farseer201Quirks.NormalsFromOlderGeom"/>); separations are negative where they overlap and
-    /// positive where they are about to meet within this step; impulses are 0, for nothing has pushed yet. The list is used again: copy what you want to keep.
+    /// <paramref name="geometry2"/> (see <see cref="Farseer201Quirks.NormalsFromOlderGeom"/>); separations are negative where they overlap
+    /// and positive where they are about to meet within this step; impulses are 0, for nothing has pushed yet. The list is used again: copy
+    /// what you want to keep.
     /// </param>
     /// <returns>False to cancel the response in this step.</returns>
     public delegate bool CollisionEventHandler(Geom geometry1, Geom geometry2, ContactList contactList);
@@ -175,7 +180,10 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
     /// </summary>
     public Vertices LocalVertices => _localVertices ??= Outline();
 
-    /// <summary>Cell size of <see cref="Grid"/>, a length; 0 or less, the default, picks one that fits the outline. Setting it drops the grid, which is made anew when next asked for.</summary>
+    /// <summary>
+    /// Cell size of <see cref="Grid"/>, a length; 0 or less, the default, picks one that fits the outline. Setting it drops the grid, which
+    /// is made anew when next asked for.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float CollisionGridCellSize
     {

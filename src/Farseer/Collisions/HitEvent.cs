@@ -6,8 +6,8 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>How two geoms met in an update: see <see cref="StepEvents.Hits"/>. (An addition to the original.)</summary>
 /// <remarks>
-/// The impulses are those of the whole update and of all contacts of the pair: what the bodies were given, so mass times change of speed, and not only the blow:
-/// a box that lands and stays is pushed by its weight in the same update.
+/// The impulses are those of the whole update and of all contacts of the pair: what the bodies were given, so mass times change of speed,
+/// and not only the blow: a box that lands and stays is pushed by its weight in the same update.
 /// </remarks>
 /// <example>
 /// <code>
@@ -45,15 +45,19 @@ public readonly struct HitEvent : IPairEvent
     public Vector2 Normal { get; }
 
     /// <summary>
-    /// How fast the surfaces came together along the normal, length/s, above 0: exact where bodies meet in free flight, else as the substep of the impact began,
-    /// so without its share of gravity.
+    /// How fast the surfaces came together along the normal, length/s, above 0: exact where bodies meet in free flight, else as the substep
+    /// of the impact began, so without its share of gravity.
     /// </summary>
     public float ApproachSpeed { get; }
 
-    /// <summary>The impulse along the normal that pushed <see cref="GeomB"/>, and <see cref="GeomA"/> the other way; mass times length/s, above 0.</summary>
+    /// <summary>
+    /// The impulse along the normal that pushed <see cref="GeomB"/>, and <see cref="GeomA"/> the other way; mass times length/s, above 0.
+    /// </summary>
     public float NormalImpulse { get; }
 
-    /// <summary>The impulse of friction, along (<see cref="Normal"/>.Y, -<see cref="Normal"/>.X) on <see cref="GeomB"/>; either sign.</summary>
+    /// <summary>
+    /// The impulse of friction, along (<see cref="Normal"/>.Y, -<see cref="Normal"/>.X) on <see cref="GeomB"/>; either sign.
+    /// </summary>
     public float TangentImpulse { get; }
 
     ulong IPairEvent.Order => PairOrder.Of(GeomA, GeomB);

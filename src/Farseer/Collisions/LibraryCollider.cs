@@ -6,8 +6,8 @@ using FarseerGames.FarseerPhysics.Interfaces;
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>
-/// A collider of the library: the engine finds the pairs within <see cref="PhysicsSimulator.Update(float)"/>, and what the interface has for
-/// colliders written by users does nothing.
+/// A collider of the library: the engine finds the pairs within <see cref="PhysicsSimulator.Update(float)"/>, and what the interface has
+/// for colliders written by users does nothing.
 /// </summary>
 public abstract class LibraryCollider : IBroadPhaseCollider
 {

@@ -19,7 +19,10 @@ public readonly struct PushEvent : IPairEvent
     /// <summary>The other geom.</summary>
     public Geom GeomB { get; }
 
-    /// <summary>The impulse of all their contacts, friction included, on the body of <see cref="GeomB"/>; that of <see cref="GeomA"/> got the opposite. Mass times length/s.</summary>
+    /// <summary>
+    /// The impulse of all their contacts, friction included, on the body of <see cref="GeomB"/>; that of <see cref="GeomA"/> got the
+    /// opposite. Mass times length/s.
+    /// </summary>
     public Vector2 Impulse { get; }
 
     ulong IPairEvent.Order => PairOrder.Of(GeomA, GeomB);

@@ -5,8 +5,8 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>
 /// Which geoms a ray or another query of the <see cref="PhysicsSimulator"/> sees. Without one it sees all geoms whose
-/// <see cref="Geom.CollisionEnabled"/> is true and that push others away; in no case those of bodies that are not enabled. One filter can serve
-/// any number of queries. (An addition to the original.)
+/// <see cref="Geom.CollisionEnabled"/> is true and that push others away; in no case those of bodies that are not enabled. One filter can
+/// serve any number of queries. (An addition to the original.)
 /// </summary>
 /// <example>
 /// <code>
@@ -16,7 +16,9 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// </example>
 public sealed class QueryFilter
 {
-    /// <summary>A geom must be in one of these categories (<see cref="Geom.CollisionCategories"/>). Default <see cref="CollisionCategory.All"/>.</summary>
+    /// <summary>
+    /// A geom must be in one of these categories (<see cref="Geom.CollisionCategories"/>). Default <see cref="CollisionCategory.All"/>.
+    /// </summary>
     public CollisionCategory Categories { get; set; } = CollisionCategory.All;
 
     /// <summary>

@@ -3,7 +3,8 @@ using System;
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>
-/// What a surface is like, or a pair of them: see <see cref="Geom.SetSegmentMaterial"/> and <see cref="PhysicsSimulator.MixMaterials"/>. (An addition to the original.)
+/// What a surface is like, or a pair of them: see <see cref="Geom.SetSegmentMaterial"/> and <see cref="PhysicsSimulator.MixMaterials"/>.
+/// (An addition to the original.)
 /// </summary>
 public struct SurfaceMaterial : IEquatable<SurfaceMaterial>
 {
@@ -28,7 +29,9 @@ public struct SurfaceMaterial : IEquatable<SurfaceMaterial>
         set => _restitution = Require.NotNegative(value, nameof(Restitution));
     }
 
-    /// <summary>How fast the surface runs past its body, length/s: see <see cref="Geom.SurfaceSpeed"/>. Of a pair it is the sum of both. Default 0.</summary>
+    /// <summary>
+    /// How fast the surface runs past its body, length/s: see <see cref="Geom.SurfaceSpeed"/>. Of a pair it is the sum of both. Default 0.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float Speed
     {
@@ -36,7 +39,9 @@ public struct SurfaceMaterial : IEquatable<SurfaceMaterial>
         set => _speed = Require.Finite(value, nameof(Speed));
     }
 
-    /// <summary>How hard it is to roll: see <see cref="Geom.RollingResistance"/>; at least 0. Of a pair it is the larger one. Default 0.</summary>
+    /// <summary>
+    /// How hard it is to roll: see <see cref="Geom.RollingResistance"/>; at least 0. Of a pair it is the larger one. Default 0.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float RollingResistance
     {
@@ -66,5 +71,6 @@ public struct SurfaceMaterial : IEquatable<SurfaceMaterial>
     public override readonly bool Equals(object? obj) => obj is SurfaceMaterial other && Equals(other);
 
     /// <inheritdoc/>
-    public override readonly int GetHashCode() => (((_friction.GetHashCode() * 397) ^ _restitution.GetHashCode()) * 397) ^ _speed.GetHashCode();
+    public override readonly int GetHashCode() =>
+        (((_friction.GetHashCode() * 397) ^ _restitution.GetHashCode()) * 397) ^ _speed.GetHashCode();
 }

@@ -46,8 +46,8 @@ public partial class Vertices
     public bool IsSimple() => CheckPolygon() == PolygonFault.None;
 
     /// <summary>
-    /// Tells what, if anything, keeps the vertices from being the outline of a shape. Geoms and factories ask the same, but for repeated vertices,
-    /// which they leave out: what is too thin for the precision of its coordinates has no area, or touches itself.
+    /// Tells what, if anything, keeps the vertices from being the outline of a shape. Geoms and factories ask the same, but for repeated
+    /// vertices, which they leave out: what is too thin for the precision of its coordinates has no area, or touches itself.
     /// </summary>
     /// <returns>The first fault found, in the order of <see cref="PolygonFault"/>.</returns>
     /// <remarks>The time grows with the square of the number of vertices.</remarks>

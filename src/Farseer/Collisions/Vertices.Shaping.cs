@@ -21,7 +21,8 @@ public partial class Vertices
     /// The smallest convex outline around the vertices: the shape of a rubber band. Vertices on its edges are left out.
     /// (An addition to the original.)
     /// </summary>
-    /// <returns>A new list in the order of <see cref="ForceCounterClockWiseOrder"/>; fewer than three vertices if all lie on one line.</returns>
+    /// <returns>A new list in the order of <see cref="ForceCounterClockWiseOrder"/>; fewer than three vertices if all lie on one
+    /// line.</returns>
     public Vertices GetConvexHull()
     {
         var points = new List<Vector2>(this);

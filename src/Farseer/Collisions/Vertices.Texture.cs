@@ -14,7 +14,9 @@ public partial class Vertices
     /// <summary>Tolerance, in pixels, below which smoothing does nothing worth having.</summary>
     private const float Closest = 0.05f;
 
-    /// <summary>The outline of the first thing in a bitmap, from pixel to pixel, with an alpha tolerance of 20 and a hull tolerance of 1.5.</summary>
+    /// <summary>
+    /// The outline of the first thing in a bitmap, from pixel to pixel, with an alpha tolerance of 20 and a hull tolerance of 1.5.
+    /// </summary>
     /// <param name="textureBits">The pixels.</param>
     /// <param name="textureWidth">Pixels in a row; at least 1.</param>
     /// <param name="textureHeight">Number of rows; at least 1.</param>

@@ -39,14 +39,20 @@ public abstract class Controller : IDisposable, IItem
 
     internal PhysicsSimulator? Simulator { get; private set; }
 
-    /// <summary>Checks what the controller needs, and disposes it or parts of it that are gone. The simulator calls it in every update.</summary>
+    /// <summary>
+    /// Checks what the controller needs, and disposes it or parts of it that are gone. The simulator calls it in every update.
+    /// </summary>
     public abstract void Validate();
 
-    /// <summary>Lets the controller act for one update. The simulator calls it for each enabled controller, in the order of its list.</summary>
+    /// <summary>
+    /// Lets the controller act for one update. The simulator calls it for each enabled controller, in the order of its list.
+    /// </summary>
     /// <param name="dt">The step, seconds.</param>
     public abstract void Update(float dt);
 
-    /// <summary>Disposes the controller: it acts no more and leaves the simulator at its next update. Calling it again does nothing.</summary>
+    /// <summary>
+    /// Disposes the controller: it acts no more and leaves the simulator at its next update. Calling it again does nothing.
+    /// </summary>
     public void Dispose()
     {
         Dispose(true);

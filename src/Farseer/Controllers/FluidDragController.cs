@@ -12,9 +12,9 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 
 /// <summary>
 /// Lets geoms float: each one that was added with <see cref="AddGeom"/> is lifted by the weight of the fluid that it displaces and
-/// slowed by the fluid. The part of a geom in the fluid is exact, of circles and rounded shapes as well, for the fluids of this library. Of a
-/// container of your own only points can be asked for: the outline is looked at in four parts a side and eight a quarter turn, and where it
-/// passes the surface is found between them. Chains count as the outline of their points; what has no area does not float.
+/// slowed by the fluid. The part of a geom in the fluid is exact, of circles and rounded shapes as well, for the fluids of this library. Of
+/// a container of your own only points can be asked for: the outline is looked at in four parts a side and eight a quarter turn, and where
+/// it passes the surface is found between them. Chains count as the outline of their points; what has no area does not float.
 /// </summary>
 public class FluidDragController : Controller
 {
@@ -171,8 +171,8 @@ public class FluidDragController : Controller
     }
 
     /// <summary>
-    /// Looks where the geom is in the middle of the step: a force found at its start would lag behind by half a step, and what falls in would
-    /// come out higher.
+    /// Looks where the geom is in the middle of the step: a force found at its start would lag behind by half a step, and what falls in
+    /// would come out higher.
     /// </summary>
     private bool IsInside(Geom geom, IFluidContainer container, float dt)
     {
@@ -208,8 +208,8 @@ public class FluidDragController : Controller
     }
 
     /// <summary>
-    /// The coefficient whose force, steady over the step, does what the decaying force of <paramref name="coefficient"/> does: (1 − e^−x)/x of
-    /// it, x = coefficient / mass · dt. Thick fluids stop a body instead of throwing it back.
+    /// The coefficient whose force, steady over the step, does what the decaying force of <paramref name="coefficient"/> does: (1 − e^−x)/x
+    /// of it, x = coefficient / mass · dt. Thick fluids stop a body instead of throwing it back.
     /// </summary>
     private static float Steady(float coefficient, float inverseMass, float dt) =>
         (float)(coefficient * new DragLaw((double)coefficient * inverseMass * dt, 1).First);

@@ -71,8 +71,8 @@ public class WaveController : Controller, IFluidContainer, IStraightFluid
     }
 
     /// <summary>
-    /// Number of nodes; 0, or at least 2 when <see cref="Initialize"/> is called, which lays them out: until then a surface keeps those that it
-    /// has. Default 0.
+    /// Number of nodes; 0, or at least 2 when <see cref="Initialize"/> is called, which lays them out: until then a surface keeps those
+    /// that it has. Default 0.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative.</exception>
     public int NodeCount
@@ -99,7 +99,9 @@ public class WaveController : Controller, IFluidContainer, IStraightFluid
         set => _frequency = Require.NotNegative(value, nameof(Frequency));
     }
 
-    /// <summary>The generator turns when it has gone below this height, in display units (see <see cref="ConvertUnits"/>); finite. Default 0.</summary>
+    /// <summary>
+    /// The generator turns when it has gone below this height, in display units (see <see cref="ConvertUnits"/>); finite. Default 0.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float WaveGeneratorMin
     {

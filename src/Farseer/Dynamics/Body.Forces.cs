@@ -138,7 +138,8 @@ public partial class Body
 
     /// <summary>
     /// Stores an impulse that acts at a point of the world; at the next update it changes the velocity by amount / mass (see
-    /// <see cref="Farseer201Quirks.ImpulseDividedByMassTwice"/>) and the angular velocity by its moment about the body / moment of inertia. (An addition to the original.)
+    /// <see cref="Farseer201Quirks.ImpulseDividedByMassTwice"/>) and the angular velocity by its moment about the body / moment of inertia.
+    /// (An addition to the original.)
     /// </summary>
     /// <param name="amount">Impulse in world axes, mass times velocity; finite.</param>
     /// <param name="point">Point in world coordinates; finite.</param>
@@ -151,7 +152,9 @@ public partial class Body
         AddMoment(amount, OffsetOf(point));
     }
 
-    /// <summary>Stores an impulse that acts at a point of the body: see <see cref="ApplyImpulseAtWorldPoint"/>. (An addition to the original.)</summary>
+    /// <summary>
+    /// Stores an impulse that acts at a point of the body: see <see cref="ApplyImpulseAtWorldPoint"/>. (An addition to the original.)
+    /// </summary>
     /// <param name="amount">Impulse in world axes, mass times velocity; finite.</param>
     /// <param name="point">Point in body coordinates; finite.</param>
     /// <exception cref="ArgumentOutOfRangeException">A value is not finite.</exception>

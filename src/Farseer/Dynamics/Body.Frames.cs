@@ -160,10 +160,12 @@ public partial class Body
     }
 
     /// <summary>
-    /// The pose between the last update and the one before, for drawing: what was set by hand since is not smeared over the way there. While
+    /// The pose between the last update and the one before, for drawing: what was set by hand since is not smeared over the way there.
+    /// While
     /// <see cref="PhysicsSimulator.KeepsPoses"/> is false it is the pose now. (An addition to the original.)
     /// </summary>
-    /// <param name="alpha">0: as the last update found it; 1: as it is; between: in proportion. From 0 to 1: see <see cref="FixedStepDriver.Alpha"/>.</param>
+    /// <param name="alpha">0: as the last update found it; 1: as it is; between: in proportion. From 0 to 1: see
+    /// <see cref="FixedStepDriver.Alpha"/>.</param>
     /// <returns>Place and total rotation.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="alpha"/> is not from 0 to 1.</exception>
     public Pose GetPose(float alpha)
@@ -176,7 +178,8 @@ public partial class Body
         BodyPose now = Link.PoseRef;
         BodyPose before = Simulator is { } simulator && Link.IsAttached ? simulator.Poses.Before(Link.Place, now) : now;
         double rest = 1.0 - alpha;
-        return new Pose(now.X + ((before.X - now.X) * rest), now.Y + ((before.Y - now.Y) * rest), now.Angle + ((before.Angle - now.Angle) * rest));
+        return new Pose(
+            now.X + ((before.X - now.X) * rest), now.Y + ((before.Y - now.Y) * rest), now.Angle + ((before.Angle - now.Angle) * rest));
     }
 
     /// <summary>Turns and moves a local point into the world.</summary>

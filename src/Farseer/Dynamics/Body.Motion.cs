@@ -11,9 +11,10 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 public partial class Body
 {
     /// <summary>
-    /// Ways in which the body may not move: forces and contacts push it on along what is left. <see cref="MotionLocks.Rotation"/> acts at once and is exact: the body answers
-    /// as if its moment of inertia were infinite. <see cref="MotionLocks.X"/> and <see cref="MotionLocks.Y"/> act from the next update on, as by a rail through the place where the
-    /// body is then, or is put later. Default <see cref="MotionLocks.None"/>.
+    /// Ways in which the body may not move: forces and contacts push it on along what is left. <see cref="MotionLocks.Rotation"/> acts at
+    /// once and is exact: the body answers as if its moment of inertia were infinite. <see cref="MotionLocks.X"/> and
+    /// <see cref="MotionLocks.Y"/> act from the next update on, as by a rail through the place where the body is then, or is put later.
+    /// Default <see cref="MotionLocks.None"/>.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value has a bit that is no member of the enum.</exception>
     /// <exception cref="ObjectDisposedException">The body is disposed.</exception>
@@ -52,7 +53,8 @@ public partial class Body
     }
 
     /// <summary>
-    /// True keeps the body from turning by forces and contacts, as for a character; it is stopped if it turns. The same as <see cref="MotionLocks.Rotation"/>.
+    /// True keeps the body from turning by forces and contacts, as for a character; it is stopped if it turns. The same as
+    /// <see cref="MotionLocks.Rotation"/>.
     /// <see cref="MomentOfInertia"/> keeps its value and counts again later. Default false.
     /// </summary>
     /// <exception cref="ObjectDisposedException">The body is disposed.</exception>
@@ -63,8 +65,8 @@ public partial class Body
     }
 
     /// <summary>
-    /// How much of <see cref="PhysicsSimulator.Gravity"/> pulls at the body: 0 none, as <see cref="IgnoreGravity"/>, 2 twice of it, -1 upwards; finite. A
-    /// value other than 1 acts as a force of the body's weight in each update, which is as exact in flight. While
+    /// How much of <see cref="PhysicsSimulator.Gravity"/> pulls at the body: 0 none, as <see cref="IgnoreGravity"/>, 2 twice of it, -1
+    /// upwards; finite. A value other than 1 acts as a force of the body's weight in each update, which is as exact in flight. While
     /// <see cref="IgnoreGravity"/> is true none does. Default 1.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
@@ -113,8 +115,9 @@ public partial class Body
     internal bool IsRailNoted { get; set; }
 
     /// <summary>
-    /// Gives a kinematic body the velocities with which it is at a place when the next update of a given length ends: to within their rounding, 6·10⁻⁸ of the way. What it
-    /// touches is carried along, which it is not where <see cref="Position"/> is set. The velocities stay until they are set again: call it before each update.
+    /// Gives a kinematic body the velocities with which it is at a place when the next update of a given length ends: to within their
+    /// rounding, 6·10⁻⁸ of the way. What it touches is carried along, which it is not where <see cref="Position"/> is set. The velocities
+    /// stay until they are set again: call it before each update.
     /// </summary>
     /// <param name="position">The place; finite.</param>
     /// <param name="totalRotation">The rotation there with whole turns, radians; finite.</param>
@@ -148,11 +151,12 @@ public partial class Body
     public void MoveTo(Vector2 position, float dt) => MoveTo(position, Link.PoseRef.Angle, dt);
 
     /// <summary>
-    /// Sets mass and moment of inertia from the geoms and a density: of each the area times the density, about <see cref="Position"/>, which stays. Sensors count, and
-    /// lines have no area.
+    /// Sets mass and moment of inertia from the geoms and a density: of each the area times the density, about <see cref="Position"/>,
+    /// which stays. Sensors count, and lines have no area.
     /// </summary>
     /// <param name="density">Mass of an area of 1; finite and above 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="density"/> is out of its range, or so are the mass or the moment of inertia that come of it.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="density"/> is out of its range, or so are the mass or the moment of
+    /// inertia that come of it.</exception>
     /// <exception cref="InvalidOperationException">No geom has an area.</exception>
     /// <exception cref="ObjectDisposedException">The body is disposed.</exception>
     public void SetDensity(float density)
@@ -173,12 +177,15 @@ public partial class Body
             throw new InvalidOperationException("No geom of the body has an area.");
         }
 
-        SetMass(Require.Invertible((float)(area * density), nameof(density)), Require.Invertible((float)(inertia * density), nameof(density)));
+        SetMass(
+            Require.Invertible((float)(area * density), nameof(density)), Require.Invertible((float)(inertia * density), nameof(density)));
     }
 
     /// <summary>
-    /// Lists the pairs in contact of which a geom is the body's, as of the last update, in the order of their geoms, with their points, normals and impulses. They are those of
-    /// <see cref="PhysicsSimulator.ArbiterList"/>, which are used again by the next update. Nothing is allocated once the list has its size.
+    /// Lists the pairs in contact of which a geom is the body's, as of the last update, in the order of their geoms, with their points,
+    /// normals and impulses. They are those of
+    /// <see cref="PhysicsSimulator.ArbiterList"/>, which are used again by the next update. Nothing is allocated once the list has its
+    /// size.
     /// </summary>
     /// <param name="arbiters">Is emptied and filled.</param>
     /// <returns>Number of pairs; 0 for a body that is in no simulator.</returns>

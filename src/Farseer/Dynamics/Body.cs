@@ -23,7 +23,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 /// </example>
 public partial class Body : IDisposable, IStatePart
 {
-    private const float DefaultDragCoefficient = 0.001f;
+    private const float DefaultDrag = 0.001f;
 
     internal BodyLink Link = new BodyLink();
 
@@ -38,7 +38,7 @@ public partial class Body : IDisposable, IStatePart
     public Body()
     {
         Link.Mass = new BodyMass { Mass = 1, Inertia = 1 };
-        Link.Drag = new BodyDrag { Linear = DefaultDragCoefficient, Quadratic = DefaultDragCoefficient, Rotational = DefaultDragCoefficient };
+        Link.Drag = new BodyDrag { Linear = DefaultDrag, Quadratic = DefaultDrag, Rotational = DefaultDrag };
         Link.UserFlags = BodyFlags.Enabled;
         Link.Pose.Cos = 1;
         Link.State.DeltaCos = 1;
@@ -72,7 +72,7 @@ public partial class Body : IDisposable, IStatePart
         remove => Extras.Disposed -= value;
     }
 
-    /// <summary>Handlers called when the body has moved in an update, and when its position or rotation is set. Use with +=. Default null.</summary>
+    /// <summary>Called when the body has moved in an update, and when its position or rotation is set. Use with +=. Default null.</summary>
     public UpdatedEventHandler? Updated
     {
         get => _extras?.Updated;
@@ -203,9 +203,9 @@ public partial class Body : IDisposable, IStatePart
     }
 
     /// <summary>
-    /// How many times <see cref="PhysicsSimulator.Iterations"/> the body takes, with all that it hangs together with by contacts or joints: 1, 2,
-    /// 4, 8 or 16; of several choices among these the largest counts, that of a kinematic body for all that touches it or hangs on it. 0
-    /// leaves it to the simulator: see
+    /// How many times <see cref="PhysicsSimulator.Iterations"/> the body takes, with all that it hangs together with by contacts or joints:
+    /// 1, 2, 4, 8 or 16; of several choices among these the largest counts, that of a kinematic body for all that touches it or hangs on
+    /// it. 0 leaves it to the simulator: see
     /// <see cref="PhysicsSimulator.AdaptIterations"/>. It has no effect on what is exact anyway, a body without contacts and joints, nor on
     /// what a spring pulls at or closed loops of joints hold, which keep to the simulator's iterations. Default 0. (An addition to the
     /// original.)
@@ -265,10 +265,11 @@ public partial class Body : IDisposable, IStatePart
     }
 
     /// <summary>
-    /// False while the body sleeps: it rests, together with all that it hangs together with, and costs nothing until something wakes it; see
-    /// <see cref="PhysicsSimulator.AllowSleep"/>. Setting it to true wakes the body, and an awake one has to rest anew; false stops the body and
-    /// puts it to sleep at once, or as soon as it is in a simulator. That is without effect where the body may not sleep, and does not
-    /// last while something awake touches it. Default true. (An addition to the original.)
+    /// False while the body sleeps: it rests, together with all that it hangs together with, and costs nothing until something wakes it;
+    /// see
+    /// <see cref="PhysicsSimulator.AllowSleep"/>. Setting it to true wakes the body, and an awake one has to rest anew; false stops the
+    /// body and puts it to sleep at once, or as soon as it is in a simulator. That is without effect where the body may not sleep, and does
+    /// not last while something awake touches it. Default true. (An addition to the original.)
     /// </summary>
     /// <exception cref="ObjectDisposedException">The body is disposed.</exception>
     public bool Awake
@@ -301,7 +302,10 @@ public partial class Body : IDisposable, IStatePart
     /// <summary>True lets an inactivity controller disable the body when it rests. Default false.</summary>
     public bool IsAutoIdle { get; set; }
 
-    /// <summary>How long the body has been slower than <see cref="MinimumVelocity"/>, milliseconds; kept by an inactivity controller. At least 0. Default 0.</summary>
+    /// <summary>
+    /// How long the body has been slower than <see cref="MinimumVelocity"/>, milliseconds; kept by an inactivity controller. At least 0.
+    /// Default 0.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float IdleTime
     {
@@ -335,8 +339,8 @@ public partial class Body : IDisposable, IStatePart
     public bool Moves => LinearVelocity.LengthSquared() >= MinimumVelocity * MinimumVelocity;
 
     /// <summary>
-    /// The geoms that were made for the body, in the order of their making, whether they are in a simulator or not; disposed ones are not among them. (An addition to the
-    /// original.)
+    /// The geoms that were made for the body, in the order of their making, whether they are in a simulator or not; disposed ones are not
+    /// among them. (An addition to the original.)
     /// </summary>
     public BodyGeoms Geoms => new BodyGeoms(this);
 

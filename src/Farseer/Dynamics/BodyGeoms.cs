@@ -6,7 +6,8 @@ using FarseerGames.FarseerPhysics.Collisions;
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
 /// <summary>
-/// The geoms that were made for a body, in the order of their making: a view without allocation, see <see cref="Body.Geoms"/>. (An addition to the original.)
+/// The geoms that were made for a body, in the order of their making: a view without allocation, see <see cref="Body.Geoms"/>. (An addition
+/// to the original.)
 /// </summary>
 /// <example>
 /// <code>

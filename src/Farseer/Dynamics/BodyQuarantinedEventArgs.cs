@@ -4,7 +4,9 @@ using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
-/// <summary>Tells which body the simulator took out because its state was no longer one of numbers. (An addition to the original.)</summary>
+/// <summary>
+/// Tells which body the simulator took out because its state was no longer one of numbers. (An addition to the original.)
+/// </summary>
 [NotState(Why.Fixed)]
 public sealed class BodyQuarantinedEventArgs : EventArgs
 {
@@ -17,7 +19,9 @@ public sealed class BodyQuarantinedEventArgs : EventArgs
         LastCallStep = lastCallStep;
     }
 
-    /// <summary>The body. It is disabled, stands still, and is at its last good place; <see cref="Body.Enabled"/> = true lets it go on.</summary>
+    /// <summary>
+    /// The body. It is disabled, stands still, and is at its last good place; <see cref="Body.Enabled"/> = true lets it go on.
+    /// </summary>
     public Body Body { get; }
 
     /// <summary>The step in which it happened: the first update that moved anything is 1.</summary>

@@ -232,7 +232,9 @@ public sealed partial class CharacterMover
     {
         Vector2 inward = Level(-hit.Normal) * (float)(2 * Skin);
         Vector2 above = hit.Point + inward + (_up * _radius);
-        return _simulator.RayCast(above, above - (_up * 1.5f * _radius), out RayCastHit flat, _filter) && !flat.StartsInside && IsWalkable(flat.Normal);
+        return _simulator.RayCast(above, above - (_up * 1.5f * _radius), out RayCastHit flat, _filter)
+            && !flat.StartsInside
+            && IsWalkable(flat.Normal);
     }
 
     /// <summary>Whether there is ground under its feet, down to which it comes.</summary>
@@ -297,7 +299,8 @@ public sealed partial class CharacterMover
             {
                 double along = _length * (((double)i / points) - 0.5);
                 var point = new Vector2((float)(_x + (along * _up.X)), (float)(_y + (along * _up.Y)));
-                if (!_simulator.ClosestPoint(point, (float)(_radius + Skin), out ClosestPointHit near, _filter) || near.Distance >= _radius + (LeastGap * Skin))
+                if (!_simulator.ClosestPoint(point, (float)(_radius + Skin), out ClosestPointHit near, _filter)
+                    || near.Distance >= _radius + (LeastGap * Skin))
                 {
                     continue;
                 }
@@ -365,8 +368,8 @@ public sealed partial class CharacterMover
     }
 
     /// <summary>
-    /// Goes up to a hit, but for the skin. What can be moved keeps as far away as the last substep comes: the solver looks one ahead and would push it
-    /// with all the force that a kinematic body has.
+    /// Goes up to a hit, but for the skin. What can be moved keeps as far away as the last substep comes: the solver looks one ahead and
+    /// would push it with all the force that a kinematic body has.
     /// </summary>
     /// <returns>The share of the way that it goes.</returns>
     private double Advance(double x, double y, in RayCastHit hit)

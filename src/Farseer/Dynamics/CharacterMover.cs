@@ -7,13 +7,13 @@ using FarseerGames.FarseerPhysics.Factories;
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
 /// <summary>
-/// Moves a character as games want it and physics does not: an upright capsule that walks up slopes and steps, keeps to the ground downhill, slides along walls, rides on moving
-/// and turning platforms, passes one-way platforms from below, and pushes only as hard as it may. Its body is kinematic: others meet it as they meet a lift. (An addition to the
-/// original.)
+/// Moves a character as games want it and physics does not: an upright capsule that walks up slopes and steps, keeps to the ground
+/// downhill, slides along walls, rides on moving and turning platforms, passes one-way platforms from below, and pushes only as hard as it
+/// may. Its body is kinematic: others meet it as they meet a lift. (An addition to the original.)
 /// </summary>
 /// <remarks>
-/// Set <see cref="Velocity"/> and call <see cref="Move"/> before each update, after the velocities of platforms are set. The ways are found by casts of the capsule
-/// (<see cref="PhysicsSimulator.ShapeCast"/>), so nothing tunnels and equal calls give equal bits.
+/// Set <see cref="Velocity"/> and call <see cref="Move"/> before each update, after the velocities of platforms are set. The ways are found
+/// by casts of the capsule (<see cref="PhysicsSimulator.ShapeCast"/>), so nothing tunnels and equal calls give equal bits.
 /// </remarks>
 /// <example>
 /// <code>
@@ -77,12 +77,15 @@ public sealed partial class CharacterMover
     /// <summary>The capsule.</summary>
     public Geom Geom { get; }
 
-    /// <summary>Which geoms stop it: its <see cref="QueryFilter.Categories"/> and <see cref="QueryFilter.Accept"/> count. Default all that push others away.</summary>
+    /// <summary>
+    /// Which geoms stop it: its <see cref="QueryFilter.Categories"/> and <see cref="QueryFilter.Accept"/> count. Default all that push
+    /// others away.
+    /// </summary>
     public QueryFilter Filter { get; }
 
     /// <summary>
-    /// How fast it goes, length/s: set it before <see cref="Move"/>, which takes out of it what walls, ground and ceiling stop. On the ground it is relative to the ground; what
-    /// leaves it takes the ground's velocity along. Default (0, 0).
+    /// How fast it goes, length/s: set it before <see cref="Move"/>, which takes out of it what walls, ground and ceiling stop. On the
+    /// ground it is relative to the ground; what leaves it takes the ground's velocity along. Default (0, 0).
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public Vector2 Velocity
@@ -91,7 +94,10 @@ public sealed partial class CharacterMover
         set => _velocity = Require.Finite(value, nameof(Velocity));
     }
 
-    /// <summary>Which way is up, of any length; finite and not (0, 0). The capsule stands along it from the next <see cref="Move"/> on. Default (0, 1): y points up.</summary>
+    /// <summary>
+    /// Which way is up, of any length; finite and not (0, 0). The capsule stands along it from the next <see cref="Move"/> on. Default (0,
+    /// 1): y points up.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite or (0, 0).</exception>
     public Vector2 Up
     {
@@ -103,16 +109,22 @@ public sealed partial class CharacterMover
         }
     }
 
-    /// <summary>Steepest slope that it walks on and stands on, radians from level; from 0 to π/2. What is steeper is a wall. Default 0.87, 50 degrees.</summary>
+    /// <summary>
+    /// Steepest slope that it walks on and stands on, radians from level; from 0 to π/2. What is steeper is a wall. Default 0.87, 50
+    /// degrees.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not from 0 to π/2.</exception>
     public float MaxSlope
     {
         get => _maxSlope;
-        set => _maxSlope = value >= 0 && value <= (float)(Math.PI / 2) ? value : throw Require.Range(nameof(MaxSlope), value, "must be from 0 to π/2");
+        set => _maxSlope = value >= 0 && value <= (float)(Math.PI / 2)
+            ? value
+            : throw Require.Range(nameof(MaxSlope), value, "must be from 0 to π/2");
     }
 
     /// <summary>
-    /// Highest step that it walks up, a length; at least 0. Its round feet roll over edges of up to r·(1 - cos(<see cref="MaxSlope"/>)) as over slopes in any case. Default half a radius.
+    /// Highest step that it walks up, a length; at least 0. Its round feet roll over edges of up to r·(1 - cos(<see cref="MaxSlope"/>)) as
+    /// over slopes in any case. Default half a radius.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float StepHeight
@@ -121,7 +133,10 @@ public sealed partial class CharacterMover
         set => _stepHeight = Require.NotNegative(value, nameof(StepHeight));
     }
 
-    /// <summary>How far the ground may fall away under its feet before it leaves it, a length; at least 0. It keeps it on slopes and steps downhill. Default a radius.</summary>
+    /// <summary>
+    /// How far the ground may fall away under its feet before it leaves it, a length; at least 0. It keeps it on slopes and steps downhill.
+    /// Default a radius.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float SnapDistance
     {
@@ -129,7 +144,9 @@ public sealed partial class CharacterMover
         set => _snapDistance = Require.NotNegative(value, nameof(SnapDistance));
     }
 
-    /// <summary>Largest force with which it pushes bodies that are in its way, at most up to its own speed; at least 0. Default 0: they are walls.</summary>
+    /// <summary>
+    /// Largest force with which it pushes bodies that are in its way, at most up to its own speed; at least 0. Default 0: they are walls.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float PushForce
     {

@@ -81,7 +81,9 @@ public class Curve
         ComputeTangent(keyIndex, tangentType, tangentType);
     }
 
-    /// <summary>Works out the tangents of a key. The ends of the curve have only one neighbour: the missing one is the key itself.</summary>
+    /// <summary>
+    /// Works out the tangents of a key. The ends of the curve have only one neighbour: the missing one is the key itself.
+    /// </summary>
     /// <param name="keyIndex">Number of the key.</param>
     /// <param name="tangentInType">How the tangent towards it.</param>
     /// <param name="tangentOutType">How the tangent away from it.</param>
@@ -176,7 +178,9 @@ public class Curve
     }
 
     private static CurveLoopType Known(CurveLoopType value, string name) =>
-        value >= CurveLoopType.Constant && value <= CurveLoopType.Linear ? value : throw Require.Range(name, value, "must be a member of CurveLoopType");
+        value >= CurveLoopType.Constant && value <= CurveLoopType.Linear
+            ? value
+            : throw Require.Range(name, value, "must be a member of CurveLoopType");
 
     private static void Known(CurveTangent value, string name)
     {

@@ -119,5 +119,7 @@ public class CurveKey : IComparable<CurveKey>, IEquatable<CurveKey>
     public override int GetHashCode() => Position.GetHashCode();
 
     private static CurveContinuity Known(CurveContinuity value, string name) =>
-        value is CurveContinuity.Smooth or CurveContinuity.Step ? value : throw Require.Range(name, value, "must be a member of CurveContinuity");
+        value is CurveContinuity.Smooth or CurveContinuity.Step
+            ? value
+            : throw Require.Range(name, value, "must be a member of CurveContinuity");
 }

@@ -15,9 +15,10 @@ public partial class Path
 
     /// <summary>
     /// Links each body with the next one, and, if there are more than two, the last of an endless path with the first. Hinges sit midway
-    /// between the centres. All others join the ends that face each other: pins keep them at the distance they have, springs rest at it. The
-    /// joints get <see cref="Joint.BiasFactor"/> 0.2 and <see cref="Joint.Softness"/> 0.01. Each call adds links, so hinges and springs can
-    /// be had together. <see cref="Farseer201Quirks.PathLinkedAtFarEnds"/> in <see cref="ComplexFactory.Quirks"/> links as version 2.0.1 did.
+    /// between the centres. All others join the ends that face each other: pins keep them at the distance they have, springs rest at it.
+    /// The joints get <see cref="Joint.BiasFactor"/> 0.2 and <see cref="Joint.Softness"/> 0.01. Each call adds links, so hinges and springs
+    /// can be had together. <see cref="Farseer201Quirks.PathLinkedAtFarEnds"/> in <see cref="ComplexFactory.Quirks"/> links as version
+    /// 2.0.1 did.
     /// </summary>
     /// <param name="type">The kind of link.</param>
     /// <param name="min">Smallest distance of the ends at a slider; at least 0.</param>
@@ -58,7 +59,8 @@ public partial class Path
             switch (type)
             {
                 case LinkType.RevoluteJoint:
-                    joints.Add(Firm(JointFactory.Instance.CreateRevoluteJoint(first, second, FindMidpoint(first.Position, second.Position))));
+                    joints.Add(
+                        Firm(JointFactory.Instance.CreateRevoluteJoint(first, second, FindMidpoint(first.Position, second.Position))));
                     break;
                 case LinkType.PinJoint:
                     PinJoint pin = Firm(JointFactory.Instance.CreatePinJoint(first, end1, second, end2));
@@ -69,7 +71,8 @@ public partial class Path
                     joints.Add(Firm(JointFactory.Instance.CreateSliderJoint(first, end1, second, end2, min, max)));
                     break;
                 default:
-                    LinearSpring spring = SpringFactory.Instance.CreateLinearSpring(first, end1, second, end2, springConstant, dampingConstant);
+                    LinearSpring spring =
+                        SpringFactory.Instance.CreateLinearSpring(first, end1, second, end2, springConstant, dampingConstant);
                     spring.RestLength = asLongAsWide ? _width : spring.RestLength;
                     springs.Add(spring);
                     break;

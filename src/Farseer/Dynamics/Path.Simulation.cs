@@ -80,7 +80,8 @@ public partial class Path
     {
         Require.NotNull(physicsSimulator, nameof(physicsSimulator)).ThrowIfDisposed();
         if (Bodies.Exists(b => IsElsewhere(physicsSimulator, b.Simulator)) || Geoms.Exists(g => IsElsewhere(physicsSimulator, g.Simulator))
-            || Joints.Exists(j => IsElsewhere(physicsSimulator, j.Simulator)) || Springs.Exists(s => IsElsewhere(physicsSimulator, s.Simulator)))
+                || Joints.Exists(j => IsElsewhere(physicsSimulator, j.Simulator))
+                || Springs.Exists(s => IsElsewhere(physicsSimulator, s.Simulator)))
         {
             throw new ArgumentException("A part of the path belongs to another simulator.", nameof(physicsSimulator));
         }

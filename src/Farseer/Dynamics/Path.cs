@@ -93,7 +93,8 @@ public partial class Path
 
     /// <summary>Adds a control point at the end; <see cref="Update"/> takes it up.</summary>
     /// <param name="controlPoint">The point, in world coordinates; finite.</param>
-    /// <exception cref="ArgumentOutOfRangeException"><paramref name="controlPoint"/> is not finite or too far away to compute with.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="controlPoint"/> is not finite or too far away to compute
+    /// with.</exception>
     public void Add(Vector2 controlPoint) => ControlPoints.Add(Require.Place(controlPoint, nameof(controlPoint)));
 
     /// <summary>Adds a body of your own to <see cref="Bodies"/>.</summary>
@@ -128,7 +129,8 @@ public partial class Path
     /// <summary>Moves a control point; <see cref="Update"/> takes it up.</summary>
     /// <param name="position">Where to, in world coordinates; finite.</param>
     /// <param name="index">Its number, from 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such point, or the place is not finite or too far away to compute with.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such point, or the place is not finite or too far away to compute
+    /// with.</exception>
     public void MoveControlPoint(Vector2 position, int index)
     {
         Require.Place(position, nameof(position));
@@ -155,8 +157,8 @@ public partial class Path
     /// <summary>
     /// Makes the bodies along the curve, if the control points have changed since the last time. The first is half a width from the start,
     /// each next one a width from the one before, or up to two thousandths of the path more: as many as fit are made. They
-    /// are turned along the curve, by -90 to 90 degrees; where it goes to the left they face backwards. What the path itself had made of other
-    /// control points (bodies, geoms, joints, springs) leaves its lists.
+    /// are turned along the curve, by -90 to 90 degrees; where it goes to the left they face backwards. What the path itself had made of
+    /// other control points (bodies, geoms, joints, springs) leaves its lists.
     /// </summary>
     /// <exception cref="InvalidOperationException">
     /// There are less than 2 control points, one is not finite, the path does not get half a width away from its start or has more than
@@ -182,7 +184,9 @@ public partial class Path
     /// <exception cref="ObjectDisposedException">A body is disposed.</exception>
     public void CreateGeoms() => CreateGeoms(0);
 
-    /// <summary>As <see cref="CreateGeoms()"/>, in a group whose members do not collide with each other. (An addition to the original.)</summary>
+    /// <summary>
+    /// As <see cref="CreateGeoms()"/>, in a group whose members do not collide with each other. (An addition to the original.)
+    /// </summary>
     /// <param name="collisionGroup">See <see cref="Geom.CollisionGroup"/>; 0 for none.</param>
     /// <exception cref="ObjectDisposedException">A body is disposed.</exception>
     public void CreateGeoms(int collisionGroup)
@@ -279,7 +283,8 @@ public partial class Path
 
         foreach (object item in _made)
         {
-            if (item is Body { Membership: not Membership.None } or Geom { Membership: not Membership.None } or IItem { Membership: not Membership.None })
+            if (item is Body { Membership: not Membership.None } or Geom { Membership: not Membership.None }
+                or IItem { Membership: not Membership.None })
             {
                 return "The path is in a simulator: remove it before it is made anew.";
             }

@@ -4,7 +4,9 @@ using System.Numerics;
 
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
-/// <summary>Where a body is and how far it is turned, in full precision: see <see cref="Body.GetPose(float)"/>. (An addition to the original.)</summary>
+/// <summary>
+/// Where a body is and how far it is turned, in full precision: see <see cref="Body.GetPose(float)"/>. (An addition to the original.)
+/// </summary>
 /// <example>
 /// <code>
 /// Pose pose = body.GetPose(alpha: 0.5f);

@@ -84,7 +84,8 @@ public class BodyFactory
     }
 
     /// <summary>Makes a body with the inertia of an ellipse, m (rx² + ry²) / 4, and adds it.</summary>
-    /// <param name="physicsSimulator">The simulator to add it to; its quirks decide (see <see cref="Farseer201Quirks.EllipseInertiaFromRectangle"/>).</param>
+    /// <param name="physicsSimulator">The simulator to add it to; its quirks decide (see
+    /// <see cref="Farseer201Quirks.EllipseInertiaFromRectangle"/>).</param>
     /// <param name="xRadius">Radius along x; finite and above 0.</param>
     /// <param name="yRadius">Radius along y; finite and above 0.</param>
     /// <param name="mass">Mass; finite and above 0.</param>
@@ -103,7 +104,8 @@ public class BodyFactory
     public Body CreateEllipseBody(float xRadius, float yRadius, float mass) => Ellipse(xRadius, yRadius, mass, Farseer201Quirks.None);
 
     /// <summary>Makes a body with the inertia of a polygon about its centroid, at the centroid, and adds it.</summary>
-    /// <param name="physicsSimulator">The simulator to add it to; its quirks decide (see <see cref="Farseer201Quirks.PolygonInertiaUnsigned"/>).</param>
+    /// <param name="physicsSimulator">The simulator to add it to; its quirks decide (see
+    /// <see cref="Farseer201Quirks.PolygonInertiaUnsigned"/>).</param>
     /// <param name="vertices">A simple outline; not changed.</param>
     /// <param name="mass">Mass; finite and above 0.</param>
     /// <returns>The body.</returns>
@@ -120,7 +122,11 @@ public class BodyFactory
     /// <exception cref="ArgumentException">The outline has fewer than three vertices, no area, or crosses itself.</exception>
     public Body CreatePolygonBody(Vertices vertices, float mass) => Polygon(vertices, mass, Farseer201Quirks.None);
 
-    /// <summary>Makes a body with the inertia of a capsule about its middle, and adds it: see <see cref="GeomFactory.CreateCapsuleGeom(PhysicsSimulator, Body, System.Numerics.Vector2, System.Numerics.Vector2, float)"/>. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a body with the inertia of a capsule about its middle, and adds it: see
+    /// <see cref="GeomFactory.CreateCapsuleGeom(PhysicsSimulator, Body, System.Numerics.Vector2, System.Numerics.Vector2, float)"/>. (An
+    /// addition to the original.)
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="length">Length of the axis, without the round ends; finite and above 0.</param>
     /// <param name="radius">Radius; finite and above 0.</param>
@@ -144,7 +150,10 @@ public class BodyFactory
         return Make(mass, GeomArea.CapsuleInertia(length, radius) / GeomArea.CapsuleArea(length, radius));
     }
 
-    /// <summary>Makes a body with the inertia of a rounded rectangle about its middle, and adds it: see <see cref="GeomFactory.CreateRoundedRectangleGeom(PhysicsSimulator, Body, float, float, float)"/>. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a body with the inertia of a rounded rectangle about its middle, and adds it: see
+    /// <see cref="GeomFactory.CreateRoundedRectangleGeom(PhysicsSimulator, Body, float, float, float)"/>. (An addition to the original.)
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="width">Width of the rectangle within; finite and above 0.</param>
     /// <param name="height">Height of the rectangle within; finite and above 0.</param>

@@ -90,10 +90,12 @@ public class ComplexFactory
     /// <param name="type">What holds two links together.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
-    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536 links.</exception>
+    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
+    /// links.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the kind is not a member of its enum.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
-    public Path CreateChain(PhysicsSimulator physicsSimulator, Vector2 start, Vector2 end, int links, float mass, int collisionGroup, LinkType type) =>
+    public Path CreateChain(
+        PhysicsSimulator physicsSimulator, Vector2 start, Vector2 end, int links, float mass, int collisionGroup, LinkType type) =>
         Added(physicsSimulator, Chain(QuirksOf(physicsSimulator), start, end, links, null, mass, collisionGroup, type));
 
     /// <summary>Makes a chain of so many links, a third as thick as they are long, whose ends are free.</summary>
@@ -104,7 +106,8 @@ public class ComplexFactory
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
     /// <param name="type">What holds two links together.</param>
     /// <returns>The path.</returns>
-    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536 links.</exception>
+    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
+    /// links.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the kind is not a member of its enum.</exception>
     public Path CreateChain(Vector2 start, Vector2 end, int links, float mass, int collisionGroup, LinkType type) =>
         Chain(_quirks, start, end, links, null, mass, collisionGroup, type);
@@ -120,10 +123,19 @@ public class ComplexFactory
     /// <param name="type">What holds two links together.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
-    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536 links.</exception>
+    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
+    /// links.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the kind is not a member of its enum.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
-    public Path CreateChain(PhysicsSimulator physicsSimulator, Vector2 start, Vector2 end, int links, float height, float mass, int collisionGroup, LinkType type) =>
+    public Path CreateChain(
+        PhysicsSimulator physicsSimulator,
+        Vector2 start,
+        Vector2 end,
+        int links,
+        float height,
+        float mass,
+        int collisionGroup,
+        LinkType type) =>
         Added(physicsSimulator, Chain(QuirksOf(physicsSimulator), start, end, links, height, mass, collisionGroup, type));
 
     /// <summary>Makes a chain of so many links whose ends are free.</summary>
@@ -135,7 +147,8 @@ public class ComplexFactory
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
     /// <param name="type">What holds two links together.</param>
     /// <returns>The path.</returns>
-    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536 links.</exception>
+    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
+    /// links.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the kind is not a member of its enum.</exception>
     public Path CreateChain(Vector2 start, Vector2 end, int links, float height, float mass, int collisionGroup, LinkType type) =>
         Chain(_quirks, start, end, links, height, mass, collisionGroup, type);
@@ -151,10 +164,19 @@ public class ComplexFactory
     /// <param name="type">What holds two links together.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
-    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536 links.</exception>
+    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
+    /// links.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the kind is not a member of its enum.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
-    public Path CreateChain(PhysicsSimulator physicsSimulator, Vector2 start, Vector2 end, float width, float height, float mass, int collisionGroup, LinkType type) =>
+    public Path CreateChain(
+        PhysicsSimulator physicsSimulator,
+        Vector2 start,
+        Vector2 end,
+        float width,
+        float height,
+        float mass,
+        int collisionGroup,
+        LinkType type) =>
         CreateChain(physicsSimulator, start, end, width, height, mass, false, false, collisionGroup, type);
 
     /// <summary>Makes a chain of links of one size, as many as fit, whose ends are free.</summary>
@@ -166,7 +188,8 @@ public class ComplexFactory
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
     /// <param name="type">What holds two links together.</param>
     /// <returns>The path.</returns>
-    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536 links.</exception>
+    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
+    /// links.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the kind is not a member of its enum.</exception>
     public Path CreateChain(Vector2 start, Vector2 end, float width, float height, float mass, int collisionGroup, LinkType type) =>
         CreateChain(start, end, width, height, mass, false, false, collisionGroup, type);
@@ -184,11 +207,24 @@ public class ComplexFactory
     /// <param name="type">What holds two links together.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
-    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536 links.</exception>
+    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
+    /// links.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the kind is not a member of its enum.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
-    public Path CreateChain(PhysicsSimulator physicsSimulator, Vector2 start, Vector2 end, float width, float height, float mass, bool pinStart, bool pinEnd, int collisionGroup, LinkType type) =>
-        Added(physicsSimulator, Chain(QuirksOf(physicsSimulator), start, end, width, height, mass, pinStart, pinEnd, collisionGroup, type, nameof(width)));
+    public Path CreateChain(
+        PhysicsSimulator physicsSimulator,
+        Vector2 start,
+        Vector2 end,
+        float width,
+        float height,
+        float mass,
+        bool pinStart,
+        bool pinEnd,
+        int collisionGroup,
+        LinkType type) =>
+        Added(
+            physicsSimulator,
+            Chain(QuirksOf(physicsSimulator), start, end, width, height, mass, pinStart, pinEnd, collisionGroup, type, nameof(width)));
 
     /// <summary>Makes a chain of links of one size, as many as fit.</summary>
     /// <param name="start">Where it begins, in world coordinates; finite.</param>
@@ -201,9 +237,11 @@ public class ComplexFactory
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
     /// <param name="type">What holds two links together.</param>
     /// <returns>The path.</returns>
-    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536 links.</exception>
+    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
+    /// links.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the kind is not a member of its enum.</exception>
-    public Path CreateChain(Vector2 start, Vector2 end, float width, float height, float mass, bool pinStart, bool pinEnd, int collisionGroup, LinkType type) =>
+    public Path CreateChain(
+        Vector2 start, Vector2 end, float width, float height, float mass, bool pinStart, bool pinEnd, int collisionGroup, LinkType type) =>
         Chain(_quirks, start, end, width, height, mass, pinStart, pinEnd, collisionGroup, type, nameof(width));
 
     /// <summary>Makes a rope: the same as a chain of links of one size, as many as fit.</summary>
@@ -217,9 +255,11 @@ public class ComplexFactory
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
     /// <param name="type">What holds two links together.</param>
     /// <returns>The path.</returns>
-    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536 links.</exception>
+    /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
+    /// links.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the kind is not a member of its enum.</exception>
-    public Path CreateRope(Vector2 start, Vector2 end, float width, float height, float mass, bool pinStart, bool pinEnd, int collisionGroup, LinkType type) =>
+    public Path CreateRope(
+        Vector2 start, Vector2 end, float width, float height, float mass, bool pinStart, bool pinEnd, int collisionGroup, LinkType type) =>
         Chain(_quirks, start, end, width, height, mass, pinStart, pinEnd, collisionGroup, type, nameof(width));
 
     /// <summary>Makes a track: links of one size along a smooth curve through points, and adds it.</summary>
@@ -233,10 +273,19 @@ public class ComplexFactory
     /// <param name="type">What holds two links together.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentException">There are less than 2 points, one is not finite, or the track is shorter than half a link or has more than 65,536 links.</exception>
+    /// <exception cref="ArgumentException">There are less than 2 points, one is not finite, or the track is shorter than half a link or has
+    /// more than 65,536 links.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the kind is not a member of its enum.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
-    public Path CreateTrack(PhysicsSimulator physicsSimulator, Vertices points, float width, float height, float mass, bool endless, int collisionGroup, LinkType type) =>
+    public Path CreateTrack(
+        PhysicsSimulator physicsSimulator,
+        Vertices points,
+        float width,
+        float height,
+        float mass,
+        bool endless,
+        int collisionGroup,
+        LinkType type) =>
         Added(physicsSimulator, Track(QuirksOf(physicsSimulator), points, width, height, mass, endless, collisionGroup, type));
 
     /// <summary>
@@ -252,7 +301,8 @@ public class ComplexFactory
     /// <param name="type">What holds two links together.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="points"/> is null.</exception>
-    /// <exception cref="ArgumentException">There are less than 2 points, one is not finite, or the track is shorter than half a link or has more than 65,536 links.</exception>
+    /// <exception cref="ArgumentException">There are less than 2 points, one is not finite, or the track is shorter than half a link or has
+    /// more than 65,536 links.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the kind is not a member of its enum.</exception>
     public Path CreateTrack(Vertices points, float width, float height, float mass, bool endless, int collisionGroup, LinkType type) =>
         Track(_quirks, points, width, height, mass, endless, collisionGroup, type);
@@ -269,7 +319,8 @@ public class ComplexFactory
         return physicsSimulator.Quirks | _quirks;
     }
 
-    private Path Chain(Farseer201Quirks quirks, Vector2 start, Vector2 end, int links, float? height, float mass, int collisionGroup, LinkType type)
+    private Path Chain(
+        Farseer201Quirks quirks, Vector2 start, Vector2 end, int links, float? height, float mass, int collisionGroup, LinkType type)
     {
         Require.Place(start, nameof(start));
         Require.Place(end, nameof(end));

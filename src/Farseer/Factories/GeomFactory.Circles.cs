@@ -39,7 +39,8 @@ public partial class GeomFactory
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
-    public Geom CreateCircleGeom(PhysicsSimulator physicsSimulator, Body body, float radius, int numberOfEdges, float collisionGridCellSize) =>
+    public Geom CreateCircleGeom(
+        PhysicsSimulator physicsSimulator, Body body, float radius, int numberOfEdges, float collisionGridCellSize) =>
         Added(Ready(physicsSimulator, body), CreateCircleGeom(body, radius, numberOfEdges, collisionGridCellSize));
 
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
@@ -63,7 +64,8 @@ public partial class GeomFactory
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
-    public Geom CreateCircleGeom(PhysicsSimulator physicsSimulator, Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset) =>
+    public Geom CreateCircleGeom(
+        PhysicsSimulator physicsSimulator, Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset) =>
         Added(Ready(physicsSimulator, body), CreateCircleGeom(body, radius, numberOfEdges, offset, rotationOffset));
 
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
@@ -89,7 +91,14 @@ public partial class GeomFactory
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
-    public Geom CreateCircleGeom(PhysicsSimulator physicsSimulator, Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize) =>
+    public Geom CreateCircleGeom(
+        PhysicsSimulator physicsSimulator,
+        Body body,
+        float radius,
+        int numberOfEdges,
+        Vector2 offset,
+        float rotationOffset,
+        float collisionGridCellSize) =>
         Added(Ready(physicsSimulator, body), CreateCircleGeom(body, radius, numberOfEdges, offset, rotationOffset, collisionGridCellSize));
 
     /// <summary>Makes a circle that collides as a true circle; its vertices have the number of edges given.</summary>
@@ -102,11 +111,13 @@ public partial class GeomFactory
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
-    public Geom CreateCircleGeom(Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize)
+    public Geom CreateCircleGeom(
+        Body body, float radius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize)
     {
         Require.Length(radius, nameof(radius));
         Require.Within(numberOfEdges, 3, Vertices.MostEdges, nameof(numberOfEdges));
-        return new Geom(body, GeomForm.Circle(radius), Vertices.CreateCircle(radius, numberOfEdges), offset, rotationOffset, collisionGridCellSize);
+        return new Geom(
+            body, GeomForm.Circle(radius), Vertices.CreateCircle(radius, numberOfEdges), offset, rotationOffset, collisionGridCellSize);
     }
 
     /// <summary>Makes an ellipse as a polygon of the number of edges given, and adds it.</summary>
@@ -142,7 +153,8 @@ public partial class GeomFactory
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
-    public Geom CreateEllipseGeom(PhysicsSimulator physicsSimulator, Body body, float xRadius, float yRadius, int numberOfEdges, float collisionGridCellSize) =>
+    public Geom CreateEllipseGeom(
+        PhysicsSimulator physicsSimulator, Body body, float xRadius, float yRadius, int numberOfEdges, float collisionGridCellSize) =>
         Added(Ready(physicsSimulator, body), CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, collisionGridCellSize));
 
     /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
@@ -168,7 +180,14 @@ public partial class GeomFactory
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
-    public Geom CreateEllipseGeom(PhysicsSimulator physicsSimulator, Body body, float xRadius, float yRadius, int numberOfEdges, Vector2 offset, float rotationOffset) =>
+    public Geom CreateEllipseGeom(
+        PhysicsSimulator physicsSimulator,
+        Body body,
+        float xRadius,
+        float yRadius,
+        int numberOfEdges,
+        Vector2 offset,
+        float rotationOffset) =>
         Added(Ready(physicsSimulator, body), CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, offset, rotationOffset));
 
     /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
@@ -196,8 +215,18 @@ public partial class GeomFactory
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
-    public Geom CreateEllipseGeom(PhysicsSimulator physicsSimulator, Body body, float xRadius, float yRadius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize) =>
-        Added(Ready(physicsSimulator, body), CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, offset, rotationOffset, collisionGridCellSize));
+    public Geom CreateEllipseGeom(
+        PhysicsSimulator physicsSimulator,
+        Body body,
+        float xRadius,
+        float yRadius,
+        int numberOfEdges,
+        Vector2 offset,
+        float rotationOffset,
+        float collisionGridCellSize) =>
+        Added(
+            Ready(physicsSimulator, body),
+            CreateEllipseGeom(body, xRadius, yRadius, numberOfEdges, offset, rotationOffset, collisionGridCellSize));
 
     /// <summary>Makes an ellipse as a polygon of the number of edges given.</summary>
     /// <param name="body">The body to attach to.</param>
@@ -210,7 +239,8 @@ public partial class GeomFactory
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
-    public Geom CreateEllipseGeom(Body body, float xRadius, float yRadius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize)
+    public Geom CreateEllipseGeom(
+        Body body, float xRadius, float yRadius, int numberOfEdges, Vector2 offset, float rotationOffset, float collisionGridCellSize)
     {
         Require.Length(xRadius, nameof(xRadius));
         Require.Length(yRadius, nameof(yRadius));

@@ -10,7 +10,9 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// <content>Capsules, segments and chains.</content>
 public partial class GeomFactory
 {
-    /// <summary>Makes a capsule: all points within a radius of a line. It is added to the simulator. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a capsule: all points within a radius of a line. It is added to the simulator. (An addition to the original.)
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="start">One end of the axis, in body coordinates.</param>
@@ -34,10 +36,18 @@ public partial class GeomFactory
     {
         Require.Length(radius, nameof(radius));
         CheckLine(start, end);
-        return new Geom(body, new GeomForm(FormKind.Capsule, new[] { start, end }, radius, default, false), CapsuleOutline(start, end, radius), Vector2.Zero, 0, 0);
+        return new Geom(
+            body,
+            new GeomForm(FormKind.Capsule, new[] { start, end }, radius, default, false),
+            CapsuleOutline(start, end, radius),
+            Vector2.Zero,
+            0,
+            0);
     }
 
-    /// <summary>Makes a line without thickness that collides on both sides. It is added to the simulator. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a line without thickness that collides on both sides. It is added to the simulator. (An addition to the original.)
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="start">One end of the axis, in body coordinates.</param>
@@ -58,10 +68,15 @@ public partial class GeomFactory
     public Geom CreateSegmentGeom(Body body, Vector2 start, Vector2 end)
     {
         CheckLine(start, end);
-        return new Geom(body, new GeomForm(FormKind.Segment, new[] { start, end }, 0, default, false), new Vertices { start, end }, Vector2.Zero, 0, 0);
+        return new Geom(
+            body, new GeomForm(FormKind.Segment, new[] { start, end }, 0, default, false), new Vertices { start, end }, Vector2.Zero, 0, 0);
     }
 
-    /// <summary>Makes a chain of lines that feels no seams and collides on one side, the one that (y, -x) of the way from point to point looks to: outwards for a loop in the order from the x axis to the y axis. The open ends of a chain that is no loop collide with what they meet point first, from either side. It is added to the simulator. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a chain of lines that feels no seams and collides on one side, the one that (y, -x) of the way from point to point looks to:
+    /// outwards for a loop in the order from the x axis to the y axis. The open ends of a chain that is no loop collide with what they meet
+    /// point first, from either side. It is added to the simulator. (An addition to the original.)
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="points">The points in order, in body coordinates; at least two different ones.</param>
@@ -72,7 +87,11 @@ public partial class GeomFactory
     public Geom CreateChainGeom(PhysicsSimulator physicsSimulator, Body body, Vertices points, bool loop) =>
         Added(Ready(physicsSimulator, body), CreateChainGeom(body, points, loop));
 
-    /// <summary>Makes a chain of lines that feels no seams and collides on one side, the one that (y, -x) of the way from point to point looks to: outwards for a loop in the order from the x axis to the y axis. The open ends of a chain that is no loop collide with what they meet point first, from either side. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a chain of lines that feels no seams and collides on one side, the one that (y, -x) of the way from point to point looks to:
+    /// outwards for a loop in the order from the x axis to the y axis. The open ends of a chain that is no loop collide with what they meet
+    /// point first, from either side. (An addition to the original.)
+    /// </summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="points">The points in order, in body coordinates; at least two different ones.</param>
     /// <param name="loop">True joins the last point to the first.</param>
@@ -91,7 +110,8 @@ public partial class GeomFactory
         Require.Place(end, nameof(end));
         if (Math.Max(Math.Abs(start.X - end.X), Math.Abs(start.Y - end.Y)) < StateRange.Least)
         {
-            throw new ArgumentException("The two ends, " + start + " and " + end + ", are the same point, or nearer than 1.1E-19.", nameof(end));
+            throw new ArgumentException(
+                "The two ends, " + start + " and " + end + ", are the same point, or nearer than 1.1E-19.", nameof(end));
         }
     }
 
@@ -110,7 +130,8 @@ public partial class GeomFactory
             // A quarter turn back, so that each half of the circle is about its end of the axis.
             Vector2 p = circle[((i % PointsAnEnd) + (i < PointsAnEnd ? 0 : PointsAnEnd - 1)) % circle.Count];
             var turned = new Vector2(-p.Y, p.X);
-            outline.Add((i < PointsAnEnd ? end : start) + new Vector2((along.X * turned.X) - (along.Y * turned.Y), (along.Y * turned.X) + (along.X * turned.Y)));
+            outline.Add((i < PointsAnEnd ? end : start)
+                + new Vector2((along.X * turned.X) - (along.Y * turned.Y), (along.Y * turned.X) + (along.X * turned.Y)));
         }
 
         outline.ForceCounterClockWiseOrder();

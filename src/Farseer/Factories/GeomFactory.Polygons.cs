@@ -9,7 +9,10 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// <content>Polygons.</content>
 public partial class GeomFactory
 {
-    /// <summary>Makes a polygon of any simple outline, and adds it; the list given is put into the documented order and moved so that its centroid is at the origin.</summary>
+    /// <summary>
+    /// Makes a polygon of any simple outline, and adds it; the list given is put into the documented order and moved so that its centroid
+    /// is at the origin.
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="vertices">A simple outline, which is moved to its centroid; at least three vertices.</param>
@@ -20,7 +23,10 @@ public partial class GeomFactory
     public Geom CreatePolygonGeom(PhysicsSimulator physicsSimulator, Body body, Vertices vertices, float collisionGridCellSize) =>
         Added(Ready(physicsSimulator, body), CreatePolygonGeom(body, vertices, collisionGridCellSize));
 
-    /// <summary>Makes a polygon of any simple outline; the list given is put into the documented order and moved so that its centroid is at the origin.</summary>
+    /// <summary>
+    /// Makes a polygon of any simple outline; the list given is put into the documented order and moved so that its centroid is at the
+    /// origin.
+    /// </summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="vertices">A simple outline, which is moved to its centroid; at least three vertices.</param>
     /// <param name="collisionGridCellSize">Cell size of the distance grid; 0 or less picks one.</param>
@@ -30,7 +36,10 @@ public partial class GeomFactory
     public Geom CreatePolygonGeom(Body body, Vertices vertices, float collisionGridCellSize) =>
         CreatePolygonGeom(body, vertices, Vector2.Zero, 0, collisionGridCellSize);
 
-    /// <summary>Makes a polygon of any simple outline, and adds it; the list given is put into the documented order and moved so that its centroid is at the origin.</summary>
+    /// <summary>
+    /// Makes a polygon of any simple outline, and adds it; the list given is put into the documented order and moved so that its centroid
+    /// is at the origin.
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="vertices">A simple outline, which is moved to its centroid; at least three vertices.</param>
@@ -40,10 +49,19 @@ public partial class GeomFactory
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
-    public Geom CreatePolygonGeom(PhysicsSimulator physicsSimulator, Body body, Vertices vertices, Vector2 offset, float rotationOffset, float collisionGridCellSize) =>
+    public Geom CreatePolygonGeom(
+        PhysicsSimulator physicsSimulator,
+        Body body,
+        Vertices vertices,
+        Vector2 offset,
+        float rotationOffset,
+        float collisionGridCellSize) =>
         Added(Ready(physicsSimulator, body), CreatePolygonGeom(body, vertices, offset, rotationOffset, collisionGridCellSize));
 
-    /// <summary>Makes a polygon of any simple outline; the list given is put into the documented order and moved so that its centroid is at the origin.</summary>
+    /// <summary>
+    /// Makes a polygon of any simple outline; the list given is put into the documented order and moved so that its centroid is at the
+    /// origin.
+    /// </summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="vertices">A simple outline, which is moved to its centroid; at least three vertices.</param>
     /// <param name="offset">Place of the geom in body coordinates.</param>

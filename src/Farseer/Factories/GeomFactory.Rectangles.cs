@@ -9,7 +9,9 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// <content>Rectangles.</content>
 public partial class GeomFactory
 {
-    /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners, and adds it.</summary>
+    /// <summary>
+    /// Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners, and adds it.
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -30,7 +32,9 @@ public partial class GeomFactory
     public Geom CreateRectangleGeom(Body body, float width, float height) =>
         CreateRectangleGeom(body, width, height, Vector2.Zero, 0, 0);
 
-    /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners, and adds it.</summary>
+    /// <summary>
+    /// Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners, and adds it.
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -53,7 +57,9 @@ public partial class GeomFactory
     public Geom CreateRectangleGeom(Body body, float width, float height, float collisionGridCellSize) =>
         CreateRectangleGeom(body, width, height, Vector2.Zero, 0, collisionGridCellSize);
 
-    /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners, and adds it.</summary>
+    /// <summary>
+    /// Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners, and adds it.
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -63,7 +69,8 @@ public partial class GeomFactory
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
-    public Geom CreateRectangleGeom(PhysicsSimulator physicsSimulator, Body body, float width, float height, Vector2 offset, float rotationOffset) =>
+    public Geom CreateRectangleGeom(
+        PhysicsSimulator physicsSimulator, Body body, float width, float height, Vector2 offset, float rotationOffset) =>
         Added(Ready(physicsSimulator, body), CreateRectangleGeom(body, width, height, offset, rotationOffset));
 
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners.</summary>
@@ -78,7 +85,9 @@ public partial class GeomFactory
     public Geom CreateRectangleGeom(Body body, float width, float height, Vector2 offset, float rotationOffset) =>
         CreateRectangleGeom(body, width, height, offset, rotationOffset, 0);
 
-    /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners, and adds it.</summary>
+    /// <summary>
+    /// Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners, and adds it.
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="width">Width; above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -89,7 +98,14 @@ public partial class GeomFactory
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
-    public Geom CreateRectangleGeom(PhysicsSimulator physicsSimulator, Body body, float width, float height, Vector2 offset, float rotationOffset, float collisionGridCellSize) =>
+    public Geom CreateRectangleGeom(
+        PhysicsSimulator physicsSimulator,
+        Body body,
+        float width,
+        float height,
+        Vector2 offset,
+        float rotationOffset,
+        float collisionGridCellSize) =>
         Added(Ready(physicsSimulator, body), CreateRectangleGeom(body, width, height, offset, rotationOffset, collisionGridCellSize));
 
     /// <summary>Makes a rectangle of 16 vertices (corners and quarter points) that collides as a box of four corners.</summary>
@@ -106,6 +122,7 @@ public partial class GeomFactory
     {
         Require.Length(width, nameof(width));
         Require.Length(height, nameof(height));
-        return new Geom(body, GeomForm.Box(width, height), Vertices.CreateRectangle(width, height), offset, rotationOffset, collisionGridCellSize);
+        return new Geom(
+            body, GeomForm.Box(width, height), Vertices.CreateRectangle(width, height), offset, rotationOffset, collisionGridCellSize);
     }
 }

@@ -12,7 +12,10 @@ public partial class GeomFactory
     /// <summary>Points of an outline for drawing in each rounded corner.</summary>
     private const int PointsACorner = 5;
 
-    /// <summary>Makes a rounded rectangle: all points within a radius of a rectangle about the body's origin. It is added to the simulator. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a rounded rectangle: all points within a radius of a rectangle about the body's origin. It is added to the simulator. (An
+    /// addition to the original.)
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="width">Width of the rectangle within; the geom is wider by two radii. Above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
@@ -24,7 +27,9 @@ public partial class GeomFactory
     public Geom CreateRoundedRectangleGeom(PhysicsSimulator physicsSimulator, Body body, float width, float height, float radius) =>
         Added(Ready(physicsSimulator, body), CreateRoundedRectangleGeom(body, width, height, radius));
 
-    /// <summary>Makes a rounded rectangle: all points within a radius of a rectangle about the body's origin. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a rounded rectangle: all points within a radius of a rectangle about the body's origin. (An addition to the original.)
+    /// </summary>
     /// <param name="body">The body to attach to.</param>
     /// <param name="width">Width of the rectangle within; the geom is wider by two radii. Above 0, from 1.1·10⁻¹⁹ to 9.2·10¹⁸.</param>
     /// <param name="height">Height of the rectangle within; the same range.</param>
@@ -39,7 +44,8 @@ public partial class GeomFactory
         Require.Length(radius, nameof(radius));
         var half = new Vector2(0.5f * width, 0.5f * height);
         Vector2[] corners = { -half, new Vector2(half.X, -half.Y), half, new Vector2(-half.X, half.Y) };
-        return new Geom(body, new GeomForm(FormKind.Rounded, corners, radius, default, true), RoundedOutline(corners, radius), Vector2.Zero, 0, 0);
+        return new Geom(
+            body, new GeomForm(FormKind.Rounded, corners, radius, default, true), RoundedOutline(corners, radius), Vector2.Zero, 0, 0);
     }
 
     private static Vertices RoundedOutline(Vector2[] corners, float radius)

@@ -40,7 +40,9 @@ public partial class GeomFactory
     /// <exception cref="ArgumentException"><paramref name="vertices"/> is empty.</exception>
     public float CalculateGridCellSizeFromAABB(Vertices vertices) => new AABB(vertices).GetShortestSide() * _gridCellSizeAABBFactor;
 
-    /// <summary>Makes a copy of a geom for another body, and adds it: shape, material and filters are copied, handlers and tag are not.</summary>
+    /// <summary>
+    /// Makes a copy of a geom for another body, and adds it: shape, material and filters are copied, handlers and tag are not.
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body to attach to.</param>
     /// <param name="geometry">The geom to copy.</param>

@@ -33,7 +33,9 @@ public partial class JointFactory
     public DistanceJoint CreateDistanceJoint(Body body1, Vector2 anchor1, Body body2, Vector2 anchor2) =>
         new DistanceJoint(body1, anchor1, body2, anchor2);
 
-    /// <summary>Makes a rope that lets two points come nearer and no farther apart than its length, and adds it. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a rope that lets two points come nearer and no farther apart than its length, and adds it. (An addition to the original.)
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body1">First body.</param>
     /// <param name="anchor1">Anchor in the coordinates of the first body; finite.</param>
@@ -44,10 +46,13 @@ public partial class JointFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
-    public RopeJoint CreateRopeJoint(PhysicsSimulator physicsSimulator, Body body1, Vector2 anchor1, Body body2, Vector2 anchor2, float maxLength) =>
+    public RopeJoint CreateRopeJoint(
+        PhysicsSimulator physicsSimulator, Body body1, Vector2 anchor1, Body body2, Vector2 anchor2, float maxLength) =>
         Added(physicsSimulator, CreateRopeJoint(body1, anchor1, body2, anchor2, maxLength));
 
-    /// <summary>Makes a rope that lets two points come nearer and no farther apart than its length. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a rope that lets two points come nearer and no farther apart than its length. (An addition to the original.)
+    /// </summary>
     /// <param name="body1">First body.</param>
     /// <param name="anchor1">Anchor in the coordinates of the first body; finite.</param>
     /// <param name="body2">Second body.</param>
@@ -60,7 +65,9 @@ public partial class JointFactory
     public RopeJoint CreateRopeJoint(Body body1, Vector2 anchor1, Body body2, Vector2 anchor2, float maxLength) =>
         new RopeJoint(body1, anchor1, body2, anchor2, maxLength);
 
-    /// <summary>Makes a rope over two wheels that hang in the world, taut as the bodies stand, and adds it. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a rope over two wheels that hang in the world, taut as the bodies stand, and adds it. (An addition to the original.)
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body1">First body.</param>
     /// <param name="groundAnchor1">Point over which the rope to the first body runs, in world coordinates; finite.</param>
@@ -74,7 +81,14 @@ public partial class JointFactory
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public PulleyJoint CreatePulleyJoint(
-        PhysicsSimulator physicsSimulator, Body body1, Vector2 groundAnchor1, Vector2 anchor1, Body body2, Vector2 groundAnchor2, Vector2 anchor2, float ratio) =>
+        PhysicsSimulator physicsSimulator,
+        Body body1,
+        Vector2 groundAnchor1,
+        Vector2 anchor1,
+        Body body2,
+        Vector2 groundAnchor2,
+        Vector2 anchor2,
+        float ratio) =>
         Added(physicsSimulator, CreatePulleyJoint(body1, groundAnchor1, anchor1, body2, groundAnchor2, anchor2, ratio));
 
     /// <summary>Makes a rope over two wheels that hang in the world, taut as the bodies stand. (An addition to the original.)</summary>
@@ -89,7 +103,8 @@ public partial class JointFactory
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
-    public PulleyJoint CreatePulleyJoint(Body body1, Vector2 groundAnchor1, Vector2 anchor1, Body body2, Vector2 groundAnchor2, Vector2 anchor2, float ratio) =>
+    public PulleyJoint CreatePulleyJoint(
+        Body body1, Vector2 groundAnchor1, Vector2 anchor1, Body body2, Vector2 groundAnchor2, Vector2 anchor2, float ratio) =>
         new PulleyJoint(body1, groundAnchor1, anchor1, body2, groundAnchor2, anchor2, ratio);
 
     /// <summary>Makes a joint that makes one of two bodies, as they stand, and adds it. (An addition to the original.)</summary>
@@ -165,7 +180,10 @@ public partial class JointFactory
     public WheelJoint CreateWheelJoint(Body body1, Body body2, Vector2 anchor, Vector2 axis) =>
         new WheelJoint(body1, body2, anchor, axis);
 
-    /// <summary>Makes a joint that drives a body to a place and an angle against another, and holds it as it stands until these are set, and adds it. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a joint that drives a body to a place and an angle against another, and holds it as it stands until these are set, and adds
+    /// it. (An addition to the original.)
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body1">First body.</param>
     /// <param name="body2">Second body.</param>
@@ -175,7 +193,10 @@ public partial class JointFactory
     public MotorJoint CreateMotorJoint(PhysicsSimulator physicsSimulator, Body body1, Body body2) =>
         Added(physicsSimulator, CreateMotorJoint(body1, body2));
 
-    /// <summary>Makes a joint that drives a body to a place and an angle against another, and holds it as it stands until these are set. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a joint that drives a body to a place and an angle against another, and holds it as it stands until these are set. (An
+    /// addition to the original.)
+    /// </summary>
     /// <param name="body1">First body.</param>
     /// <param name="body2">Second body.</param>
     /// <returns>The joint.</returns>
@@ -205,7 +226,9 @@ public partial class JointFactory
     public FixedPrismaticJoint CreateFixedPrismaticJoint(Body body, Vector2 anchor, Vector2 axis) =>
         new FixedPrismaticJoint(body, anchor, axis);
 
-    /// <summary>Makes a joint that pulls a point of a body to a point of the world, as a mouse does, and adds it. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a joint that pulls a point of a body to a point of the world, as a mouse does, and adds it. (An addition to the original.)
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body.</param>
     /// <param name="target">The point, in world coordinates: it is taken for that of the body and for its target; finite.</param>
@@ -215,7 +238,9 @@ public partial class JointFactory
     public TargetJoint CreateTargetJoint(PhysicsSimulator physicsSimulator, Body body, Vector2 target) =>
         Added(physicsSimulator, CreateTargetJoint(body, target));
 
-    /// <summary>Makes a joint that pulls a point of a body to a point of the world, as a mouse does. (An addition to the original.)</summary>
+    /// <summary>
+    /// Makes a joint that pulls a point of a body to a point of the world, as a mouse does. (An addition to the original.)
+    /// </summary>
     /// <param name="body">The body.</param>
     /// <param name="target">The point, in world coordinates: it is taken for that of the body and for its target; finite.</param>
     /// <returns>The joint.</returns>

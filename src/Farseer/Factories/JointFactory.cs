@@ -86,7 +86,8 @@ public partial class JointFactory
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
-    public PinJoint CreatePinJoint(Body body1, Vector2 anchor1, Body body2, Vector2 anchor2) => new PinJoint(body1, anchor1, body2, anchor2);
+    public PinJoint CreatePinJoint(Body body1, Vector2 anchor1, Body body2, Vector2 anchor2) =>
+        new PinJoint(body1, anchor1, body2, anchor2);
 
     /// <summary>Makes a joint that keeps the distance of two anchors between limits, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
@@ -100,7 +101,8 @@ public partial class JointFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
-    public SliderJoint CreateSliderJoint(PhysicsSimulator physicsSimulator, Body body1, Vector2 anchor1, Body body2, Vector2 anchor2, float min, float max) =>
+    public SliderJoint CreateSliderJoint(
+        PhysicsSimulator physicsSimulator, Body body1, Vector2 anchor1, Body body2, Vector2 anchor2, float min, float max) =>
         Added(physicsSimulator, CreateSliderJoint(body1, anchor1, body2, anchor2, min, max));
 
     /// <summary>Makes a joint that keeps the distance of two anchors between limits.</summary>
@@ -114,7 +116,8 @@ public partial class JointFactory
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
-    public SliderJoint CreateSliderJoint(Body body1, Vector2 anchor1, Body body2, Vector2 anchor2, float min, float max) => new SliderJoint(body1, anchor1, body2, anchor2, min, max);
+    public SliderJoint CreateSliderJoint(Body body1, Vector2 anchor1, Body body2, Vector2 anchor2, float min, float max) =>
+        new SliderJoint(body1, anchor1, body2, anchor2, min, max);
 
     /// <summary>Makes a joint that turns two bodies to the same angle, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
@@ -200,7 +203,11 @@ public partial class JointFactory
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public AngleLimitJoint CreateAngleLimitJoint(Body body1, Body body2, float min, float max) =>
-        new AngleLimitJoint(body1, body2, Require.Finite(min, nameof(min)), Require.NotBelow(Require.Finite(max, nameof(max)), min, nameof(max), nameof(min)));
+        new AngleLimitJoint(
+            body1,
+            body2,
+            Require.Finite(min, nameof(min)),
+            Require.NotBelow(Require.Finite(max, nameof(max)), min, nameof(max), nameof(min)));
 
     /// <summary>Makes a joint that keeps the angle of a body between limits, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
@@ -221,7 +228,8 @@ public partial class JointFactory
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public FixedAngleLimitJoint CreateFixedAngleLimitJoint(Body body, float min, float max) =>
-        new FixedAngleLimitJoint(body, Require.Finite(min, nameof(min)), Require.NotBelow(Require.Finite(max, nameof(max)), min, nameof(max), nameof(min)));
+        new FixedAngleLimitJoint(
+            body, Require.Finite(min, nameof(min)), Require.NotBelow(Require.Finite(max, nameof(max)), min, nameof(max), nameof(min)));
 
     /// <summary>Makes a gear between two bodies, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>

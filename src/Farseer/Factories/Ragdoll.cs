@@ -8,7 +8,8 @@ using FarseerGames.FarseerPhysics.Dynamics.Joints;
 namespace FarseerGames.FarseerPhysics.Factories;
 
 /// <summary>
-/// A figure of eleven limbs, hinged where a human's are and with the limits of their joints. It is seen from the side, facing +x, and stands in the direction of up. (An addition to the original.)
+/// A figure of eleven limbs, hinged where a human's are and with the limits of their joints. It is seen from the side, facing +x, and
+/// stands in the direction of up. (An addition to the original.)
 /// </summary>
 /// <example>
 /// <code>
@@ -40,7 +41,9 @@ public sealed class Ragdoll
     /// <summary>All limbs, from the chest outwards.</summary>
     public IReadOnlyList<Body> Bodies => _bodies;
 
-    /// <summary>All hinges. Their limits are on; set <see cref="RevoluteJoint.MaxMotorTorque"/> or springs of your own to make it stiff.</summary>
+    /// <summary>
+    /// All hinges. Their limits are on; set <see cref="RevoluteJoint.MaxMotorTorque"/> or springs of your own to make it stiff.
+    /// </summary>
     public IReadOnlyList<RevoluteJoint> Joints => _joints;
 
     /// <summary>The chest, the heaviest limb.</summary>

@@ -12,7 +12,8 @@ namespace FarseerGames.FarseerPhysics.Factories;
 /// </summary>
 /// <example>
 /// <code>
-/// LinearSpring rubber = SpringFactory.Instance.CreateLinearSpring(simulator, body, Vector2.Zero, second, Vector2.Zero, springConstant: 50, dampingConstant: 2);
+/// LinearSpring rubber = SpringFactory.Instance.CreateLinearSpring(
+///     simulator, body, Vector2.Zero, second, Vector2.Zero, springConstant: 50, dampingConstant: 2);
 /// </code>
 /// </example>
 public class SpringFactory
@@ -37,7 +38,13 @@ public class SpringFactory
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public LinearSpring CreateLinearSpring(
-        PhysicsSimulator physicsSimulator, Body body1, Vector2 attachPoint1, Body body2, Vector2 attachPoint2, float springConstant, float dampingConstant) =>
+        PhysicsSimulator physicsSimulator,
+        Body body1,
+        Vector2 attachPoint1,
+        Body body2,
+        Vector2 attachPoint2,
+        float springConstant,
+        float dampingConstant) =>
         Added(physicsSimulator, CreateLinearSpring(body1, attachPoint1, body2, attachPoint2, springConstant, dampingConstant));
 
     /// <summary>Makes a spring between two bodies whose rest length is the present distance of the attach points.</summary>
@@ -55,7 +62,9 @@ public class SpringFactory
         Body body1, Vector2 attachPoint1, Body body2, Vector2 attachPoint2, float springConstant, float dampingConstant) =>
         new LinearSpring(body1, attachPoint1, body2, attachPoint2, springConstant, dampingConstant);
 
-    /// <summary>Makes a spring between a body and a point of the world whose rest length is the present distance of the attach points, and adds it.</summary>
+    /// <summary>
+    /// Makes a spring between a body and a point of the world whose rest length is the present distance of the attach points, and adds it.
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body.</param>
     /// <param name="bodyAttachPoint">Point of the body, in its coordinates; finite.</param>
@@ -66,10 +75,17 @@ public class SpringFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public FixedLinearSpring CreateFixedLinearSpring(
-        PhysicsSimulator physicsSimulator, Body body, Vector2 bodyAttachPoint, Vector2 worldAttachPoint, float springConstant, float dampingConstant) =>
+        PhysicsSimulator physicsSimulator,
+        Body body,
+        Vector2 bodyAttachPoint,
+        Vector2 worldAttachPoint,
+        float springConstant,
+        float dampingConstant) =>
         Added(physicsSimulator, CreateFixedLinearSpring(body, bodyAttachPoint, worldAttachPoint, springConstant, dampingConstant));
 
-    /// <summary>Makes a spring between a body and a point of the world whose rest length is the present distance of the attach points.</summary>
+    /// <summary>
+    /// Makes a spring between a body and a point of the world whose rest length is the present distance of the attach points.
+    /// </summary>
     /// <param name="body">The body.</param>
     /// <param name="bodyAttachPoint">Point of the body, in its coordinates; finite.</param>
     /// <param name="worldAttachPoint">Point of the world; finite.</param>
@@ -82,7 +98,9 @@ public class SpringFactory
         Body body, Vector2 bodyAttachPoint, Vector2 worldAttachPoint, float springConstant, float dampingConstant) =>
         new FixedLinearSpring(body, bodyAttachPoint, worldAttachPoint, springConstant, dampingConstant);
 
-    /// <summary>Makes a torsion spring between two bodies whose target angle is the present difference of the rotations, and adds it.</summary>
+    /// <summary>
+    /// Makes a torsion spring between two bodies whose target angle is the present difference of the rotations, and adds it.
+    /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body1">First body.</param>
     /// <param name="body2">Second body.</param>

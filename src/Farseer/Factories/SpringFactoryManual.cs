@@ -7,8 +7,8 @@ using FarseerGames.FarseerPhysics.Dynamics.Springs;
 namespace FarseerGames.FarseerPhysics.Factories;
 
 /// <summary>
-/// The spring factory under the names of arguments that the manual prints, <c>anchor1</c>, <c>anchor2</c> and <c>dampningConstant</c>. A call
-/// that names none of them means the methods of <see cref="SpringFactory"/>.
+/// The spring factory under the names of arguments that the manual prints, <c>anchor1</c>, <c>anchor2</c> and <c>dampningConstant</c>. A
+/// call that names none of them means the methods of <see cref="SpringFactory"/>.
 /// </summary>
 /// <example>
 /// <code>

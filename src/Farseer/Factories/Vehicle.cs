@@ -58,7 +58,8 @@ public sealed class Vehicle
     /// <param name="position">Middle of the chassis, in world coordinates; finite. The wheels reach 0.3 of the length below it.</param>
     /// <param name="length">Length of the chassis; finite and above 0.</param>
     /// <param name="mass">Of all together; finite and above 0. A tenth of it is in each wheel.</param>
-    /// <param name="up">The direction, of any length; finite and not (0, 0). (0, -1) where y points down; the car faces (1, 0) in both.</param>
+    /// <param name="up">The direction, of any length; finite and not (0, 0). (0, -1) where y points down; the car faces (1, 0) in
+    /// both.</param>
     /// <returns>The car.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of the range given above.</exception>

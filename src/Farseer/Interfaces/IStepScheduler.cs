@@ -13,9 +13,11 @@ public interface IStepScheduler
     /// without waiting for it. It is called on the thread that calls <see cref="PhysicsSimulator.Update(float)"/>, within the update
     /// and a few times at most. A call of <paramref name="help"/> returns when there is no more to do for it, at the latest when the
     /// update ends; one that comes too late returns at once. The update waits for no call that has not begun, so it is
-    /// correct, if slower, to make fewer calls than were asked for. What this method throws comes out of the update when the step is complete.
+    /// correct, if slower, to make fewer calls than were asked for. What this method throws comes out of the update when the step is
+    /// complete.
     /// </summary>
     /// <param name="count">How many calls, at least 1.</param>
-    /// <param name="help">The same delegate each time while <see cref="PhysicsSimulator.WorkerCount"/> stays the same. It throws nothing.</param>
+    /// <param name="help">The same delegate each time while <see cref="PhysicsSimulator.WorkerCount"/> stays the same. It throws
+    /// nothing.</param>
     void Start(int count, Action help);
 }

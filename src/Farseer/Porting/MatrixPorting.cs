@@ -61,7 +61,8 @@ public static class MatrixPorting
         /// <param name="yPosition">The displacement along y.</param>
         /// <param name="zPosition">The displacement along z; 0 in the plane.</param>
         /// <param name="result">The matrix.</param>
-        public static void CreateTranslation(float xPosition, float yPosition, float zPosition, out Matrix4x4 result) => result = Matrix4x4.CreateTranslation(xPosition, yPosition, zPosition);
+        public static void CreateTranslation(float xPosition, float yPosition, float zPosition, out Matrix4x4 result) =>
+            result = Matrix4x4.CreateTranslation(xPosition, yPosition, zPosition);
 
         /// <summary>A scaling about the origin.</summary>
         /// <param name="scale">The factor of all lengths.</param>

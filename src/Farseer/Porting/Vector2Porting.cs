@@ -63,7 +63,8 @@ public static class Vector2Porting
         /// <param name="value1">The first vector.</param>
         /// <param name="value2">The second vector.</param>
         /// <param name="result">The dot product.</param>
-        public static void Dot(ref Vector2 value1, ref Vector2 value2, out float result) => result = (value1.X * value2.X) + (value1.Y * value2.Y);
+        public static void Dot(ref Vector2 value1, ref Vector2 value2, out float result) =>
+            result = (value1.X * value2.X) + (value1.Y * value2.Y);
 
         /// <summary>The distance of two points.</summary>
         /// <param name="value1">The first vector.</param>
@@ -75,7 +76,8 @@ public static class Vector2Porting
         /// <param name="value1">The first vector.</param>
         /// <param name="value2">The second vector.</param>
         /// <param name="result">The square, in the squared unit of the points; at least 0.</param>
-        public static void DistanceSquared(ref Vector2 value1, ref Vector2 value2, out float result) => result = Vector2.DistanceSquared(value1, value2);
+        public static void DistanceSquared(ref Vector2 value1, ref Vector2 value2, out float result) =>
+            result = Vector2.DistanceSquared(value1, value2);
 
         /// <summary>The larger of each component.</summary>
         /// <param name="value1">The first vector.</param>
@@ -94,7 +96,8 @@ public static class Vector2Porting
         /// <param name="min">The lower bounds.</param>
         /// <param name="max">The upper bounds; where one is below the lower bound, it wins.</param>
         /// <param name="result">The result; may be one of the inputs.</param>
-        public static void Clamp(ref Vector2 value1, ref Vector2 min, ref Vector2 max, out Vector2 result) => result = Vector2.Min(Vector2.Max(value1, min), max);
+        public static void Clamp(ref Vector2 value1, ref Vector2 min, ref Vector2 max, out Vector2 result) =>
+            result = Vector2.Min(Vector2.Max(value1, min), max);
 
         /// <summary>The vector of length 1 in the same direction.</summary>
         /// <param name="value">The vector; of (0, 0) the result is not a number.</param>
@@ -106,21 +109,24 @@ public static class Vector2Porting
         /// <param name="value2">The point at amount 1.</param>
         /// <param name="amount">The place on the line; not limited to [0, 1].</param>
         /// <param name="result">The result; may be one of the inputs.</param>
-        public static void Lerp(ref Vector2 value1, ref Vector2 value2, float amount, out Vector2 result) => result = value1 + ((value2 - value1) * amount);
+        public static void Lerp(ref Vector2 value1, ref Vector2 value2, float amount, out Vector2 result) =>
+            result = value1 + ((value2 - value1) * amount);
 
         /// <summary>A point between two points that starts and ends at rest.</summary>
         /// <param name="value1">The point at amount 0.</param>
         /// <param name="value2">The point at amount 1.</param>
         /// <param name="amount">The place between the points; limited to [0, 1].</param>
         /// <returns>The point.</returns>
-        public static Vector2 SmoothStep(Vector2 value1, Vector2 value2, float amount) => Vector2.Hermite(value1, Vector2.Zero, value2, Vector2.Zero, amount < 0 ? 0 : amount > 1 ? 1 : amount);
+        public static Vector2 SmoothStep(Vector2 value1, Vector2 value2, float amount) =>
+            Vector2.Hermite(value1, Vector2.Zero, value2, Vector2.Zero, amount < 0 ? 0 : amount > 1 ? 1 : amount);
 
         /// <summary>A point between two points that starts and ends at rest.</summary>
         /// <param name="value1">The point at amount 0.</param>
         /// <param name="value2">The point at amount 1.</param>
         /// <param name="amount">The place between the points; limited to [0, 1].</param>
         /// <param name="result">The result; may be one of the inputs.</param>
-        public static void SmoothStep(ref Vector2 value1, ref Vector2 value2, float amount, out Vector2 result) => result = Vector2.SmoothStep(value1, value2, amount);
+        public static void SmoothStep(ref Vector2 value1, ref Vector2 value2, float amount, out Vector2 result) =>
+            result = Vector2.SmoothStep(value1, value2, amount);
 
         /// <summary>A point of a triangle by its barycentric coordinates.</summary>
         /// <param name="value1">The first corner.</param>
@@ -129,7 +135,8 @@ public static class Vector2Porting
         /// <param name="amount1">The weight of the second corner.</param>
         /// <param name="amount2">The weight of the third corner.</param>
         /// <returns>The point.</returns>
-        public static Vector2 Barycentric(Vector2 value1, Vector2 value2, Vector2 value3, float amount1, float amount2) => value1 + ((value2 - value1) * amount1) + ((value3 - value1) * amount2);
+        public static Vector2 Barycentric(Vector2 value1, Vector2 value2, Vector2 value3, float amount1, float amount2) =>
+            value1 + ((value2 - value1) * amount1) + ((value3 - value1) * amount2);
 
         /// <summary>A point of a triangle by its barycentric coordinates.</summary>
         /// <param name="value1">The first corner.</param>
@@ -138,7 +145,13 @@ public static class Vector2Porting
         /// <param name="amount1">The weight of the second corner.</param>
         /// <param name="amount2">The weight of the third corner.</param>
         /// <param name="result">The result; may be one of the inputs.</param>
-        public static void Barycentric(ref Vector2 value1, ref Vector2 value2, ref Vector2 value3, float amount1, float amount2, out Vector2 result) => result = Vector2.Barycentric(value1, value2, value3, amount1, amount2);
+        public static void Barycentric(
+            ref Vector2 value1,
+            ref Vector2 value2,
+            ref Vector2 value3,
+            float amount1,
+            float amount2,
+            out Vector2 result) => result = Vector2.Barycentric(value1, value2, value3, amount1, amount2);
 
         /// <summary>A point of a cubic Hermite spline.</summary>
         /// <param name="value1">The point at amount 0.</param>
@@ -162,7 +175,13 @@ public static class Vector2Porting
         /// <param name="tangent2">The slope there.</param>
         /// <param name="amount">The place between the points, 0 to 1.</param>
         /// <param name="result">The result; may be one of the inputs.</param>
-        public static void Hermite(ref Vector2 value1, ref Vector2 tangent1, ref Vector2 value2, ref Vector2 tangent2, float amount, out Vector2 result) => result = Vector2.Hermite(value1, tangent1, value2, tangent2, amount);
+        public static void Hermite(
+            ref Vector2 value1,
+            ref Vector2 tangent1,
+            ref Vector2 value2,
+            ref Vector2 tangent2,
+            float amount,
+            out Vector2 result) => result = Vector2.Hermite(value1, tangent1, value2, tangent2, amount);
 
         /// <summary>A point of a Catmull-Rom spline between its two middle points.</summary>
         /// <param name="value1">The point before.</param>
@@ -171,7 +190,8 @@ public static class Vector2Porting
         /// <param name="value4">The point after.</param>
         /// <param name="amount">The place between the points, 0 to 1.</param>
         /// <returns>The point.</returns>
-        public static Vector2 CatmullRom(Vector2 value1, Vector2 value2, Vector2 value3, Vector2 value4, float amount) => Vector2.Hermite(value2, (value3 - value1) * 0.5f, value3, (value4 - value2) * 0.5f, amount);
+        public static Vector2 CatmullRom(Vector2 value1, Vector2 value2, Vector2 value3, Vector2 value4, float amount) =>
+            Vector2.Hermite(value2, (value3 - value1) * 0.5f, value3, (value4 - value2) * 0.5f, amount);
 
         /// <summary>A point of a Catmull-Rom spline between its two middle points.</summary>
         /// <param name="value1">The point before.</param>
@@ -180,24 +200,33 @@ public static class Vector2Porting
         /// <param name="value4">The point after.</param>
         /// <param name="amount">The place between the points, 0 to 1.</param>
         /// <param name="result">The result; may be one of the inputs.</param>
-        public static void CatmullRom(ref Vector2 value1, ref Vector2 value2, ref Vector2 value3, ref Vector2 value4, float amount, out Vector2 result) => result = Vector2.CatmullRom(value1, value2, value3, value4, amount);
+        public static void CatmullRom(
+            ref Vector2 value1,
+            ref Vector2 value2,
+            ref Vector2 value3,
+            ref Vector2 value4,
+            float amount,
+            out Vector2 result) => result = Vector2.CatmullRom(value1, value2, value3, value4, amount);
 
         /// <summary>A point turned, scaled and moved by a matrix.</summary>
         /// <param name="position">The point.</param>
         /// <param name="matrix">The matrix.</param>
         /// <param name="result">The result; may be the input.</param>
-        public static void Transform(ref Vector2 position, ref Matrix4x4 matrix, out Vector2 result) => result = Vector2.Transform(position, matrix);
+        public static void Transform(ref Vector2 position, ref Matrix4x4 matrix, out Vector2 result) =>
+            result = Vector2.Transform(position, matrix);
 
         /// <summary>A direction turned and scaled by a matrix.</summary>
         /// <param name="normal">The direction.</param>
         /// <param name="matrix">The matrix; its translation has no effect.</param>
         /// <param name="result">The result; may be the input.</param>
-        public static void TransformNormal(ref Vector2 normal, ref Matrix4x4 matrix, out Vector2 result) => result = Vector2.TransformNormal(normal, matrix);
+        public static void TransformNormal(ref Vector2 normal, ref Matrix4x4 matrix, out Vector2 result) =>
+            result = Vector2.TransformNormal(normal, matrix);
 
         /// <summary>A vector thrown back by a surface.</summary>
         /// <param name="vector">The vector.</param>
         /// <param name="normal">The normal of the surface, of length 1.</param>
         /// <param name="result">The result; may be one of the inputs.</param>
-        public static void Reflect(ref Vector2 vector, ref Vector2 normal, out Vector2 result) => result = vector - (normal * (2 * ((vector.X * normal.X) + (vector.Y * normal.Y))));
+        public static void Reflect(ref Vector2 vector, ref Vector2 normal, out Vector2 result) =>
+            result = vector - (normal * (2 * ((vector.X * normal.X) + (vector.Y * normal.Y))));
     }
 }

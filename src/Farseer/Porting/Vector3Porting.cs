@@ -58,7 +58,8 @@ public static class Vector3Porting
         /// <param name="value1">The first vector.</param>
         /// <param name="value2">The second vector.</param>
         /// <param name="result">The dot product.</param>
-        public static void Dot(ref Vector3 value1, ref Vector3 value2, out float result) => result = (value1.X * value2.X) + (value1.Y * value2.Y) + (value1.Z * value2.Z);
+        public static void Dot(ref Vector3 value1, ref Vector3 value2, out float result) =>
+            result = (value1.X * value2.X) + (value1.Y * value2.Y) + (value1.Z * value2.Z);
 
         /// <summary>The cross product of two vectors.</summary>
         /// <param name="value1">The first vector.</param>
@@ -70,6 +71,7 @@ public static class Vector3Porting
         /// <param name="position">The point.</param>
         /// <param name="matrix">The matrix.</param>
         /// <param name="result">The result; may be the input.</param>
-        public static void Transform(ref Vector3 position, ref Matrix4x4 matrix, out Vector3 result) => result = Vector3.Transform(position, matrix);
+        public static void Transform(ref Vector3 position, ref Matrix4x4 matrix, out Vector3 result) =>
+            result = Vector3.Transform(position, matrix);
     }
 }

@@ -101,7 +101,8 @@ public partial class PhysicsSimulatorView
     private void DrawAxes(Body body)
     {
         _draw.DrawLine(body.Position, body.Position + (_markLength * body.XVectorInWorldCoordinates), AxisColor);
-        _draw.DrawLine(body.Position, body.Position + (_markLength * body.YVectorInWorldCoordinates), AxisColor.WithAlpha((byte)(AxisColor.A / 2)));
+        _draw.DrawLine(
+            body.Position, body.Position + (_markLength * body.YVectorInWorldCoordinates), AxisColor.WithAlpha((byte)(AxisColor.A / 2)));
         _draw.DrawPoint(body.Position, _pointSize, AxisColor);
     }
 
@@ -110,7 +111,10 @@ public partial class PhysicsSimulatorView
         switch (spring)
         {
             case LinearSpring { Body1: { } one, Body2: { } two } linear:
-                DrawCoil(one.GetWorldPosition(linear.AttachPoint1), two.GetWorldPosition(linear.AttachPoint2), Strain(spring, linear.RestLength));
+                DrawCoil(
+                    one.GetWorldPosition(linear.AttachPoint1),
+                    two.GetWorldPosition(linear.AttachPoint2),
+                    Strain(spring, linear.RestLength));
                 break;
             case FixedLinearSpring { Body: { } body } linear:
                 DrawCoil(body.GetWorldPosition(linear.BodyAttachPoint), linear.WorldAttachPoint, Strain(spring, linear.RestLength));

@@ -65,7 +65,9 @@ public partial class PhysicsSimulatorView
     /// <summary>Draws the fluids of wave controllers, and of fluid controllers whose container is a box. Default true.</summary>
     public bool EnableFluidView { get; set; } = true;
 
-    /// <summary>Length, in the world, of a body's axes and of the normal of the strongest contact; finite and at least 0. Default 10.</summary>
+    /// <summary>
+    /// Length, in the world, of a body's axes and of the normal of the strongest contact; finite and at least 0. Default 10.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float MarkLength
     {
@@ -93,7 +95,9 @@ public partial class PhysicsSimulatorView
     /// <summary>Colour of geoms of kinematic bodies. Default (150, 90, 190).</summary>
     public DebugColor KinematicColor { get; set; } = new DebugColor(150, 90, 190);
 
-    /// <summary>Colour of geoms of bodies that are disabled, or put to sleep by an inactivity controller. Default (180, 180, 200).</summary>
+    /// <summary>
+    /// Colour of geoms of bodies that are disabled, or put to sleep by an inactivity controller. Default (180, 180, 200).
+    /// </summary>
     public DebugColor SleepingColor { get; set; } = new DebugColor(180, 180, 200);
 
     /// <summary>Colour of sensors. Default (200, 160, 20).</summary>
@@ -117,7 +121,10 @@ public partial class PhysicsSimulatorView
     /// <summary>Colour of joints. Default (120, 80, 30).</summary>
     public DebugColor JointColor { get; set; } = new DebugColor(120, 80, 30);
 
-    /// <summary>Colour of springs with a large error, as long as their rest length or near their breakpoint, and of joints near theirs. Default (220, 60, 40).</summary>
+    /// <summary>
+    /// Colour of springs with a large error, as long as their rest length or near their breakpoint, and of joints near theirs. Default
+    /// (220, 60, 40).
+    /// </summary>
     public DebugColor StrainedColor { get; set; } = new DebugColor(220, 60, 40);
 
     /// <summary>Colour of fluids. Default (60, 170, 210).</summary>
@@ -127,7 +134,8 @@ public partial class PhysicsSimulatorView
     public DebugColor AxisColor { get; set; } = new DebugColor(60, 60, 60);
 
     /// <summary>
-    /// Draws everything that is switched on, as it is now: also what waits for the next update, and not what waits to leave. Contacts are those of the last update.
+    /// Draws everything that is switched on, as it is now: also what waits for the next update, and not what waits to leave. Contacts are
+    /// those of the last update.
     /// </summary>
     public void Draw()
     {

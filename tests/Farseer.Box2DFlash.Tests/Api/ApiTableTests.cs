@@ -14,22 +14,34 @@ public sealed class ApiTableTests(ITestOutputHelper output)
     /// <summary>Classes that are not there, by the reason.</summary>
     private static readonly Dictionary<string, string> _absentClasses = new(StringComparer.Ordinal)
     {
-        ["ClipVertex b2Collision b2Distance b2TimeOfImpact b2Point b2Manifold b2ManifoldPoint"] = "the original's narrow phase; the engine has its own",
-        ["b2Bound b2BoundValues b2BroadPhase b2BufferedPair b2Pair b2PairCallback b2PairManager b2Proxy b2ContactManager"] = "the original's broad phase",
+        ["ClipVertex b2Collision b2Distance b2TimeOfImpact b2Point b2Manifold "
+            + "b2ManifoldPoint"] = "the original's narrow phase; the engine has its own",
+        ["b2Bound b2BoundValues b2BroadPhase b2BufferedPair b2Pair b2PairCallback b2PairManager b2Proxy "
+            + "b2ContactManager"] = "the original's broad phase",
         ["b2Island b2TimeStep b2ContactSolver b2ContactConstraint b2ContactConstraintPoint b2Jacobian b2Sweep"] = "the original's solver",
-        ["b2CircleContact b2PolyAndCircleContact b2PolygonContact b2ContactEdge b2ContactRegister"] = "one class of contact is enough where the engine collides the shapes",
+        ["b2CircleContact b2PolyAndCircleContact b2PolygonContact b2ContactEdge "
+            + "b2ContactRegister"] = "one class of contact is enough where the engine collides the shapes",
     };
 
     /// <summary>Members that are not there, by the reason; "*" ends a beginning.</summary>
     private static readonly Dictionary<string, string> _absentMembers = new(StringComparer.Ordinal)
     {
-        ["Features._* b2ContactID._key b2RevoluteJoint.tImpulse b2Contact.s_* b2Contact.e_*"] = "fields behind properties, and states of the original's solver",
-        ["b2Shape.Create* b2Shape.Destroy* b2Shape.RefilterProxy b2Shape.Synchronize *.UpdateSweepRadius"] = "called by the original's world; the engine keeps its shapes up to date",
-        ["b2Joint.Create b2Joint.Destroy *.InitVelocityConstraints *.InitPositionConstraints *.SolveVelocityConstraints *.SolvePositionConstraints"] = "the original's solver",
-        ["b2Body.Advance b2Body.SynchronizeShapes b2Body.SynchronizeTransform b2World.Solve b2World.SolveTOI b2World.Validate"] = "the original's solver and its checks of itself",
+        ["Features._* b2ContactID._key b2RevoluteJoint.tImpulse b2Contact.s_* "
+            + "b2Contact.e_*"] = "fields behind properties, and states of the original's solver",
+        ["b2Shape.Create* b2Shape.Destroy* b2Shape.RefilterProxy b2Shape.Synchronize "
+            + "*.UpdateSweepRadius"] = "called by the original's world; the engine keeps its shapes up to date",
+        ["b2Joint.Create b2Joint.Destroy *.InitVelocityConstraints *.InitPositionConstraints *.SolveVelocityConstraints "
+            + "*.SolvePositionConstraints"] = "the original's solver",
+        ["b2Body.Advance b2Body.SynchronizeShapes b2Body.SynchronizeTransform b2World.Solve b2World.SolveTOI "
+            + "b2World.Validate"] = "the original's solver and its checks of itself",
         ["b2World.DrawJoint b2World.DrawShape"] = "parts of DrawDebugData",
-        ["b2Contact.AddType b2Contact.Create b2Contact.Destroy *.Evaluate *.GetManifolds b2Contact.Update b2Contact.InitializeRegisters"] = "the engine collides the shapes; points come by the listener",
-        ["b2Body.b2Body b2Shape.b2Shape b2CircleShape.b2CircleShape b2PolygonShape.b2PolygonShape b2Contact.b2Contact b2NullContact.b2NullContact b2Joint.b2Joint b2DistanceJoint.b2DistanceJoint b2GearJoint.b2GearJoint b2MouseJoint.b2MouseJoint b2PrismaticJoint.b2PrismaticJoint b2PulleyJoint.b2PulleyJoint b2RevoluteJoint.b2RevoluteJoint b2JointDef.b2JointDef"] = "made by the world and the bodies only; definitions of no kind make no sense",
+        ["b2Contact.AddType b2Contact.Create b2Contact.Destroy *.Evaluate *.GetManifolds b2Contact.Update "
+            + "b2Contact.InitializeRegisters"] = "the engine collides the shapes; points come by the listener",
+        ["b2Body.b2Body b2Shape.b2Shape b2CircleShape.b2CircleShape b2PolygonShape.b2PolygonShape b2Contact.b2Contact "
+            + "b2NullContact.b2NullContact b2Joint.b2Joint b2DistanceJoint.b2DistanceJoint b2GearJoint.b2GearJoint "
+                + "b2MouseJoint.b2MouseJoint b2PrismaticJoint.b2PrismaticJoint b2PulleyJoint.b2PulleyJoint "
+                    + "b2RevoluteJoint.b2RevoluteJoint "
+                        + "b2JointDef.b2JointDef"] = "made by the world and the bodies only; definitions of no kind make no sense",
     };
 
     [Fact]
@@ -74,7 +86,8 @@ public sealed class ApiTableTests(ITestOutputHelper output)
         });
     }
 
-    private static string Plain(string member) => member.StartsWith("get ", StringComparison.Ordinal) || member.StartsWith("set ", StringComparison.Ordinal)
+    private static string Plain(string member) =>
+        member.StartsWith("get ", StringComparison.Ordinal) || member.StartsWith("set ", StringComparison.Ordinal)
         ? member[4..]
         : member;
 

@@ -384,7 +384,8 @@ public sealed class JointTests
         Assert.Equal(3, box.GetPosition().x, 0.01);
         Assert.Equal(2, box.GetPosition().y, 0.01);
         Assert.Equal(3, joint.GetAnchor1().x);
-        Assert.Equal((5f, 0.7f, 0f), (new b2MouseJointDef().frequencyHz, new b2MouseJointDef().dampingRatio, new b2MouseJointDef().maxForce));
+        Assert.Equal(
+            (5f, 0.7f, 0f), (new b2MouseJointDef().frequencyHz, new b2MouseJointDef().dampingRatio, new b2MouseJointDef().maxForce));
     }
 
     [Fact]

@@ -17,7 +17,8 @@ public sealed class ManualCoverageTests
     public void ManualRows_HaveATestEach()
     {
         HashSet<string> tested = [.. Tested()];
-        string[] missing = [.. Rows().Where(r => !tested.Contains(r[0]) && !_open.Contains(r[0])).Select(r => string.Join(" | ", r.Take(5)))];
+        string[] missing = [.. Rows().Where(r => !tested.Contains(r[0]) && !_open.Contains(r[0]))
+            .Select(r => string.Join(" | ", r.Take(5)))];
 
         Assert.True(missing.Length == 0, $"{missing.Length} rows without a test:\n{string.Join('\n', missing)}");
         Assert.Empty(_open.Intersect(tested));

@@ -233,7 +233,8 @@ public sealed class ShapeTests
     public void Polygon_OfTwentyCorners_IsAllowed()
     {
         b2World world = Bench.World(0);
-        (float, float)[] corners = [.. Enumerable.Range(0, 20).Select(i => ((float)Math.Cos(i * Math.PI / 10), (float)Math.Sin(i * Math.PI / 10)))];
+        (float, float)[] corners = [.. Enumerable.Range(0, 20)
+            .Select(i => ((float)Math.Cos(i * Math.PI / 10), (float)Math.Sin(i * Math.PI / 10)))];
         b2Body body = Bench.Body(world, 0, 0, Polygon(corners));
 
         Assert.Equal(20, ((b2PolygonShape)body.GetShapeList()!).GetVertexCount());

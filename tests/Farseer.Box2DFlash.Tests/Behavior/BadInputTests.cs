@@ -36,7 +36,8 @@ public sealed class BadInputTests
         b2Body body = Bench.Dynamic(world, 0, 0);
         Assert.Throws<ArgumentOutOfRangeException>("mass", () => body.SetMass(new b2MassData { mass = value, I = 1 }));
         Assert.Throws<ArgumentOutOfRangeException>("I", () => body.SetMass(new b2MassData { mass = 1, I = value }));
-        Assert.Throws<ArgumentOutOfRangeException>("mass", () => world.CreateBody(new b2BodyDef { massData = new b2MassData { mass = value } }));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            "mass", () => world.CreateBody(new b2BodyDef { massData = new b2MassData { mass = value } }));
         Assert.Equal(1, body.GetMass());
         Assert.Equal(2, world.GetBodyCount());
     }

@@ -23,7 +23,8 @@ public class DrivenBounceTests
                 world.Step(1 / 60f, 10);
                 foreach (b2Body body in bodies)
                 {
-                    string what = $"seed {seed}, step {step}: at {body.GetPosition()}, {body.GetLinearVelocity()}, {body.GetAngularVelocity()}";
+                    string what =
+                        $"seed {seed}, step {step}: at {body.GetPosition()}, {body.GetLinearVelocity()}, {body.GetAngularVelocity()}";
                     Assert.False(body.IsFrozen(), what);
                     Assert.True(Math.Abs(body.GetPosition().x) < 10.1f && Math.Abs(body.GetPosition().y) < 10.1f, what);
 

@@ -6,7 +6,9 @@ using Xunit;
 
 namespace Farseer.Box2DFlash.Tests.Behavior;
 
-/// <summary>Nothing passes a wall, however fast and thin; nothing is thrown up by the seams of a floor; nothing sleeps in mid-flight.</summary>
+/// <summary>
+/// Nothing passes a wall, however fast and thin; nothing is thrown up by the seams of a floor; nothing sleeps in mid-flight.
+/// </summary>
 public sealed class FastBodyTests
 {
     [Theory]
@@ -72,7 +74,8 @@ public sealed class FastBodyTests
             bullet.SetLinearVelocity(new b2Vec2(speed, 0));
             double before = (bullet.GetMass() * (double)speed) - (wall.GetMass() * 5.0);
             Bench.Step(world, (int)MathF.Ceiling((8 + way) / way) + 2);
-            double after = (bullet.GetMass() * (double)bullet.GetLinearVelocity().x) + (wall.GetMass() * (double)wall.GetLinearVelocity().x);
+            double after =
+                (bullet.GetMass() * (double)bullet.GetLinearVelocity().x) + (wall.GetMass() * (double)wall.GetLinearVelocity().x);
 
             Assert.True(bullet.GetPosition().x < wall.GetPosition().x, $"start {j}");
             Assert.Equal(before, after, 1e-6 * ((bullet.GetMass() * speed) + (wall.GetMass() * 5)));
@@ -159,7 +162,8 @@ public sealed class FastBodyTests
         }
     }
 
-    private static double Energy(b2Body body) => 0.5 * ((body.GetMass() * body.GetLinearVelocity().Length() * (double)body.GetLinearVelocity().Length())
+    private static double Energy(b2Body body) =>
+        0.5 * ((body.GetMass() * body.GetLinearVelocity().Length() * (double)body.GetLinearVelocity().Length())
         + (body.GetInertia() * body.GetAngularVelocity() * (double)body.GetAngularVelocity()));
 
     private static b2PolygonDef Slippery(float hx, float hy, float density)

@@ -144,10 +144,19 @@ public sealed class KindAllocationTests
             b2DistanceJointDef spring = new() { frequencyHz = 2, dampingRatio = 0.1f };
             spring.Initialize(ground, Made(24, 8), new b2Vec2(24, 12), new b2Vec2(24, 8));
             Join(spring);
-            b2RevoluteJointDef hinge = new() { enableLimit = true, lowerAngle = -0.5f, upperAngle = 0.5f, enableMotor = true, motorSpeed = 3, maxMotorTorque = 5 };
+            b2RevoluteJointDef hinge =
+                new() { enableLimit = true, lowerAngle = -0.5f, upperAngle = 0.5f, enableMotor = true, motorSpeed = 3, maxMotorTorque = 5 };
             hinge.Initialize(ground, Made(28, 8), new b2Vec2(28, 9));
             Join(hinge);
-            b2PrismaticJointDef slider = new() { enableLimit = true, lowerTranslation = -2, upperTranslation = 2, enableMotor = true, motorSpeed = 2, maxMotorForce = 5 };
+            b2PrismaticJointDef slider = new()
+            {
+                enableLimit = true,
+                lowerTranslation = -2,
+                upperTranslation = 2,
+                enableMotor = true,
+                motorSpeed = 2,
+                maxMotorForce = 5,
+            };
             slider.Initialize(ground, Made(33, 8), new b2Vec2(33, 8), new b2Vec2(0, 1));
             Join(slider);
             b2PulleyJointDef pulley = new();

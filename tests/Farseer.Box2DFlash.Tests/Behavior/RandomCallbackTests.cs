@@ -126,7 +126,8 @@ public sealed class RandomCallbackTests
             HashSet<b2Shape> shapes = [];
             foreach (b2Body body in bodies)
             {
-                Assert.True(float.IsFinite(body.GetPosition().x) && float.IsFinite(body.GetPosition().y) && float.IsFinite(body.GetAngle()));
+                Assert.True(
+                    float.IsFinite(body.GetPosition().x) && float.IsFinite(body.GetPosition().y) && float.IsFinite(body.GetAngle()));
                 Assert.True(float.IsFinite(body.GetLinearVelocity().x) && float.IsFinite(body.GetAngularVelocity()));
                 for (b2Shape? shape = body.GetShapeList(); shape is not null; shape = shape.GetNext())
                 {
@@ -157,7 +158,8 @@ public sealed class RandomCallbackTests
             foreach (b2Shape shape in shapes.Where(s => !s.GetBody()!.IsFrozen()))
             {
                 b2Body owner = shape.GetBody()!;
-                Assert.True(found.Contains(shape), $"a shape at {owner.GetPosition()}, v {owner.GetLinearVelocity()}, static {owner.IsStatic()}, asleep {owner.IsSleeping()}, is not found");
+                Assert.True(found.Contains(shape), $"a shape at {owner.GetPosition()}, v {owner.GetLinearVelocity()}, static "
+                    + $"{owner.IsStatic()}, asleep {owner.IsSleeping()}, is not found");
             }
         }
 
@@ -178,8 +180,8 @@ public sealed class RandomCallbackTests
             // A static body that was given a velocity is a belt, as in the original: it would carry on what lies on it.
             Tidy();
 
-            // What cannot come to rest goes: circles roll on over a level floor (a body of four of them at 0.25 m/s for a minute), and what has
-            // no solid shape falls for ever, since nothing of it can leave the world.
+            // What cannot come to rest goes: circles roll on over a level floor (a body of four of them at 0.25 m/s for a minute), and what
+            // has no solid shape falls for ever, since nothing of it can leave the world.
             foreach (b2Body body in Bodies().Where(b => b.IsDynamic() && !CanRest(b)))
             {
                 _world.DestroyBody(body);
@@ -334,7 +336,13 @@ public sealed class RandomCallbackTests
                     def = distance;
                     break;
                 default:
-                    def = new b2MouseJointDef { body1 = _world.GetGroundBody(), body2 = b, target = b.GetWorldCenter().Copy(), maxForce = 100 };
+                    def = new b2MouseJointDef
+                    {
+                        body1 = _world.GetGroundBody(),
+                        body2 = b,
+                        target = b.GetWorldCenter().Copy(),
+                        maxForce = 100,
+                    };
                     break;
             }
 

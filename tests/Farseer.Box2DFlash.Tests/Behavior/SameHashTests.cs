@@ -49,7 +49,8 @@ public sealed class SameHashTests
         Assert.Equal(simulator.MotionHash(), world.MotionHash());
     }
 
-    private static (b2Body Flash, Body Farseer) Add(b2World world, PhysicsSimulator simulator, float x, float y, float hx, float hy, float density)
+    private static (b2Body Flash, Body Farseer) Add(
+        b2World world, PhysicsSimulator simulator, float x, float y, float hx, float hy, float density)
     {
         b2PolygonDef def = Bench.BoxDef(hx, hy, density);
         def.friction = Friction;

@@ -16,8 +16,8 @@ using b2Vec = Box2D.Common.Math.b2Vec2;
 namespace Farseer.Box2DFlash.Tests.Porting;
 
 /// <summary>
-/// What the listings of the manual do, with its names, under nothing but the <c>using</c> lines above. A method is a listing, by the heading
-/// under which it stands; Hello Box2D is in <see cref="HelloWorld"/>.
+/// What the listings of the manual do, with its names, under nothing but the <c>using</c> lines above. A method is a listing, by the
+/// heading under which it stands; Hello Box2D is in <see cref="HelloWorld"/>.
 /// </summary>
 public static class ManualListings
 {

@@ -68,7 +68,8 @@ public class PairFinderTests
             from kind in Gen.Elements(Enum.GetValues<BoxKind>())
             from count in Gen.Choose(0, 60)
             select (seed, kind, count);
-        Prop.ForAll(scenes.ToArbitrary(), scene => Compare(name, scene.Kind, scene.Seed, scene.Count, frames: 25)).QuickCheckThrowOnFailure();
+        Prop.ForAll(scenes.ToArbitrary(), scene => Compare(name, scene.Kind, scene.Seed, scene.Count, frames: 25))
+            .QuickCheckThrowOnFailure();
     }
 
     [Theory]

@@ -46,7 +46,8 @@ public sealed unsafe class PassLanesTests
 #endif
 
     [Fact]
-    public void Passes_OfRowsThatMayShareABody_FindTheImpulsesOfTheOthers() => Prop.ForAll(Gen.Choose(0, int.MaxValue).ToArbitrary(), seed =>
+    public void Passes_OfRowsThatMayShareABody_FindTheImpulsesOfTheOthers() =>
+        Prop.ForAll(Gen.Choose(0, int.MaxValue).ToArbitrary(), seed =>
     {
         for (int kind = 0; kind < Kinds; kind++)
         {
@@ -72,14 +73,16 @@ public sealed unsafe class PassLanesTests
             (double newX, double newY) = rows.Momentum();
 
             // The heavy body has a mass of 1,000 and 2 m/s: half of its last place is 6e-5, once a row.
-            Assert.True(Math.Abs(newX - x) + Math.Abs(newY - y) < 2e-4 * (rows.Count + 1), $"seed {seed}, pass {kind}: {newX - x}, {newY - y}");
+            Assert.True(
+                Math.Abs(newX - x) + Math.Abs(newY - y) < 2e-4 * (rows.Count + 1), $"seed {seed}, pass {kind}: {newX - x}, {newY - y}");
         }
     }).QuickCheckThrowOnFailure();
 
     [Fact]
     public void Blow_BesideAnother_IsNotStruckItselfIfItHasAFeedForward()
     {
-        // Both are new by their last impulse; the second pushes for long by its feed-forward. It was turned as by a blow if its vector had one.
+        // Both are new by their last impulse; the second pushes for long by its feed-forward. It was turned as by a blow if its vector had
+        // one.
         var both = new Rows(0, perBundle: Lanes, count: 2);
         var alone = new Rows(0, perBundle: 1, count: 2);
         foreach (Rows rows in new[] { both, alone })
@@ -251,7 +254,9 @@ public sealed unsafe class PassLanesTests
             return _places.Pointer;
         }
 
-        /// <summary>Velocities that overlaps go with are forgotten when the bodies were moved: there 0 may be -0, which moves nothing else.</summary>
+        /// <summary>
+        /// Velocities that overlaps go with are forgotten when the bodies were moved: there 0 may be -0, which moves nothing else.
+        /// </summary>
         public void AssertSame(Rows other, string what, bool zerosAlike = false)
         {
             for (int i = 1; i <= 2 * Count; i++)

@@ -73,7 +73,10 @@ public sealed unsafe class UpdateLanesTests
         }
 
         Assert.All(
-            new[] { found.Dropped, found.Solid, found.Idle, found.TouchingNow, found.Heard, found.Blows, found.Hulls, found.Deferred, found.Racing },
+            new[] {
+                found.Dropped, found.Solid, found.Idle, found.TouchingNow, found.Heard, found.Blows, found.Hulls, found.Deferred,
+                found.Racing,
+            },
             fate => Assert.NotEqual(0, fate));
     }
 
@@ -177,13 +180,16 @@ public sealed unsafe class UpdateLanesTests
             for (int column = 0; column < ContactBundle.Bytes / sizeof(int); column += ContactBundle.LineLanes)
             {
                 Assert.True(
-                    ((int*)row)[column + lane] == ((int*)same)[column + lane], $"{what}: column {column / ContactBundle.LineLanes} of pair {pair}");
+                    ((int*)row)[column + lane] == ((int*)same)[column + lane],
+                    $"{what}: column {column / ContactBundle.LineLanes} of pair {pair}");
             }
         }
 
         private static bool AreSame(in ContactFates a, in ContactFates b, int bit) =>
-            (((a.Dropped ^ b.Dropped) | (a.Solid ^ b.Solid) | (a.Idle ^ b.Idle) | (a.Touching ^ b.Touching) | (a.TouchingNow ^ b.TouchingNow)
-                | (a.Heard ^ b.Heard) | (a.Blows ^ b.Blows) | (a.Hulls ^ b.Hulls) | (a.Deferred ^ b.Deferred) | (a.Racing ^ b.Racing)) & bit) == 0;
+            (((a.Dropped ^ b.Dropped) | (a.Solid ^ b.Solid) | (a.Idle ^ b.Idle) | (a.Touching ^ b.Touching)
+            | (a.TouchingNow ^ b.TouchingNow)
+                | (a.Heard ^ b.Heard) | (a.Blows ^ b.Blows) | (a.Hulls ^ b.Hulls) | (a.Deferred ^ b.Deferred) | (a.Racing ^ b.Racing))
+                & bit) == 0;
 
         private static float Next(Random random, float most) => most * (float)((2 * random.NextDouble()) - 1);
 
@@ -201,14 +207,16 @@ public sealed unsafe class UpdateLanesTests
                 ref ColliderInfo collider = ref _shapes.Colliders[body];
                 bool ghost = !plain && random.Next(12) == 0;
                 bool heard = !plain && random.Next(6) == 0;
-                collider.Flags = (ghost ? ColliderFlags.None : ColliderFlags.ResponseEnabled) | (heard ? ColliderFlags.WantsContact : ColliderFlags.None);
+                collider.Flags = (ghost ? ColliderFlags.None : ColliderFlags.ResponseEnabled)
+                    | (heard ? ColliderFlags.WantsContact : ColliderFlags.None);
                 collider.Friction = (float)random.NextDouble();
                 collider.Restitution = random.Next(2) * 0.3f;
                 bool still = random.Next(5) == 0;
                 bool fast = !plain && !still && random.Next(10) == 0;
                 angle = side == 0 || random.Next(3) == 0 ? random.NextDouble() * 7 : angle + (0.02 * random.NextDouble());
                 _moves[body] = still ? (byte)0 : (byte)1;
-                _bodies.Flags[body] = BodyFlags.Alive | (still ? BodyFlags.Static : BodyFlags.None) | (fast ? BodyFlags.Fast : BodyFlags.None);
+                _bodies.Flags[body] =
+                    BodyFlags.Alive | (still ? BodyFlags.Static : BodyFlags.None) | (fast ? BodyFlags.Fast : BodyFlags.None);
                 _bodies.Mass[body] = new BodyMass { InverseMass = 1 + side, InverseInertia = 3 };
                 _bodies.Pose[body] = new BodyPose
                 {

@@ -11,7 +11,9 @@ using Xunit;
 
 namespace Farseer.Engine.Tests.Graph;
 
-/// <summary>Rows of a body that outweighs the others by far lie side by side, so that a drum does not end in bundles of one contact.</summary>
+/// <summary>
+/// Rows of a body that outweighs the others by far lie side by side, so that a drum does not end in bundles of one contact.
+/// </summary>
 public sealed unsafe class HeavyBodyColorTests
 {
     private const int Lanes = ContactBundle.Lanes;

@@ -26,7 +26,8 @@ public sealed unsafe class SmallWorldColorTests
             large += Bundles(side, seed, Many);
         }
 
-        // Of 100 orders in which the contacts come: at least half a bundle less on average, of six to nine (0.7 to 1.3 when this was written).
+        // Of 100 orders in which the contacts come: at least half a bundle less on average, of six to nine (0.7 to 1.3 when this was
+        // written).
         Assert.True(small < large - 50, $"{small} bundles where a large world has {large}");
     }
 

@@ -34,7 +34,8 @@ public sealed class IslandGroupTests
         }
 
         Assert.Equal(0, together.World.Solver.IslandGroups.Sorts);
-        Assert.True(grouped.World.Solver.IslandGroups.Sorts > 1, "The rows were sorted " + grouped.World.Solver.IslandGroups.Sorts + " times.");
+        Assert.True(
+            grouped.World.Solver.IslandGroups.Sorts > 1, "The rows were sorted " + grouped.World.Solver.IslandGroups.Sorts + " times.");
         grouped.World.Dispose();
     }
 

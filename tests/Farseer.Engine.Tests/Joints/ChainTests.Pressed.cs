@@ -44,8 +44,8 @@ public partial class ChainTests
             moved = Math.Max(moved, Math.Abs(chains.Bodies.Pose[bodies[bodies.Count / 2].Index].Y - start));
         }
 
-        // Corrections stop at 3e-7 of a link on both ways, at other places, and straight rows of planks answer what is left by far larger bends: with
-        // corrections to 1e-10 the two differ by 1e-7. Bridges go down by a good part of a metre meanwhile.
+        // Corrections stop at 3e-7 of a link on both ways, at other places, and straight rows of planks answer what is left by far larger
+        // bends: with corrections to 1e-10 the two differ by 1e-7. Bridges go down by a good part of a metre meanwhile.
         Assert.InRange(largest, 0, 0.01);
         Assert.InRange(moved, 0.1, 10);
     }
@@ -95,7 +95,8 @@ public partial class ChainTests
     }
 
     /// <summary>
-    /// Planks in the shape of a wide V between two nails, of which one may be a body that moves by itself, or hanging at one nail only; and boxes dropped on them from little above, of up to
+    /// Planks in the shape of a wide V between two nails, of which one may be a body that moves by itself, or hanging at one nail only; and
+    /// boxes dropped on them from little above, of up to
     /// <paramref name="heaviest"/> times a plank's mass.
     /// </summary>
     private static World BuildBridge(int seed, bool asChains, double heaviest, out List<Handle> bodies, out List<Handle> joints)
@@ -151,7 +152,8 @@ public partial class ChainTests
             float mass = (float)Math.Pow(heaviest, random.NextDouble());
             double at = (x / 2) + ((i - 0.5) * 2.5) + (random.NextDouble() - 0.5);
             double height = Math.Tan(-slope) * Math.Min(at, x - at);
-            Handle box = world.CreateBody(new BodyDef { X = at, Y = height + 1.2, Mass = mass, Inertia = mass / 6, Flags = BodyFlags.Enabled });
+            Handle box =
+                world.CreateBody(new BodyDef { X = at, Y = height + 1.2, Mass = mass, Inertia = mass / 6, Flags = BodyFlags.Enabled });
             world.CreateCollider(box, ShapeBuilder.Box(1.5f, 1.5f), ColliderOf(2, 3));
             bodies.Add(box);
         }

@@ -142,7 +142,8 @@ public partial class ChainTests
             for (int i = 0; i < count; i++)
             {
                 float mass = (float)Math.Pow(10, 2 * random.NextDouble());
-                Handle link = world.CreateBody(new BodyDef { X = x + i, Y = 0, Mass = mass, Inertia = mass / 6, Flags = BodyFlags.Enabled });
+                Handle link =
+                    world.CreateBody(new BodyDef { X = x + i, Y = 0, Mass = mass, Inertia = mass / 6, Flags = BodyFlags.Enabled });
                 world.Bodies.State[link.Index].AngularVelocity = (float)(4 * (random.NextDouble() - 0.5));
                 if (i > 0 || before.Index != 0 || before.Generation != 0)
                 {

@@ -61,7 +61,9 @@ public class LooseJointsTests
         return lanes.JointsSideBySide;
     }
 
-    /// <summary>Chains, trees and nets of random kinds, hung on the world, on what moves along or on nothing; some have a rigid hinge among them.</summary>
+    /// <summary>
+    /// Chains, trees and nets of random kinds, hung on the world, on what moves along or on nothing; some have a rigid hinge among them.
+    /// </summary>
     private static World Build(int seed, bool onLanes, bool floor, out List<Handle> bodies, out List<Handle> joints)
     {
         var random = new Random(seed);
@@ -88,7 +90,8 @@ public class LooseJointsTests
         return world;
     }
 
-    private static void AddGroup(World world, Random shape, Random random, Handle ground, double x, List<Handle> bodies, List<Handle> joints)
+    private static void AddGroup(
+        World world, Random shape, Random random, Handle ground, double x, List<Handle> bodies, List<Handle> joints)
     {
         int count = 1 + shape.Next(8);
         bool chain = shape.Next(2) == 0;

@@ -112,7 +112,10 @@ public class TreeLanesTests
         return sideBySide;
     }
 
-    /// <summary>Trees of a few shapes, some equal: random kinds, parents, anchors, orders of the two bodies, limits, motors, springs, masses and speeds.</summary>
+    /// <summary>
+    /// Trees of a few shapes, some equal: random kinds, parents, anchors, orders of the two bodies, limits, motors, springs, masses and
+    /// speeds.
+    /// </summary>
     private static World Build(int seed, bool onLanes, bool floor, bool ranges, out List<Handle> bodies, out List<Handle> joints)
     {
         var random = new Random(seed);
@@ -151,13 +154,15 @@ public class TreeLanesTests
     /// <summary>A floor under all of them, and boxes that fall on it; that collide with each other or not, and bounce or not.</summary>
     internal static void AddShapes(World world, List<Handle> bodies, Random random)
     {
-        Handle ground = world.CreateBody(new BodyDef { X = 0, Y = -1.5, Mass = 1, Inertia = 1, Flags = BodyFlags.Enabled | BodyFlags.Static });
+        Handle ground =
+            world.CreateBody(new BodyDef { X = 0, Y = -1.5, Mass = 1, Inertia = 1, Flags = BodyFlags.Enabled | BodyFlags.Static });
         world.CreateCollider(ground, ShapeBuilder.Box(1000, 2), ColliderOf(2, 1, 0));
         uint with = random.Next(3) == 0 ? 3u : 2u;
         float restitution = random.Next(5) == 0 ? 0.4f : 0;
         foreach (Handle body in bodies)
         {
-            world.CreateCollider(body, ShapeBuilder.Box(0.9f, 0.1f + (0.4f * (float)random.NextDouble())), ColliderOf(1, with, restitution));
+            world.CreateCollider(
+                body, ShapeBuilder.Box(0.9f, 0.1f + (0.4f * (float)random.NextDouble())), ColliderOf(1, with, restitution));
         }
     }
 
@@ -203,15 +208,21 @@ public class TreeLanesTests
             joints.Add(Join(world, kind, first ? ground : own[0], first ? own[0] : ground, first ? at : 0, first ? 0 : at, flags, random));
             if (count > 3 && shape.Next(2) == 0)
             {
-                joints.Add(Join(world, KindOf(shape, plain), World.WorldFrame, own[count - 1], x + count - 1, 0, flags & ~JointFlags.Limit, random));
+                joints.Add(Join(
+                    world, KindOf(shape, plain), World.WorldFrame, own[count - 1], x + count - 1, 0, flags & ~JointFlags.Limit, random));
             }
         }
     }
 
-    /// <summary>Trees of which every joint has limits or is one, or has a second beside it, and whose bodies hang on the world by limits as well.</summary>
-    private static void AddTreeOfLimits(World world, Random shape, Random random, Handle ground, double x, List<Handle> bodies, List<Handle> joints)
+    /// <summary>
+    /// Trees of which every joint has limits or is one, or has a second beside it, and whose bodies hang on the world by limits as well.
+    /// </summary>
+    private static void AddTreeOfLimits(
+        World world, Random shape, Random random, Handle ground, double x, List<Handle> bodies, List<Handle> joints)
     {
-        JointKind[] kinds = [JointKind.Revolute, JointKind.Revolute, JointKind.Wheel, JointKind.Distance, JointKind.Prismatic, JointKind.Gear];
+        JointKind[] kinds = [
+            JointKind.Revolute, JointKind.Revolute, JointKind.Wheel, JointKind.Distance, JointKind.Prismatic, JointKind.Gear,
+        ];
         int count = 1 + shape.Next(6);
         int pairs = shape.Next(3);
         int anchors = shape.Next(3);
@@ -232,7 +243,8 @@ public class TreeLanesTests
 
             bool pair = i > 0 && shape.Next(3) < pairs;
             JointKind kind = kinds[shape.Next(kinds.Length)];
-            JointFlags flags = JointFlags.Enabled | (kind == JointKind.Distance ? JointFlags.None : more | (pair ? JointFlags.None : JointFlags.Limit));
+            JointFlags flags =
+                JointFlags.Enabled | (kind == JointKind.Distance ? JointFlags.None : more | (pair ? JointFlags.None : JointFlags.Limit));
             bool turned = shape.Next(2) == 0;
             joints.Add(JoinAt(world, kind, before, middle - start, own[i], -0.5, turned, flags, random));
             if (pair)
@@ -273,7 +285,8 @@ public class TreeLanesTests
         return body;
     }
 
-    private static JointKind KindOf(Random shape, bool plain) => plain || shape.Next(3) == 0 ? JointKind.Revolute : Kinds[shape.Next(Kinds.Length)];
+    private static JointKind KindOf(Random shape, bool plain) =>
+        plain || shape.Next(3) == 0 ? JointKind.Revolute : Kinds[shape.Next(Kinds.Length)];
 
     private static Handle Join(
         World world,

@@ -68,6 +68,8 @@ public class BoxBoxTests
     {
         // A few ulp of coordinates up to 3; on a slope up to 1 the clip passes them on undiminished.
         Assert.Equal(expected.Separation, actual.Separation, 1e-5f);
-        Assert.True((expected.Anchor - actual.Anchor).Length() < 1e-5f, $"{expected.Anchor} and {actual.Anchor}, {expected.Separation} and {actual.Separation}");
+        Assert.True(
+            (expected.Anchor - actual.Anchor).Length() < 1e-5f,
+            $"{expected.Anchor} and {actual.Anchor}, {expected.Separation} and {actual.Separation}");
     }
 }

@@ -65,7 +65,8 @@ public class ScaleTests
         return random.Next(5) switch
         {
             0 => ShapeBuilder.Circle(k * RandomShape.Between(random, 0.2, 1)),
-            1 => ShapeBuilder.Capsule(k * RandomShape.Point(random), k * RandomShape.Point(random), k * RandomShape.Between(random, 0.1, 0.5)),
+            1 => ShapeBuilder.Capsule(
+                k * RandomShape.Point(random), k * RandomShape.Point(random), k * RandomShape.Between(random, 0.1, 0.5)),
             2 => ShapeBuilder.Box(k * RandomShape.Between(random, 0.3, 2), k * RandomShape.Between(random, 0.3, 2)),
             3 => ShapeBuilder.Chain(Array.ConvertAll(RandomShape.Convex(random), p => k * p), loop: true),
             _ => ShapeBuilder.Polygon(Array.ConvertAll(ShapeBuilderTests.Star(random, 9), p => k * p)),

@@ -19,7 +19,8 @@ public unsafe class WideCircleCircleTests
         {
             for (int lane = 0; lane < PairLanes.Lanes; lane++)
             {
-                var pair = new PairFixture(ShapeBuilder.Circle((float)(0.1 + random.NextDouble())), ShapeBuilder.Circle((float)(0.1 + random.NextDouble())));
+                var pair = new PairFixture(
+                    ShapeBuilder.Circle((float)(0.1 + random.NextDouble())), ShapeBuilder.Circle((float)(0.1 + random.NextDouble())));
 
                 // Every twentieth pair has one centre: there the direction is chosen, not computed.
                 Vector2 offset = random.Next(20) == 0 ? Vector2.Zero : 1.6f * RandomShape.Point(random);

@@ -239,7 +239,8 @@ public unsafe class WideHullTests
             1 => ShapeBuilder.Segment(new Vector2(-0.5f, 0), new Vector2(0.5f, 0)),
             2 => ShapeBuilder.Capsule(new Vector2(-0.5f, 0), new Vector2(0.5f, 0), 0.25f),
             _ => ShapeBuilder.Polygon(
-                [.. Enumerable.Range(0, count).Select(i => new Vector2((float)Math.Cos(i * 2 * Math.PI / count), (float)Math.Sin(i * 2 * Math.PI / count)))],
+                [.. Enumerable.Range(0, count)
+                    .Select(i => new Vector2((float)Math.Cos(i * 2 * Math.PI / count), (float)Math.Sin(i * 2 * Math.PI / count)))],
                 radius),
         };
     }

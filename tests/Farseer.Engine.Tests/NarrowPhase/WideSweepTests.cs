@@ -74,7 +74,9 @@ public unsafe class WideSweepTests
     }
 
     private static ShapeGeometry Piece(Random random) =>
-        random.Next(2) == 0 ? ShapeBuilder.Box(RandomShape.Between(random, 0.3, 2), RandomShape.Between(random, 0.3, 2)) : RandomShape.Hull(random);
+        random.Next(2) == 0
+            ? ShapeBuilder.Box(RandomShape.Between(random, 0.3, 2), RandomShape.Between(random, 0.3, 2))
+            : RandomShape.Hull(random);
 
     private static BodyPath Way(Random random, float place)
     {

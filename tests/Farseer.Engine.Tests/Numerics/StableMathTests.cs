@@ -144,7 +144,9 @@ public class StableMathTests
             {
                 double expected = Math.Atan2(y, x);
                 double actual = StableMath.Atan2(y, x);
-                Assert.True(BitConverter.DoubleToInt64Bits(expected) == BitConverter.DoubleToInt64Bits(actual), $"atan2({y:R}, {x:R}) = {actual:R}, not {expected:R}");
+                Assert.True(
+                    BitConverter.DoubleToInt64Bits(expected) == BitConverter.DoubleToInt64Bits(actual),
+                    $"atan2({y:R}, {x:R}) = {actual:R}, not {expected:R}");
             }
         }
 

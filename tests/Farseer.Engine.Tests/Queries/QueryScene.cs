@@ -146,8 +146,8 @@ internal sealed class QueryScene
         PointQuery.SignedDistance(World.Shapes, collider.Index, World.Bodies.Pose[World.Collider(collider).Body], x, y);
 
     /// <summary>
-    /// The share of a way at which a disc first touches a collider, by going on by the distance that is left; infinite if it does not. Not by all of it: normals
-    /// are rounded to floats, so it may be said too large by 6e-8 of it, and past a line nothing would say so.
+    /// The share of a way at which a disc first touches a collider, by going on by the distance that is left; infinite if it does not. Not
+    /// by all of it: normals are rounded to floats, so it may be said too large by 6e-8 of it, and past a line nothing would say so.
     /// </summary>
     public double March(Handle collider, in RayInput ray, double radius)
     {

@@ -43,7 +43,9 @@ public class RayCastTests
         Prop.ForAll(Gen.Choose(0, int.MaxValue).ToArbitrary(), AssertEntersColliders).QuickCheckThrowOnFailure();
     }
 
-    /// <summary>A way through a line, whose distance is said too large by 1.4e-8 of it: the march that it is compared with went past.</summary>
+    /// <summary>
+    /// A way through a line, whose distance is said too large by 1.4e-8 of it: the march that it is compared with went past.
+    /// </summary>
     [Fact]
     public void CastRay_ThroughALineOfRoundedNormal_EntersWhereTheDistanceBecomesZero() => AssertEntersColliders(2132652409);
 
@@ -115,7 +117,8 @@ public class RayCastTests
             : new[] { v, new Vector2(v.X, 1) }).ToList();
         outline.Add(new Vector2(0, 0));
         outline.Add(new Vector2(15, 0));
-        world.CreateCollider(body, ShapeBuilder.Polygon(outline.ToArray()), new ColliderDef { Flags = ColliderFlags.CollisionEnabled, Categories = 1 });
+        world.CreateCollider(
+            body, ShapeBuilder.Polygon(outline.ToArray()), new ColliderDef { Flags = ColliderFlags.CollisionEnabled, Categories = 1 });
         Assert.True(world.Shapes.Colliders[0].PieceCount > 4);
         var ray = new RayInput { X = -5, Y = 2, DirectionX = 40 };
         Assert.True(world.Queries.CastRay(ray, QueryFilter.All, out RayHit hit));
@@ -176,7 +179,8 @@ public class RayCastTests
         var scene = new QueryScene(1, bodies: 30, side: 4);
         QueryFilter filter = QueryFilter.All;
         filter.Predicate = new Nested(scene.World);
-        Assert.Throws<InvalidOperationException>(() => scene.World.Queries.CastRay(new RayInput { X = -9, DirectionX = 20 }, filter, out _));
+        Assert.Throws<InvalidOperationException>(
+            () => scene.World.Queries.CastRay(new RayInput { X = -9, DirectionX = 20 }, filter, out _));
 
         // The refusal has not left anything behind.
         Assert.True(scene.World.Queries.CastRay(new RayInput { X = -9, DirectionX = 20 }, QueryFilter.All, out _));

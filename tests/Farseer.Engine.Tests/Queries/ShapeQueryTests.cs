@@ -54,7 +54,11 @@ public class ShapeQueryTests
             double radius = 0.7;
             scene.World.Queries.SetDisc(at.X, at.Y, radius);
             scene.World.Queries.FindOverlapping(QueryFilter.All, found);
-            AssertSame(scene, found, c => scene.Distance(c, at.X, at.Y) <= radius, tie: c => Math.Abs(scene.Distance(c, at.X, at.Y) - radius) < 1e-6);
+            AssertSame(
+                scene,
+                found,
+                c => scene.Distance(c, at.X, at.Y) <= radius,
+                tie: c => Math.Abs(scene.Distance(c, at.X, at.Y) - radius) < 1e-6);
         });
     }
 
@@ -79,7 +83,8 @@ public class ShapeQueryTests
         {
             RayInput at = scene.Ray();
             double most = Math.Abs(at.DirectionX);
-            Handle[] near = scene.Colliders.Where(c => scene.IsSeen(c, QueryFilter.All)).OrderBy(c => scene.Distance(c, at.X, at.Y)).ToArray();
+            Handle[] near =
+                scene.Colliders.Where(c => scene.IsSeen(c, QueryFilter.All)).OrderBy(c => scene.Distance(c, at.X, at.Y)).ToArray();
             bool found = scene.World.Queries.FindNearest(at.X, at.Y, most, QueryFilter.All, out NearHit hit);
             Assert.Equal(near.Length > 0 && scene.Distance(near[0], at.X, at.Y) <= most, found);
             if (found)
@@ -145,7 +150,8 @@ public class ShapeQueryTests
             scene.World.Queries.SetPiece(piece);
             bool found = scene.World.Queries.CastShape(way.DirectionX, way.DirectionY, filter, out RayHit hit);
             int[] others = scene.Colliders.Where(c => scene.IsSeen(c, filter)).SelectMany(c => Pieces(scene, c)).ToArray();
-            double Least(double t) => others.Select(p => HullGap(scene, piece, p, t * way.DirectionX, t * way.DirectionY)).DefaultIfEmpty(1).Min();
+            double Least(double t) =>
+                others.Select(p => HullGap(scene, piece, p, t * way.DirectionX, t * way.DirectionY)).DefaultIfEmpty(1).Min();
             double end = found ? hit.Fraction : 1;
             if (found && !hit.StartsInside)
             {
@@ -171,7 +177,8 @@ public class ShapeQueryTests
         BodyPose poseA = scene.World.Bodies.Pose[a.Body];
         poseA.X += dx;
         poseA.Y += dy;
-        return ReferenceDistance.Signed(Place(scene, moved, poseA), Place(scene, other, scene.World.Bodies.Pose[b.Body])) - a.Radius - b.Radius;
+        return ReferenceDistance.Signed(Place(scene, moved, poseA), Place(scene, other, scene.World.Bodies.Pose[b.Body])) - a.Radius
+            - b.Radius;
     }
 
     private static ReferenceDistance.Point[] Place(QueryScene scene, int piece, BodyPose pose)

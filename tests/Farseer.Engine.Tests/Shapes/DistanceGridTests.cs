@@ -16,7 +16,8 @@ public class DistanceGridTests
     [Fact]
     public void Intersect_AndNearestDistance_MatchTheOriginal()
     {
-        using JsonDocument scene = JsonDocument.Parse(File.ReadAllText(Path.Combine(Clone.Root, "tests", "data", "fidelity", "nearest_distance.json")));
+        using JsonDocument scene =
+            JsonDocument.Parse(File.ReadAllText(Path.Combine(Clone.Root, "tests", "data", "fidelity", "nearest_distance.json")));
         JsonElement results = scene.RootElement.GetProperty("queryResults").GetProperty("5");
         int index = -1;
         int compared = 0;

@@ -7,7 +7,9 @@ using Xunit;
 
 namespace Farseer.Engine.Tests.Simulation;
 
-/// <summary>Many light bodies at one that outweighs them by far: their rows lie side by side, and what comes of them is as if they did not.</summary>
+/// <summary>
+/// Many light bodies at one that outweighs them by far: their rows lie side by side, and what comes of them is as if they did not.
+/// </summary>
 public sealed class HeavyBodyTests
 {
     private const int Boxes = 60;
@@ -15,7 +17,9 @@ public sealed class HeavyBodyTests
     private const float PlateMass = 100;
     private const float PlateWidth = 75;
 
-    /// <summary>Of impacts that are found one after the other each sees what the plate has got by then, up to 9 mm/s of 1 m/s: the square of that.</summary>
+    /// <summary>
+    /// Of impacts that are found one after the other each sees what the plate has got by then, up to 9 mm/s of 1 m/s: the square of that.
+    /// </summary>
     private const double OneAfterTheOther = 8e-5;
 
     [Theory]
@@ -82,7 +86,9 @@ public sealed class HeavyBodyTests
         }
     }
 
-    /// <summary>A plate under a row of boxes, none of which touches another; it rests on the ground, or flies where there is no weight.</summary>
+    /// <summary>
+    /// A plate under a row of boxes, none of which touches another; it rests on the ground, or flies where there is no weight.
+    /// </summary>
     private static SleepScene Plate(float gravity, float restitution, out Handle plate, out List<Handle> boxes)
     {
         var scene = new SleepScene(allowSleep: false, gravity: gravity);
@@ -93,7 +99,8 @@ public sealed class HeavyBodyTests
         boxes = new List<Handle>();
         for (int i = 0; i < Boxes; i++)
         {
-            Handle box = Cover(scene, scene.Bare(1.2f * (i - (0.5f * (Boxes - 1))), base0 + 1.5f + (gravity > 0 ? 0 : 0.1f), 1, 1), 1, restitution);
+            Handle box =
+                Cover(scene, scene.Bare(1.2f * (i - (0.5f * (Boxes - 1))), base0 + 1.5f + (gravity > 0 ? 0 : 0.1f), 1, 1), 1, restitution);
             scene.World.SetMass(box, BoxMass, BoxMass / 6);
             boxes.Add(box);
         }

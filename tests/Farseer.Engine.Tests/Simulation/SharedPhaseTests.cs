@@ -8,7 +8,8 @@ using Xunit;
 namespace Farseer.Engine.Tests.Simulation;
 
 /// <summary>
-/// What workers share of a world in which things come and go: sorting of rows, islands, pairs that end, pairs beside blows, the sweep of fast bodies.
+/// What workers share of a world in which things come and go: sorting of rows, islands, pairs that end, pairs beside blows, the sweep of
+/// fast bodies.
 /// </summary>
 public sealed class SharedPhaseTests
 {

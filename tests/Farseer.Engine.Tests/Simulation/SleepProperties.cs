@@ -108,7 +108,10 @@ public class SleepProperties
                 scene.World.SetPosition(body, random.Next(-4, 5), 0.5 + random.Next(6));
                 break;
             case 4:
-                scene.World.SetFlags(body, random.Next(2) == 0 ? BodyFlags.Enabled : BodyFlags.None, random.Next(3) == 0 ? BodyFlags.Enabled : BodyFlags.None);
+                scene.World.SetFlags(
+                    body,
+                    random.Next(2) == 0 ? BodyFlags.Enabled : BodyFlags.None,
+                    random.Next(3) == 0 ? BodyFlags.Enabled : BodyFlags.None);
                 break;
             case 5:
                 Make(scene, random, bodies);
@@ -125,7 +128,8 @@ public class SleepProperties
                 Handle other = bodies[random.Next(bodies.Count)];
                 if (!other.Equals(body))
                 {
-                    joints.Add(scene.Hinge(body, other, (float)scene.World.Bodies.Pose[body.Index].X, (float)scene.World.Bodies.Pose[body.Index].Y));
+                    joints.Add(scene.Hinge(
+                        body, other, (float)scene.World.Bodies.Pose[body.Index].X, (float)scene.World.Bodies.Pose[body.Index].Y));
                 }
 
                 break;
@@ -153,7 +157,8 @@ public class SleepProperties
             {
                 // A velocity that was set while forces acted is looked at when the next step begins.
                 Assert.True((flags & BodyFlags.Handled) != 0 || scene.World.Bodies.State[body.Index].LinearVelocity == Vector2.Zero);
-                Assert.Equal(BodyFlags.Enabled, flags & (BodyFlags.Enabled | BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.NeverSleeps));
+                Assert.Equal(
+                    BodyFlags.Enabled, flags & (BodyFlags.Enabled | BodyFlags.Static | BodyFlags.Kinematic | BodyFlags.NeverSleeps));
             }
             else
             {

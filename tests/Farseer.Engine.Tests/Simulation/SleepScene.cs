@@ -82,7 +82,8 @@ internal sealed class SleepScene : IStepHooks
         return boxes;
     }
 
-    public Handle Hinge(Handle a, Handle b, float x, float y) => World.CreateJoint(JointKind.Revolute, a, b, Anchors(a, b, x, y), JointFlags.Enabled);
+    public Handle Hinge(Handle a, Handle b, float x, float y) =>
+        World.CreateJoint(JointKind.Revolute, a, b, Anchors(a, b, x, y), JointFlags.Enabled);
 
     public JointSettings Anchors(Handle a, Handle b, float x, float y) => new JointSettings
     {

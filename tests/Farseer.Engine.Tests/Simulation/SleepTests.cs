@@ -96,7 +96,8 @@ public class SleepTests
 
     public static TheoryData<string> Causes() => new TheoryData<string>
     {
-        "WakeUp", "Velocity", "Position", "Angle", "Mass", "Gravity", "Off", "GroundMoved", "GroundRemoved", "GroundDisabled", "ColliderAdded",
+        "WakeUp", "Velocity", "Position", "Angle", "Mass", "Gravity", "Off", "GroundMoved", "GroundRemoved", "GroundDisabled",
+        "ColliderAdded",
         "ColliderRemoved", "Filter", "Joint", "JointChanged", "Spring", "Kinematic", "Belt", "NeverSleeps", "Force",
     };
 
@@ -159,7 +160,14 @@ public class SleepTests
                 scene.World.DestroyJoint(hinge);
                 break;
             case "Spring":
-                scene.Springs.Add(new SpringDef { Kind = SpringKind.Linear, BodyA = high.Index, BodyB = scene.Bare(0, 5, 1, 1).Index, Stiffness = 1, Rest = 1 });
+                scene.Springs.Add(new SpringDef
+                {
+                    Kind = SpringKind.Linear,
+                    BodyA = high.Index,
+                    BodyB = scene.Bare(0, 5, 1, 1).Index,
+                    Stiffness = 1,
+                    Rest = 1,
+                });
                 break;
             case "Kinematic":
                 scene.SetVelocity(lift, 0, 1);
@@ -226,7 +234,8 @@ public class SleepTests
     [Fact]
     public void Body_InFlight_NeverSleeps()
     {
-        // Thrown up: at the top it stands still for a moment. Large and small ones, which for a tolerance relative to size alone are different.
+        // Thrown up: at the top it stands still for a moment. Large and small ones, which for a tolerance relative to size alone are
+        // different.
         foreach (float scale in new[] { 1e-6f, 1e-3f, 1, 1e3f, 1e6f })
         {
             foreach (float size in new[] { 1e-3f, 1, 1e3f })

@@ -35,7 +35,13 @@ public sealed unsafe class ContactPassesTests
             AddPair(i);
         }
 
-        _passes.Begin(new StageRunner(1, null), _bodies, new ContactCoefficients(1f / 240, 10, 1), _graph.Solved, _graph.Arena.Capacity, areHalves: false);
+        _passes.Begin(
+            new StageRunner(1, null),
+            _bodies,
+            new ContactCoefficients(1f / 240, 10, 1),
+            _graph.Solved,
+            _graph.Arena.Capacity,
+            areHalves: false);
     }
 
     [Fact]

@@ -90,7 +90,8 @@ public class StageRunnerTests
     }
 
     /// <summary>
-    /// Rows of phases of different lengths, by turns with single phases, over lists that are made anew between them while helpers may still look at the last one.
+    /// Rows of phases of different lengths, by turns with single phases, over lists that are made anew between them while helpers may still
+    /// look at the last one.
     /// </summary>
     [Theory]
     [InlineData(2)]
@@ -196,7 +197,9 @@ public class StageRunnerTests
         Assert.True(patience.MayShare(1e6), "A step without waiting is followed by another one that is shared.");
     }
 
-    /// <summary>Processors far from each other, or two halves of one: what is quicker goes on, but for a few steps that try the other way.</summary>
+    /// <summary>
+    /// Processors far from each other, or two halves of one: what is quicker goes on, but for a few steps that try the other way.
+    /// </summary>
     [Theory]
     [InlineData(3, 1, 0, 30)]
     [InlineData(1, 3, 170, 200)]

@@ -41,7 +41,8 @@ public unsafe class RadixSortTests
     [Fact]
     public void OrderedBits_OfFloats_KeepsTheirOrder()
     {
-        float[] values = { float.NegativeInfinity, float.MinValue, -1, -float.Epsilon, 0, float.Epsilon, 1, float.MaxValue, float.PositiveInfinity };
+        float[] values =
+            { float.NegativeInfinity, float.MinValue, -1, -float.Epsilon, 0, float.Epsilon, 1, float.MaxValue, float.PositiveInfinity };
         for (int i = 1; i < values.Length; i++)
         {
             Assert.True(RadixSort.OrderedBits(values[i - 1]) < RadixSort.OrderedBits(values[i]));

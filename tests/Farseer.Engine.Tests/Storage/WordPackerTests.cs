@@ -33,7 +33,8 @@ public sealed unsafe class WordPackerTests
             Assert.Equal(expected, end - bytes);
             Assert.Equal(expected == 0, code == 0);
             Assert.True(packer.Unpack(bytes, code, made) == end, "another number of bytes is read than was written");
-            Assert.True(new ReadOnlySpan<uint>(made, WordPacker.Words).SequenceEqual(new ReadOnlySpan<uint>(to, WordPacker.Words)), $"turn {turn}");
+            Assert.True(
+                new ReadOnlySpan<uint>(made, WordPacker.Words).SequenceEqual(new ReadOnlySpan<uint>(to, WordPacker.Words)), $"turn {turn}");
         }
     }
 

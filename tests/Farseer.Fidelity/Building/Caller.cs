@@ -14,7 +14,9 @@ public sealed class Caller
 
     public Caller(ValueReader values) => _values = values;
 
-    /// <summary>Calls a factory method with arguments by parameter name. <paramref name="known"/> are arguments that are objects already.</summary>
+    /// <summary>
+    /// Calls a factory method with arguments by parameter name. <paramref name="known"/> are arguments that are objects already.
+    /// </summary>
     public object Make(object factory, string method, JsonElement args, IReadOnlyDictionary<string, object> known)
     {
         Dictionary<string, JsonElement> given = args.ValueKind == JsonValueKind.Object
@@ -55,9 +57,11 @@ public sealed class Caller
         throw new MissingPartException(type.Name + "." + method + "(" + string.Join(", ", args) + ")");
     }
 
-    private static bool SameName(ParameterInfo parameter, string name) => string.Equals(parameter.Name, name, StringComparison.OrdinalIgnoreCase);
+    private static bool SameName(ParameterInfo parameter, string name) =>
+        string.Equals(parameter.Name, name, StringComparison.OrdinalIgnoreCase);
 
-    private bool TryFill(ParameterInfo[] parameters, Dictionary<string, JsonElement> given, IReadOnlyDictionary<string, object> known, out object?[] values)
+    private bool TryFill(
+        ParameterInfo[] parameters, Dictionary<string, JsonElement> given, IReadOnlyDictionary<string, object> known, out object?[] values)
     {
         values = new object?[parameters.Length];
         for (int i = 0; i < parameters.Length; i++)

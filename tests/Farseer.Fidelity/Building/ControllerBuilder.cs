@@ -50,7 +50,8 @@ internal static class ControllerBuilder
         {
             Facade.Subscribe(controller, "Entry", args =>
             {
-                scene.Events.Add("Entry", args.Select(scene.IdOf).FirstOrDefault(name => name is not null && name != id) ?? "?", string.Empty);
+                scene.Events.Add(
+                    "Entry", args.Select(scene.IdOf).FirstOrDefault(name => name is not null && name != id) ?? "?", string.Empty);
                 return null;
             });
         }

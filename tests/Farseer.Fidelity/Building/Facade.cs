@@ -13,7 +13,8 @@ namespace Farseer.Fidelity.Building;
 /// </summary>
 public static class Facade
 {
-    private const BindingFlags Instance = BindingFlags.Public | BindingFlags.Instance | BindingFlags.IgnoreCase | BindingFlags.FlattenHierarchy;
+    private const BindingFlags Instance =
+        BindingFlags.Public | BindingFlags.Instance | BindingFlags.IgnoreCase | BindingFlags.FlattenHierarchy;
 
     private static readonly Assembly Library = Assembly.Load("Farseer");
 
@@ -71,7 +72,9 @@ public static class Facade
         return null;
     });
 
-    /// <summary>Adds <paramref name="handler"/> (given its arguments, returning the result or null) to an event or delegate member.</summary>
+    /// <summary>
+    /// Adds <paramref name="handler"/> (given its arguments, returning the result or null) to an event or delegate member.
+    /// </summary>
     public static void Subscribe(object target, string name, Func<object?[], object?> handler)
     {
         MemberInfo member = Member(target, name);

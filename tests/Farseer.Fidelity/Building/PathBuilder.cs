@@ -11,7 +11,9 @@ namespace Farseer.Fidelity.Building;
 /// <summary>Builds the paths (chains, ropes, tracks) of a scene.</summary>
 internal static class PathBuilder
 {
-    private static readonly (string List, string Part)[] Parts = [("Bodies", "body"), ("Geoms", "geom"), ("Joints", "joint"), ("Springs", "spring")];
+    private static readonly (string List, string Part)[] Parts = [
+        ("Bodies", "body"), ("Geoms", "geom"), ("Joints", "joint"), ("Springs", "spring"),
+    ];
 
     public static void Add(BuiltScene scene, JsonElement path)
     {

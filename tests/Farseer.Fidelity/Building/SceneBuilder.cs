@@ -69,7 +69,8 @@ public static class SceneBuilder
             case "broadPhaseCollider":
                 Type collider = Facade.Type(value.GetString()!);
                 ConstructorInfo? constructor = collider.GetConstructor([scene.Simulator.GetType()]);
-                object made = constructor is null ? Activator.CreateInstance(collider)! : Facade.Invoke(constructor, null, [scene.Simulator])!;
+                object made =
+                    constructor is null ? Activator.CreateInstance(collider)! : Facade.Invoke(constructor, null, [scene.Simulator])!;
                 Facade.Set(scene.Simulator, name, made);
                 break;
             case "inactivityController":

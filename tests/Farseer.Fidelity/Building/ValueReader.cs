@@ -94,7 +94,9 @@ public sealed class ValueReader
 
         if (type.Name == "Vertices")
         {
-            return Json.Optional(_vertices, text).ValueKind == JsonValueKind.Array ? Vertices(JsonSerializer.SerializeToElement(text)) : null;
+            return Json.Optional(_vertices, text).ValueKind == JsonValueKind.Array
+                ? Vertices(JsonSerializer.SerializeToElement(text))
+                : null;
         }
 
         object? found = _objects(text);

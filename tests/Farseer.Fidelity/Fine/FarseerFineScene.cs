@@ -177,7 +177,8 @@ internal sealed class FarseerFineScene : FineScene
         FineShape shape = geom.Factory switch
         {
             "CreateCircleGeom" => FineShape.Circle(body, offset, SceneSizes.Radius(geom), of),
-            "CreateRectangleGeom" => FineShape.Polygon(body, FineShape.Box(HalfSide(geom, "width"), HalfSide(geom, "height"), offset, turned), of),
+            "CreateRectangleGeom" =>
+                FineShape.Polygon(body, FineShape.Box(HalfSide(geom, "width"), HalfSide(geom, "height"), offset, turned), of),
             "CreatePolygonGeom" when turned == 0 => FineShape.Polygon(body, Centred(geom, offset), of),
             _ => throw new NotExpressedException(geom.Factory),
         };

@@ -96,7 +96,9 @@ internal sealed class FineContact(FineShape a, FineShape b, double friction, dou
         }
     }
 
-    /// <summary>A circle at a polygon or at a circle; the normal points from A to B, the circle is B where <paramref name="side"/> is 1.</summary>
+    /// <summary>
+    /// A circle at a polygon or at a circle; the normal points from A to B, the circle is B where <paramref name="side"/> is 1.
+    /// </summary>
     private void CircleAt(FineShape circle, FineShape other, double near, int side)
     {
         (double x, double y) = circle.World(0);

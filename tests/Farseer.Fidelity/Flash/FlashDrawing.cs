@@ -26,9 +26,11 @@ internal sealed class FlashDrawing : b2DebugDraw
         return new JsonObject { ["calls"] = drawing._calls };
     }
 
-    public override void DrawPolygon(b2Vec2[] vertices, int vertexCount, b2Color color) => Note(nameof(DrawPolygon), color, List(vertices, vertexCount));
+    public override void DrawPolygon(b2Vec2[] vertices, int vertexCount, b2Color color) =>
+        Note(nameof(DrawPolygon), color, List(vertices, vertexCount));
 
-    public override void DrawSolidPolygon(b2Vec2[] vertices, int vertexCount, b2Color color) => Note(nameof(DrawSolidPolygon), color, List(vertices, vertexCount));
+    public override void DrawSolidPolygon(b2Vec2[] vertices, int vertexCount, b2Color color) =>
+        Note(nameof(DrawSolidPolygon), color, List(vertices, vertexCount));
 
     public override void DrawCircle(b2Vec2 center, float radius, b2Color color) => Note(nameof(DrawCircle), color, Of(center), radius);
 

@@ -9,7 +9,9 @@ namespace Farseer.Fidelity.Flash;
 /// <summary>Judges a drawing: the same calls with the same colours, to the rounding of the coordinates.</summary>
 internal static class FlashDrawingJudge
 {
-    /// <summary>Boxes of the original's broad phase are rounded to 1/65535 of the world, here 3e-4; half a slop covers a body's settling too.</summary>
+    /// <summary>
+    /// Boxes of the original's broad phase are rounded to 1/65535 of the world, here 3e-4; half a slop covers a body's settling too.
+    /// </summary>
     private const double Tolerance = 2.5e-3;
 
     public static string? Problem(JsonElement expected, JsonElement got)

@@ -58,7 +58,9 @@ internal static class FlashListJudge
             List<(int Step, bool State)>[] recordings = [.. Json.Members(file.Root, name).Select(p => Lasting(Changes(p.Value, body)))];
             List<(int Step, bool State)> found = Lasting(got.GetValueOrDefault(body, []));
             bool same = recordings.Any(r => IsSame(r, found, recordings, file.Steps, shift));
-            yield return Check.Of(name + " " + body, same ? null : $"{Text(got.GetValueOrDefault(body, []))}, in the original {Text(Changes(expected, body))}");
+            yield return Check.Of(
+                name + " " + body,
+                same ? null : $"{Text(got.GetValueOrDefault(body, []))}, in the original {Text(Changes(expected, body))}");
         }
     }
 

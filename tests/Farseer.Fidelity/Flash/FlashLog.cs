@@ -107,9 +107,11 @@ internal sealed class FlashLog
 
     private sealed class DestructionListener(FlashLog log) : b2DestructionListener
     {
-        public override void SayGoodbyeJoint(b2Joint joint) => log.Destruction.Add(new JsonArray(log.Step, nameof(SayGoodbyeJoint), log.Id(joint)));
+        public override void SayGoodbyeJoint(b2Joint joint) =>
+            log.Destruction.Add(new JsonArray(log.Step, nameof(SayGoodbyeJoint), log.Id(joint)));
 
-        public override void SayGoodbyeShape(b2Shape shape) => log.Destruction.Add(new JsonArray(log.Step, nameof(SayGoodbyeShape), log.Id(shape)));
+        public override void SayGoodbyeShape(b2Shape shape) =>
+            log.Destruction.Add(new JsonArray(log.Step, nameof(SayGoodbyeShape), log.Id(shape)));
     }
 
     private sealed class ContactFilter(FlashLog log) : b2ContactFilter
@@ -119,7 +121,8 @@ internal sealed class FlashLog
             string first = log.Id(shape1);
             string second = log.Id(shape2);
             bool rejected = Json.Items(log._scene.File.Root.GetProperty("contactFilter"), "reject")
-                .Any(p => (p[0].GetString() == first && p[1].GetString() == second) || (p[0].GetString() == second && p[1].GetString() == first));
+                .Any(p =>
+                    (p[0].GetString() == first && p[1].GetString() == second) || (p[0].GetString() == second && p[1].GetString() == first));
             bool answer = !rejected && base.ShouldCollide(shape1, shape2);
             log.Filter.Add(new JsonArray(log.Step, first, second, answer));
             return answer;

@@ -10,8 +10,9 @@ namespace Farseer.Fidelity.Flash;
 
 /// <summary>
 /// Judges the values observed with every row. Flags and numbers of things must be those of a sample near by. What measures must lie
-/// between the values of neighbouring samples (or on a branch beside a jump), give or take the spread between iteration counts, rounding, and the share of its range
-/// by which the original's own motion is off: its error in position over the way the bodies go, and likewise for angles and speeds.
+/// between the values of neighbouring samples (or on a branch beside a jump), give or take the spread between iteration counts, rounding,
+/// and the share of its range by which the original's own motion is off: its error in position over the way the bodies go, and likewise for
+/// angles and speeds.
 /// </summary>
 internal static class FlashObservationJudge
 {
@@ -36,7 +37,8 @@ internal static class FlashObservationJudge
 
     private static Check Counted(SceneFile file, string what, JsonElement[] expected, JsonElement[] got)
     {
-        int shift = what.EndsWith("IsSleeping", StringComparison.Ordinal) ? (int)Math.Ceiling(FlashListJudge.SleepShift / file.Dt) : StepShift;
+        int shift =
+            what.EndsWith("IsSleeping", StringComparison.Ordinal) ? (int)Math.Ceiling(FlashListJudge.SleepShift / file.Dt) : StepShift;
         for (int k = 0; k < got.Length; k++)
         {
             int step = file.SampleSteps[k];
@@ -81,7 +83,10 @@ internal static class FlashObservationJudge
             bool like = near.All(n => n.Length == found[k].Length);
             near = like ? [.. near, .. Branches(wanted, k)] : near;
             double error = like ? Outside(found[k], near) : double.PositiveInfinity;
-            worst.Take(error, limit, $"after {file.SampleSteps[k].ToString(CultureInfo.InvariantCulture)}: {got[k]}, in the original {expected[k]}");
+            worst.Take(
+                error,
+                limit,
+                $"after {file.SampleSteps[k].ToString(CultureInfo.InvariantCulture)}: {got[k]}, in the original {expected[k]}");
         }
 
         return worst.ToCheck(what);

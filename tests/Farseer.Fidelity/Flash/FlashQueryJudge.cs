@@ -31,7 +31,8 @@ internal static class FlashQueryJudge
 
         foreach (int i in drawings)
         {
-            checks.Add(Check.Of("drawing " + string.Join(" ", file.Queries[i].Args), FlashDrawingJudge.Problem(expected[i], ours.QueryResults[i])));
+            checks.Add(Check.Of(
+                "drawing " + string.Join(" ", file.Queries[i].Args), FlashDrawingJudge.Problem(expected[i], ours.QueryResults[i])));
         }
 
         // The others go by the rules that the other format has.
@@ -40,12 +41,18 @@ internal static class FlashQueryJudge
         foreach (int i in rest)
         {
             SceneQuery query = file.Queries[i];
-            double magnitude = query.Args.Select(ValueComparer.Magnitude).Append(ValueComparer.Magnitude(expected[i])).Append(Largest(file, iterations)).Max();
+            double magnitude = query.Args.Select(ValueComparer.Magnitude).Append(ValueComparer.Magnitude(expected[i]))
+                .Append(Largest(file, iterations)).Max();
             double travelled = query.AfterStep == 0
                 ? 0
-                : moved.Position + moved.LinearVelocity + ((moved.Rotation + moved.AngularVelocity) * magnitude) + (moved.Position * Spin(file, iterations));
+                : moved.Position + moved.LinearVelocity + ((moved.Rotation + moved.AngularVelocity) * magnitude)
+                    + (moved.Position * Spin(file, iterations));
             double error = ValueComparer.Difference(expected[i], ours.QueryResults[i]);
-            Check check = new(query + ": expected " + expected[i] + ", got " + ours.QueryResults[i], error, (Operations * Ulp * magnitude) + travelled, string.Empty);
+            Check check = new(
+                query + ": expected " + expected[i] + ", got " + ours.QueryResults[i],
+                error,
+                (Operations * Ulp * magnitude) + travelled,
+                string.Empty);
             checks.Add(check.Passed ? check with { What = "query" } : check);
         }
 

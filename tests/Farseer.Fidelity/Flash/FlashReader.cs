@@ -51,7 +51,8 @@ internal static class FlashReader
             Steps = steps,
             Iterations = iterations,
             SampleSteps = samples,
-            Bodies = Json.Items(root, "bodies").Select(b => new MadeObject(Json.Text(b, "id"), "b2BodyDef", Json.Required(b, "def"), [], null)).ToList(),
+            Bodies = Json.Items(root, "bodies")
+                .Select(b => new MadeObject(Json.Text(b, "id"), "b2BodyDef", Json.Required(b, "def"), [], null)).ToList(),
             Geoms = Json.Items(root, "bodies").SelectMany(Shapes).ToList(),
             Joints = Json.Items(root, "joints").Select(j => new MadeObject(Json.Text(j, "id"), Json.Text(j, "type"), j, [], null)).ToList(),
             Queries = Json.Items(root, "queries").Select(ReadQuery).ToList(),
@@ -108,7 +109,8 @@ internal static class FlashReader
         JsonElement box = Json.Optional(shape, "SetAsBox");
         box = box.ValueKind == JsonValueKind.Array ? box : Json.Optional(shape, "SetAsOrientedBox");
         return box.ValueKind == JsonValueKind.Array
-            ? JsonSerializer.SerializeToElement(new Dictionary<string, double> { ["width"] = 2 * box[0].GetDouble(), ["height"] = 2 * box[1].GetDouble() })
+            ? JsonSerializer.SerializeToElement(
+                new Dictionary<string, double> { ["width"] = 2 * box[0].GetDouble(), ["height"] = 2 * box[1].GetDouble() })
             : shape;
     }
 

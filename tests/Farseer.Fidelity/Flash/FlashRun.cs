@@ -148,11 +148,13 @@ internal sealed class FlashRun
         {
             int dot = expression.LastIndexOf('.');
             object? value = _scene.Find(expression[..dot]);
-            values.Add(Element(value is null ? null : FlashValues.Write(_scene, FlashValues.Call(_scene, value, expression[(dot + 1)..], []))));
+            values.Add(
+                Element(value is null ? null : FlashValues.Write(_scene, FlashValues.Call(_scene, value, expression[(dot + 1)..], []))));
         }
     }
 
-    private static void Note(Dictionary<string, bool> states, Dictionary<string, List<(int, bool)>> changes, string id, bool state, int step)
+    private static void Note(
+        Dictionary<string, bool> states, Dictionary<string, List<(int, bool)>> changes, string id, bool state, int step)
     {
         if (state != states.GetValueOrDefault(id))
         {

@@ -25,7 +25,8 @@ internal sealed class FlashScene
         b2AABB box = new();
         box.lowerBound.SetV(FlashValues.Vector(world.GetProperty("worldAABB")[0]));
         box.upperBound.SetV(FlashValues.Vector(world.GetProperty("worldAABB")[1]));
-        World = new b2World(box, FlashValues.Vector(world.GetProperty("gravity")), world.GetProperty("doSleep").GetBoolean()) { Quirks = quirks };
+        World = new b2World(
+            box, FlashValues.Vector(world.GetProperty("gravity")), world.GetProperty("doSleep").GetBoolean()) { Quirks = quirks };
         Switch("warmStarting", World.SetWarmStarting);
         Switch("positionCorrection", World.SetPositionCorrection);
         Switch("continuousPhysics", World.SetContinuousPhysics);
@@ -123,7 +124,8 @@ internal sealed class FlashScene
             }
             else if (Json.Optional(value, "SetAsOrientedBox") is { ValueKind: JsonValueKind.Array } turned)
             {
-                polygon.SetAsOrientedBox(turned[0].GetSingle(), turned[1].GetSingle(), FlashValues.Vector(turned[2]), turned[3].GetSingle());
+                polygon.SetAsOrientedBox(
+                    turned[0].GetSingle(), turned[1].GetSingle(), FlashValues.Vector(turned[2]), turned[3].GetSingle());
             }
             else
             {

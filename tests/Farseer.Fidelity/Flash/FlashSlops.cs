@@ -61,7 +61,8 @@ internal static class FlashSlops
     /// </summary>
     private static Difference AddShorterArm(SceneFile file, string body, Row row, Difference limit)
     {
-        double radius = file.Geoms.Where(g => g.Body == body).Select(SceneSizes.Radius).Where(r => r > 0).DefaultIfEmpty(double.PositiveInfinity).Min();
+        double radius =
+            file.Geoms.Where(g => g.Body == body).Select(SceneSizes.Radius).Where(r => r > 0).DefaultIfEmpty(double.PositiveInfinity).Min();
         if (!SceneSizes.MayTouch(file) || double.IsInfinity(radius))
         {
             return limit;

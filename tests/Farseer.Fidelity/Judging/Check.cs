@@ -22,5 +22,6 @@ public sealed record Check(string What, double Error, double Limit, string Where
         return Where.Length == 0 ? text : text + " (" + Where + ")";
     }
 
-    private static string Number(double value) => value.ToString(Math.Abs(value) is >= 1e-3 and < 1e5 or 0 ? "0.####" : "0.##e+0", CultureInfo.InvariantCulture);
+    private static string Number(double value) =>
+        value.ToString(Math.Abs(value) is >= 1e-3 and < 1e5 or 0 ? "0.####" : "0.##e+0", CultureInfo.InvariantCulture);
 }

@@ -152,7 +152,8 @@ public sealed class Impacts
         {
             double smooth = GravityShare * gravity * (file.SampleSteps[j + 1] - file.SampleSteps[j]) * file.Dt;
             bool linear = Discretisation.Speed(rows[j + 1], rows[j]) > smooth + rounding.LinearVelocity;
-            bool angular = Math.Abs(rows[j + 1].AngularVelocity - rows[j].AngularVelocity) > (smooth / halfWidth) + rounding.AngularVelocity;
+            bool angular =
+                Math.Abs(rows[j + 1].AngularVelocity - rows[j].AngularVelocity) > (smooth / halfWidth) + rounding.AngularVelocity;
             _between[j] = linear || angular;
         }
     }

@@ -53,8 +53,11 @@ public static class EventJudge
                 if (place.TryGetValue(expected[j].Key, out int other) && other < index)
                 {
                     int gap = expected[j].Runs[0].First - expected[i].Runs[0].First;
-                    bool sameUpdate = gap == 0 && (file.Format == SceneFormat.Farseer || IsSamePair(expected[i], expected[j])) && got[index].Runs[0].First == got[other].Runs[0].First;
-                    checks.Add(Check.Of("order of events", gap > shift || sameUpdate ? expected[i].Key + " comes after " + expected[j].Key : null));
+                    bool sameUpdate = gap == 0
+                        && (file.Format == SceneFormat.Farseer || IsSamePair(expected[i], expected[j]))
+                        && got[index].Runs[0].First == got[other].Runs[0].First;
+                    checks.Add(Check.Of(
+                        "order of events", gap > shift || sameUpdate ? expected[i].Key + " comes after " + expected[j].Key : null));
                 }
             }
         }
@@ -96,7 +99,8 @@ public static class EventJudge
         (int shift, int ending) = Shifts(file, iterations, expected);
         int early = expected.Type == "OnSeparation" ? ending : shift;
         (int First, int Last, int Early, int Ending)[] runs = [.. expected.Runs.Select(r => (
-            r.First, r.Last, early + FlashShifts.OfBeginning(file, iterations, expected, r.First), ending + FlashShifts.OfEnding(file, iterations, expected, r.Last)))];
+            r.First, r.Last, early + FlashShifts.OfBeginning(
+                file, iterations, expected, r.First), ending + FlashShifts.OfEnding(file, iterations, expected, r.Last)))];
         bool Fires(int update) => got.Runs.Any(r => r.First <= update && update <= r.Last);
         string difference = $"at {Runs(got)}, in the original at {Runs(expected)}, allowed shift "
             + string.Join(", ", runs.Take(6).Select(r => $"{r.Early} and {r.Ending}").Distinct());
@@ -159,5 +163,6 @@ public static class EventJudge
         return Discretisation.Speed(rows[Math.Max(0, row)], default);
     }
 
-    private static string Runs(SceneEvent e) => string.Join(" ", e.Runs.Take(6).Select(r => r.First == r.Last ? $"{r.First}" : $"{r.First}-{r.Last}"));
+    private static string Runs(SceneEvent e) =>
+        string.Join(" ", e.Runs.Take(6).Select(r => r.First == r.Last ? $"{r.First}" : $"{r.First}-{r.Last}"));
 }

@@ -84,7 +84,8 @@ public static class SceneSizes
         => file.Geoms.Select(g => HalfWidth(file, g)).Where(w => w > 0).DefaultIfEmpty(double.PositiveInfinity).Min();
 
     /// <summary>The radius of a circle, or 0.</summary>
-    public static double Radius(MadeObject geom) => Json.Optional(geom.Args, "radius") is { ValueKind: JsonValueKind.Number } e ? e.GetDouble() : 0;
+    public static double Radius(MadeObject geom) =>
+        Json.Optional(geom.Args, "radius") is { ValueKind: JsonValueKind.Number } e ? e.GetDouble() : 0;
 
     /// <summary>The longer half side of a box, or 0.</summary>
     public static double Largest(MadeObject geom)
@@ -108,7 +109,8 @@ public static class SceneSizes
 
     private static double HalfWidth(SceneFile file, MadeObject geom)
     {
-        double Argument(string name) => Json.Optional(geom.Args, name) is { ValueKind: JsonValueKind.Number } e ? e.GetDouble() : double.PositiveInfinity;
+        double Argument(string name) =>
+            Json.Optional(geom.Args, name) is { ValueKind: JsonValueKind.Number } e ? e.GetDouble() : double.PositiveInfinity;
         double width = Math.Min(Argument("radius"), Math.Min(Argument("width"), Argument("height")) / 2);
         if (double.IsFinite(width))
         {
@@ -116,13 +118,15 @@ public static class SceneSizes
         }
 
         JsonElement named = Json.Optional(geom.Args, "vertices");
-        JsonElement points = named.ValueKind == JsonValueKind.String ? Json.Optional(Json.Optional(file.Root, "vertices"), named.GetString()!) : named;
+        JsonElement points =
+            named.ValueKind == JsonValueKind.String ? Json.Optional(Json.Optional(file.Root, "vertices"), named.GetString()!) : named;
         if (points.ValueKind != JsonValueKind.Array || points.GetArrayLength() == 0)
         {
             return 0;
         }
 
-        double Extent(int axis) => points.EnumerateArray().Max(p => p[axis].GetDouble()) - points.EnumerateArray().Min(p => p[axis].GetDouble());
+        double Extent(int axis) =>
+            points.EnumerateArray().Max(p => p[axis].GetDouble()) - points.EnumerateArray().Min(p => p[axis].GetDouble());
         return Math.Min(Extent(0), Extent(1)) / 2;
     }
 }

@@ -32,7 +32,11 @@ public static class ObservationJudge
             }
             else if (expected.All(IsCount))
             {
-                yield return Counted(expression, expected.Select(e => new[] { e.ToString() }).ToArray(), got.Select(e => new[] { e.ToString() }).ToArray(), file);
+                yield return Counted(
+                    expression,
+                    expected.Select(e => new[] { e.ToString() }).ToArray(),
+                    got.Select(e => new[] { e.ToString() }).ToArray(),
+                    file);
             }
             else
             {
@@ -150,7 +154,9 @@ public static class ObservationJudge
         Worst worst = new();
         for (int k = 0; k < expected.Length; k++)
         {
-            double error = what.EndsWith(".JointError", StringComparison.Ordinal) ? Excess(expected[k], got[k]) : ValueComparer.Difference(expected[k], got[k]);
+            double error = what.EndsWith(".JointError", StringComparison.Ordinal)
+                ? Excess(expected[k], got[k])
+                : ValueComparer.Difference(expected[k], got[k]);
             worst.Take(error, limit, "after " + file.SampleSteps[k].ToString(CultureInfo.InvariantCulture));
         }
 

@@ -35,12 +35,14 @@ public static class QueryJudge
             JsonElement answer = (exactly ? ExactAnswers.Of(file, query) : null) is { } truth
                 ? JsonSerializer.SerializeToElement(truth)
                 : expected[i];
-            double magnitude = query.Args.Append(Points(file, query)).Select(ValueComparer.Magnitude).Append(ValueComparer.Magnitude(answer)).Max();
+            double magnitude =
+                query.Args.Append(Points(file, query)).Select(ValueComparer.Magnitude).Append(ValueComparer.Magnitude(answer)).Max();
 
             // What is asked after some steps is asked of bodies that may be off by the limits of the trajectory.
             bool inMotion = query.AfterStep > 0 && (moved.Position > 0 || moved.Rotation > 0);
             double travelled = inMotion
-                ? Math.Max(moved.Position, moved.LinearVelocity) + ((moved.Rotation + moved.AngularVelocity) * magnitude) + (moved.Position * SpinOf(file, iterations))
+                ? Math.Max(moved.Position, moved.LinearVelocity) + ((moved.Rotation + moved.AngularVelocity) * magnitude)
+                    + (moved.Position * SpinOf(file, iterations))
                 : 0;
             double error = ValueComparer.Difference(answer, ours.QueryResults[i]);
             worst.Take(error, (Operations * Ulp * magnitude) + travelled, query + ": expected " + answer + ", got " + ours.QueryResults[i]);
@@ -61,7 +63,10 @@ public static class QueryJudge
             foreach (JsonProperty property in body.Value.EnumerateObject())
             {
                 double expected = property.Value.GetDouble();
-                worst.Take(Math.Abs(got[i] - expected), Operations * Ulp * Math.Abs(expected), $"{body.Name}.{property.Name}: expected {expected:g9}, got {got[i]:g9}");
+                worst.Take(
+                    Math.Abs(got[i] - expected),
+                    Operations * Ulp * Math.Abs(expected),
+                    $"{body.Name}.{property.Name}: expected {expected:g9}, got {got[i]:g9}");
                 i++;
                 any = true;
             }
@@ -79,13 +84,21 @@ public static class QueryJudge
             JsonElement got = run.PathResults[path.Name];
             foreach (JsonProperty property in path.Value.EnumerateObject())
             {
-                double limit = property.Name.EndsWith("Count", StringComparison.Ordinal) ? 0 : Operations * Ulp * ValueComparer.Magnitude(property.Value);
-                yield return new Check(path.Name + "." + property.Name, ValueComparer.Difference(property.Value, Json.Optional(got, property.Name)), limit, string.Empty);
+                double limit = property.Name.EndsWith("Count", StringComparison.Ordinal)
+                    ? 0
+                    : Operations * Ulp * ValueComparer.Magnitude(property.Value);
+                yield return new Check(
+                    path.Name + "." + property.Name,
+                    ValueComparer.Difference(property.Value, Json.Optional(got, property.Name)),
+                    limit,
+                    string.Empty);
             }
         }
     }
 
-    /// <summary>The polygon that is asked, whose coordinates are rounded as well: the centre of a hexagon about the origin is 0 to their rounding.</summary>
+    /// <summary>
+    /// The polygon that is asked, whose coordinates are rounded as well: the centre of a hexagon about the origin is 0 to their rounding.
+    /// </summary>
     private static JsonElement Points(SceneFile file, SceneQuery query) => query.Vertices.ValueKind == JsonValueKind.String
         ? Json.Optional(Json.Optional(file.Root, "vertices"), query.Vertices.GetString()!)
         : query.Vertices;

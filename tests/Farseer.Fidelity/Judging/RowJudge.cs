@@ -54,7 +54,8 @@ public static class RowJudge
                 Row got = ours.Rows[body][k];
                 if (got.IsAbsent || expected[k].IsAbsent)
                 {
-                    string which = body + (got.IsAbsent ? " is not there" : " is there") + " after " + file.SampleSteps[k].ToString(CultureInfo.InvariantCulture);
+                    string which = body + (got.IsAbsent ? " is not there" : " is there") + " after "
+                        + file.SampleSteps[k].ToString(CultureInfo.InvariantCulture);
                     worst[0].Take(got.IsAbsent == expected[k].IsAbsent ? 0 : double.PositiveInfinity, 0, which);
                     continue;
                 }
@@ -96,7 +97,8 @@ public static class RowJudge
         {
             foreach (Row[] rows in reference.Values)
             {
-                Difference own = Limits(file, null, rounding, new Discretisation(file, rows, new Impacts(file, rows, rounding)).At(rows.Length - 1), default);
+                Difference own = Limits(
+                    file, null, rounding, new Discretisation(file, rows, new Impacts(file, rows, rounding)).At(rows.Length - 1), default);
                 largest = Larger(largest, own);
             }
         }
@@ -141,7 +143,8 @@ public static class RowJudge
 
     private static double Way(Row a, Row b) => Math.Sqrt(((a.X - b.X) * (a.X - b.X)) + ((a.Y - b.Y) * (a.Y - b.Y)));
 
-    private static Difference Limits(SceneFile file, Difference? error, FloatTolerance rounding, Difference? discretisation, Difference settling)
+    private static Difference Limits(
+        SceneFile file, Difference? error, FloatTolerance rounding, Difference? discretisation, Difference settling)
     {
         // A contact rests AT AllowedPenetration here, anywhere between 0 and it in the original.
         double depth = SceneSizes.MayTouch(file) ? SceneSizes.AllowedPenetration(file) : 0;

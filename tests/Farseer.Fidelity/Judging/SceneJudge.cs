@@ -27,7 +27,8 @@ public sealed record Verdict(string Scene, Outcome Outcome, string Reason, IRead
 /// <summary>Builds, runs and judges one scene at each of its iteration counts.</summary>
 public static class SceneJudge
 {
-    public static Verdict Judge(SceneFile file) => file.Format == SceneFormat.Box2DFlash ? Guard(file, FlashJudge.Judge) : Guard(file, JudgeFarseer);
+    public static Verdict Judge(SceneFile file) =>
+        file.Format == SceneFormat.Box2DFlash ? Guard(file, FlashJudge.Judge) : Guard(file, JudgeFarseer);
 
     private static Verdict Guard(SceneFile file, Action<SceneFile, List<Check>, List<string>> judge)
     {

@@ -21,7 +21,9 @@ public static class ResultWriter
             case bool or string or int or byte or uint or long or double:
                 return JsonSerializer.SerializeToNode(value);
             case float number:
-                return float.IsFinite(number) ? JsonValue.Create(number) : JsonValue.Create(number.ToString(System.Globalization.CultureInfo.InvariantCulture));
+                return float.IsFinite(number)
+                    ? JsonValue.Create(number)
+                    : JsonValue.Create(number.ToString(System.Globalization.CultureInfo.InvariantCulture));
             case Enum member:
                 return member.ToString();
             case Vector2 point:
@@ -48,7 +50,12 @@ public static class ResultWriter
         if (result.HandedOut is [{ } feature] && feature.GetType().Name == "Feature" && result.Returned is bool hit)
         {
             return hit
-                ? new JsonObject { ["hit"] = true, ["distance"] = Write(scene, Facade.Get(feature, "Distance")), ["normal"] = Write(scene, Facade.Get(feature, "Normal")) }
+                ? new JsonObject
+                {
+                    ["hit"] = true,
+                    ["distance"] = Write(scene, Facade.Get(feature, "Distance")),
+                    ["normal"] = Write(scene, Facade.Get(feature, "Normal")),
+                }
                 : new JsonObject { ["hit"] = false };
         }
 
@@ -80,5 +87,7 @@ public static class ResultWriter
 
     /// <summary>A list with one list of points in it (one geom cut by one line) is written as those points.</summary>
     private static JsonNode? Flattened(JsonNode? node)
-        => node is JsonArray { Count: 1 } outer && outer[0] is JsonArray { Count: > 0 } inner && inner[0] is JsonArray ? inner.DeepClone() : node;
+        => node is JsonArray { Count: 1 } outer && outer[0] is JsonArray { Count: > 0 } inner && inner[0] is JsonArray
+            ? inner.DeepClone()
+            : node;
 }

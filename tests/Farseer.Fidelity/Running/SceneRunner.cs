@@ -26,7 +26,8 @@ public sealed class SceneRunner
         _rows = bodies.ToDictionary(id => id, _ => new List<Row>());
         _observed = scene.File.Observe.ToDictionary(o => o, _ => new List<JsonElement>());
         _answers = new JsonElement[scene.File.Queries.Count];
-        MethodInfo update = scene.Simulator.GetType().GetMethod("Update", [typeof(float)]) ?? throw new MissingPartException("PhysicsSimulator.Update(float)");
+        MethodInfo update = scene.Simulator.GetType().GetMethod("Update", [typeof(float)])
+            ?? throw new MissingPartException("PhysicsSimulator.Update(float)");
         _update = update.CreateDelegate<Action<float>>(scene.Simulator);
     }
 
@@ -81,7 +82,13 @@ public sealed class SceneRunner
             object body = _scene[id];
             Vector2 position = (Vector2)Facade.Get(body, "Position")!;
             Vector2 velocity = (Vector2)Facade.Get(body, "LinearVelocity")!;
-            rows.Add(new Row(position.X, position.Y, (float)Facade.Get(body, "Rotation")!, velocity.X, velocity.Y, (float)Facade.Get(body, "AngularVelocity")!));
+            rows.Add(new Row(
+                position.X,
+                position.Y,
+                (float)Facade.Get(body, "Rotation")!,
+                velocity.X,
+                velocity.Y,
+                (float)Facade.Get(body, "AngularVelocity")!));
         }
 
         foreach ((string expression, List<JsonElement> values) in _observed)
@@ -130,7 +137,8 @@ public sealed class SceneRunner
             return ResultWriter.Write(_scene, _scene.Caller.Call(Facade.Type(parts[0]), null, parts[1], query.Args), null);
         }
 
-        object target = query.Vertices.ValueKind == JsonValueKind.Undefined ? _scene[query.Target!] : _scene.Values.Vertices(query.Vertices);
+        object target =
+            query.Vertices.ValueKind == JsonValueKind.Undefined ? _scene[query.Target!] : _scene.Values.Vertices(query.Vertices);
         return query.Get is { } member
             ? ResultWriter.Write(_scene, Facade.Get(target, member))
             : ResultWriter.Write(_scene, _scene.Caller.Call(target.GetType(), target, query.Call!, query.Args), target);
@@ -150,7 +158,8 @@ public sealed class SceneRunner
             dot = expression.LastIndexOf('.', dot - 1);
         }
 
-        object? value = dot > 0 ? _scene[expression[..dot]] : throw new BadSceneException($"nothing in the scene is called as in '{expression}'.");
+        object? value =
+            dot > 0 ? _scene[expression[..dot]] : throw new BadSceneException($"nothing in the scene is called as in '{expression}'.");
         foreach (string member in expression[(dot + 1)..].Split('.'))
         {
             value = value is null ? null : Facade.Get(value, member);
@@ -194,4 +203,5 @@ public sealed class SceneRunner
 }
 
 /// <summary>A run: what was recorded, the masses and inertias at its end by body, and the paths as they were made.</summary>
-public sealed record RunResult(Recording Recording, IReadOnlyDictionary<string, double[]> MassProperties, IReadOnlyDictionary<string, JsonElement> PathResults);
+public sealed record RunResult(
+    Recording Recording, IReadOnlyDictionary<string, double[]> MassProperties, IReadOnlyDictionary<string, JsonElement> PathResults);

@@ -7,7 +7,9 @@ namespace Farseer.Fidelity.Scenes;
 internal static class Json
 {
     public static JsonElement Required(JsonElement parent, string name)
-        => Optional(parent, name) is { ValueKind: not JsonValueKind.Undefined } value ? value : throw new BadSceneException($"'{name}' is missing.");
+        => Optional(parent, name) is { ValueKind: not JsonValueKind.Undefined } value
+            ? value
+            : throw new BadSceneException($"'{name}' is missing.");
 
     public static JsonElement Optional(JsonElement parent, string name)
         => parent.ValueKind == JsonValueKind.Object && parent.TryGetProperty(name, out JsonElement value) ? value : default;

@@ -96,7 +96,8 @@ public sealed class SceneFile
             JsonElement root = document.RootElement.Clone();
             return FlashReader.IsFlash(root) ? FlashReader.Parse(path, root) : Parse(path, root);
         }
-        catch (Exception e) when (e is JsonException or InvalidOperationException or FormatException or KeyNotFoundException or IOException or UnauthorizedAccessException)
+        catch (Exception e) when (e is JsonException or InvalidOperationException or FormatException or KeyNotFoundException or IOException
+            or UnauthorizedAccessException)
         {
             throw new BadSceneException($"{System.IO.Path.GetFileName(path)}: {e.Message.ReplaceLineEndings(" ")}");
         }
@@ -135,7 +136,9 @@ public sealed class SceneFile
         }
 
         JsonElement gravity = Json.Required(root, "gravity");
-        if (gravity.ValueKind != JsonValueKind.Array || gravity.GetArrayLength() != 2 || gravity.EnumerateArray().Any(e => e.ValueKind != JsonValueKind.Number))
+        if (gravity.ValueKind != JsonValueKind.Array
+            || gravity.GetArrayLength() != 2
+            || gravity.EnumerateArray().Any(e => e.ValueKind != JsonValueKind.Number))
         {
             throw new BadSceneException($"'gravity' must be two numbers, not {gravity}.");
         }

@@ -11,17 +11,21 @@ public enum SceneFormat
 }
 
 /// <summary>An object made by a factory: its id, the call, and the properties to set afterwards.</summary>
-public sealed record MadeObject(string Id, string Factory, JsonElement Args, IReadOnlyList<KeyValuePair<string, JsonElement>> Properties, string? Body);
+public sealed record MadeObject(
+    string Id, string Factory, JsonElement Args, IReadOnlyList<KeyValuePair<string, JsonElement>> Properties, string? Body);
 
 /// <summary>Something done to the scene between two updates.</summary>
-public sealed record SceneAction(int Step, int Until, string? Target, string? Call, JsonElement Args, JsonElement Set, string? Remove, string? Dispose);
+public sealed record SceneAction(
+    int Step, int Until, string? Target, string? Call, JsonElement Args, JsonElement Set, string? Remove, string? Dispose);
 
 /// <summary>A question asked of the library after some updates.</summary>
-public sealed record SceneQuery(int AfterStep, string? Target, string? Static, JsonElement Vertices, string? Call, string? Get, IReadOnlyList<JsonElement> Args)
+public sealed record SceneQuery(
+    int AfterStep, string? Target, string? Static, JsonElement Vertices, string? Call, string? Get, IReadOnlyList<JsonElement> Args)
 {
     public override string ToString()
     {
-        string subject = Static ?? (Vertices.ValueKind == JsonValueKind.Undefined ? Target + "." + (Call ?? Get) : "vertices " + Vertices + "." + Call);
+        string subject =
+            Static ?? (Vertices.ValueKind == JsonValueKind.Undefined ? Target + "." + (Call ?? Get) : "vertices " + Vertices + "." + Call);
         return subject + "(" + string.Join(", ", Args) + ") after " + AfterStep;
     }
 }

@@ -16,7 +16,8 @@ internal sealed class Catalogue
 
     private static readonly string[] _looks =
     {
-        "Get", "RayCast", "Query", "ClosestPoint", "Collide", "CircleCast", "ShapeCast", "StateHash", "MotionHash", "Test", "Compute", "Support",
+        "Get", "RayCast", "Query", "ClosestPoint", "Collide", "CircleCast", "ShapeCast", "StateHash", "MotionHash", "Test", "Compute",
+        "Support",
             "Centroid", "IsConnected", "Intersect",
     };
 

@@ -105,7 +105,9 @@ internal sealed class IntegerKind(int low, int high, int least, int most, Type? 
     public override object Read(string token) => int.Parse(token, CultureInfo.InvariantCulture);
 
     public override object Live(object value, Func<int, object?> item) =>
-        type == typeof(uint) ? unchecked((uint)(int)value) : type == typeof(byte) ? (byte)(int)value : type == typeof(long) ? (long)(int)value : value;
+        type == typeof(uint)
+            ? unchecked((uint)(int)value)
+            : type == typeof(byte) ? (byte)(int)value : type == typeof(long) ? (long)(int)value : value;
 
     public override IEnumerable<object> Simpler(object value)
     {

@@ -112,17 +112,22 @@ internal sealed class FarseerNames : Names
     {
         (_size, "width height radius xRadius yRadius targetDistance length maxLength totalLength restLength activationDistance minRadius"),
         (new Span(1, 8, 1e-6f, 1e6f), "maxRadius distance maximumDistance linkWidth linkHeight"),
-        (_near, "offset worldVertex localVertex firstVector secondVector anchor1 anchor2 attachPoint1 attachPoint2 bodyAttachPoint localPosition localPoint localVector localAnchor1 localAnchor2"),
-        (_place, "position positionX positionY x y anchor anchorPosition initialAnchorPosition worldAnchor1 worldAnchor2 groundAnchor1 groundAnchor2 target start end center point "
+        (_near, "offset worldVertex localVertex firstVector secondVector anchor1 anchor2 attachPoint1 attachPoint2 bodyAttachPoint "
+            + "localPosition localPoint localVector localAnchor1 localAnchor2"),
+        (_place, "position positionX positionY x y anchor anchorPosition initialAnchorPosition worldAnchor1 worldAnchor2 groundAnchor1 "
+            + "groundAnchor2 target start end center point "
             + "worldPoint worldPosition worldAttachPoint initialAnchor worldOffset min max translation vector controlPoint location "
             + "worldVector fixedPoint from to intersectPoint contact epicenter"),
-        (_speed, "linearVelocity velocity motorSpeed angularVelocity impulse angularImpulse axis amount normal uvector localNormal surfaceSpeed oneWayDirection"),
+        (_speed, "linearVelocity velocity motorSpeed angularVelocity impulse angularImpulse axis amount normal uvector localNormal "
+            + "surfaceSpeed oneWayDirection"),
         (_angle, "rotation rotationOffset angle targetAngle totalRotation"),
         (_mass, "mass momentOfInertia"),
-        (_share, "restitutionCoefficient biasFactor softness coefficient dampingCoefficient dampingRatio sleepTolerance minimumVelocity allowedPenetration slop jointError springError share alpha rollingResistance"),
+        (_share, "restitutionCoefficient biasFactor softness coefficient dampingCoefficient dampingRatio sleepTolerance minimumVelocity "
+            + "allowedPenetration slop jointError springError share alpha rollingResistance"),
         (new Span(0, 2, 1e-6f, 1e3f), "frictionCoefficient ratio gravityScale"),
         (_force, "force torque"),
-        (_strength, "maxForce maxTorque maxMotorForce maxMotorTorque maxImpulse breakForce breakpoint springConstant dampingConstant dampningConstant strength torqueMultiplier "
+        (_strength, "maxForce maxTorque maxMotorForce maxMotorTorque maxImpulse breakForce breakpoint springConstant dampingConstant "
+            + "dampningConstant strength torqueMultiplier "
             + "maxLinearVelocity maxAngularVelocity hitSpeed"),
         (new Span(0.5f, 8, 1e-6f, 1e6f), "frequency"),
         (_drag, "linearDragCoefficient rotationalDragCoefficient quadraticDragCoefficient density fluidDensity"),
@@ -130,8 +135,10 @@ internal sealed class FarseerNames : Names
         (_upper, "upperLimit"),
         (_lower, "lowerLimit"),
         (_cell, "collisionGridCellSize"),
-        (new Span(0, 1.5f, 1e-6f, 1e6f), "AngleLimitJoint.upperLimit FixedAngleLimitJoint.upperLimit SliderJoint.max AngleLimitJoint.max FixedAngleLimitJoint.max JointFactory.max"),
-        (new Span(-1.5f, 0, 1e-6f, 1e6f), "AngleLimitJoint.lowerLimit FixedAngleLimitJoint.lowerLimit AngleLimitJoint.min FixedAngleLimitJoint.min JointFactory.min"),
+        (new Span(0, 1.5f, 1e-6f, 1e6f), "AngleLimitJoint.upperLimit FixedAngleLimitJoint.upperLimit SliderJoint.max AngleLimitJoint.max "
+            + "FixedAngleLimitJoint.max JointFactory.max"),
+        (new Span(-1.5f, 0, 1e-6f, 1e6f), "AngleLimitJoint.lowerLimit FixedAngleLimitJoint.lowerLimit AngleLimitJoint.min "
+            + "FixedAngleLimitJoint.min JointFactory.min"),
         (new Span(0, 0.5f, 1e-6f, 1e6f), "SliderJoint.min DistanceJoint.lowerLimit"),
         (new Span(0, 10, 1e-6f, 1e6f), "gravity waveGeneratorMax waveGeneratorMin waveGeneratorStep"),
         (new Span(-10, 10, 1e-6f, 1e6f), "PhysicsSimulator.gravity"),
@@ -172,7 +179,8 @@ internal sealed class FarseerNames : Names
         : type == typeof(List<Geom>) ? new FreshKind("new List<Geom>()", () => new List<Geom>())
         : type == typeof(List<RayCastHit>) ? new FreshKind("new List<RayCastHit>()", () => new List<RayCastHit>())
         : type == typeof(List<Arbiter>) ? new FreshKind("new List<Arbiter>()", () => new List<Arbiter>())
-        : type == typeof(SurfaceMaterial) ? new FreshKind("new SurfaceMaterial { Friction = 0.3f, Speed = 1 }", () => new SurfaceMaterial { Friction = 0.3f, Speed = 1 })
+        : type == typeof(SurfaceMaterial)
+            ? new FreshKind("new SurfaceMaterial { Friction = 0.3f, Speed = 1 }", () => new SurfaceMaterial { Friction = 0.3f, Speed = 1 })
         : type == typeof(Pose) ? new FreshKind("new Pose(1, 2, 3)", () => new Pose(1, 2, 3))
         : type == typeof(Matrix4x4) ? new FreshKind("Matrix4x4.Identity", () => Matrix4x4.Identity)
         : null;

@@ -89,9 +89,11 @@ internal sealed class FlashNames : Names
     {
         (new Span(0.1f, 0.7f, 1e-6f, 1e6f), "radius hx hy length length1 length2 maxLength1 maxLength2 extents m_length"),
         (new Span(-0.6f, 0.6f, 1e-6f, 1e6f), "localPosition localAnchor1 localAnchor2 localPoint localVector center localCenter"),
-        (_place, "position target p p1 p2 anchor anchor1 anchor2 groundAnchor1 groundAnchor2 ga1 ga2 point worldPoint worldVector m_target"),
+        (_place, "position target p p1 p2 anchor anchor1 anchor2 groundAnchor1 groundAnchor2 ga1 ga2 point worldPoint worldVector "
+            + "m_target"),
         (new Span(-100, 100, 1e-6f, 1e7f), "lowerBound upperBound"),
-        (new Span(-10, 10, 1e-6f, 1e6f), "v linearVelocity motorSpeed speed w omega angularVelocity impulse axis localAxis1 normal gravity m_gravity d m_linearVelocity m_angularVelocity m_motorSpeed dX dY"),
+        (new Span(-10, 10, 1e-6f, 1e6f), "v linearVelocity motorSpeed speed w omega angularVelocity impulse axis localAxis1 normal "
+            + "gravity m_gravity d m_linearVelocity m_angularVelocity m_motorSpeed dX dY"),
         (new Span(-3, 3, 1e-6f, 1e4f), "angle referenceAngle"),
         (new Span(0.1f, 10, 1e-6f, 1e9f), "mass i m_density"),
         (new Span(0, 5, 1e-6f, 1e6f), "density"),

@@ -54,7 +54,8 @@ internal static class ProgramText
         }
 
         text.Append("\nstatic void Try(Action act)\n{\n    try\n    {\n        act();\n    }\n    catch (Exception e)\n    {\n");
-        text.Append("        Console.Error.WriteLine(e.GetType().Name);\n    }\n}\n\nstatic ref T Ref<T>(T value) => ref new[] { value }[0];\n\n");
+        text.Append(
+            "        Console.Error.WriteLine(e.GetType().Name);\n    }\n}\n\nstatic ref T Ref<T>(T value) => ref new[] { value }[0];\n\n");
         return text.Append(script.Facade.OwnClasses()).ToString();
     }
 
@@ -129,7 +130,9 @@ internal static class ProgramText
             }
 
             string answer = arguments[2] == "0" ? "true" : $"told{call.Id} % {arguments[2]} != 0";
-            text.Append(CultureInfo.InvariantCulture, $"{indent}    }}\n{(handler.ReturnsFlag ? $"{indent}    return {answer};\n" : "")}{indent}}};\n");
+            text.Append(
+                CultureInfo.InvariantCulture,
+                $"{indent}    }}\n{(handler.ReturnsFlag ? $"{indent}    return {answer};\n" : "")}{indent}}};\n");
             return;
         }
 

@@ -64,7 +64,8 @@ namespace Farseer.Porting.Tests.Programs
         /// <summary>How far the picked point is from the mouse.</summary>
         public float Stretch()
         {
-            return Vector2.Distance(_mousePickSpring.Body.GetWorldPosition(_mousePickSpring.BodyAttachPoint), _mousePickSpring.WorldAttachPoint);
+            return Vector2.Distance(
+                _mousePickSpring.Body.GetWorldPosition(_mousePickSpring.BodyAttachPoint), _mousePickSpring.WorldAttachPoint);
         }
 
         public void Update(float dt)

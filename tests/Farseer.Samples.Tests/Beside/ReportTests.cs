@@ -69,7 +69,8 @@ public sealed class ReportTests : IDisposable
         IEnumerable<Figure> before = Enumerable.Range(0, lost + gained).Select(i => new Figure($"{i}", i < lost ? 1 : 3, 2, false));
         IEnumerable<Figure> after = Enumerable.Range(0, lost + gained).Select(i => new Figure($"{i}", i < lost ? 3 : 1, 2, false));
 
-        Farseer.Beside.Report report = Of(Result.Of(Part("energies"), new Reading<Figure>([.. before], string.Empty), new([.. after], string.Empty)));
+        Farseer.Beside.Report report =
+            Of(Result.Of(Part("energies"), new Reading<Figure>([.. before], string.Empty), new([.. after], string.Empty)));
 
         Assert.Equal(code, report.ExitCode);
     }

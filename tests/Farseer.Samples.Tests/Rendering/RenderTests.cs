@@ -43,12 +43,17 @@ public sealed class RenderTests : IDisposable
 
         PngPicture picture = Rendered(svg, Side, Side);
 
-        DebugColor[] areas = [view.FreeColor, view.TouchingColor, view.StaticColor, view.KinematicColor, view.SleepingColor, view.SensorColor, view.FluidColor];
-        Assert.All(areas, color => Assert.True(picture.Count(OnWhite(color, 60), Rounding) > 100, $"{color.R}, {color.G}, {color.B} is no area."));
+        DebugColor[] areas = [
+            view.FreeColor, view.TouchingColor, view.StaticColor, view.KinematicColor, view.SleepingColor, view.SensorColor,
+            view.FluidColor,
+        ];
+        Assert.All(
+            areas, color => Assert.True(picture.Count(OnWhite(color, 60), Rounding) > 100, $"{color.R}, {color.G}, {color.B} is no area."));
 
         // Marks of 6 pixels have some that nothing blends with.
         DebugColor[] marks = [view.VerticeColor, view.GridColor, view.ContactColor, view.SpringColor, view.JointColor, view.AxisColor];
-        Assert.All(marks, color => Assert.True(picture.Count(OnWhite(color, 255), Rounding) > 3, $"{color.R}, {color.G}, {color.B} is no mark."));
+        Assert.All(
+            marks, color => Assert.True(picture.Count(OnWhite(color, 255), Rounding) > 3, $"{color.R}, {color.G}, {color.B} is no mark."));
 
         // Lines of a box lie between two pixels or on one: half of the colour at least.
         Assert.True(picture.Count(OnWhite(view.AABBColor, 255), 60) > 100, "There are no boxes.");
@@ -106,7 +111,8 @@ public sealed class RenderTests : IDisposable
         Geom sprung = Ball(simulator, new Vector2(120f, 50f));
         SpringFactory.Instance.CreateFixedLinearSpring(simulator, sprung.Body, Vector2.Zero, new Vector2(150f, 50f), 10f, 1f);
         FluidDragController water = new();
-        water.Initialize(new AABBFluidContainer(new AABB(new Vector2(150f, 130f), new Vector2(190f, 160f))), 0.001f, 1f, 1f, simulator.Gravity);
+        water.Initialize(
+            new AABBFluidContainer(new AABB(new Vector2(150f, 130f), new Vector2(190f, 160f))), 0.001f, 1f, 1f, simulator.Gravity);
         simulator.Add(water);
         for (int step = 0; step < 6; step++)
         {
@@ -142,7 +148,9 @@ public sealed class RenderTests : IDisposable
         int x = (int)(2f * place.X);
         int y = (int)(yUp ? Side - (2f * place.Y) : 2f * place.Y);
         return Enumerable.Range(0, 49).Select(i => picture.At(x + (i % 7) - 3, y + (i / 7) - 3)).Any(found =>
-            Math.Abs(found.Red - color.Red) <= Rounding && Math.Abs(found.Green - color.Green) <= Rounding && Math.Abs(found.Blue - color.Blue) <= Rounding);
+            Math.Abs(found.Red - color.Red) <= Rounding
+                && Math.Abs(found.Green - color.Green) <= Rounding
+                && Math.Abs(found.Blue - color.Blue) <= Rounding);
     }
 
     private PngPicture Rendered(SvgDebugDraw svg, int width, int height)

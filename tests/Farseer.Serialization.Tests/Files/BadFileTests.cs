@@ -27,12 +27,28 @@ public sealed class BadFileTests
     [InlineData(Head + ",\n \"bodies\": [{ \"mass\": true }] }", 2, 23, "bodies[0].mass", "must be a number")]
     [InlineData(Head + ",\n \"bodies\": [{ \"mass\": 1e99 }] }", 2, 23, "bodies[0].mass", "must be a number")]
     [InlineData(Head + ",\n \"bodies\": [{ \"iterationFactor\": 2.5 }] }", 2, 34, "bodies[0].iterationFactor", "must be a whole number")]
-    [InlineData(Head + ",\n \"bodies\": [{ \"motionLocks\": \"Z\" }] }", 2, 30, "bodies[0].motionLocks", "must be made of members of the enum")]
+    [InlineData(
+        Head + ",\n \"bodies\": [{ \"motionLocks\": \"Z\" }] }", 2, 30, "bodies[0].motionLocks", "must be made of members of the enum")]
     [InlineData(Head + ",\n \"bodies\": [{ \"linearVelocity\": [1] }] }", 2, 33, "bodies[0].linearVelocity", "must be two numbers")]
-    [InlineData(Head + ",\n \"bodies\": [{}], \"geoms\": [{ \"body\": 1, \"shape\": \"Circle\", \"radius\": 1 }] }", 2, 38, "geoms[0].body", "must be the place of an item")]
+    [InlineData(
+        Head + ",\n \"bodies\": [{}], \"geoms\": [{ \"body\": 1, \"shape\": \"Circle\", \"radius\": 1 }] }",
+        2,
+        38,
+        "geoms[0].body",
+        "must be the place of an item")]
     [InlineData(Head + ",\n \"bodies\": [{}], \"geoms\": [{ \"body\": 0, \"shape\": \"Star\" }] }", 2, 50, "geoms[0].shape", "is no shape")]
-    [InlineData(Head + ",\n \"bodies\": [{}], \"geoms\": [{ \"body\": 0, \"shape\": \"Outline\", \"points\": [0, 0, 1, 0] }] }", 2, 28, "geoms[0]", "cannot be used")]
-    [InlineData(Head + ",\n \"bodies\": [{}], \"joints\": [{ \"kind\": \"Weld\", \"body1\": 0, \"body2\": 0 }] }", 2, 29, "joints[0]", "A joint needs two different bodies")]
+    [InlineData(
+        Head + ",\n \"bodies\": [{}], \"geoms\": [{ \"body\": 0, \"shape\": \"Outline\", \"points\": [0, 0, 1, 0] }] }",
+        2,
+        28,
+        "geoms[0]",
+        "cannot be used")]
+    [InlineData(
+        Head + ",\n \"bodies\": [{}], \"joints\": [{ \"kind\": \"Weld\", \"body1\": 0, \"body2\": 0 }] }",
+        2,
+        29,
+        "joints[0]",
+        "A joint needs two different bodies")]
     [InlineData(Head + ",\n \"simulator\": { \"bodies\": [0] } }", 2, 27, "simulator.bodies", "must be the place of an item")]
     public void Json_ThatCannotBeLoaded_NamesPlaceAndReason(string text, long line, long position, string path, string reason)
     {
@@ -125,7 +141,9 @@ public sealed class BadFileTests
 
         simulator.Add(new Drift());
         Assert.Contains(nameof(Drift), Assert.Throws<NotSupportedException>(() => SceneFile.Save(simulator)).Message);
-        Assert.Contains(nameof(Drift), Assert.Throws<NotSupportedException>(() => SceneFile.Save(simulator, new SceneFileOptions { ExactState = true })).Message);
+        Assert.Contains(
+            nameof(Drift),
+            Assert.Throws<NotSupportedException>(() => SceneFile.Save(simulator, new SceneFileOptions { ExactState = true })).Message);
         Assert.Throws<ArgumentNullException>(() => SceneFile.Save((PhysicsSimulator)null!));
         Assert.Throws<ArgumentNullException>(() => SceneFile.LoadSimulator((byte[])null!));
     }
@@ -135,7 +153,8 @@ public sealed class BadFileTests
         var simulator = new PhysicsSimulator();
         for (int i = 0; i < 2; i++)
         {
-            FarseerGames.FarseerPhysics.Dynamics.Body body = FarseerGames.FarseerPhysics.Factories.BodyFactory.Instance.CreateBody(simulator, 1, 1);
+            FarseerGames.FarseerPhysics.Dynamics.Body body =
+                FarseerGames.FarseerPhysics.Factories.BodyFactory.Instance.CreateBody(simulator, 1, 1);
             FarseerGames.FarseerPhysics.Factories.GeomFactory.Instance.CreateRectangleGeom(simulator, body, 1, 1);
             body.Position = new System.Numerics.Vector2(0, 0.75f * i);
         }

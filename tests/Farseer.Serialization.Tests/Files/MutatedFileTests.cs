@@ -22,7 +22,8 @@ public sealed class MutatedFileTests
     [InlineData(SceneFormat.Binary)]
     public void File_WithFaults_LoadsOrIsRefused(SceneFormat format)
     {
-        int count = int.TryParse(Environment.GetEnvironmentVariable("FARSEER_MUTATED_FILES"), NumberStyles.Integer, CultureInfo.InvariantCulture, out int asked)
+        int count = int.TryParse(
+            Environment.GetEnvironmentVariable("FARSEER_MUTATED_FILES"), NumberStyles.Integer, CultureInfo.InvariantCulture, out int asked)
             ? asked / 2 : Usual / 2;
         Action<byte[]>[] loads =
         [
@@ -31,7 +32,8 @@ public sealed class MutatedFileTests
         ];
         byte[][] files =
         [
-            SceneFile.Save(Moved(false), Saves.Options(format, false)), SceneFile.Save(FlashEverything.Build(), Saves.Options(format, false)),
+            SceneFile.Save(Moved(false), Saves.Options(format, false)),
+            SceneFile.Save(FlashEverything.Build(), Saves.Options(format, false)),
             SceneFile.Save(Moved(true), Saves.Options(format, true)), SceneFile.Save(FlashEverything.Build(), Saves.Options(format, true)),
             Recorded(),
         ];
@@ -133,7 +135,10 @@ public sealed class MutatedFileTests
     /// <summary>In a text, puts another number where one stands.</summary>
     private static void OtherNumber(List<byte> bytes, int at, Random random)
     {
-        string[] numbers = ["-1", "0", "1e38", "-1e-38", "2147483647", "-2147483648", "\"NaN\"", "\"Infinity\"", "1e308", "null", "[]", "{}", "true", "65536"];
+        string[] numbers = [
+            "-1", "0", "1e38", "-1e-38", "2147483647", "-2147483648", "\"NaN\"", "\"Infinity\"", "1e308", "null", "[]", "{}", "true",
+            "65536",
+        ];
         int start = bytes.FindIndex(at, b => b is >= (byte)'0' and <= (byte)'9');
         if (start < 0)
         {

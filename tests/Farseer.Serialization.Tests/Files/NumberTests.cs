@@ -14,7 +14,8 @@ public sealed class NumberTests
     public void Number_OfAnyBits_ComesBack(bool isBinary)
     {
         var random = new Random(7);
-        float[] singles = [.. Enumerable.Range(0, 4000).Select(_ => BitConverter.Int32BitsToSingle(random.Next(int.MinValue, int.MaxValue))).Select(Plain),
+        float[] singles = [.. Enumerable.Range(0, 4000).Select(_ => BitConverter.Int32BitsToSingle(random.Next(int.MinValue, int.MaxValue)))
+            .Select(Plain),
             0f, -0f, float.Epsilon, float.MaxValue, float.PositiveInfinity, float.NegativeInfinity, float.NaN];
         double[] doubles = [.. Enumerable.Range(0, 4000).Select(_ => BitConverter.Int64BitsToDouble(random.NextInt64())),
             0.0, -0.0, double.Epsilon, double.MaxValue, double.NegativeInfinity, double.NaN];

@@ -9,8 +9,8 @@ using Xunit;
 namespace Farseer.Serialization.Tests.Files;
 
 /// <summary>
-/// Files of each version, kept in tests/data/saves, load for ever. FARSEER_UPDATE_SAVES=1 writes those of the present version that are not there yet;
-/// one that is there is never written anew.
+/// Files of each version, kept in tests/data/saves, load for ever. FARSEER_UPDATE_SAVES=1 writes those of the present version that are not
+/// there yet; one that is there is never written anew.
 /// </summary>
 public sealed class VersionTests
 {
@@ -26,7 +26,8 @@ public sealed class VersionTests
                 WriteMissing();
             }
 
-            return [.. Directory.GetFiles(Saves.Folder, "*.*", SearchOption.AllDirectories).Select(file => Path.GetRelativePath(Saves.Folder, file)).Order()];
+            return [.. Directory.GetFiles(Saves.Folder, "*.*", SearchOption.AllDirectories)
+                .Select(file => Path.GetRelativePath(Saves.Folder, file)).Order()];
         }
     }
 
@@ -88,7 +89,8 @@ public sealed class VersionTests
             }
         });
 
-        Assert.True(exception is null || exception is SceneFileException { ItemPath: "state" } refused && refused.Message.Contains("another version of the library"), $"{exception}");
+        Assert.True(exception is null || exception is SceneFileException { ItemPath: "state" } refused
+            && refused.Message.Contains("another version of the library"), $"{exception}");
     }
 
     private static void WriteMissing()

@@ -53,20 +53,25 @@ public sealed class CompletenessTests
 
         void Look(Type type, JsonElement item, Table table)
         {
-            foreach (PropertyInfo property in type.GetProperties().Where(p => p.SetMethod is { IsPublic: true } && !IsOtherName(p) && p.GetIndexParameters().Length == 0))
+            foreach (PropertyInfo property in type.GetProperties()
+                .Where(p => p.SetMethod is { IsPublic: true } && !IsOtherName(p) && p.GetIndexParameters().Length == 0))
             {
-                string name = _otherwise.TryGetValue(property.Name, out string? other) ? other : JsonNamingPolicy.CamelCase.ConvertName(property.Name);
+                string name = _otherwise.TryGetValue(property.Name, out string? other)
+                    ? other
+                    : JsonNamingPolicy.CamelCase.ConvertName(property.Name);
                 bool isIn = item.TryGetProperty(name, out _);
                 if (isIn == table.LeftOut.ContainsKey(property.Name))
                 {
-                    missing.Add($"{type.Name}.{property.Name} is {(isIn ? "in a file, and left out" : "not in a file, and nobody says why")}");
+                    missing.Add(
+                        $"{type.Name}.{property.Name} is {(isIn ? "in a file, and left out" : "not in a file, and nobody says why")}");
                 }
             }
         }
 
         JsonElement First(string list, string with) => root.GetProperty(list).EnumerateArray().First(i => i.TryGetProperty(with, out _));
 
-        JsonElement Kind(string list, string kind) => root.GetProperty(list).EnumerateArray().First(i => i.GetProperty("kind").GetString() == kind);
+        JsonElement Kind(string list, string kind) =>
+            root.GetProperty(list).EnumerateArray().First(i => i.GetProperty("kind").GetString() == kind);
     }
 
     [Fact]
@@ -77,7 +82,8 @@ public sealed class CompletenessTests
         Assert.Equal(Of(typeof(Joint)), JointTables.Kinds.Select(k => k.Type.Name).Order());
         Assert.Equal(Of(typeof(Spring)), SpringTables.Kinds.Select(k => k.Type.Name).Order());
         Assert.Equal(Of(typeof(Controller)), ControllerTables.Kinds.Select(k => k.Type.Name).Order());
-        Assert.Equal(["BruteForceCollider", "GridCollider", "SelectiveSweepCollider", "SweepAndPruneCollider"], Of(typeof(LibraryCollider)));
+        Assert.Equal(
+            ["BruteForceCollider", "GridCollider", "SelectiveSweepCollider", "SweepAndPruneCollider"], Of(typeof(LibraryCollider)));
 
         IEnumerable<string> Of(Type type) => all.Where(t => t.IsSubclassOf(type) && !t.IsAbstract).Select(t => t.Name).Order();
     }
@@ -87,7 +93,8 @@ public sealed class CompletenessTests
     {
         foreach ((Type type, Table table) in JointTables.Kinds.Select(k => (k.Type, k.Table))
             .Concat(SpringTables.Kinds.Select(k => (k.Type, k.Table))).Concat(ControllerTables.Kinds.Select(k => (k.Type, k.Table)))
-            .Append((typeof(Body), BodyTable.All)).Append((typeof(Geom), GeomTable.All)).Append((typeof(PhysicsSimulator), SimulatorTables.Settings)))
+            .Append((typeof(Body), BodyTable.All)).Append((typeof(Geom), GeomTable.All))
+                .Append((typeof(PhysicsSimulator), SimulatorTables.Settings)))
         {
             Assert.All(table.LeftOut.Keys, name => Assert.NotNull(type.GetProperty(name)));
         }
@@ -102,11 +109,15 @@ public sealed class CompletenessTests
     {
         var known = new Dictionary<string, string>
         {
-            ["massData"] = "mass", ["linearVelocity"] = "linearVelocity", ["isSleeping"] = "isSleeping", ["filter"] = "maskBits", ["vertexCount"] = "vertices",
-            ["localPosition"] = "center", ["length"] = "target", ["frequencyHz"] = "frequency", ["localAxis1"] = "axisX", ["referenceAngle"] = "target",
-            ["enableLimit"] = "isLimitEnabled", ["lowerTranslation"] = "lower", ["upperTranslation"] = "upper", ["enableMotor"] = "isMotorEnabled",
+            ["massData"] = "mass", ["linearVelocity"] = "linearVelocity", ["isSleeping"] = "isSleeping", ["filter"] = "maskBits",
+            ["vertexCount"] = "vertices",
+            ["localPosition"] = "center", ["length"] = "target", ["frequencyHz"] = "frequency", ["localAxis1"] = "axisX",
+            ["referenceAngle"] = "target",
+            ["enableLimit"] = "isLimitEnabled", ["lowerTranslation"] = "lower", ["upperTranslation"] = "upper",
+            ["enableMotor"] = "isMotorEnabled",
             ["maxMotorForce"] = "motorLimit", ["maxMotorTorque"] = "motorLimit", ["lowerAngle"] = "lower", ["upperAngle"] = "upper",
-            ["groundAnchor1"] = "ground1X", ["groundAnchor2"] = "ground2X", ["length1"] = "target", ["length2"] = "target", ["maxLength1"] = "upper",
+            ["groundAnchor1"] = "ground1X", ["groundAnchor2"] = "ground2X", ["length1"] = "target", ["length2"] = "target",
+            ["maxLength1"] = "upper",
             ["maxLength2"] = "lower", ["maxForce"] = "motorLimit", ["timeStep"] = "frequency",
         };
         JsonElement root = JsonDocument.Parse(SceneFile.Save(FlashEverything.Build())).RootElement;

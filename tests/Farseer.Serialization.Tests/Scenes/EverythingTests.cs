@@ -56,7 +56,8 @@ public sealed class EverythingTests
     {
         PhysicsSimulator simulator = Everything.Build(out FarseerGames.FarseerPhysics.Dynamics.Path path);
         SceneContents? contents = null;
-        SceneFile.LoadSimulator(SceneFile.Save(simulator, new SceneFileOptions { Paths = { path } }), new SceneFileOptions { Loaded = c => contents = c });
+        SceneFile.LoadSimulator(
+            SceneFile.Save(simulator, new SceneFileOptions { Paths = { path } }), new SceneFileOptions { Loaded = c => contents = c });
         FarseerGames.FarseerPhysics.Dynamics.Path loaded = contents!.Paths[0];
 
         loaded.Update();
@@ -134,7 +135,9 @@ public sealed class EverythingTests
         PhysicsSimulator loaded = SceneFile.LoadSimulator(once);
 
         // A file has no text that only says what was called last, nothing that is worked out when it is asked for, and makes room anew.
-        Assert.All(simulator.Compare(loaded, 10_000).Differences, d => Assert.Contains(d.Field, new[] { "LastCall", "localVertices", "roomIsDue" }));
+        Assert.All(
+            simulator.Compare(loaded, 10_000).Differences,
+            d => Assert.Contains(d.Field, new[] { "LastCall", "localVertices", "roomIsDue" }));
         Assert.Equal(simulator.Capture().ByteCount, loaded.Capture().ByteCount);
         Assert.Equal(simulator.BodyList.Select(b => b.Name), loaded.BodyList.Select(b => b.Name));
         Assert.Equal(simulator.Report.Error, loaded.Report.Error);

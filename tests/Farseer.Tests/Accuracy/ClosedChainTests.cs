@@ -12,8 +12,9 @@ using Xunit;
 namespace Farseer.Tests.Accuracy;
 
 /// <summary>
-/// Joints that close loops. They were iterated one after the other against the tree of the others, and took no part in its projections: closed
-/// chains in a pit stood 0.3 m open after 20 s and never rested, and one that swung lost or gained a quarter of its energy in a minute.
+/// Joints that close loops. They were iterated one after the other against the tree of the others, and took no part in its projections:
+/// closed chains in a pit stood 0.3 m open after 20 s and never rested, and one that swung lost or gained a quarter of its energy in a
+/// minute.
 /// </summary>
 public class ClosedChainTests
 {
@@ -57,7 +58,8 @@ public class ClosedChainTests
             var hinges = new List<RevoluteJoint>();
             float turn = 0.5f + (0.13f * i);
             float apothem = 0.25f / MathF.Tan(MathF.PI / 6);
-            Body[] links = AddRing(simulator, hinges, apothem * new Vector2(MathF.Sin(turn), -MathF.Cos(turn)), 6, 0.5f, 0.05f, turn + MathF.PI, false);
+            Body[] links = AddRing(
+                simulator, hinges, apothem * new Vector2(MathF.Sin(turn), -MathF.Cos(turn)), 6, 0.5f, 0.05f, turn + MathF.PI, false);
             hinges.Add(JointFactory.Instance.CreateRevoluteJoint(simulator, Nail(simulator), links[0], Vector2.Zero));
             double start = Energies.Whole(links, 10);
             double change = 0;
@@ -74,7 +76,8 @@ public class ClosedChainTests
             changes.Add(change / (6 * 0.5 * 10 * 0.5));
         }
 
-        // 0.6 % measured; a loop that folds flat passes a place where its joints leave it one way less, and may come out of it with other energy.
+        // 0.6 % measured; a loop that folds flat passes a place where its joints leave it one way less, and may come out of it with other
+        // energy.
         changes.Sort();
         Assert.InRange(changes[changes.Count / 2], 0, 0.02);
     }
@@ -123,7 +126,8 @@ public class ClosedChainTests
         var simulator = new PhysicsSimulator(new Vector2(0, -10)) { AllowedPenetration = 0 };
         foreach ((Vector2 place, Vector2 size) in new[]
         {
-            (new Vector2(0, -0.5f), new Vector2(20, 1)), (new Vector2(-4, 10), new Vector2(1, 20)), (new Vector2(4, 10), new Vector2(1, 20)),
+            (new Vector2(0, -0.5f), new Vector2(20, 1)), (new Vector2(-4, 10), new Vector2(1, 20)),
+            (new Vector2(4, 10), new Vector2(1, 20)),
         })
         {
             Geom wall = Sandbox.Box(simulator, place, size.X, size.Y);
@@ -136,7 +140,14 @@ public class ClosedChainTests
 
     /// <summary>Boxes along the sides of a regular polygon, hinged at its corners; neighbours do not collide.</summary>
     private static Body[] AddRing(
-        PhysicsSimulator simulator, List<RevoluteJoint> hinges, Vector2 centre, int count, float length, float thick, float angle, bool collide)
+        PhysicsSimulator simulator,
+        List<RevoluteJoint> hinges,
+        Vector2 centre,
+        int count,
+        float length,
+        float thick,
+        float angle,
+        bool collide)
     {
         float step = MathF.Tau / count;
         float apothem = 0.5f * length / MathF.Tan(0.5f * step);

@@ -26,7 +26,8 @@ public class ErrorBudgetTests
             bool kept = Math.Max(Metrics.Penetration(rig.Actors), rig.LargestHingeError()) <= length;
 
             // The observer sees no errors but those of places. At the bound itself his rounding and the report's may differ.
-            Assert.True(kept || !report.IsWithinBudget || Math.Abs(report.BudgetLoad - 1) < 0.1, $"step {i}: {report.Error} m, told to be kept");
+            Assert.True(
+                kept || !report.IsWithinBudget || Math.Abs(report.BudgetLoad - 1) < 0.1, $"step {i}: {report.Error} m, told to be kept");
             bool still = report.Cause != ErrorCause.Motion || report.MotionError < length;
             missed += i >= 150 && !report.IsWithinBudget && still ? 1 : 0;
         }

@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
+using System.Reflection;
 using Farseer.Accuracy.Extremes;
 using Xunit;
 
@@ -52,7 +54,8 @@ public class ExtremesTests
         string[] tested = typeof(ExtremesTests).GetMethod(nameof(Scene_AtAnExtreme_Holds))!
             .GetCustomAttributesData()
             .Where(a => a.AttributeType == typeof(InlineDataAttribute))
-            .Select(a => (string)((System.Collections.Generic.IList<System.Reflection.CustomAttributeTypedArgument>)a.ConstructorArguments[0].Value!)[0].Value!)
+            .Select(a =>
+                (string)((IList<CustomAttributeTypedArgument>)a.ConstructorArguments[0].Value!)[0].Value!)
             .Distinct()
             .ToArray();
 

@@ -15,7 +15,8 @@ internal static class Misses
         {
             if (!outcome.IsMet)
             {
-                misses.Add($"{outcome.Figure.Name}: {outcome.Value:G4}, limit {outcome.Figure.Limit:G4}, {outcome.Parameters}, seed {seed}");
+                misses.Add(
+                    $"{outcome.Figure.Name}: {outcome.Value:G4}, limit {outcome.Figure.Limit:G4}, {outcome.Parameters}, seed {seed}");
             }
         }
 

@@ -8,8 +8,8 @@ using Xunit;
 namespace Farseer.Tests.Accuracy;
 
 /// <summary>
-/// What is left of a ragdoll that lies still. It was 3·10⁻⁸ to 6·10⁻⁸ m/s whatever the iterations: in each step the narrow phase found its corners some last places of
-/// a float higher or lower than the solver had left them.
+/// What is left of a ragdoll that lies still. It was 3·10⁻⁸ to 6·10⁻⁸ m/s whatever the iterations: in each step the narrow phase found its
+/// corners some last places of a float higher or lower than the solver had left them.
 /// </summary>
 public class RestingRagdollTests
 {

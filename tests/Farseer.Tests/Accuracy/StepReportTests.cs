@@ -64,7 +64,8 @@ public class StepReportTests
             // The anchors that the rig keeps and those of the joint differ by the last bits of a float or double.
             const double AnchorRounding = 1e-9;
             StepReport report = rig.Simulator.Report;
-            Assert.InRange(report.LargestSeparation, ((1 - Agreement) * measured) - AnchorRounding, ((1 + Agreement) * measured) + AnchorRounding);
+            Assert.InRange(
+                report.LargestSeparation, ((1 - Agreement) * measured) - AnchorRounding, ((1 + Agreement) * measured) + AnchorRounding);
             Assert.Equal(Math.Sqrt(squares / rig.Hinges.Count), report.RmsSeparation, AnchorRounding + (Agreement * measured));
             Assert.Equal(rig.Hinges.Count, report.Joints);
             largest = Math.Max(largest, measured);

@@ -61,8 +61,8 @@ public class SymmetryProperties
     private const double Disorder = 0.1;
 
     /// <summary>
-    /// Where the places are, they are rounded otherwise as soon as bodies move: to 1e-10 m at 1,000 km. Collisions in which bodies glance off each other make
-    /// more of it; as of the disorder, one heap in a hundred may exceed the bound.
+    /// Where the places are, they are rounded otherwise as soon as bodies move: to 1e-10 m at 1,000 km. Collisions in which bodies glance
+    /// off each other make more of it; as of the disorder, one heap in a hundred may exceed the bound.
     /// </summary>
     private const double Rounding = 1e-4;
 
@@ -100,7 +100,10 @@ public class SymmetryProperties
     }
 
     private static void Near(
-        List<(double X, double Y)> first, List<(double X, double Y)> second, Func<(double X, double Y), (double X, double Y)> back, double bound)
+        List<(double X, double Y)> first,
+        List<(double X, double Y)> second,
+        Func<(double X, double Y), (double X, double Y)> back,
+        double bound)
     {
         double apart = Apart(first, second, back);
         Assert.True(apart <= bound, $"{apart} m apart");
@@ -138,7 +141,11 @@ public class SymmetryProperties
         }
 
         public List<(double X, double Y)> Run(
-            Func<(double X, double Y), (double X, double Y)>? place = null, double turn = 1, double angle = 0, double scale = 1, bool reversed = false)
+            Func<(double X, double Y), (double X, double Y)>? place = null,
+            double turn = 1,
+            double angle = 0,
+            double scale = 1,
+            bool reversed = false)
         {
             place ??= p => p;
             (double gx, double gy) = place((0, -10));
@@ -176,7 +183,8 @@ public class SymmetryProperties
             return places;
         }
 
-        private static void Ground(PhysicsSimulator simulator, Func<(double X, double Y), (double X, double Y)> place, double angle, double scale)
+        private static void Ground(
+            PhysicsSimulator simulator, Func<(double X, double Y), (double X, double Y)> place, double angle, double scale)
         {
             Geom geom = Sandbox.Box(simulator, Vector2.Zero, 40 * (float)scale, (float)scale);
             (double x, double y) = place((0, -0.5));
@@ -186,7 +194,12 @@ public class SymmetryProperties
         }
 
         private Body Add(
-            PhysicsSimulator simulator, int i, Func<(double X, double Y), (double X, double Y)> place, double turn, double angle, double scale)
+            PhysicsSimulator simulator,
+            int i,
+            Func<(double X, double Y), (double X, double Y)> place,
+            double turn,
+            double angle,
+            double scale)
         {
             (double px, double py, double at, bool disc, double width) = _bodies[i];
             Geom geom = disc

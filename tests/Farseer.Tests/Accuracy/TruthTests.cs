@@ -254,5 +254,6 @@ public class TruthTests
     }
 
     /// <summary>The corner that the rod stands on.</summary>
-    private static Vec Tip(Actor rod, double width) => rod.Position + new Vec(rod.Angle > 0 ? -width / 2 : width / 2, -0.5).Turned(rod.Angle);
+    private static Vec Tip(Actor rod, double width) =>
+        rod.Position + new Vec(rod.Angle > 0 ? -width / 2 : width / 2, -0.5).Turned(rod.Angle);
 }

@@ -9,8 +9,8 @@ using Xunit;
 namespace Farseer.Tests.Accuracy;
 
 /// <summary>
-/// Ragdolls whose limbs collide, in steps of any length. A limit that held at the end of a long substep closed at its gap over h as if a motor drove
-/// it, against what the contacts had pushed open: of 50 drops four threw their ragdoll up by 0.6 to 11.7 m.
+/// Ragdolls whose limbs collide, in steps of any length. A limit that held at the end of a long substep closed at its gap over h as if a
+/// motor drove it, against what the contacts had pushed open: of 50 drops four threw their ragdoll up by 0.6 to 11.7 m.
 /// </summary>
 public class UnevenRagdollTests
 {

@@ -8,7 +8,9 @@ using Xunit;
 
 namespace Farseer.Tests.Api;
 
-/// <summary>The manual's chapter "Body Factory". That the overloads add to a simulator or do not: <see cref="FactoryOverloadTests"/>.</summary>
+/// <summary>
+/// The manual's chapter "Body Factory". That the overloads add to a simulator or do not: <see cref="FactoryOverloadTests"/>.
+/// </summary>
 public class BodyFactoryTests
 {
     private static readonly BodyFactory _factory = BodyFactory.Instance;
@@ -160,10 +162,15 @@ public class BodyFactoryTests
     {
         var simulator = new PhysicsSimulator();
         Assert.Equal("width", Assert.Throws<ArgumentOutOfRangeException>(() => _factory.CreateRectangleBody(simulator, 0, 1, 1)).ParamName);
-        Assert.Equal("height", Assert.Throws<ArgumentOutOfRangeException>(() => _factory.CreateRectangleBody(simulator, 1, float.NaN, 1)).ParamName);
+        Assert.Equal(
+            "height", Assert.Throws<ArgumentOutOfRangeException>(() => _factory.CreateRectangleBody(simulator, 1, float.NaN, 1)).ParamName);
         Assert.Equal("mass", Assert.Throws<ArgumentOutOfRangeException>(() => _factory.CreateCircleBody(simulator, 1, -1)).ParamName);
-        Assert.Equal("radius", Assert.Throws<ArgumentOutOfRangeException>(() => _factory.CreateCircleBody(simulator, float.PositiveInfinity, 1)).ParamName);
-        Assert.Equal("vertices", Assert.Throws<ArgumentException>(() => _factory.CreatePolygonBody(simulator, Sandbox.Outline(0, 0, 1, 1), 1)).ParamName);
+        Assert.Equal(
+            "radius",
+            Assert.Throws<ArgumentOutOfRangeException>(() => _factory.CreateCircleBody(simulator, float.PositiveInfinity, 1)).ParamName);
+        Assert.Equal(
+            "vertices",
+            Assert.Throws<ArgumentException>(() => _factory.CreatePolygonBody(simulator, Sandbox.Outline(0, 0, 1, 1), 1)).ParamName);
         simulator.Update(0.01f);
         Assert.Empty(simulator.BodyList);
     }

@@ -93,7 +93,8 @@ public class BroadPhaseTests
         var simulator = new PhysicsSimulator();
         foreach (IBroadPhaseCollider next in new IBroadPhaseCollider[]
         {
-            new BruteForceCollider(simulator), new SweepAndPruneCollider(simulator), new GridCollider(simulator), new SelectiveSweepCollider(simulator),
+            new BruteForceCollider(simulator), new SweepAndPruneCollider(simulator), new GridCollider(simulator),
+            new SelectiveSweepCollider(simulator),
         })
         {
             simulator.BroadPhaseCollider = next;
@@ -164,7 +165,9 @@ public class BroadPhaseTests
         Assert.Equal(0, events);
     }
 
-    /// <summary>In a crowd, whose boxes are all new in each step: a pair whose boxes have overlapped for long is found only because it was refused.</summary>
+    /// <summary>
+    /// In a crowd, whose boxes are all new in each step: a pair whose boxes have overlapped for long is found only because it was refused.
+    /// </summary>
     [Theory]
     [MemberData(nameof(Colliders))]
     public void Handler_ThatRefusedPairs_IsAskedAgainWhileTheirBoxesOverlap(Type type)

@@ -286,7 +286,42 @@ public class CollisionEventTests
     private static Geom Comb(PhysicsSimulator simulator, Vector2 place)
     {
         Vertices outline = Outline(
-            0, 0, 90, 0, 90, 30, 80, 30, 80, 10, 70, 10, 70, 30, 60, 30, 60, 10, 50, 10, 50, 30, 40, 30, 40, 10, 30, 10, 30, 30, 20, 30, 20, 10, 0, 10);
+            0,
+            0,
+            90,
+            0,
+            90,
+            30,
+            80,
+            30,
+            80,
+            10,
+            70,
+            10,
+            70,
+            30,
+            60,
+            30,
+            60,
+            10,
+            50,
+            10,
+            50,
+            30,
+            40,
+            30,
+            40,
+            10,
+            30,
+            10,
+            30,
+            30,
+            20,
+            30,
+            20,
+            10,
+            0,
+            10);
         Body body = BodyFactory.Instance.CreatePolygonBody(simulator, outline, 1);
         body.Position = place;
         WithoutDrag(body);

@@ -54,7 +54,8 @@ public class CollisionFilterTests
     [InlineData(CollisionCategory.Cat1, CollisionCategory.Cat2, CollisionCategory.Cat2, CollisionCategory.Cat1, true)]
     [InlineData(CollisionCategory.Cat1, CollisionCategory.Cat3, CollisionCategory.Cat2, CollisionCategory.Cat3, false)]
     [InlineData(CollisionCategory.Cat1, CollisionCategory.None, CollisionCategory.Cat2, CollisionCategory.None, false)]
-    [InlineData(CollisionCategory.Cat1 | CollisionCategory.Cat31, CollisionCategory.Cat2, CollisionCategory.Cat2, CollisionCategory.Cat31, true)]
+    [InlineData(
+        CollisionCategory.Cat1 | CollisionCategory.Cat31, CollisionCategory.Cat2, CollisionCategory.Cat2, CollisionCategory.Cat31, true)]
     [InlineData(CollisionCategory.All, CollisionCategory.All, CollisionCategory.None, CollisionCategory.All, false)]
     [ManualRow("F249")]
     [ManualRow("F250")]

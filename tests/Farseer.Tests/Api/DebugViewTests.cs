@@ -92,7 +92,9 @@ public class DebugViewTests
         var view = new PhysicsSimulatorView(simulator, recorder);
         view.Draw();
         Assert.Contains(recorder.Points, p => Vector2.Distance(p.Position, new Vector2(10, 3)) < 1e-3f);
-        Assert.Contains(recorder.Lines, l => Vector2.Distance(l.Start, new Vector2(1, 0)) < 1e-3f && Vector2.Distance(l.End, new Vector2(19, 0)) < 1e-3f);
+        Assert.Contains(
+            recorder.Lines,
+            l => Vector2.Distance(l.Start, new Vector2(1, 0)) < 1e-3f && Vector2.Distance(l.End, new Vector2(19, 0)) < 1e-3f);
         Assert.Contains(recorder.Points, p => Vector2.Distance(p.Position, new Vector2(0, 9)) < 1e-3f);
         Assert.Single(recorder.Circles);
         recorder.Clear();
@@ -134,7 +136,8 @@ public class DebugViewTests
         Assert.Throws<ArgumentNullException>("physicsSimulator", () => new PhysicsSimulatorView(null!, new Recorder()));
         Assert.Throws<ArgumentNullException>("debugDraw", () => new PhysicsSimulatorView(simulator, null!));
         Assert.Throws<ArgumentOutOfRangeException>("MarkLength", () => new PhysicsSimulatorView(simulator, new Recorder()).MarkLength = -1);
-        Assert.Throws<ArgumentOutOfRangeException>("PointSize", () => new PhysicsSimulatorView(simulator, new Recorder()).PointSize = float.NaN);
+        Assert.Throws<ArgumentOutOfRangeException>(
+            "PointSize", () => new PhysicsSimulatorView(simulator, new Recorder()).PointSize = float.NaN);
         Assert.Throws<ArgumentOutOfRangeException>("max", () => new SvgDebugDraw(Vector2.One, Vector2.One, 5, 5));
         Assert.Throws<ArgumentOutOfRangeException>("min", () => new SvgDebugDraw(new Vector2(float.NaN), Vector2.One, 5, 5));
         Assert.Throws<ArgumentOutOfRangeException>("width", () => new SvgDebugDraw(Vector2.Zero, Vector2.One, 0, 5));
@@ -166,7 +169,8 @@ public class DebugViewTests
 
         public List<(Vector2 Position, DebugColor Color)> Points { get; } = [];
 
-        public IEnumerable<object> All => Lines.Cast<object>().Concat(Polygons.Cast<object>()).Concat(Circles.Cast<object>()).Concat(Points.Cast<object>());
+        public IEnumerable<object> All =>
+            Lines.Cast<object>().Concat(Polygons.Cast<object>()).Concat(Circles.Cast<object>()).Concat(Points.Cast<object>());
 
         public void Clear()
         {

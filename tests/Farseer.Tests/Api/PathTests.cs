@@ -184,7 +184,8 @@ public sealed class PathTests
 
             // The gap that the strides leave, 0.15 at most.
             Assert.InRange(pin.TargetDistance, 0f, 0.2f);
-            Assert.InRange(Vector2.Distance(pin.WorldAnchor1, pin.WorldAnchor2), pin.TargetDistance - Rounding, pin.TargetDistance + Rounding);
+            Assert.InRange(
+                Vector2.Distance(pin.WorldAnchor1, pin.WorldAnchor2), pin.TargetDistance - Rounding, pin.TargetDistance + Rounding);
             Assert.Equal(0.01f, pin.BiasFactor);
             Assert.Equal(0.05f, pin.Softness);
         }
@@ -207,7 +208,9 @@ public sealed class PathTests
         Path sliders = Straight();
         sliders.Update();
         sliders.LinkBodies(LinkType.SliderJoint, 1, 3, 0, 0);
-        Assert.All(sliders.Joints, j => Assert.Equal((1f, 3f, 0.2f, 0.01f), (((SliderJoint)j).Min, ((SliderJoint)j).Max, j.BiasFactor, j.Softness)));
+        Assert.All(
+            sliders.Joints,
+            j => Assert.Equal((1f, 3f, 0.2f, 0.01f), (((SliderJoint)j).Min, ((SliderJoint)j).Max, j.BiasFactor, j.Softness)));
         Assert.Equal(9, sliders.Joints.Count);
 
         Path springs = Straight();
@@ -269,7 +272,8 @@ public sealed class PathTests
     [Fact]
     public void PinnedEnds_GetFixedHinges()
     {
-        Path rope = ComplexFactory.Instance.CreateRope(new Vector2(5, 5), new Vector2(105, 5), 10, 2, 1, true, true, 1, LinkType.RevoluteJoint);
+        Path rope =
+            ComplexFactory.Instance.CreateRope(new Vector2(5, 5), new Vector2(105, 5), 10, 2, 1, true, true, 1, LinkType.RevoluteJoint);
         var start = (FixedRevoluteJoint)rope.Joints[^2];
         var end = (FixedRevoluteJoint)rope.Joints[^1];
         Assert.Equal(new Vector2(5, 5), start.Anchor);
@@ -290,11 +294,13 @@ public sealed class PathTests
         path.AddToPhysicsSimulator(simulator);
         path.AddToPhysicsSimulator(simulator);
         simulator.Update(0.01f);
-        Assert.Equal((10, 10, 9, 9), (simulator.BodyList.Count, simulator.GeomList.Count, simulator.JointList.Count, simulator.SpringList.Count));
+        Assert.Equal(
+            (10, 10, 9, 9), (simulator.BodyList.Count, simulator.GeomList.Count, simulator.JointList.Count, simulator.SpringList.Count));
 
         path.RemoveFromPhysicsSimulator(simulator);
         simulator.Update(0.01f);
-        Assert.Equal((0, 0, 0, 0), (simulator.BodyList.Count, simulator.GeomList.Count, simulator.JointList.Count, simulator.SpringList.Count));
+        Assert.Equal(
+            (0, 0, 0, 0), (simulator.BodyList.Count, simulator.GeomList.Count, simulator.JointList.Count, simulator.SpringList.Count));
     }
 
     [Fact]
@@ -323,7 +329,8 @@ public sealed class PathTests
             Path sliders = factory.CreateChain(Vector2.Zero, new Vector2(100, 0), 10f, 2f, 1f, 1, LinkType.SliderJoint);
             Path springs = factory.CreateChain(Vector2.Zero, new Vector2(100, 0), 10f, 2f, 1f, 1, LinkType.LinearSpring);
             Assert.All(sliders.Joints, j => Assert.Equal((1f, 4f), (((SliderJoint)j).Min, ((SliderJoint)j).Max)));
-            Assert.All(springs.Springs, s => Assert.Equal((150f, 10f), (((LinearSpring)s).SpringConstant, ((LinearSpring)s).DampingConstant)));
+            Assert.All(
+                springs.Springs, s => Assert.Equal((150f, 10f), (((LinearSpring)s).SpringConstant, ((LinearSpring)s).DampingConstant)));
         }
         finally
         {

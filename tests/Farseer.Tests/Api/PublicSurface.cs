@@ -110,7 +110,8 @@ internal static class PublicSurface
     }
 
     private static string Bare(string signature) =>
-        Regex.Replace(signature, @"^((virtual|abstract|override|sealed|readonly) )+", string.Empty).Replace("protected set;", "set;", StringComparison.Ordinal);
+        Regex.Replace(signature, @"^((virtual|abstract|override|sealed|readonly) )+", string.Empty)
+            .Replace("protected set;", "set;", StringComparison.Ordinal);
 
     /// <summary>A field may have become a property and the other way round; what counts is that the same uses compile.</summary>
     private static ApiRow Plain(ApiRow row) => row.Kind == "property" || row.Signature.StartsWith("const ", StringComparison.Ordinal)

@@ -626,7 +626,8 @@ public class SpringTests
         Assert.Throws<ArgumentOutOfRangeException>("attachPoint1", () => new LinearSpring(a, bad, b, Vector2.Zero, 1, 1));
         Assert.Throws<ArgumentOutOfRangeException>("attachPoint2", () => new LinearSpring(a, Vector2.Zero, b, bad, 1, 1));
         Assert.Throws<ArgumentOutOfRangeException>("springConstant", () => new LinearSpring(a, Vector2.Zero, b, Vector2.Zero, -1, 1));
-        Assert.Throws<ArgumentOutOfRangeException>("dampingConstant", () => new LinearSpring(a, Vector2.Zero, b, Vector2.Zero, 1, float.NaN));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            "dampingConstant", () => new LinearSpring(a, Vector2.Zero, b, Vector2.Zero, 1, float.NaN));
         Assert.Throws<ArgumentNullException>(() => new FixedLinearSpring(null!, Vector2.Zero, Vector2.Zero, 1, 1));
         Assert.Throws<ArgumentOutOfRangeException>("worldAttachPoint", () => new FixedLinearSpring(a, Vector2.Zero, bad, 1, 1));
         Assert.Throws<ArgumentNullException>(() => new AngleSpring(a, null!, 1, 1));

@@ -9,8 +9,8 @@ using Xunit;
 namespace Farseer.Tests.Behavior;
 
 /// <summary>
-/// A share of an error is at most all of it. Taken as it came, 3 sent a body to the other side of its target and twice as far in each update,
-/// until it was no number any more.
+/// A share of an error is at most all of it. Taken as it came, 3 sent a body to the other side of its target and twice as far in each
+/// update, until it was no number any more.
 /// </summary>
 public class BiasFactorTests
 {

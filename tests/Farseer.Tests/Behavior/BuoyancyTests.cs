@@ -153,7 +153,9 @@ public class BuoyancyTests
             // A float has seven digits, the polygon of a circle here as many.
             string what = $"{i}: {geom.LocalVertices.Count} vertices, {area} of {whole}";
             Assert.True(Math.Abs((-body.LinearVelocity.Y / Dt) - area) < 1e-5 * whole, what + $", lift {-body.LinearVelocity.Y / Dt}");
-            Assert.True(Math.Abs((body.AngularVelocity / Dt) - torque) < 3e-5 * whole * 3, what + $", torque {body.AngularVelocity / Dt}, not {torque}");
+            Assert.True(
+                Math.Abs((body.AngularVelocity / Dt) - torque) < 3e-5 * whole * 3,
+                what + $", torque {body.AngularVelocity / Dt}, not {torque}");
         }
     }
 
@@ -165,7 +167,10 @@ public class BuoyancyTests
         {
             float level = (2 * (float)random.NextDouble()) - 1;
             float turn = 6 * (float)random.NextDouble();
-            Assert.Equal(Lift(new Deep(level), turn), Lift(new AABBFluidContainer(new AABB(new Vector2(-50, level), new Vector2(50, 50))), turn), 1e-4f);
+            Assert.Equal(
+                Lift(new Deep(level), turn),
+                Lift(new AABBFluidContainer(new AABB(new Vector2(-50, level), new Vector2(50, 50))), turn),
+                1e-4f);
         }
 
         static float Lift(IFluidContainer container, float turn)

@@ -78,7 +78,8 @@ public class CompoundTests
         int heard = 0;
         for (int i = 0; i < 4; i++)
         {
-            GeomFactory.Instance.CreateCircleGeom(simulator, body, 10, 16, new Vector2(5 * i, 0), 0).OnCollision += (_, _, _) => ++heard > 0;
+            GeomFactory.Instance.CreateCircleGeom(simulator, body, 10, 16, new Vector2(5 * i, 0), 0).OnCollision +=
+                (_, _, _) => ++heard > 0;
         }
 
         Sandbox.Run(simulator, 20);

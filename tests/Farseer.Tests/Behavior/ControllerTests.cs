@@ -241,8 +241,9 @@ public class ControllerTests
     }
 
     /// <summary>
-    /// An orbit of radius r and speed v takes 2πr/v. A force found at the start of each step would widen it by a share of (2π/n)² · n/2 a turn,
-    /// 2 % for a thousand steps; found in the middle, the motion neither gains nor loses, and only the phase is off, by (2π/n)²/24 of the turn.
+    /// An orbit of radius r and speed v takes 2πr/v. A force found at the start of each step would widen it by a share of (2π/n)² · n/2 a
+    /// turn, 2 % for a thousand steps; found in the middle, the motion neither gains nor loses, and only the phase is off, by (2π/n)²/24 of
+    /// the turn.
     /// </summary>
     [Fact]
     public void GravityController_BringsABodyBackAfterATurn()
@@ -410,7 +411,15 @@ public class ControllerTests
     {
         PhysicsSimulator simulator = SpringyPile();
         simulator.InactivityController.Enabled = true;
-        var wave = new WaveController { Position = new Vector2(-300, 0), Width = 600, Height = 300, NodeCount = 30, Frequency = 0.02f, WaveGeneratorStep = 5 };
+        var wave = new WaveController
+        {
+            Position = new Vector2(-300, 0),
+            Width = 600,
+            Height = 300,
+            NodeCount = 30,
+            Frequency = 0.02f,
+            WaveGeneratorStep = 5,
+        };
         wave.Initialize();
         var water = new FluidDragController();
         water.Initialize(wave, 0.002f, 0.5f, 1, simulator.Gravity);
@@ -445,12 +454,14 @@ public class ControllerTests
         var simulator = new PhysicsSimulator();
         Assert.Throws<ArgumentNullException>("physicsSimulator", () => new InactivityController(null!));
         Assert.Throws<ArgumentOutOfRangeException>("MaxIdleTime", () => simulator.InactivityController.MaxIdleTime = -1);
-        Assert.Throws<ArgumentOutOfRangeException>("ActivationDistance", () => simulator.InactivityController.ActivationDistance = float.NaN);
+        Assert.Throws<ArgumentOutOfRangeException>(
+            "ActivationDistance", () => simulator.InactivityController.ActivationDistance = float.NaN);
         Assert.Throws<ArgumentNullException>(() => simulator.InactivityController.IsInActivationDistance(null!, new Body()));
         var water = new FluidDragController();
         Assert.Throws<ArgumentNullException>("fluidContainer", () => water.Initialize(null!, 1, 1, 1, Vector2.Zero));
         Assert.Throws<ArgumentOutOfRangeException>("density", () => water.Initialize(new AABBFluidContainer(), -1, 1, 1, Vector2.Zero));
-        Assert.Throws<ArgumentOutOfRangeException>("gravity", () => water.Initialize(new AABBFluidContainer(), 1, 1, 1, new Vector2(float.NaN)));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            "gravity", () => water.Initialize(new AABBFluidContainer(), 1, 1, 1, new Vector2(float.NaN)));
         Assert.Throws<ArgumentOutOfRangeException>("Density", () => water.Density = float.NaN);
         Assert.Throws<ArgumentOutOfRangeException>("LinearDragCoefficient", () => water.LinearDragCoefficient = -1);
         Assert.Throws<ArgumentOutOfRangeException>("RotationalDragCoefficient", () => water.RotationalDragCoefficient = -1);

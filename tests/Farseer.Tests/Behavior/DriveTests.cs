@@ -22,7 +22,9 @@ public class DriveTests
     /// <summary>A velocity is a float: of each body 6e-8 of its momentum are rounding, of each step again.</summary>
     private const double Rounding = 1e-6;
 
-    /// <summary>Way after a second within 1e-5, and the error quartered by each doubling of Iterations, over 130 sets of parameters.</summary>
+    /// <summary>
+    /// Way after a second within 1e-5, and the error quartered by each doubling of Iterations, over 130 sets of parameters.
+    /// </summary>
     [Theory]
     [InlineData(7)]
     [InlineData(8)]
@@ -51,7 +53,8 @@ public class DriveTests
         var dice = new Dice(3, "ropes");
         for (int i = 0; i < Worlds; i++)
         {
-            using var yard = new Yard(Yard.UsualDepth, gravity: 0, iterations: dice.Whole(1, 20), dt: dice.Of(Yard.UsualDt, 1 / 30f, 1 / 120f));
+            using var yard =
+                new Yard(Yard.UsualDepth, gravity: 0, iterations: dice.Whole(1, 20), dt: dice.Of(Yard.UsualDt, 1 / 30f, 1 / 120f));
             var bodies = new List<Body>();
             int count = dice.Whole(2, 4);
             for (int k = 0; k < count; k++)
@@ -82,7 +85,8 @@ public class DriveTests
         var dice = new Dice(4, "pulleys");
         for (int i = 0; i < Worlds; i++)
         {
-            using var yard = new Yard(Yard.UsualDepth, gravity: 0, iterations: dice.Whole(1, 20), dt: dice.Of(Yard.UsualDt, 1 / 30f, 1 / 120f));
+            using var yard =
+                new Yard(Yard.UsualDepth, gravity: 0, iterations: dice.Whole(1, 20), dt: dice.Of(Yard.UsualDt, 1 / 30f, 1 / 120f));
             var ledgers = new List<MomentumLedger>();
             var wheels = new[] { new Vector2(-2, 0), new Vector2(2, 0) };
             var bodies = new List<Body>();

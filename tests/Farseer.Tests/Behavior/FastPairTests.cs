@@ -31,7 +31,8 @@ public class FastPairTests
         scene.Run(5 / speed, Dt);
 
         // J = (1 + e) v / (1/m + 1/M + d²/I) along x.
-        double impulse = (1 + restitution) * speed / ((1 / scene.Disc.Mass) + (1.0 / scene.Plank.Mass) + (Arm * Arm / scene.Plank.MomentOfInertia));
+        double impulse =
+            (1 + restitution) * speed / ((1 / scene.Disc.Mass) + (1.0 / scene.Plank.Mass) + (Arm * Arm / scene.Plank.MomentOfInertia));
         double close = 1e-5 * speed;
         Assert.Equal(speed - (impulse / scene.Disc.Mass), scene.Disc.LinearVelocity.X, close);
         Assert.Equal(impulse / scene.Plank.Mass, scene.Plank.LinearVelocity.X, close);
@@ -65,8 +66,8 @@ public class FastPairTests
 
     /// <summary>
     /// Linear momentum is kept always. A disc that is still in touch with the plank when a step begins, and goes on so, has a row in the
-    /// solver, whose arms are foreseen: at hundreds of radians a second one pair in some 2,500 lost or gained 0.06 % of the other two there.
-    /// One in a hundred may, and none more than a hundredth.
+    /// solver, whose arms are foreseen: at hundreds of radians a second one pair in some 2,500 lost or gained 0.06 % of the other two
+    /// there. One in a hundred may, and none more than a hundredth.
     /// </summary>
     [Fact]
     public void Pair_AnyHow_KeepsItsMomenta_GainsNoEnergy_AndMeets()
@@ -134,7 +135,9 @@ public class FastPairTests
                 simulator.Update(Dt);
                 double momentum = left.LinearVelocity.X + right.LinearVelocity.X;
                 Assert.Equal(0.5 * speed, momentum, 1e-5 * speed);
-                Assert.True(left.Position.X < right.Position.X || Vector2.Distance(left.Position, right.Position) > 0.3f, $"start {start}: passed in step {i}");
+                Assert.True(
+                    left.Position.X < right.Position.X || Vector2.Distance(left.Position, right.Position) > 0.3f,
+                    $"start {start}: passed in step {i}");
             }
 
             Assert.True(left.LinearVelocity.X <= right.LinearVelocity.X + (1e-3f * speed));

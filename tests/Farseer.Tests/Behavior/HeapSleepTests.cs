@@ -17,9 +17,10 @@ public class HeapSleepTests
 
     private const int Heaps = 32;
 
-    // With five substeps the loads of such a heap go to and fro at the limit of friction: a quarter of those of 144 bodies did not sleep within a minute.
-    // When the last body of a heap comes to rest is chance, with a long tail (of 64 heaps of each kind the median is 8 to 15 s, and none to
-    // three take longer than a minute), so the bound is one over many: half of them within 30 s, seven in eight within a minute.
+    // With five substeps the loads of such a heap go to and fro at the limit of friction: a quarter of those of 144 bodies did not sleep
+    // within a minute. When the last body of a heap comes to rest is chance, with a long tail (of 64 heaps of each kind the median is 8 to
+    // 15 s, and none to three take longer than a minute), so the bound is one over many: half of them within 30 s, seven in eight within a
+    // minute.
     [Theory]
     [InlineData("boxes", 36, 0.2f)]
     [InlineData("boxes", 144, 0.6f)]

@@ -13,7 +13,8 @@ public sealed class IterationChoiceTests : IDisposable
     /// <summary>Enough for a tall stack to be at rest and to ask for more substeps.</summary>
     private const int Steps = 30;
 
-    private readonly PhysicsSimulator _simulator = new PhysicsSimulator(new Vector2(0, -10)) { EnableReport = true, AllowedPenetration = 0 };
+    private readonly PhysicsSimulator _simulator =
+        new PhysicsSimulator(new Vector2(0, -10)) { EnableReport = true, AllowedPenetration = 0 };
 
     public IterationChoiceTests()
     {

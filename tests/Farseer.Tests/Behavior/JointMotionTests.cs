@@ -273,7 +273,8 @@ public class JointMotionTests
         joints.Add(factory.CreatePinJoint(New(), Vector2.Zero, New(), Vector2.One));
         joints.Add(factory.CreateSliderJoint(New(), Vector2.Zero, New(), Vector2.One, 0, 20));
         joints.Add(factory.CreateGearJoint(New(), New(), 2));
-        joints.Add(new PrismaticJoint(New(), New(), new Vector2(x, 0), Vector2.UnitX) { IsMotorEnabled = true, MaxMotorForce = 5, MotorSpeed = 1 });
+        joints.Add(new PrismaticJoint(
+            New(), New(), new Vector2(x, 0), Vector2.UnitX) { IsMotorEnabled = true, MaxMotorForce = 5, MotorSpeed = 1 });
         joints.Add(new FixedPrismaticJoint(New(), new Vector2(x, 0), Vector2.UnitX) { AreLimitsEnabled = true, UpperLimit = 3 });
         joints.Add(new PulleyJoint(New(), new Vector2(x, -9), Vector2.Zero, New(), new Vector2(x, -9), Vector2.Zero));
         joints.Add(new DistanceJoint(New(), Vector2.Zero, New(), Vector2.One) { Frequency = 3, DampingRatio = 0.3f });

@@ -32,7 +32,9 @@ public class JointTreeTests
         {
             Sandbox.Run(bridge.Simulator, 1, 1 / 60f);
             error = Math.Max(error, bridge.Joints.Max(joint => Math.Abs(joint.JointError)));
-            depth = Math.Max(depth, bridge.Simulator.ArbiterList.SelectMany(pair => pair.ContactList).Select(c => -c.Separation).DefaultIfEmpty(0).Max());
+            depth = Math.Max(
+                depth,
+                bridge.Simulator.ArbiterList.SelectMany(pair => pair.ContactList).Select(c => -c.Separation).DefaultIfEmpty(0).Max());
         }
 
         // Of planks of 10: joints to 1/100,000, the load sinks by 1/50 at most, half of it the depth at which contacts rest.
@@ -71,8 +73,8 @@ public class JointTreeTests
     }
 
     /// <summary>
-    /// Links in a star, all at their lower limits, set in motion at random: the velocities are those nearest by mass that meet the joints and
-    /// open no limit downwards, found here by trying every set of limits.
+    /// Links in a star, all at their lower limits, set in motion at random: the velocities are those nearest by mass that meet the joints
+    /// and open no limit downwards, found here by trying every set of limits.
     /// </summary>
     [Fact]
     public void Limits_OfASmallTree_AreTheSolutionOfTheComplementarityProblem()
@@ -328,7 +330,8 @@ public class JointTreeTests
                 end += along;
             }
 
-            Geom load = Sandbox.Box(Simulator, new Vector2(end.X / 2, (Planks / 2 * sine * length) - (18 * scale)), 20 * scale, 20 * scale, ratio);
+            Geom load =
+                Sandbox.Box(Simulator, new Vector2(end.X / 2, (Planks / 2 * sine * length) - (18 * scale)), 20 * scale, 20 * scale, ratio);
             load.FrictionCoefficient = 0.6f;
             Load = load.Body;
             Scale = scale;

@@ -32,7 +32,9 @@ public class KindAllocationTests
         world.AssertActive();
     }
 
-    /// <summary>One kind at a time, with the reading of what it shows: a sum of zeros hides none that another one's memory covers.</summary>
+    /// <summary>
+    /// One kind at a time, with the reading of what it shows: a sum of zeros hides none that another one's memory covers.
+    /// </summary>
     [Theory]
     [MemberData(nameof(EveryKind))]
     public void WarmUpdates_WithOneKindActive_AllocateNothing(string kind)
@@ -100,7 +102,8 @@ public class KindAllocationTests
             foreach (object item in _items)
             {
                 Assert.True(Kinds.Holds(_simulator, item), item.GetType().Name);
-                Assert.True(item is Joint { Enabled: true } or Spring { Enabled: true } or Controller { Enabled: true }, item.GetType().Name);
+                Assert.True(
+                    item is Joint { Enabled: true } or Spring { Enabled: true } or Controller { Enabled: true }, item.GetType().Name);
             }
 
             Assert.True(float.IsFinite(_seen) && _seen != 0);

@@ -366,7 +366,8 @@ public class MembershipTests
         {
             (s, b) => GeomFactory.Instance.CreateCapsuleGeom(s, b, new Vector2(-50, 5), new Vector2(50, 5), 5),
             (s, b) => GeomFactory.Instance.CreateSegmentGeom(s, b, new Vector2(-50, 0), new Vector2(50, 0)),
-            (s, b) => GeomFactory.Instance.CreateChainGeom(s, b, new Vertices { new Vector2(-50, 0), new Vector2(0, 0), new Vector2(50, 0) }, false),
+            (s, b) => GeomFactory.Instance.CreateChainGeom(
+                s, b, new Vertices { new Vector2(-50, 0), new Vector2(0, 0), new Vector2(50, 0) }, false),
         };
         foreach (Action<PhysicsSimulator, Body> make in grounds)
         {

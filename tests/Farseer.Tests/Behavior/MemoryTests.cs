@@ -17,8 +17,8 @@ public class MemoryTests
     private const string Name = "What the collector counts";
     private const int Base = 60;
 
-    // 1,880 to 1,950 measured alone, 580 of it the rows of three contacts a body; 1,796 in a pyramid of base 100, where what a world has anyway weighs less. Among all tests of the net
-    // standard asset up to 410 more were counted.
+    // 1,880 to 1,950 measured alone, 580 of it the rows of three contacts a body; 1,796 in a pyramid of base 100, where what a world has
+    // anyway weighs less. Among all tests of the net standard asset up to 410 more were counted.
     private const double MostBytes = 2500;
 
     /// <summary>The median of three worlds: what the process makes once, or frees meanwhile of tests before, is not the world's.</summary>

@@ -28,7 +28,8 @@ public class ObservabilityTests
     private const int Steps = 30;
     private const float Dt = 1f / 60;
 
-    private static readonly bool _hasMeter = !typeof(PhysicsSimulator).Assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName
+    private static readonly bool _hasMeter =
+        !typeof(PhysicsSimulator).Assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName
         .Contains("NETStandard", StringComparison.Ordinal);
 
     [Fact]

@@ -28,7 +28,8 @@ public class OutlineQuestionTests
             }
 
             string what = $"{i}: {fault} for {string.Join(" ", outline)}";
-            Assert.True(Takes(() => BodyFactory.Instance.CreatePolygonBody(new Vertices(outline), 1)) == (fault == PolygonFault.None), what);
+            Assert.True(
+                Takes(() => BodyFactory.Instance.CreatePolygonBody(new Vertices(outline), 1)) == (fault == PolygonFault.None), what);
             Assert.True(Takes(() => new Geom(new Body(), new Vertices(outline), 0)) == (fault == PolygonFault.None), what);
             Assert.True(fault == PolygonFault.None == outline.IsSimple(), what);
             _ = fault == PolygonFault.None ? accepted++ : refused++;

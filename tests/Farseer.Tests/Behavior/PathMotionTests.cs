@@ -60,7 +60,9 @@ public sealed class PathMotionTests
         for (int i = 0; i < path.Springs.Count; i++)
         {
             var spring = (LinearSpring)path.Springs[i];
-            float stretch = Vector2.Distance(spring.Body1!.GetWorldPosition(spring.AttachPoint1), spring.Body2!.GetWorldPosition(spring.AttachPoint2)) - spring.RestLength;
+            float stretch = Vector2.Distance(
+                spring.Body1!.GetWorldPosition(spring.AttachPoint1),
+                spring.Body2!.GetWorldPosition(spring.AttachPoint2)) - spring.RestLength;
             float wanted = (Links - 1 - i) * 100f / Stiffness;
             Assert.InRange(stretch, wanted * 0.98f, wanted * 1.02f);
         }
@@ -88,7 +90,8 @@ public sealed class PathMotionTests
         floor.IsStatic = true;
         floor.Position = new Vector2(0, 110);
         Geom ground = GeomFactory.Instance.CreateRectangleGeom(simulator, floor, 400, 20);
-        Path path = ComplexFactory.Instance.CreateChain(simulator, Vector2.Zero, new Vector2(60, 60), 12, 4f, 1f, 5, LinkType.RevoluteJoint);
+        Path path =
+            ComplexFactory.Instance.CreateChain(simulator, Vector2.Zero, new Vector2(60, 60), 12, 4f, 1f, 5, LinkType.RevoluteJoint);
         var met = new System.Collections.Generic.HashSet<Geom>();
         foreach (Geom geom in path.Geoms)
         {

@@ -69,7 +69,8 @@ public class QueryTests
         Assert.Same(last, First(new QueryFilter { Accept = g => g != red }));
         Assert.Null(First(new QueryFilter { Accept = _ => false }));
 
-        Geom? First(QueryFilter? filter = null) => _simulator.RayCast(Vector2.Zero, new Vector2(50, 0), out RayCastHit hit, filter) ? hit.Geom : null;
+        Geom? First(QueryFilter? filter = null) =>
+            _simulator.RayCast(Vector2.Zero, new Vector2(50, 0), out RayCastHit hit, filter) ? hit.Geom : null;
     }
 
     [Fact]

@@ -28,7 +28,8 @@ public class QuirkTests
         [Farseer201Quirks.EllipseInertiaFromRectangle] = new(
             s => BodyFactory.Instance.CreateEllipseBody(s, 20, 10, 3).MomentOfInertia, 3 * 500 / 4.0, 3 * 500 / 12.0, 1e-3),
 
-        // Two rectangles a = 60×20, b = 20×40 about their common centroid: Σ m_i ((w² + h²) / 12 + d_i²). The other figure is the original's.
+        // Two rectangles a = 60×20, b = 20×40 about their common centroid: Σ m_i ((w² + h²) / 12 + d_i²). The other figure is the
+        // original's.
         [Farseer201Quirks.PolygonInertiaUnsigned] = new(LInertia, LInertiaOfRectangles(), 1105.7778, 0.01),
         [Farseer201Quirks.RotationSetAddsRevolutions] = new(RevolutionsAfterTwoTurns, 1, 2, 0),
 

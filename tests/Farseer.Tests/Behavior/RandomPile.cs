@@ -17,7 +17,11 @@ internal sealed class RandomPile
     private readonly float _scale;
     private readonly List<Body> _bodies = new();
 
-    public RandomPile(int seed, int count, float scale, Func<PhysicsSimulator, FarseerGames.FarseerPhysics.Interfaces.IBroadPhaseCollider>? collider = null)
+    public RandomPile(
+        int seed,
+        int count,
+        float scale,
+        Func<PhysicsSimulator, FarseerGames.FarseerPhysics.Interfaces.IBroadPhaseCollider>? collider = null)
     {
         _scale = scale;
         Simulator = new PhysicsSimulator(scale * new Vector2(0, 100));
@@ -52,8 +56,8 @@ internal sealed class RandomPile
     public IReadOnlyList<Body> Bodies => _bodies;
 
     /// <summary>
-    /// All places, turned back to the size of scale 1, which is exact, and all angles and velocities. Velocities that die away end below the
-    /// smallest normal number, 1.2e-38, where bits are lost and how many depends on the scale: up to 2^30 times that they are 0.
+    /// All places, turned back to the size of scale 1, which is exact, and all angles and velocities. Velocities that die away end below
+    /// the smallest normal number, 1.2e-38, where bits are lost and how many depends on the scale: up to 2^30 times that they are 0.
     /// </summary>
     public double[] State()
     {
@@ -81,13 +85,16 @@ internal sealed class RandomPile
         switch (kind)
         {
             case 0:
-                return geoms.CreateRectangleGeom(Simulator, bodies.CreateRectangleBody(Simulator, 2 * size, size, 1), 2 * size, size, 0.25f * size);
+                return geoms.CreateRectangleGeom(
+                    Simulator, bodies.CreateRectangleBody(Simulator, 2 * size, size, 1), 2 * size, size, 0.25f * size);
             case 1:
                 return geoms.CreateCircleGeom(Simulator, bodies.CreateCircleBody(Simulator, size, 2), size, 12, 0.25f * size);
             case 2:
-                return geoms.CreateEllipseGeom(Simulator, bodies.CreateEllipseBody(Simulator, size, size / 2, 1), size, size / 2, 10, 0.25f * size);
+                return geoms.CreateEllipseGeom(
+                    Simulator, bodies.CreateEllipseBody(Simulator, size, size / 2, 1), size, size / 2, 10, 0.25f * size);
             case 3:
-                Vertices outline = Sandbox.Outline(0, 0, 2 * size, 0, 2 * size, size / 2, size / 2, size / 2, size / 2, 2 * size, 0, 2 * size);
+                Vertices outline =
+                    Sandbox.Outline(0, 0, 2 * size, 0, 2 * size, size / 2, size / 2, size / 2, size / 2, 2 * size, 0, 2 * size);
                 return geoms.CreatePolygonGeom(Simulator, bodies.CreatePolygonBody(Simulator, outline, 1.5f), outline, 0.25f * size);
             case 4:
                 Body rod = bodies.CreateRectangleBody(Simulator, 3 * size, size, 1);

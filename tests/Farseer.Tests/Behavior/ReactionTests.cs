@@ -122,7 +122,8 @@ public class ReactionTests
     }
 
     /// <summary>Means over the three seconds after the bridge has come to rest.</summary>
-    private static void Mean(PhysicsSimulator simulator, FixedRevoluteJoint left, FixedRevoluteJoint right, out Vector2 atLeft, out Vector2 atRight)
+    private static void Mean(
+        PhysicsSimulator simulator, FixedRevoluteJoint left, FixedRevoluteJoint right, out Vector2 atLeft, out Vector2 atRight)
     {
         const int Updates = 300;
         Sandbox.Run(simulator, 2000);

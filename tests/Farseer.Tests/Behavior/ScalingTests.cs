@@ -75,7 +75,8 @@ public class ScalingTests
             {
                 "stack" => Sandbox.Box(simulator, scale * new Vector2(0.25f * (i % 3), -10 - (20.5f * i)), 20 * scale, 20 * scale),
                 "concave" => Angle(simulator, scale * new Vector2(9 * (i % 4), -20 - (32 * i)), 8 * scale),
-                _ => Sandbox.Ball(simulator, scale * new Vector2((11 * (i % 5)) + (0.5f * (i / 5)), -8 - (12 * (i / 5))), (4 + (i % 3)) * scale),
+                _ => Sandbox.Ball(
+                    simulator, scale * new Vector2((11 * (i % 5)) + (0.5f * (i / 5)), -8 - (12 * (i / 5))), (4 + (i % 3)) * scale),
             };
             geom.Body.LinearDragCoefficient = 0.001f;
 

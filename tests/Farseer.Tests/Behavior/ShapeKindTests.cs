@@ -32,7 +32,8 @@ public class ShapeKindTests
             Assert.InRange(geom.Body.Position.Y, -10.01f, -9.9f);
         }
 
-        // Rolling without slipping costs nothing: v = w r throughout, where r is shorter by up to the resting depth of 0.05, half a percent.
+        // Rolling without slipping costs nothing: v = w r throughout, where r is shorter by up to the resting depth of 0.05, half a
+        // percent.
         Assert.Equal(60, geom.Body.LinearVelocity.X, 0.1f);
         Assert.InRange(geom.Body.AngularVelocity, 5.999f, 6.03f);
         Assert.Equal(20, geom.Body.Position.X, 0.5f);

@@ -181,8 +181,8 @@ public class SleepTests
     }
 
     /// <summary>
-    /// In a world without gravity a limit stops what swings against it, up to the rounding of its speed: 8 of these 300 went on at 1e-16 rad/s for
-    /// ever, and never slept.
+    /// In a world without gravity a limit stops what swings against it, up to the rounding of its speed: 8 of these 300 went on at 1e-16
+    /// rad/s for ever, and never slept.
     /// </summary>
     [Fact]
     public void Body_StoppedByALimitWithoutGravity_FallsAsleep()

@@ -44,7 +44,9 @@ public class SoftJointTests
         Assert.InRange(Run(simulator, dt, 2, weight), 0, 1e-3f);
     }
 
-    /// <summary>A rod welded to a post by its end bends as much as its weight asks for: the load goes through the weld's own pivot.</summary>
+    /// <summary>
+    /// A rod welded to a post by its end bends as much as its weight asks for: the load goes through the weld's own pivot.
+    /// </summary>
     [Theory]
     [InlineData(1 / 30f)]
     [InlineData(1 / 60f)]
@@ -76,7 +78,8 @@ public class SoftJointTests
         float wanted = RestOf(1 / 960f, out _);
         float height = RestOf(dt, out float speed);
 
-        // A two-hundredth of the 81 mm that its springs give way, for two springs on one body take each other for a load: it was 4 mm off at 1/60 s and 8 at 1/30.
+        // A two-hundredth of the 81 mm that its springs give way, for two springs on one body take each other for a load: it was 4 mm off
+        // at 1/60 s and 8 at 1/30.
         Assert.Equal(wanted, height, 4e-4f);
         Assert.InRange(speed, 0, 1e-3f);
     }
@@ -267,7 +270,8 @@ public class SoftJointTests
         {
             Geom wheel = Sandbox.Ball(simulator, new Vector2(x, 0.4f), 0.4f, 0.5f, 32);
             wheel.CollisionGroup = 1;
-            simulator.Add(new WheelJoint(car.Body, wheel.Body, wheel.Body.Position, Vector2.UnitY) { Frequency = Hertz, DampingRatio = 0.7f });
+            simulator.Add(
+                new WheelJoint(car.Body, wheel.Body, wheel.Body.Position, Vector2.UnitY) { Frequency = Hertz, DampingRatio = 0.7f });
         }
 
         Run(simulator, dt, 6, null);

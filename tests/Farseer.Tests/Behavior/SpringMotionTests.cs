@@ -56,7 +56,8 @@ public class SpringMotionTests
         b.Mass = 3;
         double omega = 2 * Math.PI * frequency;
         double reduced = 3.0 / 4;
-        Factory.CreateLinearSpring(simulator, a, Vector2.Zero, b, Vector2.Zero, (float)(reduced * omega * omega), (float)(reduced * 0.1 * omega))
+        Factory.CreateLinearSpring(
+            simulator, a, Vector2.Zero, b, Vector2.Zero, (float)(reduced * omega * omega), (float)(reduced * 0.1 * omega))
             .RestLength = 5;
         double worst = 0;
         for (int i = 1; i <= 120; i++)
@@ -189,7 +190,8 @@ public class SpringMotionTests
             var simulator = new PhysicsSimulator(new Vector2(0, 100));
             Body body = Free(simulator, 0, 0);
             double critical = 2 * Math.Sqrt(k);
-            FixedLinearSpring spring = Factory.CreateFixedLinearSpring(simulator, body, Vector2.Zero, new Vector2(0, -10), (float)k, (float)critical);
+            FixedLinearSpring spring =
+                Factory.CreateFixedLinearSpring(simulator, body, Vector2.Zero, new Vector2(0, -10), (float)k, (float)critical);
             spring.RestLength = 10;
             Run(simulator, 1200, 1 / 60f);
             Assert.Equal(0, body.LinearVelocity.Length(), 3);
@@ -388,7 +390,8 @@ public class SpringMotionTests
         for (int i = 0; i < bodies.Length; i++)
         {
             bodies[i] = Free(simulator, 20 * i, 0);
-            Factory.CreateFixedLinearSpring(simulator, bodies[i], new Vector2(1, 1), new Vector2(20 * i, -10), i % 2 == 0 ? 10 : 1e7f, 0.1f);
+            Factory.CreateFixedLinearSpring(
+                simulator, bodies[i], new Vector2(1, 1), new Vector2(20 * i, -10), i % 2 == 0 ? 10 : 1e7f, 0.1f);
             Factory.CreateFixedAngleSpring(simulator, bodies[i], 10, 0.1f).MaxTorque = 5;
         }
 

@@ -66,7 +66,8 @@ public class SpringOnJointTests
         rod.Position = new Vector2(Length / 2, 0);
         Sandbox.WithoutDrag(rod);
         JointFactory.Instance.CreateFixedRevoluteJoint(simulator, rod, Vector2.Zero);
-        SpringFactory.Instance.CreateFixedLinearSpring(simulator, rod, new Vector2(Length / 2, 0), new Vector2(Length, -30), constant, damping);
+        SpringFactory.Instance.CreateFixedLinearSpring(
+            simulator, rod, new Vector2(Length / 2, 0), new Vector2(Length, -30), constant, damping);
         return rod;
     }
 }

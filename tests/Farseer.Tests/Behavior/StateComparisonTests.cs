@@ -10,7 +10,9 @@ using Xunit;
 
 namespace Farseer.Tests.Behavior;
 
-/// <summary>Two states that differ in one field are told apart by it: whose it is, what it is called, both values and both bit patterns.</summary>
+/// <summary>
+/// Two states that differ in one field are told apart by it: whose it is, what it is called, both values and both bit patterns.
+/// </summary>
 public sealed class StateComparisonTests
 {
     private const float Dt = 1f / 60;
@@ -191,12 +193,14 @@ public sealed class StateComparisonTests
     {
     }
 
-    private static string Bits(float value) => BitConverter.SingleToUInt32Bits(value).ToString("x8", System.Globalization.CultureInfo.InvariantCulture);
+    private static string Bits(float value) =>
+        BitConverter.SingleToUInt32Bits(value).ToString("x8", System.Globalization.CultureInfo.InvariantCulture);
 
     private static StateDifference One(PhysicsSimulator one, PhysicsSimulator other, string section, params string[] fields)
     {
         StateComparison comparison = one.Compare(other);
-        return Assert.Single(comparison.Differences, d => d.Section == section && fields.Any(f => d.Field.StartsWith(f, StringComparison.Ordinal)));
+        return Assert.Single(
+            comparison.Differences, d => d.Section == section && fields.Any(f => d.Field.StartsWith(f, StringComparison.Ordinal)));
     }
 
     /// <summary>A floor and crates on it, two of them pinned together, after some updates.</summary>

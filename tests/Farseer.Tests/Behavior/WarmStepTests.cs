@@ -5,7 +5,9 @@ using Xunit.Abstractions;
 
 namespace Farseer.Tests.Behavior;
 
-/// <summary>Steps of warm worlds allocate nothing, in many worlds in which all kinds of things happen: see <see cref="WarmWorld"/>.</summary>
+/// <summary>
+/// Steps of warm worlds allocate nothing, in many worlds in which all kinds of things happen: see <see cref="WarmWorld"/>.
+/// </summary>
 public class WarmStepTests
 {
     private const int Worlds = 60;
@@ -18,8 +20,8 @@ public class WarmStepTests
     private const int LaterSteps = 400;
 
     /// <summary>
-    /// Of the 24,000 later steps so many may allocate: a heap has more pairs or rows than ever before also after a thousand steps, and then its stores double. 3 do; before rooms were
-    /// made with the bodies, joints and contacts that they are for, a hundred did.
+    /// Of the 24,000 later steps so many may allocate: a heap has more pairs or rows than ever before also after a thousand steps, and then
+    /// its stores double. 3 do; before rooms were made with the bodies, joints and contacts that they are for, a hundred did.
     /// </summary>
     private const int MostGrowths = 6;
 
@@ -28,7 +30,8 @@ public class WarmStepTests
     public WarmStepTests(ITestOutputHelper output) => _output = output;
 
     /// <summary>
-    /// The same motion twice, the second time from a restored state: then nothing is more than it was, so every byte is one that a step takes each time, or that restoring makes it take.
+    /// The same motion twice, the second time from a restored state: then nothing is more than it was, so every byte is one that a step
+    /// takes each time, or that restoring makes it take.
     /// </summary>
     [Fact]
     public void SameMotionAgain_FromARestoredState_AllocatesNothing()
@@ -46,7 +49,8 @@ public class WarmStepTests
     }
 
     /// <summary>
-    /// Another motion of the same bodies, joints and handlers: what comes for the first time (a blow, a body asleep, a colour of rows) finds its room made, whenever it comes.
+    /// Another motion of the same bodies, joints and handlers: what comes for the first time (a blow, a body asleep, a colour of rows)
+    /// finds its room made, whenever it comes.
     /// </summary>
     [Fact]
     public void LaterMotion_OfAWarmWorld_AllocatesOnlyForMoreThanEver()

@@ -5,7 +5,9 @@ using Xunit;
 
 namespace Farseer.Tests.Behavior;
 
-/// <summary>What <see cref="PhysicsSimulator.WarmUp"/> spares a new process is told by Farseer.Samples.Tests; here: nobody notices it otherwise.</summary>
+/// <summary>
+/// What <see cref="PhysicsSimulator.WarmUp"/> spares a new process is told by Farseer.Samples.Tests; here: nobody notices it otherwise.
+/// </summary>
 public class WarmUpTests
 {
     private const int Steps = 60;

@@ -13,9 +13,10 @@ using static Farseer.Tests.Sandbox;
 namespace Farseer.Tests.Behavior;
 
 /// <summary>
-/// A world that follows from a seed, in which something happens all the time and nothing is ever added: boxes, discs, polygons and compounds between walls, some within each
-/// other, some elastic, with joints, springs, controllers and handlers; bodies are kicked, put elsewhere, switched off and on, joints and gravity as well. What happens in a
-/// step follows from the seed and the step, and what makes it happen allocates nothing.
+/// A world that follows from a seed, in which something happens all the time and nothing is ever added: boxes, discs, polygons and
+/// compounds between walls, some within each other, some elastic, with joints, springs, controllers and handlers; bodies are kicked, put
+/// elsewhere, switched off and on, joints and gravity as well. What happens in a step follows from the seed and the step, and what makes it
+/// happen allocates nothing.
 /// </summary>
 internal sealed class WarmWorld
 {
@@ -30,7 +31,8 @@ internal sealed class WarmWorld
     private int _step;
 
     /// <param name="seed">Which world.</param>
-    /// <param name="switches">Joints, springs, controllers and bodies are switched off and on: what hangs together is another thing each time.</param>
+    /// <param name="switches">Joints, springs, controllers and bodies are switched off and on: what hangs together is another thing each
+    /// time.</param>
     public WarmWorld(int seed, bool switches)
     {
         _seed = seed;
@@ -39,7 +41,8 @@ internal sealed class WarmWorld
         Simulator = Falling();
         Simulator.AllowSleep = random.Next(3) > 0;
         Simulator.EnableDiagnostics = random.Next(4) == 0;
-        int bodies = random.Next(4) switch { 0 => random.Next(1, 6), 1 => random.Next(6, 20), 2 => random.Next(20, 60), _ => random.Next(60, 160) };
+        int bodies =
+            random.Next(4) switch { 0 => random.Next(1, 6), 1 => random.Next(6, 20), 2 => random.Next(20, 60), _ => random.Next(60, 160) };
         _width = 60 + (MathF.Sqrt(bodies) * (20 + random.Next(40)));
         AddWalls(random);
         bool elastic = random.Next(3) == 0;

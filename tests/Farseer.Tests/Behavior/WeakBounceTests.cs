@@ -15,7 +15,9 @@ public class WeakBounceTests
 {
     private const float Restitution = 0.4f;
 
-    /// <summary>A carpet of boxes that touch each other lands flat: so many strike in one step that they are not taken one by one.</summary>
+    /// <summary>
+    /// A carpet of boxes that touch each other lands flat: so many strike in one step that they are not taken one by one.
+    /// </summary>
     [Fact]
     public void Carpet_ThatLandsFlat_ComesBackAsFastAsOneBox()
     {

@@ -18,7 +18,9 @@ public class WheelTests
     private const float Half = 10f;
     private const int Boxes = 40;
 
-    /// <summary>A beam on a hinge at its centre holds its boxes as well as one that cannot move: 40 contacts that see nothing but its spin.</summary>
+    /// <summary>
+    /// A beam on a hinge at its centre holds its boxes as well as one that cannot move: 40 contacts that see nothing but its spin.
+    /// </summary>
     [Fact]
     public void Beam_HeldByItsMotor_CarriesBoxesLikeAFloor()
     {

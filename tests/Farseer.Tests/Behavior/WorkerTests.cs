@@ -21,7 +21,8 @@ public class WorkerTests
     private const int Rows = 14;
     private const int Steps = 120;
 
-    public static TheoryData<string> Kinds => new() { "boxes", "mixed", "bouncing", "deep", "fast", "jointed", "net", "sleeping", "fine", "sizes" };
+    public static TheoryData<string> Kinds =>
+        new() { "boxes", "mixed", "bouncing", "deep", "fast", "jointed", "net", "sleeping", "fine", "sizes" };
 
     [Theory]
     [MemberData(nameof(Kinds))]

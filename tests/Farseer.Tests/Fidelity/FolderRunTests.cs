@@ -20,7 +20,8 @@ public sealed class FolderRunTests : IDisposable
     [InlineData("{ \"name\": \"x\", \"category\": \"y\", \"gravity\": [0, 0], \"dt\": 0.01, \"iterations\": [5] }")]
     [InlineData("{ \"name\": \"x\", \"category\": \"y\", \"gravity\": [0, 0], \"dt\": 0.01, \"steps\": 1, \"iterations\": [] }")]
     [InlineData("{ \"name\": 3, \"category\": \"y\", \"gravity\": [0, 0], \"dt\": 0.01, \"steps\": 1, \"iterations\": [5] }")]
-    [InlineData("{ \"name\": \"x\", \"category\": \"y\", \"gravity\": [0, 0], \"dt\": 0.01, \"steps\": 1, \"iterations\": [5], \"bodies\": 7 }")]
+    [InlineData(
+        "{ \"name\": \"x\", \"category\": \"y\", \"gravity\": [0, 0], \"dt\": 0.01, \"steps\": 1, \"iterations\": [5], \"bodies\": 7 }")]
     [InlineData("{ \"name\": \"x\", \"category\": \"y\", \"gravity\": 9, \"dt\": 0.01, \"steps\": 1, \"iterations\": [5] }")]
     public void Run_BrokenFile_GivesOneLineAndCode2(string text)
     {

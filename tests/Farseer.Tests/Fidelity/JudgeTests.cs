@@ -12,7 +12,8 @@ public sealed class JudgeTests
 {
     public static TheoryData<string> AllScenes => new(ReferenceData.Scenes.Select(s => s.Name));
 
-    public static TheoryData<string> MovingScenes => new(ReferenceData.Scenes.Where(s => s.SampleSteps.Length > 1 && s.Recordings[5].Rows.Count > 0).Select(s => s.Name));
+    public static TheoryData<string> MovingScenes =>
+        new(ReferenceData.Scenes.Where(s => s.SampleSteps.Length > 1 && s.Recordings[5].Rows.Count > 0).Select(s => s.Name));
 
     [Theory]
     [MemberData(nameof(AllScenes))]
@@ -115,7 +116,8 @@ public sealed class JudgeTests
 
     private static Recording With(Recording recording, string body, Func<Row, Row> change)
     {
-        Dictionary<string, Row[]> rows = recording.Rows.ToDictionary(p => p.Key, p => p.Key == body ? p.Value.Select(change).ToArray() : p.Value);
+        Dictionary<string, Row[]> rows =
+            recording.Rows.ToDictionary(p => p.Key, p => p.Key == body ? p.Value.Select(change).ToArray() : p.Value);
         return recording with { Rows = rows };
     }
 }

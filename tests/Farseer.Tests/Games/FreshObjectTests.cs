@@ -177,7 +177,8 @@ public sealed class FreshObjectTests
         Geom box = Box(simulator, Vector2.Zero);
         Geom other = Box(simulator, new Vector2(50, 0));
         PinJoint pin = JointFactory.Instance.CreatePinJoint(simulator, box.Body, Vector2.Zero, other.Body, Vector2.Zero);
-        FixedLinearSpring spring = SpringFactory.Instance.CreateFixedLinearSpring(simulator, box.Body, Vector2.Zero, new Vector2(0, -50), 1, 1);
+        FixedLinearSpring spring =
+            SpringFactory.Instance.CreateFixedLinearSpring(simulator, box.Body, Vector2.Zero, new Vector2(0, -50), 1, 1);
         simulator.Update(Step);
         simulator.Remove(box.Body);
         simulator.Update(Step);

@@ -15,7 +15,9 @@ public sealed class ImpulseTests
     private const float Step = 1f / 60;
     private const float Gravity = 10;
 
-    /// <summary>Share of the largest momentum in play: velocities and rows are floats, each of which rounds by 6·10⁻⁸ some hundred times an update.</summary>
+    /// <summary>
+    /// Share of the largest momentum in play: velocities and rows are floats, each of which rounds by 6·10⁻⁸ some hundred times an update.
+    /// </summary>
     private const double Rounding = 1e-5;
 
     private static readonly Dictionary<string, Action<PhysicsSimulator>> _scenes = new()
@@ -245,7 +247,8 @@ public sealed class ImpulseTests
         Floor(simulator);
         for (int i = 0; i < 40; i++)
         {
-            Box(simulator, (i % 5) - 2 + (0.1f * (i % 3)), 1 + (i / 5 * 1.2f), 0.8f, 0.6f, 1 + (i % 4), 0.4f, i % 2 * 0.3f).Rotation = 0.3f * i;
+            Box(simulator, (i % 5) - 2 + (0.1f * (i % 3)), 1 + (i / 5 * 1.2f), 0.8f, 0.6f, 1 + (i % 4), 0.4f, i % 2 * 0.3f).Rotation =
+                0.3f * i;
         }
     }
 
@@ -299,7 +302,8 @@ public sealed class ImpulseTests
         floor.IsStatic = true;
     }
 
-    private static Body Box(PhysicsSimulator simulator, float x, float y, float width, float height, float mass, float friction, float restitution = 0)
+    private static Body Box(
+        PhysicsSimulator simulator, float x, float y, float width, float height, float mass, float friction, float restitution = 0)
     {
         Body body = BodyFactory.Instance.CreateRectangleBody(simulator, width, height, mass);
         Geom geom = GeomFactory.Instance.CreateRectangleGeom(simulator, body, width, height);

@@ -67,7 +67,8 @@ public sealed class InspectionTests
         },
         [10] = s =>
         {
-            RopeJoint rope = JointFactory.Instance.CreateRopeJoint(s, Ball(s, new Vector2(0, -300)).Body, Vector2.Zero, Ball(s, new Vector2(50, -300)).Body, Vector2.Zero, 0);
+            RopeJoint rope = JointFactory.Instance.CreateRopeJoint(
+                s, Ball(s, new Vector2(0, -300)).Body, Vector2.Zero, Ball(s, new Vector2(50, -300)).Body, Vector2.Zero, 0);
             return rope;
         },
         [11] = s =>
@@ -129,7 +130,10 @@ public sealed class InspectionTests
     public void Limits_InTheWrongOrder_AreRefusedByNameAndValue()
     {
         var body = new Body();
-        Assert.Contains("2", Assert.Throws<ArgumentOutOfRangeException>("upperLimit", () => new FixedAngleLimitJoint(body, 3, 2)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "2",
+            Assert.Throws<ArgumentOutOfRangeException>("upperLimit", () => new FixedAngleLimitJoint(body, 3, 2)).Message,
+            StringComparison.Ordinal);
         Assert.Throws<ArgumentOutOfRangeException>("upperLimit", () => new AngleLimitJoint(body, new Body(), 3, 2));
         Assert.Throws<ArgumentOutOfRangeException>("max", () => JointFactory.Instance.CreateAngleLimitJoint(body, new Body(), 3, 2));
         Assert.Throws<ArgumentOutOfRangeException>("max", () => JointFactory.Instance.CreateFixedAngleLimitJoint(body, 3, 2));
@@ -143,7 +147,8 @@ public sealed class InspectionTests
         Geom box = Box(simulator, new Vector2(3, -30));
         box.Name = "crate";
         Assert.Equal("Geom crate box at (3, -30)", box.ToString());
-        Assert.StartsWith("Body at (3, -30) turned 0, dynamic, mass 1, velocity (0, 0), spin 0", box.Body.ToString(), StringComparison.Ordinal);
+        Assert.StartsWith(
+            "Body at (3, -30) turned 0, dynamic, mass 1, velocity (0, 0), spin 0", box.Body.ToString(), StringComparison.Ordinal);
         Assert.Contains("static", floor.Body.ToString(), StringComparison.Ordinal);
         simulator.Update(Step);
         Assert.Equal("PhysicsSimulator after 1 updates: 2 bodies (0 asleep), 2 geoms, 0 joints, 0 springs", simulator.ToString());

@@ -194,7 +194,8 @@ public sealed class MotionTests
     [Fact]
     public void JointFactory_HasAMethodForEachKindOfJoint()
     {
-        List<string> kinds = [.. typeof(Joint).Assembly.GetExportedTypes().Where(t => t.IsSubclassOf(typeof(Joint)) && !t.IsAbstract).Select(t => t.Name)];
+        List<string> kinds = [.. typeof(Joint).Assembly.GetExportedTypes().Where(t => t.IsSubclassOf(typeof(Joint)) && !t.IsAbstract)
+            .Select(t => t.Name)];
         foreach (string kind in kinds)
         {
             System.Reflection.MethodInfo[] makers = [.. typeof(JointFactory).GetMethods().Where(m => m.Name == "Create" + kind)];

@@ -61,7 +61,10 @@ public sealed class StepEventTests
         Assert.Same(box, ended.GeomB);
     }
 
-    /// <summary>A drop of 20 at 100 length/s²: √(2·100·20) = 63.2, less the gravity of one substep, 0.2, and a push of mass times that, and weight for what is left of the step.</summary>
+    /// <summary>
+    /// A drop of 20 at 100 length/s²: √(2·100·20) = 63.2, less the gravity of one substep, 0.2, and a push of mass times that, and weight
+    /// for what is left of the step.
+    /// </summary>
     [Fact]
     public void Hit_OfABoxThatFalls_TellsHowHard()
     {
@@ -157,7 +160,8 @@ public sealed class StepEventTests
         Body other = Ball(simulator, new Vector2(100, 50)).Body;
         FixedRevoluteJoint joint = JointFactory.Instance.CreateFixedRevoluteJoint(simulator, bob, Vector2.Zero);
         joint.BreakForce = 50;
-        FixedLinearSpring spring = SpringFactory.Instance.CreateFixedLinearSpring(simulator, other, Vector2.Zero, new Vector2(100, 0), 1, 0);
+        FixedLinearSpring spring =
+            SpringFactory.Instance.CreateFixedLinearSpring(simulator, other, Vector2.Zero, new Vector2(100, 0), 1, 0);
         spring.Breakpoint = 20;
         var joints = new List<Joint>();
         var springs = new List<Spring>();
@@ -304,7 +308,8 @@ public sealed class StepEventTests
     }
 
     private static int Count(StepEvents events) =>
-        events.ContactsBegun.Length + events.ContactsEnded.Length + events.Hits.Length + events.Pushes.Length + events.Moved.Length + events.FellAsleep.Length;
+        events.ContactsBegun.Length + events.ContactsEnded.Length + events.Hits.Length + events.Pushes.Length + events.Moved.Length
+        + events.FellAsleep.Length;
 
     private static string RunHeap(int workers)
     {
@@ -331,7 +336,9 @@ public sealed class StepEventTests
 
             foreach (HitEvent e in simulator.Events.Hits)
             {
-                text.Append(CultureInfo.InvariantCulture, $"hit {number[e.GeomA]} {number[e.GeomB]} {e.ApproachSpeed:R} {e.NormalImpulse:R} {e.Point.X:R};");
+                text.Append(
+                    CultureInfo.InvariantCulture,
+                    $"hit {number[e.GeomA]} {number[e.GeomB]} {e.ApproachSpeed:R} {e.NormalImpulse:R} {e.Point.X:R};");
             }
 
             foreach (PushEvent e in simulator.Events.Pushes)

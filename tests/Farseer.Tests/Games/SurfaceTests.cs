@@ -118,7 +118,8 @@ public sealed class SurfaceTests
     {
         foreach ((FrictionType rule, float mixed) in new[]
         {
-            (FrictionType.Average, 0.5f), (FrictionType.Minimum, 0.1f), (FrictionType.Maximum, 0.9f), (FrictionType.GeometricMean, 0.3f), (FrictionType.Product, 0.09f),
+            (FrictionType.Average, 0.5f), (FrictionType.Minimum, 0.1f), (FrictionType.Maximum, 0.9f), (FrictionType.GeometricMean, 0.3f),
+            (FrictionType.Product, 0.09f),
         })
         {
             Assert.Equal(mixed, SlidingFriction(s => s.FrictionType = rule), 2e-3f);
@@ -126,7 +127,8 @@ public sealed class SurfaceTests
 
         foreach ((RestitutionType rule, float mixed) in new[]
         {
-            (RestitutionType.Average, 0.5f), (RestitutionType.Minimum, 0.2f), (RestitutionType.Maximum, 0.8f), (RestitutionType.Product, 0.16f),
+            (RestitutionType.Average, 0.5f), (RestitutionType.Minimum, 0.2f), (RestitutionType.Maximum, 0.8f),
+            (RestitutionType.Product, 0.16f),
         })
         {
             Assert.Equal(mixed, Bounce(s => s.RestitutionType = rule), 2e-3f);

@@ -20,5 +20,6 @@ public sealed class ManualListingTests
 
     [Fact]
     public void Listings_CountedInTheGuide_AreAllThere() =>
-        Assert.Contains($"{_listings.Length} of {_listings.Length} listings of the manual", TestData.Read("Porting.md"), StringComparison.Ordinal);
+        Assert.Contains(
+            $"{_listings.Length} of {_listings.Length} listings of the manual", TestData.Read("Porting.md"), StringComparison.Ordinal);
 }

@@ -16,8 +16,8 @@ using FarseerGames.FarseerPhysics.Porting;
 namespace Farseer.Tests.Porting;
 
 /// <summary>
-/// What the listings of the manual do, with its names, under nothing but the <c>using</c> lines above. A method is a listing, by the heading
-/// under which it stands.
+/// What the listings of the manual do, with its names, under nothing but the <c>using</c> lines above. A method is a listing, by the
+/// heading under which it stands.
 /// </summary>
 public static class ManualListings
 {
@@ -94,7 +94,8 @@ public static class ManualListings
         AngleJoint angle = JointFactory.Instance.CreateAngleJoint(physicsSimulator, body1, body2, 0, 0.2f);
         AngleLimitJoint limit = JointFactory.Instance.CreateAngleLimitJoint(physicsSimulator, body1, body2, -1, 1);
         PinJoint pin = JointFactory.Instance.CreatePinJoint(physicsSimulator, body1, new Vector2(0, 0), body2, new Vector2(0, 0));
-        SliderJoint slider = JointFactory.Instance.CreateSliderJoint(physicsSimulator, body1, new Vector2(0, 0), body2, new Vector2(0, 0), 150, 250);
+        SliderJoint slider =
+            JointFactory.Instance.CreateSliderJoint(physicsSimulator, body1, new Vector2(0, 0), body2, new Vector2(0, 0), 150, 250);
         physicsSimulator.Update(0.01f);
         Vector2 anchor = revolute.CurrentAnchor;
         revolute.Broke += (sender, args) => { };
@@ -146,7 +147,8 @@ public static class ManualListings
             anchor2: new Vector2(0, 0),
             springConstant: 50,
             dampningConstant: 2);
-        AngleSpring angle = SpringFactory.Instance.CreateAngleSpring(physicsSimulator, body1, body2, springConstant: 50, dampningConstant: 2);
+        AngleSpring angle =
+            SpringFactory.Instance.CreateAngleSpring(physicsSimulator, body1, body2, springConstant: 50, dampningConstant: 2);
         linear.DampningConstant = 3;
         linear.SpringConstant = 60;
         linear.Anchor1 = new Vector2(1, 0);
@@ -163,7 +165,8 @@ public static class ManualListings
         (PhysicsSimulator physicsSimulator, Body body, _) = Pair();
         FixedLinearSpring linear = SpringFactory.Instance.CreateFixedLinearSpring(
             physicsSimulator, body, anchor1: new Vector2(0, 0), anchor2: new Vector2(0, 50), springConstant: 50, dampningConstant: 2);
-        FixedAngleSpring angle = SpringFactory.Instance.CreateFixedAngleSpring(physicsSimulator, body, springConstant: 50, dampningConstant: 2);
+        FixedAngleSpring angle =
+            SpringFactory.Instance.CreateFixedAngleSpring(physicsSimulator, body, springConstant: 50, dampningConstant: 2);
         linear.WorldAttachPoint = new Vector2(10, 50);
         physicsSimulator.Update(0.01f);
     }

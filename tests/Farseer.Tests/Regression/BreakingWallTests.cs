@@ -64,7 +64,9 @@ public class BreakingWallTests
         Assert.InRange(most / start, 0, 1.05);
     }
 
-    /// <summary>A wall by its number: strength, speed, iterations and size in turn; what flies at it, how heavy and how high, by chance.</summary>
+    /// <summary>
+    /// A wall by its number: strength, speed, iterations and size in turn; what flies at it, how heavy and how high, by chance.
+    /// </summary>
     private static PhysicsSimulator Wall(int seed)
     {
         (float Point, float Force)[] breaks = [(0.02f, 0), (0.005f, 0), (0.0005f, 0), (0, 2000), (0, 400), (0, 100)];

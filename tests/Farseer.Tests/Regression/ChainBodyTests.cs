@@ -20,8 +20,8 @@ public class ChainBodyTests
     private const float Gravity = 10;
 
     /// <summary>
-    /// Of energies as heights, m: what a fall in a step is off, as for polygons. Between links a body may also lose the rest of a step in which
-    /// the sweep stops it, and so not fall by a step's way at up to 12 m/s.
+    /// Of energies as heights, m: what a fall in a step is off, as for polygons. Between links a body may also lose the rest of a step in
+    /// which the sweep stops it, and so not fall by a step's way at up to 12 m/s.
     /// </summary>
     private static double Spare(string floor, float dt) => 0.02 + (40 * dt * dt) + (floor == "chain" ? 12 * dt : 0);
 
@@ -85,7 +85,8 @@ public class ChainBodyTests
         for (int i = 0; i < bodies; i++)
         {
             Geom geom = Body(simulator, random, kind);
-            geom.Body.Position = new Vector2(Within(random, -3, 3) * (bodies > 1 ? 0.5f : 3), 1.5f + Within(random, 0, bodies > 1 ? 0.4f : 2.5f) + (i * 3.1f));
+            geom.Body.Position = new Vector2(
+                Within(random, -3, 3) * (bodies > 1 ? 0.5f : 3), 1.5f + Within(random, 0, bodies > 1 ? 0.4f : 2.5f) + (i * 3.1f));
             geom.Body.Rotation = Within(random, 0, 6.28f);
             geom.Body.LinearVelocity = new Vector2(Within(random, -5, 5), Within(random, -5, 0));
             geom.Body.AngularVelocity = Within(random, -5, 5);
@@ -127,7 +128,8 @@ public class ChainBodyTests
                 return GeomFactory.Instance.CreateRectangleGeom(simulator, body, 80, 10);
             case "polygon":
                 // Its centroid, which becomes the origin, is that of a rectangle of 80 by 10 with a triangle of 5 by 10 at either end.
-                return GeomFactory.Instance.CreatePolygonGeom(simulator, body, Sandbox.Outline(-40, -5, 40, -5, 45, 0, 40, 5, -40, 5, -45, 0), 0);
+                return GeomFactory.Instance.CreatePolygonGeom(
+                    simulator, body, Sandbox.Outline(-40, -5, 40, -5, 45, 0, 40, 5, -40, 5, -45, 0), 0);
             default:
                 var points = new Vertices();
                 for (int i = 20; i >= -20; i--)
@@ -176,6 +178,7 @@ public class ChainBodyTests
         // Half of what a body of 1 m may sink in before a sweep stops it, and the depth of rest.
         public readonly bool IsBad(double spare) => Quarantined || !(Rise <= spare) || !(Depth <= 0.35);
 
-        public override readonly string ToString() => $"{(Quarantined ? "quarantined, " : string.Empty)}rise {Rise:G3} m, depth {Depth:G3} m";
+        public override readonly string ToString() =>
+            $"{(Quarantined ? "quarantined, " : string.Empty)}rise {Rise:G3} m, depth {Depth:G3} m";
     }
 }

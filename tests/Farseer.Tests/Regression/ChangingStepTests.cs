@@ -11,8 +11,9 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// Another step in each update, from 1/1000 to 1/30 s. Contacts began a longer step with their whole impulses in proportion, and a shorter one closed
-/// the sag of the longer at as much higher a speed: a stack of ten leapt by 6 m with random steps and by 20 m with steps of 1/300 and 1/30 s in turn.
+/// Another step in each update, from 1/1000 to 1/30 s. Contacts began a longer step with their whole impulses in proportion, and a shorter
+/// one closed the sag of the longer at as much higher a speed: a stack of ten leapt by 6 m with random steps and by 20 m with steps of
+/// 1/300 and 1/30 s in turn.
 /// </summary>
 public class ChangingStepTests
 {

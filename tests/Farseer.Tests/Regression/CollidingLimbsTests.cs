@@ -9,8 +9,8 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// Ragdolls whose own limbs collide. What their contacts gave against a blow was repeated in the next substeps, of which a sweep took back a part only: energy rose by up to
-/// three metres of height in single steps.
+/// Ragdolls whose own limbs collide. What their contacts gave against a blow was repeated in the next substeps, of which a sweep took back
+/// a part only: energy rose by up to three metres of height in single steps.
 /// </summary>
 public class CollidingLimbsTests
 {

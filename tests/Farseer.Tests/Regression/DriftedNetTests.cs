@@ -25,7 +25,8 @@ public class DriftedNetTests
         }
     }
 
-    // What the impulses of the short step were, blows, was repeated 167 to 16,667 times as hard: 10 of 60 nets blew up in the step after it.
+    // What the impulses of the short step were, blows, was repeated 167 to 16,667 times as hard: 10 of 60 nets blew up in the step after
+    // it.
     [Theory]
     [InlineData(1e-4f)]
     [InlineData(1e-6f)]

@@ -11,8 +11,9 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// Ragdolls that fall fast. A blow on one limb, or a knee that comes to its limit, whips another into the floor within the step. By its velocity that one was to pass
-/// the floor, so their pair had no row; the sweep of fast bodies stopped it alone, and its hinge stood open for an update.
+/// Ragdolls that fall fast. A blow on one limb, or a knee that comes to its limit, whips another into the floor within the step. By its
+/// velocity that one was to pass the floor, so their pair had no row; the sweep of fast bodies stopped it alone, and its hinge stood open
+/// for an update.
 /// </summary>
 public class FallingRagdollTests
 {
@@ -55,7 +56,8 @@ public class FallingRagdollTests
             widest = Math.Max(widest, hinges.Max(hinge => hinge.Separation));
         }
 
-        // 0.03 mm at most in these twelve, where limbs that collide are pushed out of each other. Of 720 such falls one has more than 0.1 mm.
+        // 0.03 mm at most in these twelve, where limbs that collide are pushed out of each other. Of 720 such falls one has more than 0.1
+        // mm.
         Assert.InRange(widest, 0, 1e-4);
     }
 

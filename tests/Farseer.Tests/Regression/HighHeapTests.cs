@@ -10,8 +10,9 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// A heap of many levels that begins in itself, in a bin. Where only contacts that are deep themselves were pushed apart without speed, not all of their island, the others
-/// answered what these pushed into them by speeds that added up level by level: the heap was thrown up by 29 m, at 20 m/s.
+/// A heap of many levels that begins in itself, in a bin. Where only contacts that are deep themselves were pushed apart without speed, not
+/// all of their island, the others answered what these pushed into them by speeds that added up level by level: the heap was thrown up by
+/// 29 m, at 20 m/s.
 /// </summary>
 public class HighHeapTests
 {
@@ -37,10 +38,12 @@ public class HighHeapTests
             fastest = Math.Max(fastest, bodies.Max(body => body.LinearVelocity.Length()));
         }
 
-        // What rides on the heap falls through gaps that open below it: no faster than a fall of all that the heap rises. Thrown up they went at 20.
+        // What rides on the heap falls through gaps that open below it: no faster than a fall of all that the heap rises. Thrown up they
+        // went at 20.
         Assert.InRange(fastest, 0, Fall(Rise));
 
-        // With the area of the bodies 7 m are to come, and no more. Where sweeps forgot what they had pushed it had risen by 0.9 by then; now it has by 6.1.
+        // With the area of the bodies 7 m are to come, and no more. Where sweeps forgot what they had pushed it had risen by 0.9 by then;
+        // now it has by 6.1.
         Assert.InRange(bodies.Average(body => body.Position.Y) - start, 5, Rise);
     }
 
@@ -61,7 +64,8 @@ public class HighHeapTests
             fastest = Math.Max(fastest, bodies.Max(body => body.LinearVelocity.Length()));
         }
 
-        // What a body is pushed by is a way: kept as a speed, that of a step of a nanosecond threw bodies off at 200 km/s in the next steps.
+        // What a body is pushed by is a way: kept as a speed, that of a step of a nanosecond threw bodies off at 200 km/s in the next
+        // steps.
         Assert.InRange(fastest, 0, Fall(3));
         Assert.InRange(bodies.Average(body => body.Position.Y) - start, 1, 3);
     }
@@ -76,7 +80,8 @@ public class HighHeapTests
             simulator.Update(1 / 60f);
         }
 
-        // Bodies that rest in each other by the allowed depth have their centres 0.65 apart, and began 0.5 apart; 34 are nearer than at the start, and were 613 where sweeps forgot.
+        // Bodies that rest in each other by the allowed depth have their centres 0.65 apart, and began 0.5 apart; 34 are nearer than at the
+        // start, and were 613 where sweeps forgot.
         Assert.InRange(bodies.Count(body => IsCrowded(body, bodies)), 0, 60);
     }
 

@@ -8,9 +8,9 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// A body is put beneath the floor that the other one of its joint stands on. Joint and floor contradict each other, so the pair is displaced for good;
-/// impulses of the floor were kept meanwhile, in ways in which the pair gives next to nothing, and threw it off once displacements had turned them: a
-/// hinged pair at 33 a second, one on a rail and a rod at 220, and worlds with more joints at 10¹⁴.
+/// A body is put beneath the floor that the other one of its joint stands on. Joint and floor contradict each other, so the pair is
+/// displaced for good; impulses of the floor were kept meanwhile, in ways in which the pair gives next to nothing, and threw it off once
+/// displacements had turned them: a hinged pair at 33 a second, one on a rail and a rod at 220, and worlds with more joints at 10¹⁴.
 /// </summary>
 public class JointThroughFloorTests
 {

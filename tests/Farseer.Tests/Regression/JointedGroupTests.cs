@@ -9,7 +9,9 @@ using Xunit;
 
 namespace Farseer.Tests.Regression;
 
-/// <summary>Bodies that joints make one, and that touch each other besides: their contacts have nothing to do, and nothing to divide by.</summary>
+/// <summary>
+/// Bodies that joints make one, and that touch each other besides: their contacts have nothing to do, and nothing to divide by.
+/// </summary>
 public class JointedGroupTests
 {
     private const float Side = 0.8f;

@@ -9,8 +9,8 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// Limits that something from outside overran: a body put beyond them, or they set anew. They went back by a fifth of the overrun a substep as a speed, of
-/// which up to 144 a second was left wherever an anchor lies off its body's centre.
+/// Limits that something from outside overran: a body put beyond them, or they set anew. They went back by a fifth of the overrun a substep
+/// as a speed, of which up to 144 a second was left wherever an anchor lies off its body's centre.
 /// </summary>
 public class LimitFromOutsideTests
 {
@@ -84,7 +84,8 @@ public class LimitFromOutsideTests
             Assert.InRange((light.LinearVelocity - drift).Length(), 0, Still);
         }
 
-        Assert.InRange((light.GetWorldPosition(new Vector2(0.05f, -0.05f)) - heavy.GetWorldPosition(new Vector2(0, 0.1f))).Length(), 0, 1.011f);
+        Assert.InRange(
+            (light.GetWorldPosition(new Vector2(0.05f, -0.05f)) - heavy.GetWorldPosition(new Vector2(0, 0.1f))).Length(), 0, 1.011f);
     }
 
     /// <summary>What lies in the way is pushed aside, and not shot off.</summary>
@@ -120,5 +121,6 @@ public class LimitFromOutsideTests
         _ => new AngleLimitJoint(held, body, -0.2f, 0.3f),
     };
 
-    private static Vector2 Away(Random random, float size) => size * 2 * new Vector2(random.NextSingle() - 0.5f, random.NextSingle() - 0.5f);
+    private static Vector2 Away(Random random, float size) =>
+        size * 2 * new Vector2(random.NextSingle() - 0.5f, random.NextSingle() - 0.5f);
 }

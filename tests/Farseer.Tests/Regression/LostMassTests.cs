@@ -10,8 +10,8 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// A body that carries others loses mass. Its contacts started from what had carried the mass before, and those that lay on it were thrown off by that before the ground took
-/// it back: a box at 0.45 m/s, sixty of them at 90.
+/// A body that carries others loses mass. Its contacts started from what had carried the mass before, and those that lay on it were thrown
+/// off by that before the ground took it back: a box at 0.45 m/s, sixty of them at 90.
 /// </summary>
 public class LostMassTests
 {
@@ -41,7 +41,8 @@ public class LostMassTests
             }
         }
 
-        // Contacts find what they carry anew from less than it was: boxes sink by less than their millimetre meanwhile, at less than what falls in a tenth of a step.
+        // Contacts find what they carry anew from less than it was: boxes sink by less than their millimetre meanwhile, at less than what
+        // falls in a tenth of a step.
         Assert.InRange(fastest, 0, 0.017);
     }
 

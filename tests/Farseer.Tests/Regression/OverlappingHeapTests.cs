@@ -8,8 +8,9 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// A heap of bodies that begin in each other, one of which is a wheel. What touches a tree of joints is moved by its passes, and these told contacts of turns of
-/// several radians since the middle of the step, where contacts can follow one: their sweeps grew what they were to settle, to 1.7·10⁸ m/s in the first step.
+/// A heap of bodies that begin in each other, one of which is a wheel. What touches a tree of joints is moved by its passes, and these told
+/// contacts of turns of several radians since the middle of the step, where contacts can follow one: their sweeps grew what they were to
+/// settle, to 1.7·10⁸ m/s in the first step.
 /// </summary>
 public class OverlappingHeapTests
 {
@@ -60,5 +61,6 @@ public class OverlappingHeapTests
         }
     }
 
-    private readonly record struct Start(float X, float Y, float Angle, float Width, float Height, float Mass, float Friction, float Restitution, int Group);
+    private readonly record struct Start(
+        float X, float Y, float Angle, float Width, float Height, float Mass, float Friction, float Restitution, int Group);
 }

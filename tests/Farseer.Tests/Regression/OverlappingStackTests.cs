@@ -11,8 +11,8 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// Boxes on each other that begin in each other. What soft contacts take back of an overlap leaves at a rate that grows with the dial: ten boxes
-/// overlapping by a quarter rose 0.54 m above their height at 40 iterations, while at 5 they did not.
+/// Boxes on each other that begin in each other. What soft contacts take back of an overlap leaves at a rate that grows with the dial: ten
+/// boxes overlapping by a quarter rose 0.54 m above their height at 40 iterations, while at 5 they did not.
 /// </summary>
 public class OverlappingStackTests
 {

@@ -8,8 +8,9 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// Two welded bodies, one of which is pinned to a point and the other kept at its angle: nothing can move. Of the weld's three directions two had no response, and
-/// the determinant of the block was less than the rounding of its own terms: in the first step under gravity the joints were 959 m apart.
+/// Two welded bodies, one of which is pinned to a point and the other kept at its angle: nothing can move. Of the weld's three directions
+/// two had no response, and the determinant of the block was less than the rounding of its own terms: in the first step under gravity the
+/// joints were 959 m apart.
 /// </summary>
 public class PinnedGroupTests
 {

@@ -9,8 +9,8 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// Chains of ropes, each of which is a limit alone. Iterated, they were pushed on from what the passes had not settled: eight ropes with twenty
-/// links' weight at the end rose by 6 m where they hung, and by 3,800 m with pauses.
+/// Chains of ropes, each of which is a limit alone. Iterated, they were pushed on from what the passes had not settled: eight ropes with
+/// twenty links' weight at the end rose by 6 m where they hung, and by 3,800 m with pauses.
 /// </summary>
 public class RopeChainTests
 {
@@ -81,7 +81,9 @@ public class RopeChainTests
         }
     }
 
-    /// <summary>A rope between two bodies that a hinge holds already stays a row of their tree: it may not take the hinge's place.</summary>
+    /// <summary>
+    /// A rope between two bodies that a hinge holds already stays a row of their tree: it may not take the hinge's place.
+    /// </summary>
     [Fact]
     public void RopeBesideHinges_LeavesThemExact()
     {
@@ -112,7 +114,9 @@ public class RopeChainTests
         }
     }
 
-    /// <summary>The last of a chain is put half a length further than its rope reaches: it comes back by displacements, and stops there.</summary>
+    /// <summary>
+    /// The last of a chain is put half a length further than its rope reaches: it comes back by displacements, and stops there.
+    /// </summary>
     [Fact]
     public void Chain_PulledTooLongByHand_ReturnsWithoutSpeed()
     {

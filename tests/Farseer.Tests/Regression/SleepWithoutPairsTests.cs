@@ -7,8 +7,8 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// Bodies that fell asleep in a world that had never had a pair wrote down where their corners are, in a column that the first narrow phase makes room in: beyond a hundred
-/// pieces it ran over the memory behind, and the next collection of garbage ended the process.
+/// Bodies that fell asleep in a world that had never had a pair wrote down where their corners are, in a column that the first narrow phase
+/// makes room in: beyond a hundred pieces it ran over the memory behind, and the next collection of garbage ended the process.
 /// </summary>
 public class SleepWithoutPairsTests
 {

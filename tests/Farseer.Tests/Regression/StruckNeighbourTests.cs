@@ -46,7 +46,8 @@ public class StruckNeighbourTests
         Body ball = Add(simulator, new Vector2(0.85f, 0.3f + (float)(1.9 * Math.Sin(angle))), 0.2f, 0.2f, 1, 0).Body;
         ball.LinearVelocity = new Vector2(0, -8);
 
-        // The blow turns the plank by a tenth of a radian within the step, and the arms are those foreseen before it; 0.021 and 0.053 it was.
+        // The blow turns the plank by a tenth of a radian within the step, and the arms are those foreseen before it; 0.021 and 0.053 it
+        // was.
         Assert.InRange(DeepestOf(simulator, 20), 0, 0.01);
     }
 

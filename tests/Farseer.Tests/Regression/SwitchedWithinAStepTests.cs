@@ -12,8 +12,9 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// A body that a handler takes out of motion in the middle of an update, with a spring or a joint at it and others on it: it stays where it is from then on, and
-/// what holds on to it goes on. (It was solved to the update's end as one that moves, without a mass: springs divided by that, and all that hung together had no numbers.)
+/// A body that a handler takes out of motion in the middle of an update, with a spring or a joint at it and others on it: it stays where it
+/// is from then on, and what holds on to it goes on. (It was solved to the update's end as one that moves, without a mass: springs divided
+/// by that, and all that hung together had no numbers.)
 /// </summary>
 public class SwitchedWithinAStepTests
 {
@@ -46,7 +47,9 @@ public class SwitchedWithinAStepTests
         }
     }
 
-    /// <summary>Three boxes fall on a floor one upon the other; something ties the lowest to the uppermost, and a spring each to a body beside them.</summary>
+    /// <summary>
+    /// Three boxes fall on a floor one upon the other; something ties the lowest to the uppermost, and a spring each to a body beside them.
+    /// </summary>
     private sealed class Yard
     {
         private readonly PhysicsSimulator _simulator = new PhysicsSimulator(new Vector2(0, -10));

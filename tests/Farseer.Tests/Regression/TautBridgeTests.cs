@@ -105,8 +105,9 @@ public class TautBridgeTests
     }
 
     /// <summary>
-    /// A car drives over a bridge between abutments that its ends touch. Bodies that touch a tree whose correction went astray are projected
-    /// with it: one to which that would have given energy was left with the speed of the last correction, which is none, and the car stood.
+    /// A car drives over a bridge between abutments that its ends touch. Bodies that touch a tree whose correction went astray are
+    /// projected with it: one to which that would have given energy was left with the speed of the last correction, which is none, and the
+    /// car stood.
     /// </summary>
     [Theory]
     [InlineData(1 / 240f, 1)]
@@ -152,7 +153,8 @@ public class TautBridgeTests
             time += step;
         }
 
-        // Twenty lengths at the 4 m/s of its wheels and a second and a half to get going are 5.4 s; it still loses some speed at joints, and needs up to 9.5.
+        // Twenty lengths at the 4 m/s of its wheels and a second and a half to get going are 5.4 s; it still loses some speed at joints,
+        // and needs up to 9.5.
         Assert.InRange(car.Body.Position.X, Length + 4, Length + 10);
         Assert.InRange(car.Body.Position.Y, 0.7f, 0.9f);
     }

@@ -10,8 +10,9 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// Worlds without gravity, where no weight tells a load from a blow. Every impulse passed for a blow there, so that no substep began from the impulses of the one
-/// before: ten boxes that forces press against a wall sank in by 0.42 of one, twenty ran through each other and the wall.
+/// Worlds without gravity, where no weight tells a load from a blow. Every impulse passed for a blow there, so that no substep began from
+/// the impulses of the one before: ten boxes that forces press against a wall sank in by 0.42 of one, twenty ran through each other and the
+/// wall.
 /// </summary>
 public class WeightlessTests
 {
@@ -19,8 +20,8 @@ public class WeightlessTests
     private const float Brick = 0.4f;
 
     /// <summary>
-    /// The softness of the contacts of a row of n, without the feed-forward that weight would allow: n(n + 1)·a·h²/(π/2)² for boxes of which each hands on what
-    /// presses those behind it, h being the substep. Printed: 19 mm for 20, 75 mm for 40.
+    /// The softness of the contacts of a row of n, without the feed-forward that weight would allow: n(n + 1)·a·h²/(π/2)² for boxes of
+    /// which each hands on what presses those behind it, h being the substep. Printed: 19 mm for 20, 75 mm for 40.
     /// </summary>
     [Theory]
     [InlineData(5)]
@@ -43,8 +44,8 @@ public class WeightlessTests
     }
 
     /// <summary>
-    /// A wall of 2,400 bricks at rest. The more iterations the slower the box leaves it: 25.8, 25.3 and 25.2 m/s with 4, 16 and 64. It was 27.6, and the bricks before
-    /// it kept lying in each other whole.
+    /// A wall of 2,400 bricks at rest. The more iterations the slower the box leaves it: 25.8, 25.3 and 25.2 m/s with 4, 16 and 64. It was
+    /// 27.6, and the bricks before it kept lying in each other whole.
     /// </summary>
     [Fact]
     public void Box_ThroughWallAtRest_LeavesItsSpeedToTheBricks()

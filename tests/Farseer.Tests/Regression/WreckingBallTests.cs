@@ -9,8 +9,9 @@ using Xunit;
 namespace Farseer.Tests.Regression;
 
 /// <summary>
-/// A ball whose hinge lies within it, and which collides with the last link of its rope, as joined bodies do unless told otherwise: no turn undoes that overlap. It
-/// was pushed apart all the same, the links spun at hundreds of radians a second, and the ball was thrown as high as twenty metres.
+/// A ball whose hinge lies within it, and which collides with the last link of its rope, as joined bodies do unless told otherwise: no turn
+/// undoes that overlap. It was pushed apart all the same, the links spun at hundreds of radians a second, and the ball was thrown as high
+/// as twenty metres.
 /// </summary>
 public class WreckingBallTests
 {

@@ -102,7 +102,8 @@ internal sealed class Bench
         foreach (Body body in Simulator.BodyList)
         {
             Assert.True(float.IsFinite(body.Position.X) && float.IsFinite(body.Position.Y) && float.IsFinite(body.Rotation));
-            Assert.True(float.IsFinite(body.LinearVelocity.X) && float.IsFinite(body.LinearVelocity.Y) && float.IsFinite(body.AngularVelocity));
+            Assert.True(
+                float.IsFinite(body.LinearVelocity.X) && float.IsFinite(body.LinearVelocity.Y) && float.IsFinite(body.AngularVelocity));
         }
     }
 
@@ -229,7 +230,8 @@ internal sealed class Bench
             : throw new NotSupportedException("No valid " + type + " for " + name + ": add one."));
     }
 
-    private static BodyList OwnList() => new BodyList { new Body(), new Body(), new Body(), new Body(), new Body(), new Body(), new Body(), new Body() };
+    private static BodyList OwnList() =>
+        new BodyList { new Body(), new Body(), new Body(), new Body(), new Body(), new Body(), new Body(), new Body() };
 
     private object NewJoint(Type type)
     {

@@ -70,11 +70,13 @@ internal static class DocumentedRange
         }
 
         string name = door.Member.IsConstructor ? "#ctor" : door.Member.Name;
-        return "M:" + owner + "." + name + "(" + string.Join(",", door.Member.GetParameters().Select(p => p.ParameterType.FullName!.Replace('&', '@'))) + ")";
+        return "M:" + owner + "." + name + "("
+            + string.Join(",", door.Member.GetParameters().Select(p => p.ParameterType.FullName!.Replace('&', '@'))) + ")";
     }
 
     private static Dictionary<string, XElement> Read() =>
-        XDocument.Load(Path.Combine(AppContext.BaseDirectory, Path.ChangeExtension(typeof(PhysicsSimulator).Assembly.GetName().Name, ".xml")!))
+        XDocument.Load(
+            Path.Combine(AppContext.BaseDirectory, Path.ChangeExtension(typeof(PhysicsSimulator).Assembly.GetName().Name, ".xml")!))
             .Descendants("member")
             .ToDictionary(m => (string)m.Attribute("name")!);
 }

@@ -55,7 +55,9 @@ internal sealed class Door
 
         if (Type == typeof(Vector2))
         {
-            return new object?[] { new Vector2(float.NaN, 1), new Vector2(1, float.PositiveInfinity), new Vector2(float.NegativeInfinity, 0) };
+            return new object?[] {
+                new Vector2(float.NaN, 1), new Vector2(1, float.PositiveInfinity), new Vector2(float.NegativeInfinity, 0),
+            };
         }
 
         if (Type == typeof(Matrix4x4))
@@ -106,7 +108,8 @@ internal sealed class Door
 
     /// <summary>Valid arguments, and the given one at this door.</summary>
     public object?[] Arguments(Bench bench, object? value) =>
-        Member.GetParameters().Select((p, i) => i == Index ? value : p.IsOut ? null : bench.Valid(Bare(p.ParameterType), p.Name!)).ToArray();
+        Member.GetParameters().Select((p, i) => i == Index ? value : p.IsOut ? null : bench.Valid(Bare(p.ParameterType), p.Name!))
+            .ToArray();
 
     public override string ToString() => Member.DeclaringType!.Name + "." + Member + " " + Name;
 
@@ -124,12 +127,17 @@ internal sealed class Door
         const BindingFlags Declared = BindingFlags.Public | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly;
         foreach (Type exported in typeof(PhysicsSimulator).Assembly.GetExportedTypes().OrderBy(t => t.FullName, StringComparer.Ordinal))
         {
-            if (exported.Name.Contains('<', StringComparison.Ordinal) || exported.IsInterface || exported.IsEnum || typeof(Delegate).IsAssignableFrom(exported))
+            if (exported.Name.Contains('<', StringComparison.Ordinal)
+                || exported.IsInterface
+                || exported.IsEnum
+                || typeof(Delegate).IsAssignableFrom(exported))
             {
                 continue;
             }
 
-            Type type = exported.IsGenericTypeDefinition ? exported.MakeGenericType(exported == typeof(ItemList<>) ? typeof(Body) : typeof(object)) : exported;
+            Type type = exported.IsGenericTypeDefinition
+                ? exported.MakeGenericType(exported == typeof(ItemList<>) ? typeof(Body) : typeof(object))
+                : exported;
             IEnumerable<MethodBase> members = type.GetConstructors(Declared);
             members = members.Concat(type.GetMethods(Declared).Where(m => !m.IsGenericMethod && !IsAccessorOfEvent(m)));
             foreach (MethodBase member in members)

@@ -30,7 +30,8 @@ public class DrivenBounceTests
                     // A centre in the wall is a body that has been pushed in by more than a half of itself.
                     Assert.True(
                         Math.Abs(body.Position.X) < Room + 1 && Math.Abs(body.Position.Y) < Room + 1,
-                        $"seed {seed}, step {step}: at {body.Position}, {body.LinearVelocity.Length()} units/s, {body.AngularVelocity} rad/s");
+                        $"seed {seed}, step {step}: at {body.Position}, {body.LinearVelocity.Length()} units/s, {body.AngularVelocity} "
+                            + $"rad/s");
 
                     // Two and a half half sides in a step of the largest (half of one in each of five substeps), and what falls in.
                     Assert.True(body.LinearVelocity.Length() < 2.5f * 6.5f * 60 * 1.2f, $"seed {seed}, step {step}: {body.LinearVelocity}");

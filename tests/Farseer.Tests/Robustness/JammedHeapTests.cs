@@ -11,8 +11,8 @@ using Xunit;
 namespace Farseer.Tests.Robustness;
 
 /// <summary>
-/// A dense heap between the wall of a bin and a rod that nothing stops: the performance scene spinner, a third as large. What is jammed spins at a hundred radians a second and more,
-/// and within a step speeds and impulses may have nothing to do with each other any more.
+/// A dense heap between the wall of a bin and a rod that nothing stops: the performance scene spinner, a third as large. What is jammed
+/// spins at a hundred radians a second and more, and within a step speeds and impulses may have nothing to do with each other any more.
 /// </summary>
 public class JammedHeapTests
 {

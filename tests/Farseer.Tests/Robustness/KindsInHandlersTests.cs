@@ -70,10 +70,14 @@ public class KindsInHandlersTests
     public void Kinds_AreAllThereAre()
     {
         IEnumerable<string> library = typeof(Joint).Assembly.GetTypes()
-            .Where(t => t.IsPublic && !t.IsAbstract && (t.IsSubclassOf(typeof(Joint)) || t.IsSubclassOf(typeof(Spring)) || t.IsSubclassOf(typeof(Controller))))
+            .Where(t => t.IsPublic
+                && !t.IsAbstract
+                && (t.IsSubclassOf(typeof(Joint)) || t.IsSubclassOf(typeof(Spring)) || t.IsSubclassOf(typeof(Controller))))
             .Select(t => t.Name);
 
-        Assert.Equal(library.Order(StringComparer.Ordinal), Kinds.All.Where(k => !k.StartsWith("Own", StringComparison.Ordinal)).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            library.Order(StringComparer.Ordinal),
+            Kinds.All.Where(k => !k.StartsWith("Own", StringComparison.Ordinal)).Order(StringComparer.Ordinal));
     }
 
     [Theory]
@@ -98,7 +102,9 @@ public class KindsInHandlersTests
                 stage.RunThrough(which);
 
                 Assert.True(done, which + ": the handler was not called");
-                Assert.True(isGone(stage) is not { } gone || gone != Kinds.Holds(stage.Simulator, stage.Item), which + ": it is not where it should be");
+                Assert.True(
+                    isGone(stage) is not { } gone || gone != Kinds.Holds(stage.Simulator, stage.Item),
+                    which + ": it is not where it should be");
                 stage.CheckWhole(which);
             }
         }
@@ -127,7 +133,9 @@ public class KindsInHandlersTests
             stage.RunThrough(which);
 
             Assert.True(broken > 0, which + ": it did not break");
-            Assert.True(isGone(stage) is not { } gone || gone != Kinds.Holds(stage.Simulator, stage.Item), which + ": it is not where it should be");
+            Assert.True(
+                isGone(stage) is not { } gone || gone != Kinds.Holds(stage.Simulator, stage.Item),
+                which + ": it is not where it should be");
             stage.CheckWhole(which);
         }
     }
@@ -199,7 +207,8 @@ public class KindsInHandlersTests
             Pin = JointFactory.Instance.CreatePinJoint(Simulator, Bystander, Vector2.Zero, other, Vector2.Zero);
             Coil = SpringFactory.Instance.CreateFixedLinearSpring(Simulator, other, Vector2.Zero, new Vector2(120, -60), 1, 0);
             Fluid = new FluidDragController();
-            Fluid.Initialize(new AABBFluidContainer(new AABB(new Vector2(80, -34), new Vector2(140, 0))), 0.001f, 1, 1, new Vector2(0, 100));
+            Fluid.Initialize(
+                new AABBFluidContainer(new AABB(new Vector2(80, -34), new Vector2(140, 0))), 0.001f, 1, 1, new Vector2(0, 100));
             Fluid.AddGeom(other.GeomAt(0));
             OwnJoint = new Kinds.OwnJoint(Bystander, other);
             OwnSpring = new Kinds.OwnSpring(other);

@@ -12,7 +12,9 @@ using Xunit;
 
 namespace Farseer.Tests.Robustness;
 
-/// <summary>Things in the wrong place or at the wrong time: of another simulator, added twice, disposed, changed within a handler.</summary>
+/// <summary>
+/// Things in the wrong place or at the wrong time: of another simulator, added twice, disposed, changed within a handler.
+/// </summary>
 public class LifetimeTests
 {
     [Fact]
@@ -155,7 +157,8 @@ public class LifetimeTests
             bench.Simulator.Add(new Body());
             ((IDisposable)target).Dispose();
             object?[] arguments = method.GetParameters()
-                .Select(p => p.IsOut ? null : bench.Valid(p.ParameterType.IsByRef ? p.ParameterType.GetElementType()! : p.ParameterType, p.Name!))
+                .Select(p =>
+                    p.IsOut ? null : bench.Valid(p.ParameterType.IsByRef ? p.ParameterType.GetElementType()! : p.ParameterType, p.Name!))
                 .ToArray();
             Exception? thrown = null;
             try

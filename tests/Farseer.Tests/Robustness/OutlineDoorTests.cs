@@ -67,7 +67,8 @@ public class OutlineDoorTests
     {
         Vertices plain = Make(_square);
         var repeated = new Vertices { _square[0], _square[0], _square[1], _square[2], _square[2], _square[2], _square[3], _square[0] };
-        var collinear = new Vertices { _square[0], new Vector2(-10, 3), _square[1], new Vector2(0, 10), _square[2], _square[3], new Vector2(7, -10) };
+        var collinear =
+            new Vertices { _square[0], new Vector2(-10, 3), _square[1], new Vector2(0, 10), _square[2], _square[3], new Vector2(7, -10) };
         Vertices clockwise = Make(_square.Reverse().ToArray());
         Assert.Equal(Rest(plain), Rest(repeated));
         Assert.Equal(Rest(plain), Rest(collinear), 1e-4f);
@@ -85,7 +86,8 @@ public class OutlineDoorTests
         var bench = new Bench();
         Vertices points = Make(_square.Take(count).ToArray());
         bool loop = count == 2;
-        var refusal = Assert.Throws<ArgumentException>(() => GeomFactory.Instance.CreateChainGeom(bench.Simulator, bench.Box, points, loop));
+        var refusal =
+            Assert.Throws<ArgumentException>(() => GeomFactory.Instance.CreateChainGeom(bench.Simulator, bench.Box, points, loop));
         Assert.Equal("points", refusal.ParamName);
         Assert.Equal(1, bench.Box.GeomCount);
     }
@@ -95,8 +97,10 @@ public class OutlineDoorTests
     {
         var bench = new Bench();
         var place = new Vector2(3, 4);
-        Assert.Equal("end", Assert.Throws<ArgumentException>(() => GeomFactory.Instance.CreateSegmentGeom(bench.Box, place, place)).ParamName);
-        Assert.Equal("end", Assert.Throws<ArgumentException>(() => GeomFactory.Instance.CreateCapsuleGeom(bench.Box, place, place, 1)).ParamName);
+        Assert.Equal(
+            "end", Assert.Throws<ArgumentException>(() => GeomFactory.Instance.CreateSegmentGeom(bench.Box, place, place)).ParamName);
+        Assert.Equal(
+            "end", Assert.Throws<ArgumentException>(() => GeomFactory.Instance.CreateCapsuleGeom(bench.Box, place, place, 1)).ParamName);
         Assert.Equal(1, bench.Box.GeomCount);
     }
 
@@ -117,12 +121,14 @@ public class OutlineDoorTests
             (s, b) => GeomFactory.Instance.CreateCapsuleGeom(s, b, new Vector2(-size, 0), new Vector2(size, 0), size / 3),
             (s, b) => GeomFactory.Instance.CreateRoundedRectangleGeom(s, b, size, size / 2, size / 3),
             (s, b) => GeomFactory.Instance.CreateSegmentGeom(s, b, new Vector2(-size, 0), new Vector2(size, 0)),
-            (s, b) => GeomFactory.Instance.CreatePolygonGeom(s, b, Make(new[] { -size, -size, -size, size, 0, 0, size, size, size, -size }), 0),
+            (s, b) =>
+                GeomFactory.Instance.CreatePolygonGeom(s, b, Make(new[] { -size, -size, -size, size, 0, 0, size, size, size, -size }), 0),
             (s, b) => GeomFactory.Instance.CreateRectangleGeom(s, b, 1, 1, new Vector2(size, 0), 0.3f),
         };
         foreach (Action<PhysicsSimulator, Body> shape in shapes)
         {
-            var simulator = new PhysicsSimulator(new Vector2(0, size < 1 ? size * 10 : 10)) { AllowedPenetration = size < 1 ? size * 0.01f : 0.01f };
+            var simulator =
+                new PhysicsSimulator(new Vector2(0, size < 1 ? size * 10 : 10)) { AllowedPenetration = size < 1 ? size * 0.01f : 0.01f };
             for (int i = 0; i < 3; i++)
             {
                 Body body = BodyFactory.Instance.CreateBody(simulator, 1, 1);

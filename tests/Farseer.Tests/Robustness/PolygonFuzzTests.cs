@@ -80,7 +80,8 @@ public class PolygonFuzzTests
         for (int i = 0; i < 10; i++)
         {
             simulator.Update(0.06f);
-            Assert.True(float.IsFinite(body.Position.X + body.Position.Y + body.LinearVelocity.X + body.LinearVelocity.Y + body.AngularVelocity));
+            Assert.True(
+                float.IsFinite(body.Position.X + body.Position.Y + body.LinearVelocity.X + body.LinearVelocity.Y + body.AngularVelocity));
             Assert.True(float.IsFinite(second.Position.X + second.Position.Y + second.AngularVelocity));
             Assert.False(body.IsQuarantined || second.IsQuarantined);
         }

@@ -12,7 +12,8 @@ namespace Farseer.Tests.Robustness;
 /// <summary>A body whose state is no longer one of numbers is taken out and reported; the others go on.</summary>
 public class QuarantineTests
 {
-    public static TheoryData<float> NoNumbers() => new TheoryData<float> { float.NaN, float.PositiveInfinity, float.NegativeInfinity, 1e30f };
+    public static TheoryData<float> NoNumbers() =>
+        new TheoryData<float> { float.NaN, float.PositiveInfinity, float.NegativeInfinity, 1e30f };
 
     [Theory]
     [MemberData(nameof(NoNumbers))]

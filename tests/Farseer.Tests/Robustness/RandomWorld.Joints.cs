@@ -53,7 +53,8 @@ internal sealed partial class RandomWorld
         float frequency = Next(1, 8);
         float breaks = _random.Next(10) == 0 ? Next(0.05f, 0.5f) : float.MaxValue;
         bool collide = _random.Next(6) == 0;
-        bool keeps = Keeps($"joint {(Kind)kind} of {_bodies.IndexOf(one)} and {_bodies.IndexOf(other)} limited {limited} driven {driven} springy {springy} soft {soft}");
+        bool keeps = Keeps($"joint {(Kind)kind} of {_bodies.IndexOf(one)} and {_bodies.IndexOf(other)} limited {limited} driven {driven} "
+            + $"springy {springy} soft {soft}");
         bool alone = (Kind)kind is Kind.FixedAngle or Kind.FixedAngleLimit or Kind.FixedPrismatic or Kind.FixedRevolute or Kind.Target;
         if ((one == other && !alone) || (one.IsStatic && (alone || other.IsStatic)))
         {
@@ -75,7 +76,8 @@ internal sealed partial class RandomWorld
             },
             Kind.FixedAngle => new FixedAngleJoint(one, one.TotalRotation),
             Kind.FixedAngleLimit => new FixedAngleLimitJoint(one, one.TotalRotation - low, one.TotalRotation + high),
-            Kind.FixedPrismatic => Limit(new FixedPrismaticJoint(one, anchor, axis) { MaxMotorForce = strength }, limited, driven, low, high),
+            Kind.FixedPrismatic =>
+                Limit(new FixedPrismaticJoint(one, anchor, axis) { MaxMotorForce = strength }, limited, driven, low, high),
             Kind.FixedRevolute => Limit(new FixedRevoluteJoint(one, anchor) { MaxMotorTorque = strength }, limited, driven, low, high),
             Kind.Gear => new GearJoint(one, other, 0.5f + high),
             Kind.Motor => new MotorJoint(one, other) { MaxForce = strength, MaxTorque = strength },
@@ -87,7 +89,8 @@ internal sealed partial class RandomWorld
             Kind.Slider => new SliderJoint(one, end1, other, end2, MathF.Max(0, apart - low), apart + high),
             Kind.Target => new TargetJoint(one, one.Position) { MaxForce = 10 * strength },
             Kind.Weld => new WeldJoint(one, other, anchor) { Frequency = springy ? frequency : 0 },
-            _ => Limit(new WheelJoint(one, other, anchor, axis) { Frequency = frequency, MaxMotorTorque = strength }, limited, driven, low, high),
+            _ => Limit(
+                new WheelJoint(one, other, anchor, axis) { Frequency = frequency, MaxMotorTorque = strength }, limited, driven, low, high),
         };
         joint.Softness = soft ? 0.1f : 0;
         joint.Breakpoint = breaks;

@@ -12,16 +12,18 @@ using FarseerGames.FarseerPhysics.Factories;
 namespace Farseer.Tests.Robustness;
 
 /// <summary>
-/// A world that follows from a seed: 3 to 44 bodies over a floor, some within each other and some static, joints of all kinds between any two of them, springs,
-/// motors, handlers that veto; while it runs joints are removed, switched off and on, bodies are put elsewhere and gravity changes. Joints begin within
-/// their errors. It keeps an account of what moved its bodies.
+/// A world that follows from a seed: 3 to 44 bodies over a floor, some within each other and some static, joints of all kinds between any
+/// two of them, springs, motors, handlers that veto; while it runs joints are removed, switched off and on, bodies are put elsewhere and
+/// gravity changes. Joints begin within their errors. It keeps an account of what moved its bodies.
 /// </summary>
 internal sealed partial class RandomWorld
 {
     private const int Steps = 400;
     private const int Paces = 3;
 
-    /// <summary>Its parts are numbered in the order in which they are made; one that is not kept is left out, and all others stay as they are.</summary>
+    /// <summary>
+    /// Its parts are numbered in the order in which they are made; one that is not kept is left out, and all others stay as they are.
+    /// </summary>
     private readonly Func<int, bool> _keeps;
     private readonly Random _random;
     private readonly List<Body> _bodies = new List<Body>();
@@ -89,7 +91,9 @@ internal sealed partial class RandomWorld
             int below = 0;
             foreach (Body body in _bodies)
             {
-                below += !_turnsGravity && !_putsDown && !_absent.Contains(body) && body.Position.Y < -1 && MathF.Abs(body.Position.X) < 900 ? 1 : 0;
+                below += !_turnsGravity && !_putsDown && !_absent.Contains(body) && body.Position.Y < -1 && MathF.Abs(body.Position.X) < 900
+                    ? 1
+                    : 0;
             }
 
             return below;
@@ -135,7 +139,9 @@ internal sealed partial class RandomWorld
         }
     }
 
-    /// <summary>What would lift all of them by 5 cm: overlaps that the world begins with and slacks of limits are no more than that.</summary>
+    /// <summary>
+    /// What would lift all of them by 5 cm: overlaps that the world begins with and slacks of limits are no more than that.
+    /// </summary>
     private double Least()
     {
         double mass = 0;
@@ -237,7 +243,8 @@ internal sealed partial class RandomWorld
         Body body = Any();
         Joint? joint = _joints.Count > 0 ? _joints[_random.Next(_joints.Count)] : null;
         Vector2 gravity = 10 * Around();
-        bool keeps = Keeps($"event {what} at {step}: body {_bodies.IndexOf(body)} by {way}, joint {joint?.GetType().Name}, gravity {gravity}");
+        bool keeps =
+            Keeps($"event {what} at {step}: body {_bodies.IndexOf(body)} by {way}, joint {joint?.GetType().Name}, gravity {gravity}");
         bool acts = joint is not null && !_out.Contains(joint);
 
         // A servo that is switched on late would go for its angle with a speed, as it should.

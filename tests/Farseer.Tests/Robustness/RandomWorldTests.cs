@@ -6,7 +6,9 @@ using Xunit.Abstractions;
 
 namespace Farseer.Tests.Robustness;
 
-/// <summary>Worlds with joints of all kinds between any two bodies, in which something is put elsewhere, switched or removed all the time.</summary>
+/// <summary>
+/// Worlds with joints of all kinds between any two bodies, in which something is put elsewhere, switched or removed all the time.
+/// </summary>
 public class RandomWorldTests
 {
     private const int Seeds = 300;
@@ -15,15 +17,16 @@ public class RandomWorldTests
     private const double MostShare = 1.5;
 
     /// <summary>
-    /// So many of the 300 may exceed it; 5 do (16 before soft pivots were solved as one, 14 before those at their own stops were asked again without them). 25: a soft slider
-    /// that was overrun goes back with a speed. The others, of up to forty bodies with as many joints that contradict each other, were not reduced to a cause; which of them
-    /// it are goes by chance, 2 in 100 of all seeds.
+    /// So many of the 300 may exceed it; 5 do (16 before soft pivots were solved as one, 14 before those at their own stops were asked
+    /// again without them). 25: a soft slider that was overrun goes back with a speed. The others, of up to forty bodies with as many
+    /// joints that contradict each other, were not reduced to a cause; which of them it are goes by chance, 2 in 100 of all seeds.
     /// </summary>
     private const int MostOver = 10;
 
     /// <summary>
-    /// So many of these may have a body faster than this: one of 300 has (113: a slider, a gear and hinges that contradict each other; 3 of 1,200 seeds, and by chance which). 60 a second
-    /// are usual, 683 in seed 30 before; a soft pivot swung up to 11,300 in seed 79 before that. (In a world within its energy a motor may drive a body faster.)
+    /// So many of these may have a body faster than this: one of 300 has (113: a slider, a gear and hinges that contradict each other; 3 of
+    /// 1,200 seeds, and by chance which). 60 a second are usual, 683 in seed 30 before; a soft pivot swung up to 11,300 in seed 79 before
+    /// that. (In a world within its energy a motor may drive a body faster.)
     /// </summary>
     private const int MostFast = 1;
     private const float Fastest = 700;
@@ -52,12 +55,16 @@ public class RandomWorldTests
             }
         }
 
-        _output.WriteLine($"{over.Count} of {Seeds} exceed their energy: {string.Join(", ", over)}; the fastest body of those {fastest:g4}");
+        _output.WriteLine(
+            $"{over.Count} of {Seeds} exceed their energy: {string.Join(", ", over)}; the fastest body of those {fastest:g4}");
         Assert.InRange(over.Count, 0, MostOver);
         Assert.InRange(fast, 0, MostFast);
     }
 
-    /// <summary>What was left of seed 79: a body of 0.1 kg on a soft pivot six sizes off it; the same with a limit of its angle and a heavy body that hangs on it and meets the floor.</summary>
+    /// <summary>
+    /// What was left of seed 79: a body of 0.1 kg on a soft pivot six sizes off it; the same with a limit of its angle and a heavy body
+    /// that hangs on it and meets the floor.
+    /// </summary>
     [Theory]
     [InlineData(38, 123)]
     [InlineData(27, 37, 38, 87, 98, 123)]
@@ -72,8 +79,9 @@ public class RandomWorldTests
     }
 
     /// <summary>
-    /// What was left of seed 30: two bodies of 0.2 kg on a slider between two rods, at its stop, with a target, a servo and a limit of the angle, which contradict each other. Its
-    /// servo found its impulse with the mass of all that the stop held, and the stop let go of it: they were off at 740 m/s with 45 times what they had been given.
+    /// What was left of seed 30: two bodies of 0.2 kg on a slider between two rods, at its stop, with a target, a servo and a limit of the
+    /// angle, which contradict each other. Its servo found its impulse with the mass of all that the stop held, and the stop let go of it:
+    /// they were off at 740 m/s with 45 times what they had been given.
     /// </summary>
     [Fact]
     public void Servo_ThatOpensTheStopOfALinkage_KeepsWithinItsEnergy()
@@ -89,8 +97,8 @@ public class RandomWorldTests
     }
 
     /// <summary>
-    /// What was left of seed 692: a body of 0.3 kg at its stop, 4 m off its soft pivot, which pulled with the mass of the whole body. The stop let go of it: it was off at a kilometre
-    /// a second, with seven times what had been given to all.
+    /// What was left of seed 692: a body of 0.3 kg at its stop, 4 m off its soft pivot, which pulled with the mass of the whole body. The
+    /// stop let go of it: it was off at a kilometre a second, with seven times what had been given to all.
     /// </summary>
     [Fact]
     public void SoftPivot_ThatOpensItsOwnStop_KeepsWithinItsEnergy()

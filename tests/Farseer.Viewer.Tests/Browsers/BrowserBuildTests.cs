@@ -27,11 +27,13 @@ public sealed class BrowserBuildTests : IClassFixture<PublishedSample>
     [BrowserBuildFact]
     public async Task Scenes_InTheBrowser_GiveTheGoldenHashes()
     {
-        List<string> golden = [.. File.ReadAllLines(Path.Combine(Clone.Root, "tests", "data", "golden-hashes.txt")).Where(l => l.Length > 0 && l[0] != '#')];
+        List<string> golden = [.. File.ReadAllLines(Path.Combine(Clone.Root, "tests", "data", "golden-hashes.txt"))
+            .Where(l => l.Length > 0 && l[0] != '#')];
         List<string> hashes = [];
         foreach (string name in golden.Select(l => l.Split(' ')[0]))
         {
-            hashes.Add(name + " " + await Page.EvaluateAsync<string>("([name, steps]) => farseer.hash(name, steps)", new object[] { name, GoldenSteps }));
+            hashes.Add(name + " "
+                + await Page.EvaluateAsync<string>("([name, steps]) => farseer.hash(name, steps)", new object[] { name, GoldenSteps }));
         }
 
         Assert.NotEmpty(golden);

@@ -9,7 +9,10 @@ using Xunit;
 
 namespace Farseer.Viewer.Tests.Browsers;
 
-/// <summary>samples/Farseer.Browser, published once and opened in a browser. No server is needed: the browser's requests are answered from the folder.</summary>
+/// <summary>
+/// samples/Farseer.Browser, published once and opened in a browser. No server is needed: the browser's requests are answered from the
+/// folder.
+/// </summary>
 public sealed class PublishedSample : IAsyncLifetime
 {
     private const string Site = "https://farseer.test/";
@@ -32,7 +35,10 @@ public sealed class PublishedSample : IAsyncLifetime
         }
 
         (int code, string output) = Command.Dotnet(
-            Clone.Root, ["publish", "-c", "Release", Path.Combine("samples", "Farseer.Browser"), "-o", _folder], new Dictionary<string, string>(), _limit);
+            Clone.Root,
+            ["publish", "-c", "Release", Path.Combine("samples", "Farseer.Browser"), "-o", _folder],
+            new Dictionary<string, string>(),
+            _limit);
         Assert.True(code == 0, output);
         _playwright = await Playwright.CreateAsync();
         _browser = await _playwright.Chromium.LaunchAsync(new BrowserTypeLaunchOptions

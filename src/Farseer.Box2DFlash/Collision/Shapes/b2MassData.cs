@@ -11,6 +11,8 @@ public class b2MassData
     /// <summary>Centre of mass in the body, metres. Default (0, 0).</summary>
     public b2Vec2 center { get; set; } = new b2Vec2(0, 0);
 
-    /// <summary>Inertia, kg·m²; 0 or more, and 0 for a body that does not turn. Of a body it is about its centre of mass. Default 0.</summary>
+    /// <summary>
+    /// Inertia, kg·m²; 0 or more, and 0 for a body that does not turn. Of a body it is about its centre of mass. Default 0.
+    /// </summary>
     public float I { get; set; }
 }

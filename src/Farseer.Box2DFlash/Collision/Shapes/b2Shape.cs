@@ -52,7 +52,10 @@ public abstract partial class b2Shape
 
     internal float Density { get; private set; }
 
-    /// <summary>The kind of shape: <see cref="e_circleShape"/> or <see cref="e_polygonShape"/>. It hides the type of the object, as the name is that of the original.</summary>
+    /// <summary>
+    /// The kind of shape: <see cref="e_circleShape"/> or <see cref="e_polygonShape"/>. It hides the type of the object, as the name is that
+    /// of the original.
+    /// </summary>
     /// <returns>The kind.</returns>
     public new int GetType() => _type;
 

@@ -133,7 +133,8 @@ public class b2Vec2
     /// <summary>The components, for a person to read.</summary>
     /// <returns>"(x, y)".</returns>
     public override string ToString() =>
-        "(" + x.ToString(System.Globalization.CultureInfo.InvariantCulture) + ", " + y.ToString(System.Globalization.CultureInfo.InvariantCulture) + ")";
+        "(" + x.ToString(System.Globalization.CultureInfo.InvariantCulture) + ", "
+        + y.ToString(System.Globalization.CultureInfo.InvariantCulture) + ")";
 
     private double Square() => ((double)x * x) + ((double)y * y);
 

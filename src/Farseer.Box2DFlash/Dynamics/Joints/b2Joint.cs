@@ -72,7 +72,9 @@ public abstract partial class b2Joint
 
     internal b2JointEdge Edge2 { get; }
 
-    /// <summary>The kind of joint, for example <see cref="e_revoluteJoint"/>. It hides the type of the object, as the name is that of the original.</summary>
+    /// <summary>
+    /// The kind of joint, for example <see cref="e_revoluteJoint"/>. It hides the type of the object, as the name is that of the original.
+    /// </summary>
     /// <returns>The kind.</returns>
     public new int GetType() => _type;
 

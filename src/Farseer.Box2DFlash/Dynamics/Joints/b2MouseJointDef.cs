@@ -12,7 +12,9 @@ public class b2MouseJointDef : b2JointDef
     {
     }
 
-    /// <summary>Where the second body is to be drawn, and at first the point of it that is held; in the world, metres. Default (0, 0).</summary>
+    /// <summary>
+    /// Where the second body is to be drawn, and at first the point of it that is held; in the world, metres. Default (0, 0).
+    /// </summary>
     public b2Vec2 target { get; set; } = new b2Vec2();
 
     /// <summary>Largest force, newtons; finite and 0 or more. Default 0.</summary>

@@ -58,7 +58,8 @@ public class b2RevoluteJointDef : b2JointDef
     }
 
     /// <summary>
-    /// A name of one example of the manual: the hinge in the world, metres. Setting it after the bodies is the same as <see cref="Initialize"/>.
+    /// A name of one example of the manual: the hinge in the world, metres. Setting it after the bodies is the same as
+    /// <see cref="Initialize"/>.
     /// </summary>
     /// <exception cref="ArgumentException">The value is null or not finite, or the bodies are not set.</exception>
     [Obsolete("Use Initialize.")]

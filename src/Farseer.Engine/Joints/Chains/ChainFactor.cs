@@ -5,9 +5,10 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Joints.Chains;
 
 /// <summary>
-/// Elimination along a chain. The responses K of its joints to each other's impulses make a matrix of 2×2 blocks, A of a joint to itself and B
-/// to the one before it, which is positive, since what hangs at one anchor at most can always give way. It is eliminated from both ends at
-/// once, D' = A' - B D⁻¹ Bᵀ, towards the joint in the middle: two sequences of operations of which each waits for the one before, side by side.
+/// Elimination along a chain. The responses K of its joints to each other's impulses make a matrix of 2×2 blocks, A of a joint to itself
+/// and B to the one before it, which is positive, since what hangs at one anchor at most can always give way. It is eliminated from both
+/// ends at once, D' = A' - B D⁻¹ Bᵀ, towards the joint in the middle: two sequences of operations of which each waits for the one before,
+/// side by side.
 /// </summary>
 internal static unsafe class ChainFactor
 {
@@ -105,8 +106,8 @@ internal static unsafe class ChainFactor
     }
 
     /// <summary>
-    /// No block is singular by itself: with an anchor at both ends the last of a taut chain is, since there the far end has nothing left to give. The
-    /// general passes make such blocks regular.
+    /// No block is singular by itself: with an anchor at both ends the last of a taut chain is, since there the far end has nothing left to
+    /// give. The general passes make such blocks regular.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static bool IsRegular(in ChainView chain)
@@ -128,7 +129,9 @@ internal static unsafe class ChainFactor
         return DoubleLanes.Bits(bad) == 0;
     }
 
-    /// <summary>D⁻¹ and B·D⁻¹ to their columns; what B·D⁻¹·Bᵀ takes from the next block. Only the quotient waits for the determinant.</summary>
+    /// <summary>
+    /// D⁻¹ and B·D⁻¹ to their columns; what B·D⁻¹·Bᵀ takes from the next block. Only the quotient waits for the determinant.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Symmetric Next(Symmetric d, Square b, double* inverse, double* gain, nint s, nint s2)
     {

@@ -278,7 +278,8 @@ internal static unsafe class ChainSolve
     }
 
     /// <summary>
-    /// Gives the impulses of a correction to the bodies: positions and velocities go on by them. The angles by which they turned are added up.
+    /// Gives the impulses of a correction to the bodies: positions and velocities go on by them. The angles by which they turned are added
+    /// up.
     /// </summary>
     /// <returns>The largest of these.</returns>
     [MethodImpl(KernelMethod.Optimized)]
@@ -323,8 +324,8 @@ internal static unsafe class ChainSolve
     }
 
     /// <summary>
-    /// The velocity changes of bodies by the impulses of their joints, which are added to what these gave in the step. There is one body more
-    /// than joints, and be it the one that cannot move.
+    /// The velocity changes of bodies by the impulses of their joints, which are added to what these gave in the step. There is one body
+    /// more than joints, and be it the one that cannot move.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Impulses(in ChainView chain, int i, out WideDouble x, out WideDouble y, out WideDouble w)

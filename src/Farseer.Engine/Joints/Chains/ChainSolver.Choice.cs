@@ -57,7 +57,9 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>The trees are no more.</summary>
     public void Forget() => _count = 0;
 
-    /// <summary>Finds the chains that are quiet in this step: nothing touches them, and their joints are plain hinges as they were.</summary>
+    /// <summary>
+    /// Finds the chains that are quiet in this step: nothing touches them, and their joints are plain hinges as they were.
+    /// </summary>
     /// <param name="step">What the joints see of the step.</param>
     /// <param name="allowed">Otherwise none is.</param>
     public void Look(in JointStep step, bool allowed)
@@ -167,7 +169,8 @@ internal sealed unsafe partial class ChainSolver
         {
             ActiveJoint* active = _active + places[i].Active;
             ref JointSettings settings = ref _store.Settings[active->Joint];
-            bool rigid = settings.Softness == 0 && double.IsPositiveInfinity(settings.MaxImpulse) && double.IsPositiveInfinity(settings.Breakpoint);
+            bool rigid =
+                settings.Softness == 0 && double.IsPositiveInfinity(settings.MaxImpulse) && double.IsPositiveInfinity(settings.Breakpoint);
             bool plain = (_store.Flags[active->Joint] & More) == 0 && (active->Kind != JointKind.Pin || settings.Target == 0);
             chain->IsPlain &= rigid && plain;
             chain->Breaks |= !double.IsPositiveInfinity(settings.BreakForce);
@@ -318,7 +321,8 @@ internal sealed unsafe partial class ChainSolver
             int node = tree->First + (k <= bend ? bend - k : k);
             places[i].Node = node;
             places[i].Body = _forest.Nodes[node].Body;
-            places[i].Active = k < bend ? _forest.Nodes[node].RowJoint[0] : i < chain->Bodies - 1 ? _forest.Nodes[tree->First + k + 1].RowJoint[0] : -1;
+            places[i].Active =
+                k < bend ? _forest.Nodes[node].RowJoint[0] : i < chain->Bodies - 1 ? _forest.Nodes[tree->First + k + 1].RowJoint[0] : -1;
             if (i == chain->Joints - 1 && i == chain->Bodies - 1)
             {
                 places[i].Active = _forest.Anchors[tree->AnchorFirst].Active;

@@ -373,7 +373,9 @@ internal sealed unsafe partial class ChainSolver
         StoreForces(chain);
     }
 
-    /// <summary>What the floats of the displacements leave out of the step goes into the poses directly: see <see cref="JointSolver"/>.</summary>
+    /// <summary>
+    /// What the floats of the displacements leave out of the step goes into the poses directly: see <see cref="JointSolver"/>.
+    /// </summary>
     private void KeepMoves(Chain* chain)
     {
         double held = TreeBodies.HeldShare * _step.Substep;

@@ -6,9 +6,10 @@ using Farseer.Engine.Joints.Trees;
 namespace Farseer.Engine.Joints.Chains;
 
 /// <content>
-/// Chains that contacts press on, such as a bridge under its load. The joints are solved as in other chains; the contacts are swept by the general
-/// passes, on the records of the few bodies that they touch, against masses that all of the chain has a part in: see <see cref="ChainWindow"/>. What
-/// the contacts give is one more part of what the joints have to meet, so both together are met by one way along the chain.
+/// Chains that contacts press on, such as a bridge under its load. The joints are solved as in other chains; the contacts are swept by the
+/// general passes, on the records of the few bodies that they touch, against masses that all of the chain has a part in: see
+/// <see cref="ChainWindow"/>. What the contacts give is one more part of what the joints have to meet, so both together are met by one way
+/// along the chain.
 /// </content>
 internal sealed unsafe partial class ChainSolver
 {
@@ -43,7 +44,8 @@ internal sealed unsafe partial class ChainSolver
     }
 
     /// <summary>
-    /// Takes a chain that contacts press on, if its joints are plain hinges at nothing that moves by itself, it is not taut, and they touch a small part of it.
+    /// Takes a chain that contacts press on, if its joints are plain hinges at nothing that moves by itself, it is not taut, and they touch
+    /// a small part of it.
     /// </summary>
     /// <returns>True if it is solved here.</returns>
     public bool Press(int tree)
@@ -88,7 +90,9 @@ internal sealed unsafe partial class ChainSolver
         return chain->IsPressed;
     }
 
-    /// <summary>See <see cref="JointSolver.Enter"/>: velocities by gravity and forces; those of the bodies that contacts touch go to these.</summary>
+    /// <summary>
+    /// See <see cref="JointSolver.Enter"/>: velocities by gravity and forces; those of the bodies that contacts touch go to these.
+    /// </summary>
     public void EnterPressed()
     {
         for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
@@ -463,7 +467,9 @@ internal sealed unsafe partial class ChainSolver
         chain->Swapped = !chain->Swapped;
     }
 
-    /// <summary>A kinematic body at an end: it has moved by all of the step, and the rows of the first substep are of the time before.</summary>
+    /// <summary>
+    /// A kinematic body at an end: it has moved by all of the step, and the rows of the first substep are of the time before.
+    /// </summary>
     private bool HangsAtMoving(Chain* chain)
     {
         const BodyFlags Moving = BodyFlags.Enabled | BodyFlags.Kinematic;

@@ -8,9 +8,9 @@ namespace Farseer.Engine.Joints.Chains;
 
 /// <summary>
 /// Chains of hinges that nothing touches, each by itself: what can be done for all bodies or joints of a chain side by side is, and what
-/// goes along the chain is left to <see cref="ChainFactor"/> and <see cref="ChainSolve"/>. The passes are those of <see cref="JointSolver"/>, with other
-/// roundings, and what these prepare for a step (nodes, rows) is not needed. A chain that is put out of joint from outside, or whose correction
-/// goes astray, is given back and solved there for the rest of the step.
+/// goes along the chain is left to <see cref="ChainFactor"/> and <see cref="ChainSolve"/>. The passes are those of
+/// <see cref="JointSolver"/>, with other roundings, and what these prepare for a step (nodes, rows) is not needed. A chain that is put out
+/// of joint from outside, or whose correction goes astray, is given back and solved there for the rest of the step.
 /// </summary>
 internal sealed unsafe partial class ChainSolver : TreesAside
 {
@@ -107,7 +107,9 @@ internal sealed unsafe partial class ChainSolver : TreesAside
         }
     }
 
-    /// <summary>See <see cref="TreePositions.CorrectPositions"/>; the chains that are given back went astray, and are to be projected.</summary>
+    /// <summary>
+    /// See <see cref="TreePositions.CorrectPositions"/>; the chains that are given back went astray, and are to be projected.
+    /// </summary>
     public void CorrectPositions()
     {
         GivenCount = 0;

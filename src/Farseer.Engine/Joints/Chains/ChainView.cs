@@ -13,7 +13,9 @@ internal enum ChainColumn
     StartVelocity = 3,
     PlainVelocity = 6,
 
-    /// <summary>Displacement since the start of the step and turn since its middle; at the substep's start; and before corrections.</summary>
+    /// <summary>
+    /// Displacement since the start of the step and turn since its middle; at the substep's start; and before corrections.
+    /// </summary>
     Move = 9,
     StartMove = 12,
     PlainMove = 15,
@@ -78,7 +80,9 @@ internal enum ChainColumn
     /// <summary>Of a chain that contacts press on: the impulses of these in the pass, and their moments.</summary>
     Push = 81,
 
-    /// <summary>What h·v left of each row in the last substep, over h², and what is foreseen for the next: see <see cref="ActiveJoint.Bend"/>.</summary>
+    /// <summary>
+    /// What h·v left of each row in the last substep, over h², and what is foreseen for the next: see <see cref="ActiveJoint.Bend"/>.
+    /// </summary>
     Bend = 84,
     Foreseen = 86,
     Count = 88,

@@ -3,8 +3,8 @@ using Farseer.Engine.Joints.Trees;
 namespace Farseer.Engine.Joints.Chains;
 
 /// <summary>
-/// The bodies of a chain between the first and the last that contacts touch, as a tree by themselves. What hangs at either end of them has been
-/// eliminated, D of the joint there, and leaves Y = M⁻¹ - M⁻¹ Sᵀ D⁻¹ S M⁻¹ of the body; with these the masses within and the ways
+/// The bodies of a chain between the first and the last that contacts touch, as a tree by themselves. What hangs at either end of them has
+/// been eliminated, D of the joint there, and leaves Y = M⁻¹ - M⁻¹ Sᵀ D⁻¹ S M⁻¹ of the body; with these the masses within and the ways
 /// between are those of all of the chain, at the cost of a few bodies.
 /// </summary>
 internal static unsafe class ChainWindow

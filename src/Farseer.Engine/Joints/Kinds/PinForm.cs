@@ -33,5 +33,6 @@ internal sealed class PinForm : JointForm
     public override NetForm NetFormOf(in JointSettings s, JointFlags flags) =>
         s.Softness > 0 ? NetForm.None : s.Target > 0 ? NetForm.Rod : NetForm.Pivot;
 
-    public override PivotKind PivotOf(in JointSettings s, JointFlags flags) => s.Softness > 0 || s.Target > 0 ? PivotKind.None : PivotKind.Point;
+    public override PivotKind PivotOf(in JointSettings s, JointFlags flags) =>
+        s.Softness > 0 || s.Target > 0 ? PivotKind.None : PivotKind.Point;
 }

@@ -4,9 +4,9 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <summary>
-/// The elimination of edges and anchors of one or three rows (welds, rods, gears), as in <see cref="TreeFactor"/> operation by operation. The last
-/// row may be that of a limit that holds in some lanes only: in the others it is 0, its own response is taken for 1, and what is left of the
-/// formulas are those of a row less.
+/// The elimination of edges and anchors of one or three rows (welds, rods, gears), as in <see cref="TreeFactor"/> operation by operation.
+/// The last row may be that of a limit that holds in some lanes only: in the others it is 0, its own response is taken for 1, and what is
+/// left of the formulas are those of a row less.
 /// </summary>
 internal static unsafe class LaneBlock
 {

@@ -27,14 +27,18 @@ internal enum LaneForm : byte
     /// <summary>Two angles in a ratio: one row.</summary>
     Gear,
 
-    /// <summary>Two turns in a ratio, or with <see cref="Sliding"/> a turn or a way along a line of the world at either body: one row.</summary>
+    /// <summary>
+    /// Two turns in a ratio, or with <see cref="Sliding"/> a turn or a way along a line of the world at either body: one row.
+    /// </summary>
     Turning,
     Sliding,
 
     /// <summary>A range of the turn between two bodies: no row but that of a limit that holds.</summary>
     Range,
 
-    /// <summary>A range of the distance of two anchors, of which a rope has the upper end only: no row but that of a limit that holds.</summary>
+    /// <summary>
+    /// A range of the distance of two anchors, of which a rope has the upper end only: no row but that of a limit that holds.
+    /// </summary>
     Span,
 }
 
@@ -73,7 +77,9 @@ internal static class LaneForms
         _ => 1,
     };
 
-    /// <summary>It may have limits, motors and springs, all along one line or all of one angle; of a track, motors turn its wheel.</summary>
+    /// <summary>
+    /// It may have limits, motors and springs, all along one line or all of one angle; of a track, motors turn its wheel.
+    /// </summary>
     public static bool MayHaveMore(LaneForm form) =>
         form == LaneForm.Hinge || form == LaneForm.Slide || form == LaneForm.Track || RowsOf(form) == 0;
 

@@ -10,7 +10,9 @@ internal static unsafe class LaneGoals
     private const int Y = DoubleLanes.BundleLanes;
     private const int W = 2 * DoubleLanes.BundleLanes;
 
-    /// <summary>The velocities that take the errors away within the substep, and with motors and springs what is foreseen of their bends.</summary>
+    /// <summary>
+    /// The velocities that take the errors away within the substep, and with motors and springs what is foreseen of their bends.
+    /// </summary>
     /// <returns>Lanes with an error that was put there from outside: their goals are not right.</returns>
     [MethodImpl(KernelMethod.Optimized)]
     public static int Biased(in LaneBundle bundle, LaneWalk* walks, double h)
@@ -100,14 +102,17 @@ internal static unsafe class LaneGoals
         }
     }
 
-    /// <summary>What the joints are off by after a way straight on, and what that will be in the next substep: see <see cref="JointSolver"/>.</summary>
+    /// <summary>
+    /// What the joints are off by after a way straight on, and what that will be in the next substep: see <see cref="JointSolver"/>.
+    /// </summary>
     public static void Foresee(in LaneBundle bundle, LaneWalk* walks, double h)
     {
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             for (int i = 1; i < bundle.Count; i++)
             {
-                Foresee(&DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i, &DoubleLanes.Shift(walks + i, lane)->Bends, h);
+                Foresee(
+                    &DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i, &DoubleLanes.Shift(walks + i, lane)->Bends, h);
             }
 
             for (int i = 0; i < bundle.AnchorCount; i++)

@@ -4,7 +4,10 @@ using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Joints.Lanes;
 
-/// <summary>Limits of joints of trees side by side, as in <see cref="JointSolver"/>: what those that hold are to reach, and which are passed or pull.</summary>
+/// <summary>
+/// Limits of joints of trees side by side, as in <see cref="JointSolver"/>: what those that hold are to reach, and which are passed or
+/// pull.
+/// </summary>
 internal static unsafe class LaneLimits
 {
     private const int Y = DoubleLanes.BundleLanes;
@@ -48,7 +51,9 @@ internal static unsafe class LaneLimits
         return WideDouble.Select(WideDouble.LoadMask(joint->Held) & (size > WideDouble.Zero), way / size, WideDouble.Zero);
     }
 
-    /// <summary>The lanes in which a limit that does not hold is passed at the present velocities, or what one that holds gave in all was a pull.</summary>
+    /// <summary>
+    /// The lanes in which a limit that does not hold is passed at the present velocities, or what one that holds gave in all was a pull.
+    /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
     public static int Turned(in LaneBundle bundle, double h, bool relaxed)
     {
@@ -126,7 +131,8 @@ internal static unsafe class LaneLimits
             WideDouble slop = WideDouble.Load(at->Slop);
             WideDouble least = LeastGap(at, place);
             WideDoubleMask lower = speed < Target(WideDouble.Load(at->Gap), slop, least, time, relaxed, turns) - terms;
-            WideDoubleMask upper = WideDouble.Negate(speed) < Target(WideDouble.Load(at->Gap + Y), slop, least, time, relaxed, turns) - terms;
+            WideDoubleMask upper =
+                WideDouble.Negate(speed) < Target(WideDouble.Load(at->Gap + Y), slop, least, time, relaxed, turns) - terms;
             if (place->Held != 0)
             {
                 WideDoubleMask held = WideDouble.LoadMask(at->Held);

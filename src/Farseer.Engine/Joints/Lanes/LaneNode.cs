@@ -4,8 +4,8 @@ namespace Farseer.Engine.Joints.Lanes;
 
 /// <summary>
 /// The body at one place of four trees of equal shape, and the edge to its parent, as in <see cref="Trees.TreeNode"/>: each number four
-/// times, one a tree; of vectors and matrices one element after the other. A pointer to it moved on by lanes is one to the later lanes. It must
-/// not be 4,096 bytes long, or all want the same places of the cache: the passes took half as long again.
+/// times, one a tree; of vectors and matrices one element after the other. A pointer to it moved on by lanes is one to the later lanes. It
+/// must not be 4,096 bytes long, or all want the same places of the cache: the passes took half as long again.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct LaneNode
@@ -24,7 +24,9 @@ internal unsafe struct LaneNode
     public fixed double InverseMass[4];
     public fixed double InverseInertia[4];
 
-    /// <summary>The pose at the start of the step, its angle with the lead, and sine and cosine of the angle in the step's middle.</summary>
+    /// <summary>
+    /// The pose at the start of the step, its angle with the lead, and sine and cosine of the angle in the step's middle.
+    /// </summary>
     public fixed double StartX[4];
     public fixed double StartY[4];
     public fixed double StartAngle[4];
@@ -76,7 +78,9 @@ internal unsafe struct LaneJoint
     /// <summary>The turn or the way along the line, which limits bound and springs pull at.</summary>
     public fixed double Travel[4];
 
-    /// <summary>By how much a limit may be overrun, and what is left to the lower limit and to the upper, now and at the start of the substep.</summary>
+    /// <summary>
+    /// By how much a limit may be overrun, and what is left to the lower limit and to the upper, now and at the start of the substep.
+    /// </summary>
     public fixed double Slop[4];
     public fixed double Gap[8];
     public fixed double StartGap[8];
@@ -84,7 +88,9 @@ internal unsafe struct LaneJoint
     /// <summary>The rows' own: a length against which errors are small, at the poses of the rows.</summary>
     public fixed double Size[4];
 
-    /// <summary>Jacobian at the child of an edge, or at the body of an anchor: the rows that always hold, then that of a limit that holds.</summary>
+    /// <summary>
+    /// Jacobian at the child of an edge, or at the body of an anchor: the rows that always hold, then that of a limit that holds.
+    /// </summary>
     public fixed double S[36];
 
     /// <summary>Of a joint with a line: the Jacobian along it, at bodies A and B. Of a transmission first the lines of the world.</summary>
@@ -95,7 +101,9 @@ internal unsafe struct LaneJoint
     public fixed long Held[4];
     public fixed long HeldAbove[4];
 
-    /// <summary>What the limit that holds gave in the substep, in all and before corrections; and where it is to be by the substep's end.</summary>
+    /// <summary>
+    /// What the limit that holds gave in the substep, in all and before corrections; and where it is to be by the substep's end.
+    /// </summary>
     public fixed double Push[4];
     public fixed double PlainPush[4];
     public fixed double Stop[4];
@@ -105,7 +113,9 @@ internal unsafe struct LaneJoint
     public fixed double Goal[12];
     public fixed double Lambda[12];
 
-    /// <summary>What it gave to its body B; then what a second joint between the same bodies did, which only turns. And the same before corrections.</summary>
+    /// <summary>
+    /// What it gave to its body B; then what a second joint between the same bodies did, which only turns. And the same before corrections.
+    /// </summary>
     public fixed double Given[16];
     public fixed double PlainGiven[16];
 
@@ -160,7 +170,9 @@ internal unsafe struct LanePlace
     /// <summary>A bit for each row of angles, which a radian is the measure of; the others are of lengths.</summary>
     public byte Turning;
 
-    /// <summary>There are limits, of the first joint or of a second one: they bound a turn, and the child is body A of their joint.</summary>
+    /// <summary>
+    /// There are limits, of the first joint or of a second one: they bound a turn, and the child is body A of their joint.
+    /// </summary>
     public bool HasLimits;
     public bool LimitTurns;
     public bool LimitIsA;
@@ -168,7 +180,9 @@ internal unsafe struct LanePlace
     /// <summary>The joint has limits, motors or springs.</summary>
     public bool HasMore;
 
-    /// <summary>Among the rows of their joint the lower limit and the upper one, and of the first joint's the first along its line; -1: none.</summary>
+    /// <summary>
+    /// Among the rows of their joint the lower limit and the upper one, and of the first joint's the first along its line; -1: none.
+    /// </summary>
     public sbyte LowerRow;
     public sbyte UpperRow;
     public sbyte LineRow;

@@ -40,7 +40,9 @@ internal static unsafe class LaneRows
         }
     }
 
-    /// <summary>The Jacobians at the poses that were placed last, at the child of an edge or the body of an anchor and at the other body.</summary>
+    /// <summary>
+    /// The Jacobians at the poses that were placed last, at the child of an edge or the body of an anchor and at the other body.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Write(LaneJoint* joint, double* other, LanePlace* place)
     {
@@ -141,7 +143,8 @@ internal static unsafe class LaneRows
                 StoreGap(joint, WideDouble.Load(b + 8) - WideDouble.Load(a + 8));
                 break;
             case LaneForm.Gear:
-                (WideDouble.Load(b + 8) + (WideDouble.Load(joint->Axis) * WideDouble.Load(a + 8)) - WideDouble.Load(joint->Target)).Store(joint->Error);
+                (WideDouble.Load(b + 8) + (WideDouble.Load(joint->Axis) * WideDouble.Load(a + 8))
+                    - WideDouble.Load(joint->Target)).Store(joint->Error);
                 break;
             case LaneForm.Turning:
             case LaneForm.Sliding:
@@ -232,7 +235,8 @@ internal static unsafe class LaneRows
                 WriteWay(joint->LineB, joint->ArmB, WideDouble.Load(joint->Axis), b);
                 break;
             case LaneForm.Span:
-                WriteDirection(joint->LineA, joint->LineB, x, y, WideDouble.Load(joint->ArmA), WideDouble.Load(joint->ArmA + 4), joint->ArmB);
+                WriteDirection(
+                    joint->LineA, joint->LineB, x, y, WideDouble.Load(joint->ArmA), WideDouble.Load(joint->ArmA + 4), joint->ArmB);
                 (WideDouble.Load(joint->Size) + WideDouble.Load(joint->Upper)).Store(joint->Size);
                 break;
             case LaneForm.Range:

@@ -18,7 +18,9 @@ internal unsafe struct LaneWalk
     public LaneBends Bends;
 }
 
-/// <summary>How the ways of a joint's bodies bent in the last substep, and what is foreseen of it: see <see cref="ActiveJoint.Bend"/>.</summary>
+/// <summary>
+/// How the ways of a joint's bodies bent in the last substep, and what is foreseen of it: see <see cref="ActiveJoint.Bend"/>.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 internal unsafe struct LaneBends
 {
@@ -42,7 +44,10 @@ internal unsafe struct LaneSoftRow
     public fixed double Low[4];
     public fixed double High[4];
 
-    /// <summary>Of a motor; all bits set for the lanes in which its tree leaves it no freedom, and what its bodies alone would answer. Own of a spring: what its ends answer.</summary>
+    /// <summary>
+    /// Of a motor; all bits set for the lanes in which its tree leaves it no freedom, and what its bodies alone would answer. Own of a
+    /// spring: what its ends answer.
+    /// </summary>
     public fixed double Share[4];
     public fixed long Stalled[4];
     public fixed double Own[4];
@@ -105,5 +110,6 @@ internal struct LaneSoftPlace
         && IsSame(Kind0, other.Kind0)
         && IsSame(Kind1, other.Kind1);
 
-    private static bool IsSame(in LaneSoftKind a, in LaneSoftKind b) => a.Index == b.Index && a.Along == b.Along && a.IsSpring == b.IsSpring;
+    private static bool IsSame(in LaneSoftKind a, in LaneSoftKind b) =>
+        a.Index == b.Index && a.Along == b.Along && a.IsSpring == b.IsSpring;
 }

@@ -60,7 +60,10 @@ internal static unsafe class LaneSolve
 
             for (int i = bundle.AnchorCount - 1; i >= 0; i--)
             {
-                Answer(DoubleLanes.Shift(bundle.Anchors + i, lane), first[bundle.AnchorPlaces[i].Parent].Got, bundle.AnchorPlaces[i].BlockRows);
+                Answer(
+                    DoubleLanes.Shift(bundle.Anchors + i, lane),
+                    first[bundle.AnchorPlaces[i].Parent].Got,
+                    bundle.AnchorPlaces[i].BlockRows);
             }
         }
     }
@@ -101,7 +104,10 @@ internal static unsafe class LaneSolve
         }
     }
 
-    /// <summary>What the rows behind those of the first joint gave: a servo's or a limit's of the second, and behind the servo's a limit's of the first.</summary>
+    /// <summary>
+    /// What the rows behind those of the first joint gave: a servo's or a limit's of the second, and behind the servo's a limit's of the
+    /// first.
+    /// </summary>
     private static void GiveSecond(LaneNode* node, LanePlace* place)
     {
         int row = place->Rows;
@@ -128,7 +134,8 @@ internal static unsafe class LaneSolve
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static WideDouble Dot(double* s, double* v) =>
-        (WideDouble.Load(s) * WideDouble.Load(v)) + (WideDouble.Load(s + 4) * WideDouble.Load(v + 4)) + (WideDouble.Load(s + 8) * WideDouble.Load(v + 8));
+        (WideDouble.Load(s) * WideDouble.Load(v)) + (WideDouble.Load(s + 4) * WideDouble.Load(v + 4))
+        + (WideDouble.Load(s + 8) * WideDouble.Load(v + 8));
 
     /// <summary>What n rows lack; rows that are not there have none.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -71,7 +71,8 @@ internal static unsafe class LaneSweep
     /// <param name="lanes">The lanes in which it is done.</param>
     /// <returns>True if it brought an impulse: the joints are to be given what they answered.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static bool Run(in LaneWalks trees, LaneSoft* softs, LaneSoftPlace* places, int count, bool biased, int sweeps, int lane, long* lanes)
+    public static bool Run(
+        in LaneWalks trees, LaneSoft* softs, LaneSoftPlace* places, int count, bool biased, int sweeps, int lane, long* lanes)
     {
         LaneWalks walks = trees;
         WideDoubleMask all = WideDouble.LoadMask(lanes + lane);
@@ -171,7 +172,8 @@ internal static unsafe class LaneSweep
         }
     }
 
-    private static WideDoubleMask Prepare(in LaneWalks walks, LaneSoft* soft, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind, double h)
+    private static WideDoubleMask Prepare(
+        in LaneWalks walks, LaneSoft* soft, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind, double h)
     {
         LaneJoint* joint = JointOf(walks, place);
         if (kind.Along)
@@ -310,7 +312,13 @@ internal static unsafe class LaneSweep
 
     /// <returns>The lanes in which it gave an impulse.</returns>
     private static WideDoubleMask Solve(
-        ref LaneWalks walks, LaneSoftRow* row, LaneSoftPlace* place, in LaneSoftKind kind, bool biased, WideDouble share, WideDoubleMask all)
+        ref LaneWalks walks,
+        LaneSoftRow* row,
+        LaneSoftPlace* place,
+        in LaneSoftKind kind,
+        bool biased,
+        WideDouble share,
+        WideDoubleMask all)
     {
         WideDoubleMask none = ~(WideDouble.Zero <= WideDouble.Zero);
         if (kind.IsSpring && !biased)

@@ -5,8 +5,8 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <summary>
-/// <see cref="TreeWalk"/> for trees side by side, with the masses that it needs and the multipliers that follow, to the last bit. The walk is
-/// the same in all lanes; a lane in which nothing was applied is left as it is by masks.
+/// <see cref="TreeWalk"/> for trees side by side, with the masses that it needs and the multipliers that follow, to the last bit. The walk
+/// is the same in all lanes; a lane in which nothing was applied is left as it is by masks.
 /// </summary>
 internal unsafe struct LaneWalks
 {
@@ -128,7 +128,8 @@ internal unsafe struct LaneWalks
             double* got = Nodes[AnchorPlaces[i].Parent].Got;
             for (int r = 0; r < AnchorPlaces[i].BlockRows; r++)
             {
-                (WideDouble.Zero - LaneSolve.Dot(anchor->Gain + (r * LaneMatrix.Row), got)).Store(anchor->Joint.Lambda + (r * LaneMatrix.Step));
+                (WideDouble.Zero
+                    - LaneSolve.Dot(anchor->Gain + (r * LaneMatrix.Row), got)).Store(anchor->Joint.Lambda + (r * LaneMatrix.Step));
             }
 
             LaneSolve.Push(anchor->Joint.S, anchor->Joint.Lambda, AnchorPlaces[i].BlockRows, got);
@@ -145,7 +146,8 @@ internal unsafe struct LaneWalks
                 for (int i = 0; i < n; i++)
                 {
                     int at = i * LaneMatrix.Row;
-                    sum -= WideDouble.Load(node->G + at + (r * LaneMatrix.Step)) * WideDouble.Load(node->ParentS + at + (c * LaneMatrix.Step));
+                    sum -=
+                        WideDouble.Load(node->G + at + (r * LaneMatrix.Step)) * WideDouble.Load(node->ParentS + at + (c * LaneMatrix.Step));
                 }
 
                 sum.Store(walk->T + (((r * 3) + c) * LaneMatrix.Step));

@@ -68,7 +68,10 @@ internal sealed unsafe partial class TreeLanes
         for (int b = _count - 1; b >= 0 && b >= _count - OpenBundles; b--)
         {
             LaneTrees* open = _bundles.Pointer + b;
-            if (open->Shape == shape && open->Touched == tree->Touched && open->Count < Numerics.DoubleLanes.BundleLanes && IsLike(open, tree))
+            if (open->Shape == shape
+                && open->Touched == tree->Touched
+                && open->Count < Numerics.DoubleLanes.BundleLanes
+                && IsLike(open, tree))
             {
                 Enter(open, index);
                 return true;

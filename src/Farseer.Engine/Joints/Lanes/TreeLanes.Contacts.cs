@@ -4,9 +4,9 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <content>
-/// Trees with contacts. Each has its own at other places, so that these are swept one by one, with the motors and springs of the tree, over the
-/// records of the bodies and joints: masses, lines and velocities are taken there before, and velocities and what went through each body back.
-/// All else is side by side.
+/// Trees with contacts. Each has its own at other places, so that these are swept one by one, with the motors and springs of the tree, over
+/// the records of the bodies and joints: masses, lines and velocities are taken there before, and velocities and what went through each
+/// body back. All else is side by side.
 /// </content>
 internal sealed unsafe partial class TreeLanes
 {

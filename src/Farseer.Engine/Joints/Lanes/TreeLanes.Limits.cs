@@ -5,8 +5,8 @@ using Farseer.Engine.Numerics;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <content>
-/// Which limits hold: the active set of <see cref="JointSolver"/>, of each tree its own. A lane of which the set is found is solved on with the
-/// others; nothing about it changes, and it comes to the same bits again.
+/// Which limits hold: the active set of <see cref="JointSolver"/>, of each tree its own. A lane of which the set is found is solved on with
+/// the others; nothing about it changes, and it comes to the same bits again.
 /// </content>
 internal sealed unsafe partial class TreeLanes
 {
@@ -138,7 +138,8 @@ internal sealed unsafe partial class TreeLanes
             if (place->HasLimits)
             {
                 LaneAnchor* anchor = bundle.Anchors + i;
-                changed |= Revise(&anchor->Joint, anchor->OtherS, place, bundle.Nodes + place->Parent, null, anchor->Still, relaxed, release, lanes);
+                changed |= Revise(
+                    &anchor->Joint, anchor->OtherS, place, bundle.Nodes + place->Parent, null, anchor->Still, relaxed, release, lanes);
             }
         }
 

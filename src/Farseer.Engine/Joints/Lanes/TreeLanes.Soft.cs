@@ -5,7 +5,9 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Lanes;
 
-/// <content>Motors and springs at the joints of trees: which there are, in which order, and to the records of the joints and back.</content>
+/// <content>
+/// Motors and springs at the joints of trees: which there are, in which order, and to the records of the joints and back.
+/// </content>
 internal sealed unsafe partial class TreeLanes
 {
     private const int MostSoft = 2;
@@ -275,7 +277,9 @@ internal sealed unsafe partial class TreeLanes
         row->Start[0] = 0;
     }
 
-    /// <summary>See <see cref="JointPass.Foresee"/>. Of a tree with contacts the joints themselves are told: they are swept there.</summary>
+    /// <summary>
+    /// See <see cref="JointPass.Foresee"/>. Of a tree with contacts the joints themselves are told: they are swept there.
+    /// </summary>
     private void Foresee(LaneTrees* trees, int lane)
     {
         for (int i = trees->SoftFirst; i < trees->SoftFirst + trees->Softs; i++)

@@ -8,9 +8,10 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <summary>
-/// Trees of rigid joints with their limits, motors and springs, four of equal shape side by side for a step; one of hinges that has no partner
-/// runs the same kernels in a bundle with empty lanes. Each lane gives the bits of the passes of <see cref="JointSolver"/>. A tree that is put
-/// out of joint from outside, or whose correction goes astray, is given back before that pass and is solved there for the rest of the step.
+/// Trees of rigid joints with their limits, motors and springs, four of equal shape side by side for a step; one of hinges that has no
+/// partner runs the same kernels in a bundle with empty lanes. Each lane gives the bits of the passes of <see cref="JointSolver"/>. A tree
+/// that is put out of joint from outside, or whose correction goes astray, is given back before that pass and is solved there for the rest
+/// of the step.
 /// </summary>
 internal sealed unsafe partial class TreeLanes : TreesAside
 {
@@ -233,7 +234,8 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
-            any |= LaneSweep.Run(WalksOf(trees, lane), _softs.Pointer + trees->SoftFirst, places, trees->Softs, !relaxed, sweeps, lane, trees->Sweeps);
+            any |= LaneSweep.Run(
+                WalksOf(trees, lane), _softs.Pointer + trees->SoftFirst, places, trees->Softs, !relaxed, sweeps, lane, trees->Sweeps);
         }
 
         if (any)
@@ -243,8 +245,8 @@ internal sealed unsafe partial class TreeLanes : TreesAside
     }
 
     /// <summary>
-    /// See <see cref="TreePositions.CorrectPositions"/>; the trees that are given back went astray, and are to be projected. Of trees with contacts
-    /// the rounds follow: see <see cref="BeginRound"/>.
+    /// See <see cref="TreePositions.CorrectPositions"/>; the trees that are given back went astray, and are to be projected. Of trees with
+    /// contacts the rounds follow: see <see cref="BeginRound"/>.
     /// </summary>
     public void CorrectPositions()
     {

@@ -4,7 +4,9 @@ using Farseer.Engine.Numerics;
 
 namespace Farseer.Engine.Joints.Loose;
 
-/// <summary>The rows of loose joints at their bodies' poses, as the kinds write them for one joint; what does not change with the pose stays.</summary>
+/// <summary>
+/// The rows of loose joints at their bodies' poses, as the kinds write them for one joint; what does not change with the pose stays.
+/// </summary>
 internal static unsafe class LooseForms
 {
     /// <summary>The rows of a joint of this kind can be written here.</summary>

@@ -355,7 +355,14 @@ internal static unsafe class LooseKernel
                 row->SpringShare[lane] = share;
                 double hold = bundle->Hold[lane];
                 JointPass.FindSpring(
-                    share, soft->Stiffness[lane], soft->Damping[lane], h, hold, out soft->Q[lane], out soft->Kappa[lane], out soft->Lead[lane]);
+                    share,
+                    soft->Stiffness[lane],
+                    soft->Damping[lane],
+                    h,
+                    hold,
+                    out soft->Q[lane],
+                    out soft->Kappa[lane],
+                    out soft->Lead[lane]);
             }
         }
     }

@@ -3,8 +3,8 @@ using Farseer.Engine.Bodies;
 namespace Farseer.Engine.Joints.Loose;
 
 /// <summary>
-/// How much further than its velocity the store has moved a body in a substep. Bodies of limits alone are not asked: a limit that contacts do
-/// not let be reached pulls back at once what was pushed apart, and the two would gain energy from each other.
+/// How much further than its velocity the store has moved a body in a substep. Bodies of limits alone are not asked: a limit that contacts
+/// do not let be reached pulls back at once what was pushed apart, and the two would gain energy from each other.
 /// </summary>
 internal struct LoosePush
 {

@@ -98,7 +98,9 @@ internal unsafe struct LoosePlace
 
     public fixed int Active[4];
 
-    /// <summary>Bodies that are read, and those that are written: what cannot move, and what an empty lane moves, goes to a place that nobody reads.</summary>
+    /// <summary>
+    /// Bodies that are read, and those that are written: what cannot move, and what an empty lane moves, goes to a place that nobody reads.
+    /// </summary>
     public fixed int BodyA[4];
     public fixed int BodyB[4];
     public fixed int IntoA[4];

@@ -93,8 +93,8 @@ internal sealed unsafe partial class LooseSolver
     }
 
     /// <summary>
-    /// Takes a joint, in the order in which they are solved. Its level is one above those of the joints before it that share a body with it:
-    /// joints of one level may be solved in any order, and those of different levels that share a body keep theirs.
+    /// Takes a joint, in the order in which they are solved. Its level is one above those of the joints before it that share a body with
+    /// it: joints of one level may be solved in any order, and those of different levels that share a body keep theirs.
     /// </summary>
     public void TakeJoint(int index)
     {

@@ -110,7 +110,8 @@ internal sealed unsafe partial class LooseSolver
                 for (int lane = 0; lane < place->Count && place->Type[k] == (byte)RowType.Spring; lane++)
                 {
                     LaneSoftRow* row = &DoubleLanes.Shift(_looseRows.Pointer + place->FirstRow + k, lane)->Soft;
-                    double speed = StartSpeed(_bodies.Pointer + place->BodyA[lane], row->A) + StartSpeed(_bodies.Pointer + place->BodyB[lane], row->B);
+                    double speed =
+                        StartSpeed(_bodies.Pointer + place->BodyA[lane], row->A) + StartSpeed(_bodies.Pointer + place->BodyB[lane], row->B);
                     row->Ahead[0] = row->Lead[0] * speed;
                 }
             }
@@ -120,7 +121,9 @@ internal sealed unsafe partial class LooseSolver
     private double StartSpeed(LooseBody* body, double* j) =>
         HeldVelocity.StartSpeed(_step.Bodies, body->Body, body->Node >= 0, body->Velocity, 1, j, Y);
 
-    /// <summary>Bodies that have half of their forces before they move, that something other than limits holds, or a limit that pushes.</summary>
+    /// <summary>
+    /// Bodies that have half of their forces before they move, that something other than limits holds, or a limit that pushes.
+    /// </summary>
     private void MarkExact()
     {
         for (int i = Nobody + 1; i < _bodyCount; i++)

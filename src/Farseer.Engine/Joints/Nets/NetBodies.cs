@@ -7,7 +7,9 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Nets;
 
-/// <summary>What the pivots of a body share: its place at the step's start, its turn to the middle of the step, its inverse masses.</summary>
+/// <summary>
+/// What the pivots of a body share: its place at the step's start, its turn to the middle of the step, its inverse masses.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 internal struct NetPose
 {
@@ -180,7 +182,9 @@ internal sealed unsafe class NetBodies
         }
     }
 
-    /// <summary>The other half; and bodies that turned further than the integrator follows for the sake of contacts are turned in full.</summary>
+    /// <summary>
+    /// The other half; and bodies that turned further than the integrator follows for the sake of contacts are turned in full.
+    /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
     public void Moved(BodyStore bodies, int from, int to)
     {
@@ -204,7 +208,9 @@ internal sealed unsafe class NetBodies
         }
     }
 
-    /// <summary>Adds a share of what gravity and forces give in a substep. Of nets that hang, which have none, nothing is read or written.</summary>
+    /// <summary>
+    /// Adds a share of what gravity and forces give in a substep. Of nets that hang, which have none, nothing is read or written.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Kick(BodyState* states, BodyDrive* drives, int* index, Wide share)
     {

@@ -291,7 +291,8 @@ internal sealed unsafe class NetPivots : NetRows
 
     public override void Take(int row, in JointState state) => Take((NetPivotBundle*)EndsOf(row), LaneOf(row), state);
 
-    public override void Report(int row, ref JointState state, double dt) => Report((NetPivotBundle*)EndsOf(row), LaneOf(row), ref state, dt);
+    public override void Report(int row, ref JointState state, double dt) =>
+        Report((NetPivotBundle*)EndsOf(row), LaneOf(row), ref state, dt);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static float Place(NetPivotBundle* bundle, int lane, NetPose* poses, in NetAnchors anchors, float impulseScale)

@@ -274,7 +274,8 @@ internal sealed unsafe class NetRods : NetRows
     public override void Turn(int first, int count, in NetMotion motion, bool displaced) =>
         NetRodKernel.Turn(Bundles + first, count, motion.States, displaced);
 
-    public override void WarmStart(int first, int count, in NetMotion motion) => NetRodKernel.WarmStart(Bundles + first, count, motion.States);
+    public override void WarmStart(int first, int count, in NetMotion motion) =>
+        NetRodKernel.WarmStart(Bundles + first, count, motion.States);
 
     public override void Solve(int first, int count, in NetMotion motion, in NetSoftness softness) =>
         NetRodKernel.Solve(Bundles + first, count, motion.States, softness);

@@ -70,7 +70,9 @@ internal abstract unsafe class NetRows
 
     protected byte* Memory => _memory.Pointer;
 
-    /// <summary>Arms, errors and masses of some bundles at the start of the step; impulses are those of a substep of another length.</summary>
+    /// <summary>
+    /// Arms, errors and masses of some bundles at the start of the step; impulses are those of a substep of another length.
+    /// </summary>
     public void Place(int first, int count, NetPose* poses, float impulseScale)
     {
         int end = (first + count) * _lanesUsed;
@@ -167,7 +169,8 @@ internal abstract unsafe class NetRows
     /// <summary>Writes what all forms have: the arms in the middle of the step and the shares of the bodies.</summary>
     /// <returns>The factor by which impulses change.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    protected static float PlaceEnds(NetEnds* e, int lane, NetPose* poses, in NetAnchors anchors, float impulseScale, out double x, out double y)
+    protected static float PlaceEnds(
+        NetEnds* e, int lane, NetPose* poses, in NetAnchors anchors, float impulseScale, out double x, out double y)
     {
         NetPose* a = poses + e->BodyA[lane];
         NetPose* b = poses + e->BodyB[lane];

@@ -96,7 +96,8 @@ internal sealed unsafe partial class NetSolver
     public void SolveBiased() => Sweep(NetWork.Pass.Solve, _step.Drifts ? NetSoftness.Hard : NetSoftness.Soft(_step.Substep, _step.Dt));
 
     /// <summary>
-    /// Gives the bodies, which stand still, velocities that pull disturbed joints together. <see cref="Displaced"/> follows when they have moved.
+    /// Gives the bodies, which stand still, velocities that pull disturbed joints together. <see cref="Displaced"/> follows when they have
+    /// moved.
     /// </summary>
     public void Pull()
     {

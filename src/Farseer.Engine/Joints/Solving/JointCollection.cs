@@ -305,7 +305,8 @@ internal sealed unsafe partial class JointCollection : IStageWork
         }
 
         // The rows are not known yet: the first build makes nodes for the poses, the second the trees.
-        _forest.Build(_active.Pointer, _work.Count, _work.Step.Bodies.Mass.Pointer, _work.Step.Moves, _nets.Search, _work.Step.Bodies.Ids.End);
+        _forest.Build(
+            _active.Pointer, _work.Count, _work.Step.Bodies.Mass.Pointer, _work.Step.Moves, _nets.Search, _work.Step.Bodies.Ids.End);
         _chains.Forget();
     }
 
@@ -318,7 +319,8 @@ internal sealed unsafe partial class JointCollection : IStageWork
             _active[i].Limited = IsLimited(i);
         }
 
-        _forest.Build(_active.Pointer, _work.Count, _work.Step.Bodies.Mass.Pointer, _work.Step.Moves, _nets.Search, _work.Step.Bodies.Ids.End);
+        _forest.Build(
+            _active.Pointer, _work.Count, _work.Step.Bodies.Mass.Pointer, _work.Step.Moves, _nets.Search, _work.Step.Bodies.Ids.End);
         _loops.Build(_work.Count);
         for (int i = 0; i < _work.Count; i++)
         {

@@ -6,8 +6,8 @@ namespace Farseer.Engine.Joints.Solving;
 internal sealed unsafe partial class JointOverruns
 {
     /// <summary>
-    /// An overrun of a tree with edges of limits that was put there from outside goes by displacements, as errors of other joints do: as a speed it would
-    /// strike what lies in the way, and where the limit turns meanwhile something of it stays.
+    /// An overrun of a tree with edges of limits that was put there from outside goes by displacements, as errors of other joints do: as a
+    /// speed it would strike what lies in the way, and where the limit turns meanwhile something of it stays.
     /// </summary>
     public bool HoldsOverrun(ActiveJoint* joint, double share)
     {

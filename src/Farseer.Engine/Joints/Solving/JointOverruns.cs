@@ -9,9 +9,10 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Solving;
 
 /// <summary>
-/// Overruns of limits that came from outside: a body was put elsewhere, a limit was set anew, a joint came late. As a speed, a fifth of the overrun a
-/// substep, such a return turned what it pulled at faster than one relaxing pass follows, and what was left of it flew on: 0.1 kg put 2.4 beyond a
-/// slider's end at up to 144 a second. So the limit stands where it was found, and goes back to its place by displacements.
+/// Overruns of limits that came from outside: a body was put elsewhere, a limit was set anew, a joint came late. As a speed, a fifth of the
+/// overrun a substep, such a return turned what it pulled at faster than one relaxing pass follows, and what was left of it flew on: 0.1 kg
+/// put 2.4 beyond a slider's end at up to 144 a second. So the limit stands where it was found, and goes back to its place by
+/// displacements.
 /// </summary>
 internal sealed unsafe partial class JointOverruns
 {
@@ -41,8 +42,9 @@ internal sealed unsafe partial class JointOverruns
     }
 
     /// <summary>
-    /// Where the step begins: what a limit is past by a jump since the end of the step before came from outside. What a body's own way brought is not
-    /// among it: a pair that whirls at its slider's end is past that by the bend of its way in each substep, and would lose its momentum.
+    /// Where the step begins: what a limit is past by a jump since the end of the step before came from outside. What a body's own way
+    /// brought is not among it: a pair that whirls at its slider's end is past that by the bend of its way in each substep, and would lose
+    /// its momentum.
     /// </summary>
     public void FindOverruns()
     {
@@ -97,8 +99,8 @@ internal sealed unsafe partial class JointOverruns
     private static double Overrun(JointRows* rows, int k, double gap) => Math.Min(0, gap + rows->Share[k]);
 
     /// <summary>
-    /// Limits that stand aside are rows of the tree and not of its blocks: of several that contradict each other a block would make one far displacement, a
-    /// few sweeps make none.
+    /// Limits that stand aside are rows of the tree and not of its blocks: of several that contradict each other a block would make one far
+    /// displacement, a few sweeps make none.
     /// </summary>
     public void FreeOverruns()
     {
@@ -136,8 +138,8 @@ internal sealed unsafe partial class JointOverruns
     }
 
     /// <summary>
-    /// Displacements go along the joints' directions at their start: where one would turn a body further than that is good for, its group goes a share of
-    /// the way. A chain that is almost straight answers a pull along itself by a far wider bend.
+    /// Displacements go along the joints' directions at their start: where one would turn a body further than that is good for, its group
+    /// goes a share of the way. A chain that is almost straight answers a pull along itself by a far wider bend.
     /// </summary>
     public void BoundTurns()
     {
@@ -174,7 +176,9 @@ internal sealed unsafe partial class JointOverruns
         }
     }
 
-    /// <summary>What displacements along straight lines left of the joints of a tree is taken out at once: it would be a speed in the next substep.</summary>
+    /// <summary>
+    /// What displacements along straight lines left of the joints of a tree is taken out at once: it would be a speed in the next substep.
+    /// </summary>
     public void CloseDisplaced()
     {
         for (int at = 0; at < _work.TreeCount; at++)

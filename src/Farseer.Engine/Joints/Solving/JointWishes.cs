@@ -62,7 +62,8 @@ internal sealed unsafe class JointWishes
     }
 
     /// <summary>
-    /// The velocities of single bodies, from the store or back: whether others are asked between the passes would show in their last places.
+    /// The velocities of single bodies, from the store or back: whether others are asked between the passes would show in their last
+    /// places.
     /// </summary>
     private void ExchangeWished(bool store)
     {

@@ -8,7 +8,9 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Solving;
 
-/// <summary>What all parts of the joint solver work on: the trees, the joints that act, and which of them take part in the present passes.</summary>
+/// <summary>
+/// What all parts of the joint solver work on: the trees, the joints that act, and which of them take part in the present passes.
+/// </summary>
 internal sealed unsafe class JointWork
 {
     private int _agendaCount;

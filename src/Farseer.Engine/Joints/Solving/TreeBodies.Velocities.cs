@@ -23,7 +23,8 @@ internal sealed unsafe partial class TreeBodies
         _work.Armed = 0;
     }
 
-    public void LoadPose(TreeNode* node) => LoadPose(node, _work.Step.Bodies.Pose.Pointer + node->Body, _work.Step.Bodies.Drive[node->Body].Lead);
+    public void LoadPose(TreeNode* node) =>
+        LoadPose(node, _work.Step.Bodies.Pose.Pointer + node->Body, _work.Step.Bodies.Drive[node->Body].Lead);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void LoadPose(TreeNode* node, BodyPose* pose, double lead)

@@ -127,8 +127,8 @@ internal sealed unsafe partial class TreeBodies
     }
 
     /// <summary>
-    /// A spring, or a motor or limit that yields to its impulse, gives all of it before the move: how far it yields goes by the impulse of the
-    /// whole substep.
+    /// A spring, or a motor or limit that yields to its impulse, gives all of it before the move: how far it yields goes by the impulse of
+    /// the whole substep.
     /// </summary>
     private static bool GivesWay(ActiveJoint* joint, JointRows* rows)
     {
@@ -161,9 +161,9 @@ internal sealed unsafe partial class TreeBodies
     }
 
     /// <summary>
-    /// A free tree takes half of its gravity and forces before it moves and half after, which is exact to the second order, and under a constant
-    /// force altogether: x₁ = x₀ + h·(v₀ + ½h·a). The solver has given all of it before. With contacts that would load them with half the
-    /// weight in turn. Its motors and limits do the same, see <see cref="JointPass.Resume"/>.
+    /// A free tree takes half of its gravity and forces before it moves and half after, which is exact to the second order, and under a
+    /// constant force altogether: x₁ = x₀ + h·(v₀ + ½h·a). The solver has given all of it before. With contacts that would load them with
+    /// half the weight in turn. Its motors and limits do the same, see <see cref="JointPass.Resume"/>.
     /// </summary>
     public void Kick(float share)
     {
@@ -185,8 +185,8 @@ internal sealed unsafe partial class TreeBodies
     }
 
     /// <summary>
-    /// Trees whose bodies nothing else moves, and those that have had half of their forces: the law for steady acceleration would take a quarter of them
-    /// for what is too much. A guest is one as long as it presses on a tree: then the two must move by the same law,
+    /// Trees whose bodies nothing else moves, and those that have had half of their forces: the law for steady acceleration would take a
+    /// quarter of them for what is too much. A guest is one as long as it presses on a tree: then the two must move by the same law,
     /// or their surfaces part by half of g·h² in each substep. If deep overlaps are pushed apart, guests move with them.
     /// </summary>
     public void MarkExact()
@@ -279,7 +279,9 @@ internal sealed unsafe partial class TreeBodies
         StoreMove(node);
     }
 
-    /// <summary>Moves a body by what its velocity does in a substep, turned by a radian at most: further off a joint's direction tells nothing.</summary>
+    /// <summary>
+    /// Moves a body by what its velocity does in a substep, turned by a radian at most: further off a joint's direction tells nothing.
+    /// </summary>
     public void MoveOn(TreeNode* node)
     {
         double h = _work.Step.Substep;
@@ -354,8 +356,8 @@ internal sealed unsafe partial class TreeBodies
     }
 
     /// <summary>
-    /// Meshing gears end a step in their ratio to the last bit, or the next: what the rounding of their bodies' speeds left of it goes to body B. Two
-    /// rounds, for the first is rounded itself.
+    /// Meshing gears end a step in their ratio to the last bit, or the next: what the rounding of their bodies' speeds left of it goes to
+    /// body B. Two rounds, for the first is rounded itself.
     /// </summary>
     public void Mesh(ActiveJoint* joint)
     {

@@ -5,9 +5,9 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Solving;
 
 /// <content>
-/// The impulses that a substep starts from. Of a tree whose own surfaces touch each other a sweep takes back only a part of what was too much, since these answer its
-/// turns with far more than its weight: a ragdoll whose limbs lay against each other at a blow was given speed in substep after substep, half a metre of height
-/// in a step.
+/// The impulses that a substep starts from. Of a tree whose own surfaces touch each other a sweep takes back only a part of what was too
+/// much, since these answer its turns with far more than its weight: a ragdoll whose limbs lay against each other at a blow was given speed
+/// in substep after substep, half a metre of height in a step.
 /// </content>
 internal sealed unsafe partial class TreeContacts
 {
@@ -61,9 +61,9 @@ internal sealed unsafe partial class TreeContacts
     public JointTree* GroupAt(int item) => _forest.Trees + _forest.Trees[_forest.TreeOf(_solver.Sweeps.EndsOf(item))].Group;
 
     /// <summary>
-    /// Impulses λ against speeds v answer Kλ and give the energy λ·v + λ·Kλ/2. Surfaces that do not bounce give none: where it would be more than none, impulses
-    /// start from the share of them that takes the most. Trees with anchors are left as they are: of their weight these take a part that is not known before they
-    /// are solved.
+    /// Impulses λ against speeds v answer Kλ and give the energy λ·v + λ·Kλ/2. Surfaces that do not bounce give none: where it would be
+    /// more than none, impulses start from the share of them that takes the most. Trees with anchors are left as they are: of their weight
+    /// these take a part that is not known before they are solved.
     /// </summary>
     private void Temper(Column<int> trees, int treeCount, Column<int> agenda, int agendaCount)
     {

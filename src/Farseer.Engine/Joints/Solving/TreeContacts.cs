@@ -107,8 +107,8 @@ internal sealed unsafe partial class TreeContacts
     }
 
     /// <summary>
-    /// After <see cref="JointSolver.Start"/>: sweeps over rows of trees may follow each other without a look at anything else, as far as the joints are
-    /// concerned. Nets and wheels have rows on lanes, and limits of trees are asked for after each sweep.
+    /// After <see cref="JointSolver.Start"/>: sweeps over rows of trees may follow each other without a look at anything else, as far as
+    /// the joints are concerned. Nets and wheels have rows on lanes, and limits of trees are asked for after each sweep.
     /// </summary>
     public bool SweepsByItself()
     {
@@ -250,7 +250,9 @@ internal sealed unsafe partial class TreeContacts
         to->Feed[lane] = (float)from.Feed;
     }
 
-    /// <summary>Makes guests of bodies that touch trees, and puts all iterated rows in the order of the trees, then of the contacts.</summary>
+    /// <summary>
+    /// Makes guests of bodies that touch trees, and puts all iterated rows in the order of the trees, then of the contacts.
+    /// </summary>
     public void Collate()
     {
         _forest.ReserveGuests(_contacts.Capacity * 2, _work.Step.Bodies.Ids.End);

@@ -46,7 +46,8 @@ internal sealed unsafe partial class TreeImpacts
 
             ref BodyState a = ref _work.Step.Bodies.State[contact->Ends.BodyA];
             ref BodyState b = ref _work.Step.Bodies.State[contact->Ends.BodyB];
-            double along = ((b.LinearVelocity.X - a.LinearVelocity.X) * contact->NormalX) + ((b.LinearVelocity.Y - a.LinearVelocity.Y) * contact->NormalY);
+            double along = ((b.LinearVelocity.X - a.LinearVelocity.X) * contact->NormalX)
+                + ((b.LinearVelocity.Y - a.LinearVelocity.Y) * contact->NormalY);
             double speed = Approach(contact->Point0, along, a.AngularVelocity, b.AngularVelocity);
             speed = contact->Points > 1 ? Math.Max(speed, Approach(contact->Point1, along, a.AngularVelocity, b.AngularVelocity)) : speed;
             impulses.NoteApproach(contact->Bundle->Contact[contact->Lane], (float)speed);

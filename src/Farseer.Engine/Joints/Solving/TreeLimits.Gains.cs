@@ -5,9 +5,10 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Solving;
 
 /// <content>
-/// What rows give through limits that they open. A row in a sweep takes the limits that hold for joints that always do: where one leaves its tree next to no freedom (a slider
-/// between two rods, at its stop) a servo of an angle finds an impulse a hundred times as large as what turns its body alone. The limit would pull, is let go, and the
-/// impulse is there: a linkage of two bodies of 0.2 kg had 3 J before the sweep and 3 kJ after it, was past all its other stops within the substep, and its servo went on from there.
+/// What rows give through limits that they open. A row in a sweep takes the limits that hold for joints that always do: where one leaves
+/// its tree next to no freedom (a slider between two rods, at its stop) a servo of an angle finds an impulse a hundred times as large as
+/// what turns its body alone. The limit would pull, is let go, and the impulse is there: a linkage of two bodies of 0.2 kg had 3 J before
+/// the sweep and 3 kJ after it, was past all its other stops within the substep, and its servo went on from there.
 /// </content>
 internal sealed unsafe partial class TreeLimits
 {
@@ -143,8 +144,9 @@ internal sealed unsafe partial class TreeLimits
     }
 
     /// <summary>
-    /// After the rows: where they left more energy than there was, all that they gave is taken back, and they are asked again with no limit held. What they pass then holds, and of
-    /// both ways that with less energy stays. What drives give without opening a limit never comes here.
+    /// After the rows: where they left more energy than there was, all that they gave is taken back, and they are asked again with no limit
+    /// held. What they pass then holds, and of both ways that with less energy stays. What drives give without opening a limit never comes
+    /// here.
     /// </summary>
     public void AskAgainWithoutLimits(TargetKind kind, SweepKind pass, int sweeps)
     {
@@ -273,7 +275,9 @@ internal sealed unsafe partial class TreeLimits
         }
     }
 
-    /// <summary>No limit holds. What they have pushed stays: of a tree that its joints hold twice, it is a million times what it moves.</summary>
+    /// <summary>
+    /// No limit holds. What they have pushed stays: of a tree that its joints hold twice, it is a million times what it moves.
+    /// </summary>
     private void LetGoOfLimits(JointTree* tree)
     {
         for (int i = tree->First + 1; i < tree->End; i++)

@@ -4,13 +4,16 @@ using Farseer.Engine.Joints.Trees;
 
 namespace Farseer.Engine.Joints.Solving;
 
-/// <content>Limits that are let go before they would pull: those that joints from outside push open, and those that the move left open.</content>
+/// <content>
+/// Limits that are let go before they would pull: those that joints from outside push open, and those that the move left open.
+/// </content>
 internal sealed unsafe partial class TreeLimits
 {
     /// <summary>
-    /// A joint that pushed at a tree found its impulse with the limits that held. Let go by it, the tree answers more, by a thousand times if the push goes past a
-    /// light body's centre, and would be at the other end of its range within the substep. So before that end holds, the joint is asked again. (Held there, the
-    /// joint pushed back with the mass of all that hangs on it, the limit was let go, and so on in each sweep: an arm of 0.1 kg left at a kilometre a second.)
+    /// A joint that pushed at a tree found its impulse with the limits that held. Let go by it, the tree answers more, by a thousand times
+    /// if the push goes past a light body's centre, and would be at the other end of its range within the substep. So before that end
+    /// holds, the joint is asked again. (Held there, the joint pushed back with the mass of all that hangs on it, the limit was let go, and
+    /// so on in each sweep: an arm of 0.1 kg left at a kilometre a second.)
     /// </summary>
     public static bool IsJustLetGo(ActiveJoint* joint, int row) => joint->LetGo != 0 && joint->LetGo != row + 1;
 
@@ -37,8 +40,8 @@ internal sealed unsafe partial class TreeLimits
     }
 
     /// <summary>
-    /// Notes the trees that an iterated joint pushes at, and those of soft points, whose own limits may be the ones that they open: a body of 0.3 kg at its stop, 4 m off its
-    /// soft pivot, left at a kilometre a second.
+    /// Notes the trees that an iterated joint pushes at, and those of soft points, whose own limits may be the ones that they open: a body
+    /// of 0.3 kg at its stop, 4 m off its soft pivot, left at a kilometre a second.
     /// </summary>
     public void Join(int index)
     {
@@ -59,8 +62,8 @@ internal sealed unsafe partial class TreeLimits
     }
 
     /// <summary>
-    /// After the move: limits that are open again have nothing to hold. Kept as rows that close at gap over h, what else pushes at the tree would
-    /// find them as drives: limbs that lay on each other at the end of a long substep were turned at forty radians a second.
+    /// After the move: limits that are open again have nothing to hold. Kept as rows that close at gap over h, what else pushes at the tree
+    /// would find them as drives: limbs that lay on each other at the end of a long substep were turned at forty radians a second.
     /// </summary>
     public void LetGoOfOpenLimits()
     {
@@ -128,7 +131,8 @@ internal sealed unsafe partial class TreeLimits
             + Math.Abs(jb[0] * b[0]) + Math.Abs(jb[1] * b[1]) + Math.Abs(jb[2] * b[2]);
         double rounding = SpeedRounding * terms;
 
-        // A limit that is its bodies' only tie holds in a tie as well: a pair that whirls at the end of its rope would be past it by the bend of its way.
+        // A limit that is its bodies' only tie holds in a tie as well: a pair that whirls at the end of its rope would be past it by the
+        // bend of its way.
         double target = LimitTarget(joint, rows, row, kind);
         return _solver.Overruns.TreeOfLimits(joint) != null ? speed <= target + rounding : speed < target - rounding;
     }

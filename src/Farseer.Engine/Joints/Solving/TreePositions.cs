@@ -28,8 +28,8 @@ internal sealed unsafe partial class TreePositions
     public const double Loose = 2e-6;
 
     /// <summary>
-    /// None of a tree that contacts press on. What is left is met by the next biased pass and does not add up; the energy that a correction would
-    /// keep is nothing beside what contacts take, and most substeps of a bridge under its load need none.
+    /// None of a tree that contacts press on. What is left is met by the next biased pass and does not add up; the energy that a correction
+    /// would keep is nothing beside what contacts take, and most substeps of a bridge under its load need none.
     /// </summary>
     internal const double PressedTolerance = 3e-7;
 
@@ -44,8 +44,8 @@ internal sealed unsafe partial class TreePositions
     internal const double Alike = 0.25;
 
     /// <summary>
-    /// The same for chains that are solved as such, of which none is taut: a bridge under its load takes half as many corrections as with a quarter. Bends that
-    /// alternate change by twice their size, and are not carried on by any share below that.
+    /// The same for chains that are solved as such, of which none is taut: a bridge under its load takes half as many corrections as with a
+    /// quarter. Bends that alternate change by twice their size, and are not carried on by any share below that.
     /// </summary>
     internal const double AlikeInChains = 0.5;
 
@@ -225,9 +225,9 @@ internal sealed unsafe partial class TreePositions
     }
 
     /// <summary>
-    /// A straight way leaves a joint by half of its acceleration times h², which changes little from one substep to the next. Known beforehand
-    /// it is a part of what the biased pass meets, and the correction, whose rounds and sweeps are half of the cost of a tree with rows, has little
-    /// to do. The directions are the same, so what is found in the end is too.
+    /// A straight way leaves a joint by half of its acceleration times h², which changes little from one substep to the next. Known
+    /// beforehand it is a part of what the biased pass meets, and the correction, whose rounds and sweeps are half of the cost of a tree
+    /// with rows, has little to do. The directions are the same, so what is found in the end is too.
     /// </summary>
     private void NoteBends()
     {
@@ -358,7 +358,8 @@ internal sealed unsafe partial class TreePositions
                 if (tree->Corrects)
                 {
                     node->Bent += Math.Abs(h * change[2]);
-                    _solver.Bodies.NoteMove(i, node->Move[0] + (h * change[0]), node->Move[1] + (h * change[1]), node->Move[2] + (h * change[2]));
+                    _solver.Bodies.NoteMove(
+                        i, node->Move[0] + (h * change[0]), node->Move[1] + (h * change[1]), node->Move[2] + (h * change[2]));
                 }
 
                 change[0] += node->Saved[0];

@@ -104,8 +104,8 @@ internal sealed unsafe class TreeProjection
     }
 
     /// <summary>
-    /// Where a tree went astray nothing is foreseen: an error along a taut chain is met by the biased pass only with a far larger bend, which
-    /// lost the load of a bridge.
+    /// Where a tree went astray nothing is foreseen: an error along a taut chain is met by the biased pass only with a far larger bend,
+    /// which lost the load of a bridge.
     /// </summary>
     private void ForgetBendsAstray()
     {

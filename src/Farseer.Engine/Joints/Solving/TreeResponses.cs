@@ -52,7 +52,9 @@ internal sealed unsafe class TreeResponses
         }
     }
 
-    /// <summary>The velocity changes that impulses on a tree's bodies make, three numbers a body; its joints hold as they did last.</summary>
+    /// <summary>
+    /// The velocity changes that impulses on a tree's bodies make, three numbers a body; its joints hold as they did last.
+    /// </summary>
     public void Respond(int tree, double* impulses, double* changes)
     {
         JointTree* t = _forest.Trees + tree;

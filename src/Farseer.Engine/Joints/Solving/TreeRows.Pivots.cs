@@ -5,8 +5,8 @@ using Farseer.Engine.Joints.Trees;
 namespace Farseer.Engine.Joints.Solving;
 
 /// <content>
-/// Rigid pivots, with limits of their angles or without. Most joints are such, and all is asked of them several times a substep: written out it
-/// is a third of the work, and the same to the last bit.
+/// Rigid pivots, with limits of their angles or without. Most joints are such, and all is asked of them several times a substep: written
+/// out it is a third of the work, and the same to the last bit.
 /// </content>
 internal sealed unsafe partial class TreeRows
 {
@@ -14,7 +14,9 @@ internal sealed unsafe partial class TreeRows
 
     public const int UpperRow = 3;
 
-    /// <summary>A limit that a substep brings nearer by less than this share of its distance is not passed, whatever rounding does.</summary>
+    /// <summary>
+    /// A limit that a substep brings nearer by less than this share of its distance is not passed, whatever rounding does.
+    /// </summary>
     private const double OutOfReach = 0.5;
 
     /// <summary>Of the rows of a rigid pivot only arms and errors change.</summary>
@@ -131,5 +133,6 @@ internal sealed unsafe partial class TreeRows
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private double SpinOf(int node, int body) => node >= 0 ? _forest.Nodes[node].Velocity[2] : _work.Step.Bodies.State[body].AngularVelocity;
+    private double SpinOf(int node, int body) =>
+        node >= 0 ? _forest.Nodes[node].Velocity[2] : _work.Step.Bodies.State[body].AngularVelocity;
 }

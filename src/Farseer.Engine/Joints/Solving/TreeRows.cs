@@ -218,7 +218,9 @@ internal sealed unsafe partial class TreeRows
                     + (jb[0] * b->LinearVelocity.X) + (jb[1] * b->LinearVelocity.Y) + (jb[2] * b->AngularVelocity);
                 double drift = then.Error[k] - now->Error[k] - (speed * _work.Step.Dt);
                 double response = now->Type[k] == (byte)RowType.Hard ? 0 : joint.Response[k];
-                drift *= response > 0 ? 1 - ((response - now->Damping[k]) / (response + now->Damping[k]) * _work.Step.Substep / _work.Step.Dt) : 1;
+                drift *= response > 0
+                    ? 1 - ((response - now->Damping[k]) / (response + now->Damping[k]) * _work.Step.Substep / _work.Step.Dt)
+                    : 1;
                 sum += drift * drift;
             }
         }
@@ -305,7 +307,8 @@ internal sealed unsafe partial class TreeRows
         }
     }
 
-    public static bool IsDisplacement(TargetKind kind) => kind == TargetKind.Correction || kind == TargetKind.Projection || kind == TargetKind.Pull;
+    public static bool IsDisplacement(TargetKind kind) =>
+        kind == TargetKind.Correction || kind == TargetKind.Projection || kind == TargetKind.Pull;
 
     /// <summary>
     /// An error up to the share <see cref="Small"/> of the joint's size comes from the motion and is taken out at once. What is

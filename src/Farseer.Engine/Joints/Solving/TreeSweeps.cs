@@ -60,12 +60,13 @@ internal sealed unsafe class TreeSweeps
     }
 
     /// <summary>
-    /// Sweeps over all iterated rows, in the order of the trees. Several are one walk: the bodies between the rows wait for their velocities
-    /// until the last of them.
+    /// Sweeps over all iterated rows, in the order of the trees. Several are one walk: the bodies between the rows wait for their
+    /// velocities until the last of them.
     /// </summary>
     /// <param name="pass">What the rows do.</param>
     /// <param name="sweeps">How often; friction waits for the second half.</param>
-    /// <param name="some">Only in the groups of trees that are marked: what others do is no concern of a tree that no row ties to them.</param>
+    /// <param name="some">Only in the groups of trees that are marked: what others do is no concern of a tree that no row ties to
+    /// them.</param>
     public void Sweep(SweepKind pass, int sweeps = 1, bool some = false)
     {
         if (_work.AgendaCount == 0)
@@ -133,7 +134,9 @@ internal sealed unsafe class TreeSweeps
                 continue;
             }
 
-            if (_work.AnyWishes && pass <= SweepKind.RelaxedSmooth && (_solver.Contacts.GroupAt(item)->Wishes && _solver.Wishes.IsWish(item)) != _work.Wishing)
+            if (_work.AnyWishes
+                && pass <= SweepKind.RelaxedSmooth
+                && (_solver.Contacts.GroupAt(item)->Wishes && _solver.Wishes.IsWish(item)) != _work.Wishing)
             {
                 continue;
             }

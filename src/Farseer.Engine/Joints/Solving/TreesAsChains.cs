@@ -196,8 +196,8 @@ internal sealed unsafe class TreesAsChains
     }
 
     /// <summary>
-    /// Chains that contacts press on, if what they press on are bodies without joints or what cannot move, and nothing bounces or is pushed out of
-    /// a deep overlap: moves them out of the lists, but for their contacts.
+    /// Chains that contacts press on, if what they press on are bodies without joints or what cannot move, and nothing bounces or is pushed
+    /// out of a deep overlap: moves them out of the lists, but for their contacts.
     /// </summary>
     public void TakeToChains()
     {

@@ -3,7 +3,9 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Solving;
 
-/// <content>Contacts of trees that are solved side by side: swept one by one, with the motors and springs of these trees, between their passes.</content>
+/// <content>
+/// Contacts of trees that are solved side by side: swept one by one, with the motors and springs of these trees, between their passes.
+/// </content>
 internal sealed unsafe partial class TreesOnLanes
 {
     /// <summary>Trees with contacts that are on lanes, and their rows, in the order of the agenda.</summary>

@@ -143,7 +143,9 @@ internal sealed unsafe partial class TreesOnLanes
 
     private bool IsAside(int tree) => _forest.Trees[tree].OnLanes || _forest.Trees[tree].OnChain;
 
-    /// <summary>Finds the trees with rows that are not of their own joints; and those that only contacts with what cannot move push at.</summary>
+    /// <summary>
+    /// Finds the trees with rows that are not of their own joints; and those that only contacts with what cannot move push at.
+    /// </summary>
     private void MarkTied()
     {
         for (int at = 0; at < _work.TreeCount; at++)

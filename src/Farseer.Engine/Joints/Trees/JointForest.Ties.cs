@@ -4,9 +4,9 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Trees;
 
 /// <content>
-/// Which ropes make edges of a tree: those that tie groups of bodies which nothing else ties together, and go round nowhere. Iterated, a chain of eight
-/// with twenty links' weight at its end gained energy: what the passes had not settled was pushed on from. A net of ropes stays iterated, and so do
-/// sliders and ranges of angles, whose ways in the original are recorded.
+/// Which ropes make edges of a tree: those that tie groups of bodies which nothing else ties together, and go round nowhere. Iterated, a
+/// chain of eight with twenty links' weight at its end gained energy: what the passes had not settled was pushed on from. A net of ropes
+/// stays iterated, and so do sliders and ranges of angles, whose ways in the original are recorded.
 /// </content>
 internal sealed unsafe partial class JointForest
 {

@@ -1,4 +1,3 @@
-using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Storage;
@@ -11,7 +10,9 @@ namespace Farseer.Engine.Joints.Trees;
 /// </summary>
 internal sealed unsafe partial class JointForest
 {
-    /// <summary>Guests for whom there is room from the first on: a world of so many bodies, or with so few for each jointed one, never grows.</summary>
+    /// <summary>
+    /// Guests for whom there is room from the first on: a world of so many bodies, or with so few for each jointed one, never grows.
+    /// </summary>
     private const int FewGuests = 64;
     private const int GuestsANode = 4;
 
@@ -106,61 +107,6 @@ internal sealed unsafe partial class JointForest
         ends.NodeB = moves[ends.BodyB] != 0 ? NodeOf(ends.BodyB) : -1;
         ends.Coupled = ends.NodeA >= 0 && ends.NodeB >= 0 && Nodes[ends.NodeA].Tree == Nodes[ends.NodeB].Tree;
     }
-
-    /// <summary>Sends the guests of the last step away.</summary>
-    public void ClearGuests()
-    {
-        for (int i = _ownNodes; i < Count; i++)
-        {
-            _nodeOf[Nodes[i].Body] = -1;
-        }
-
-        Count = _ownNodes;
-        TreeCount = _ownTrees;
-    }
-
-    /// <summary>
-    /// Makes room for so many guests, of bodies that may be younger than the trees; in a small world for all bodies at once, so that one
-    /// guest more does not allocate late in a run.
-    /// </summary>
-    public void ReserveGuests(int count, int bodyEnd)
-    {
-        int room = Math.Min(bodyEnd, Math.Max(count, FewGuests + (GuestsANode * _ownNodes)));
-        _nodes.EnsureCapacity(_ownNodes + room);
-        _trees.EnsureCapacity(_ownTrees + room);
-        _nodeOf.EnsureCapacity(bodyEnd);
-        for (; _mapped < bodyEnd; _mapped++)
-        {
-            _nodeOf[_mapped] = -1;
-        }
-    }
-
-    /// <summary>Lets a body without joints take part as a tree of its own.</summary>
-    public void AddGuest(int body)
-    {
-        AddSingle(body);
-        Trees[TreeCount - 1].Guest = true;
-    }
-
-    /// <summary>Makes room for trees of so many joints and bodies, of which not all may act now.</summary>
-    public void Reserve(int joints, int bodyEnd)
-    {
-        _nodeOf.EnsureCapacity(bodyEnd);
-        _start.EnsureCapacity(bodyEnd + 2);
-        _entries.EnsureCapacity((joints * 2) + 1);
-        _queue.EnsureCapacity(bodyEnd + 1);
-        _places.EnsureCapacity(bodyEnd + 1);
-        _edgeJoints.EnsureCapacity(joints + 1);
-        _anchors.EnsureCapacity(joints + 1);
-        _nodes.EnsureCapacity((joints * 2) + 1);
-        _ordered.EnsureCapacity((joints * 2) + 1);
-        _trees.EnsureCapacity((joints * 2) + 1);
-    }
-
-    /// <summary>Trees, and nodes, that there is room for, guests with them: what grows with it does not when there are others, or more of them, than in the step before.</summary>
-    public int TreeRoom => _trees.Capacity;
-
-    public int NodeRoom => _nodes.Capacity;
 
     private void Reset(int count, int bodyEnd)
     {
@@ -318,8 +264,8 @@ internal sealed unsafe partial class JointForest
     }
 
     /// <summary>
-    /// Breadth first from the root; the first joint to reach a body, and those parallel to it, make the edge. A joint that is a limit alone makes one
-    /// only where no other joint leads: it would else make a loop of a joint that always holds.
+    /// Breadth first from the root; the first joint to reach a body, and those parallel to it, make the edge. A joint that is a limit alone
+    /// makes one only where no other joint leads: it would else make a loop of a joint that always holds.
     /// </summary>
     private void Grow(int root, ActiveJoint* active, byte* moves)
     {
@@ -349,7 +295,9 @@ internal sealed unsafe partial class JointForest
         EndTree();
     }
 
-    /// <summary>Adds the bodies that joints of a node lead to: all by those that have hard rows, or the first one by a limit alone.</summary>
+    /// <summary>
+    /// Adds the bodies that joints of a node lead to: all by those that have hard rows, or the first one by a limit alone.
+    /// </summary>
     /// <returns>True if a limit led to a body.</returns>
     private bool Reach(int from, bool byLimit, ActiveJoint* active, byte* moves)
     {

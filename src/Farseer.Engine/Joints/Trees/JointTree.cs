@@ -66,8 +66,8 @@ internal struct JointTree
     public bool Pressed;
 
     /// <summary>
-    /// Nothing touches it and nothing springy pulls at it, nor at any tree that rows tie to it: it takes half of all forces before it moves and
-    /// half after.
+    /// Nothing touches it and nothing springy pulls at it, nor at any tree that rows tie to it: it takes half of all forces before it moves
+    /// and half after.
     /// </summary>
     public bool Free;
 
@@ -148,14 +148,17 @@ internal struct JointTree
     public double Before;
 
     /// <summary>
-    /// Of the first tree of a group: surfaces within one of its trees press; what the impulses that its contacts start from do against the speeds that are there, and
-    /// against those that they make themselves.
+    /// Of the first tree of a group: surfaces within one of its trees press; what the impulses that its contacts start from do against the
+    /// speeds that are there, and against those that they make themselves.
     /// </summary>
     public bool Tempers;
     public double Opposed;
     public double Answered;
 
-    /// <summary>Of the first tree of a group: velocities and impulses from before joints pushed at limits that hold are kept; and twice the energy gained since.</summary>
+    /// <summary>
+    /// Of the first tree of a group: velocities and impulses from before joints pushed at limits that hold are kept; and twice the energy
+    /// gained since.
+    /// </summary>
     public bool Kept;
     public double Gained;
 }

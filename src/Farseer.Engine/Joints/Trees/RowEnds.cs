@@ -19,8 +19,8 @@ internal unsafe struct RowEnds
     public const double Dead = 1e-6;
 
     /// <summary>
-    /// The same of surfaces that touch within one tree. What a group of welds leaves there is the rounding of its blocks times the square of its
-    /// length, up to the share 1e-6 and more: divided by that, surfaces within the group gathered impulses ten times as large as the
+    /// The same of surfaces that touch within one tree. What a group of welds leaves there is the rounding of its blocks times the square
+    /// of its length, up to the share 1e-6 and more: divided by that, surfaces within the group gathered impulses ten times as large as the
     /// blow, and when a weld broke these shot its bricks off, with up to 10⁸ times the energy. A body that presses on another from
     /// outside is never so dead: it has a mass of its own.
     /// </summary>
@@ -140,7 +140,8 @@ internal unsafe struct RowEnds
     }
 
     /// <summary>What the bodies would answer to a row without their trees.</summary>
-    public static double Own(TreeNode* nodes, RowEnds* ends, double* a, double* b) => Own(nodes, ends->NodeA, a) + Own(nodes, ends->NodeB, b);
+    public static double Own(TreeNode* nodes, RowEnds* ends, double* a, double* b) =>
+        Own(nodes, ends->NodeA, a) + Own(nodes, ends->NodeB, b);
 
     /// <summary>J·v at a body.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

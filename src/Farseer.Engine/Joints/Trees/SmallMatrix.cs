@@ -143,8 +143,8 @@ internal static unsafe class SmallMatrix
     }
 
     /// <summary>
-    /// The inverse of a symmetric positive matrix of 2×2. Where a row has no response at all, as of an angle between two bodies that cannot turn, it gets
-    /// no impulse, and the other row keeps what it answers alone.
+    /// The inverse of a symmetric positive matrix of 2×2. Where a row has no response at all, as of an angle between two bodies that cannot
+    /// turn, it gets no impulse, and the other row keeps what it answers alone.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void InvertTwo(double m00, double m01, double m10, double m11, double* r)
@@ -172,8 +172,8 @@ internal static unsafe class SmallMatrix
     }
 
     /// <summary>
-    /// The inverse of 3×3 as L⁻ᵀ D⁻¹ L⁻¹. Of a block of which two directions have no more than 10⁻⁹ of a response the determinant is 10⁻¹⁸, less than the
-    /// rounding of its own terms, but each pivot is known to a ten-millionth.
+    /// The inverse of 3×3 as L⁻ᵀ D⁻¹ L⁻¹. Of a block of which two directions have no more than 10⁻⁹ of a response the determinant is 10⁻¹⁸,
+    /// less than the rounding of its own terms, but each pivot is known to a ten-millionth.
     /// </summary>
     private static void InvertByPivots(double* m, double* r)
     {

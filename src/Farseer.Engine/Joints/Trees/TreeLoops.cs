@@ -4,15 +4,16 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Trees;
 
 /// <summary>
-/// The joints that close loops within trees. With Y the inverse mass of a tree that its edges leave, J the rows of all joints that close its
-/// loops and K = J Y Jᵀ, the multipliers λ = K⁻¹ (t - J v) of a velocity v that meets the edges make it meet the loops too: tree and loops are one
-/// exact solution. The columns of K are solutions of the tree to an impulse along each row.
+/// The joints that close loops within trees. With Y the inverse mass of a tree that its edges leave, J the rows of all joints that close
+/// its loops and K = J Y Jᵀ, the multipliers λ = K⁻¹ (t - J v) of a velocity v that meets the edges make it meet the loops too: tree and
+/// loops are one exact solution. The columns of K are solutions of the tree to an impulse along each row.
 /// </summary>
 internal sealed unsafe class TreeLoops
 {
     /// <summary>
-    /// ρ of K in terms of its rows' own responses: K (K² + ρ²)⁻¹ is the inverse wherever there is a response, and goes to 0 with it. In a grid of
-    /// welds the tree alone holds what its loops would, and a linkage has dead centres; the plain inverse would divide rounding by rounding there.
+    /// ρ of K in terms of its rows' own responses: K (K² + ρ²)⁻¹ is the inverse wherever there is a response, and goes to 0 with it. In a
+    /// grid of welds the tree alone holds what its loops would, and a linkage has dead centres; the plain inverse would divide rounding by
+    /// rounding there.
     /// </summary>
     private const double Dead = 1e-4;
 
@@ -172,8 +173,8 @@ internal sealed unsafe class TreeLoops
     }
 
     /// <summary>
-    /// <see cref="TreeSolve.Run"/> of a tree with its loops: the impulses of the loops act on the bodies' own masses before the tree is solved, so
-    /// that the multipliers of its edges are those of both.
+    /// <see cref="TreeSolve.Run"/> of a tree with its loops: the impulses of the loops act on the bodies' own masses before the tree is
+    /// solved, so that the multipliers of its edges are those of both.
     /// </summary>
     public void Solve(JointTree* tree)
     {

@@ -63,7 +63,9 @@ internal unsafe struct TreeNode
     /// <summary>Displacement since the start of the step and turn since its middle; the store's floats are their rounding.</summary>
     public fixed double Move[3];
 
-    /// <summary>The same at the substep's start, and where h·v took the body, before corrections; then where it stood before a push.</summary>
+    /// <summary>
+    /// The same at the substep's start, and where h·v took the body, before corrections; then where it stood before a push.
+    /// </summary>
     public fixed double StartMove[3];
     public fixed double PlainMove[3];
 

@@ -24,8 +24,8 @@ internal static unsafe class TreeReactions
     }
 
     /// <summary>
-    /// Ends a walk and adds its multipliers to the joints. Velocities, multipliers and what they give are one way down the tree: a node is a
-    /// thousand bytes, and to come by again costs as much as the sums.
+    /// Ends a walk and adds its multipliers to the joints. Velocities, multipliers and what they give are one way down the tree: a node is
+    /// a thousand bytes, and to come by again costs as much as the sums.
     /// </summary>
     public static void EndWalk(JointForest forest, JointTree* tree, ActiveJoint* active, JointRows* rows)
     {

@@ -4,7 +4,9 @@ using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Trees;
 
-/// <summary>Sines and cosines of many angles, found together, which takes a third of the time of one by one and gives the same bits.</summary>
+/// <summary>
+/// Sines and cosines of many angles, found together, which takes a third of the time of one by one and gives the same bits.
+/// </summary>
 internal sealed unsafe class TurnTable
 {
     private readonly Column<double> _angles = new Column<double>();

@@ -22,7 +22,9 @@ public abstract class DrivenPairJoint : PairJoint
     {
     }
 
-    /// <summary>True keeps the angle of a hinge since it was made, radians, or the travel along an axis between the limits. Default false.</summary>
+    /// <summary>
+    /// True keeps the angle of a hinge since it was made, radians, or the travel along an axis between the limits. Default false.
+    /// </summary>
     public bool AreLimitsEnabled
     {
         get => _drive.IsLimited;
@@ -33,7 +35,9 @@ public abstract class DrivenPairJoint : PairJoint
         }
     }
 
-    /// <summary>Smallest value of the angle of a hinge since it was made, radians, or of the travel along an axis; finite. Default 0.</summary>
+    /// <summary>
+    /// Smallest value of the angle of a hinge since it was made, radians, or of the travel along an axis; finite. Default 0.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float LowerLimit
     {
@@ -45,7 +49,9 @@ public abstract class DrivenPairJoint : PairJoint
         }
     }
 
-    /// <summary>Largest value of the angle of a hinge since it was made, radians, or of the travel along an axis; finite. Default 0.</summary>
+    /// <summary>
+    /// Largest value of the angle of a hinge since it was made, radians, or of the travel along an axis; finite. Default 0.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float UpperLimit
     {
@@ -68,7 +74,9 @@ public abstract class DrivenPairJoint : PairJoint
         }
     }
 
-    /// <summary>Wanted speed of the second body against the first, rad/s for a hinge or a wheel, length/s for a slide; finite. Default 0.</summary>
+    /// <summary>
+    /// Wanted speed of the second body against the first, rad/s for a hinge or a wheel, length/s for a slide; finite. Default 0.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float MotorSpeed
     {

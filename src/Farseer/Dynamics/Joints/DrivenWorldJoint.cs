@@ -22,7 +22,9 @@ public abstract class DrivenWorldJoint : WorldJoint
     {
     }
 
-    /// <summary>True keeps the angle of the body since the joint was made, radians, or its travel on the line between the limits. Default false.</summary>
+    /// <summary>
+    /// True keeps the angle of the body since the joint was made, radians, or its travel on the line between the limits. Default false.
+    /// </summary>
     public bool AreLimitsEnabled
     {
         get => _drive.IsLimited;
@@ -33,7 +35,9 @@ public abstract class DrivenWorldJoint : WorldJoint
         }
     }
 
-    /// <summary>Smallest value of the angle of the body since the joint was made, radians, or of its travel on the line; finite. Default 0.</summary>
+    /// <summary>
+    /// Smallest value of the angle of the body since the joint was made, radians, or of its travel on the line; finite. Default 0.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float LowerLimit
     {
@@ -45,7 +49,9 @@ public abstract class DrivenWorldJoint : WorldJoint
         }
     }
 
-    /// <summary>Largest value of the angle of the body since the joint was made, radians, or of its travel on the line; finite. Default 0.</summary>
+    /// <summary>
+    /// Largest value of the angle of the body since the joint was made, radians, or of its travel on the line; finite. Default 0.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float UpperLimit
     {

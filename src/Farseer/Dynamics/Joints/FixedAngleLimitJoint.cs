@@ -50,7 +50,9 @@ public class FixedAngleLimitJoint : WorldJoint
         }
     }
 
-    /// <summary>Largest angle, radians; finite. With a value below <see cref="LowerLimit"/> the joint comes to rest between the two. Default 0.</summary>
+    /// <summary>
+    /// Largest angle, radians; finite. With a value below <see cref="LowerLimit"/> the joint comes to rest between the two. Default 0.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float UpperLimit
     {

@@ -7,7 +7,8 @@ using FarseerGames.FarseerPhysics.Bridge;
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 /// <summary>
-/// A slide in the world: the body moves along a line and cannot turn. <see cref="Joint.JointError"/> is its distance from the line. (An addition to the original.)
+/// A slide in the world: the body moves along a line and cannot turn. <see cref="Joint.JointError"/> is its distance from the line. (An
+/// addition to the original.)
 /// </summary>
 public class FixedPrismaticJoint : DrivenWorldJoint
 {

@@ -65,8 +65,8 @@ public class FixedRevoluteJoint : DrivenWorldJoint
     }
 
     /// <summary>
-    /// Largest impulse that each coordinate of the joint gives in one of the <see cref="PhysicsSimulator.Iterations"/> of an update; at least 0.
-    /// Default <see cref="float.MaxValue"/>: as much as it takes.
+    /// Largest impulse that each coordinate of the joint gives in one of the <see cref="PhysicsSimulator.Iterations"/> of an update; at
+    /// least 0. Default <see cref="float.MaxValue"/>: as much as it takes.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float MaxImpulse

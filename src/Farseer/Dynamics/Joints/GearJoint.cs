@@ -50,7 +50,9 @@ public class GearJoint : PairJoint
         Measure();
     }
 
-    /// <summary>Turns of the second body for each turn of the first, counted the other way; finite. Setting it meshes the gears anew. Default 1.</summary>
+    /// <summary>
+    /// Turns of the second body for each turn of the first, counted the other way; finite. Setting it meshes the gears anew. Default 1.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float Ratio
     {

@@ -115,9 +115,9 @@ public abstract class Joint : IDisposable, IItem
     }
 
     /// <summary>
-    /// The share of an error that an update takes away, at least 0; values above 1 act as 1. Default 0.2. It sets the pace at which an angle joint turns to its
-    /// target and at which bodies that were moved apart by hand come together; errors from the motion itself are always taken
-    /// away at once.
+    /// The share of an error that an update takes away, at least 0; values above 1 act as 1. Default 0.2. It sets the pace at which an
+    /// angle joint turns to its target and at which bodies that were moved apart by hand come together; errors from the motion itself are
+    /// always taken away at once.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float BiasFactor
@@ -130,7 +130,9 @@ public abstract class Joint : IDisposable, IItem
         }
     }
 
-    /// <summary>False keeps the two bodies of the joint from colliding with each other. Default true. (An addition to the original.)</summary>
+    /// <summary>
+    /// False keeps the two bodies of the joint from colliding with each other. Default true. (An addition to the original.)
+    /// </summary>
     public bool CollideConnected
     {
         get => _collideConnected;
@@ -151,7 +153,10 @@ public abstract class Joint : IDisposable, IItem
     /// </summary>
     public Vector2 ReactionForce => Link.ReactionForce;
 
-    /// <summary>The mean torque with which the joint turned its second body in the last update, beside that of its force at the anchor. (An addition to the original.)</summary>
+    /// <summary>
+    /// The mean torque with which the joint turned its second body in the last update, beside that of its force at the anchor. (An addition
+    /// to the original.)
+    /// </summary>
     public float ReactionTorque => Link.ReactionTorque;
 
     internal PhysicsSimulator? Simulator { get; set; }
@@ -202,7 +207,9 @@ public abstract class Joint : IDisposable, IItem
         }
     }
 
-    /// <summary>Disposes the joint: it lets go of its bodies and is swept out of the simulator at its next update. Calling it again does nothing.</summary>
+    /// <summary>
+    /// Disposes the joint: it lets go of its bodies and is swept out of the simulator at its next update. Calling it again does nothing.
+    /// </summary>
     public void Dispose()
     {
         Dispose(true);
@@ -278,7 +285,8 @@ public abstract class Joint : IDisposable, IItem
     /// <summary>Kind, bodies and state, for a debugger.</summary>
     /// <returns>A line of text.</returns>
     public override string ToString() => GetType().Name + (Tag is null ? "" : " " + Tag)
-        + (FirstBody is null ? "" : " of [" + FirstBody + "]") + (SecondBody is null ? "" : (FirstBody is null ? " of [" : " and [") + SecondBody + "]")
+        + (FirstBody is null ? "" : " of [" + FirstBody + "]")
+        + (SecondBody is null ? "" : (FirstBody is null ? " of [" : " and [") + SecondBody + "]")
         + (IsDisposed ? ", disposed" : !Enabled ? ", off" : "");
 
     /// <summary>Keeps the error that the engine last found while the joint is out of it.</summary>

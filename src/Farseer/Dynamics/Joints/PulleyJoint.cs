@@ -8,7 +8,8 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 /// <summary>
 /// A rope over two fixed points: the length on the first side plus <see cref="Ratio"/> times that on the second never grows beyond what it
-/// was when the joint was made. A rope pulls and does not push. <see cref="Joint.JointError"/> is how much too long it is. (An addition to the original.)
+/// was when the joint was made. A rope pulls and does not push. <see cref="Joint.JointError"/> is how much too long it is. (An addition to
+/// the original.)
 /// </summary>
 public class PulleyJoint : AnchoredJoint
 {
@@ -46,7 +47,10 @@ public class PulleyJoint : AnchoredJoint
     /// <summary>Length of the rope on the second side.</summary>
     public float Length2 => Vector2.Distance(_ground2, WorldAnchor2);
 
-    /// <summary>Largest value of <see cref="Length1"/> + <see cref="Ratio"/> · <see cref="Length2"/>; finite and at least 0. Default that when it was made.</summary>
+    /// <summary>
+    /// Largest value of <see cref="Length1"/> + <see cref="Ratio"/> · <see cref="Length2"/>; finite and at least 0. Default that when it
+    /// was made.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float TotalLength
     {

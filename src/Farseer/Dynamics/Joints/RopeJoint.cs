@@ -6,7 +6,8 @@ using Farseer.Engine.Storage;
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 /// <summary>
-/// A rope: two anchors are never further apart than <see cref="MaxLength"/>. <see cref="Joint.JointError"/> is how much further they are. (An addition to the original.)
+/// A rope: two anchors are never further apart than <see cref="MaxLength"/>. <see cref="Joint.JointError"/> is how much further they are.
+/// (An addition to the original.)
 /// </summary>
 public class RopeJoint : AnchoredJoint
 {

@@ -35,7 +35,8 @@ public class SliderJoint : AnchoredJoint
     /// <param name="max">Largest distance; finite and at least 0.</param>
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">A number is not finite, a distance is negative, or the largest one is below the smallest one.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite, a distance is negative, or the largest one is below the
+    /// smallest one.</exception>
     public SliderJoint(Body body1, Vector2 anchor1, Body body2, Vector2 anchor2, float min, float max)
         : base(body1, anchor1, body2, anchor2)
     {

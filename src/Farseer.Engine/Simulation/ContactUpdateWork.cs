@@ -24,7 +24,7 @@ internal unsafe struct BundleOutcome
 /// the bundles.
 /// </summary>
 [NotState(Why.OfOneStep)]
-internal sealed unsafe class ContactWork : IStageWork
+internal sealed unsafe class ContactUpdateWork : IStageWork
 {
     /// <summary>Pieces that are worth another worker's while, some 2 µs, and bundles, some 0.5 µs.</summary>
     private const int LeastPieces = 256;
@@ -95,7 +95,9 @@ internal sealed unsafe class ContactWork : IStageWork
         return Run(runner, input, Part.Given, bundles, 1);
     }
 
-    /// <summary>Keeps what is to become of the pairs of a bundle of which something follows, and how deep those that are struck would sink in.</summary>
+    /// <summary>
+    /// Keeps what is to become of the pairs of a bundle of which something follows, and how deep those that are struck would sink in.
+    /// </summary>
     public static void Keep(PairLanes* pairs, BundleOutcome* outcome, in ContactFates fates)
     {
         outcome->Fates = fates;
@@ -200,7 +202,10 @@ internal sealed unsafe class ContactWork : IStageWork
     }
 
 #if NET8_0_OR_GREATER
-    /// <summary>The same with both bundles of a record at a time. Beside the last one of a colour there may be none: the pairs of empty lanes do not exist.</summary>
+    /// <summary>
+    /// The same with both bundles of a record at a time. Beside the last one of a colour there may be none: the pairs of empty lanes do not
+    /// exist.
+    /// </summary>
     private void UpdateRecords(in ContactUpdateInput input, in BundleRuns runs, int number, ref BundleSums sums)
     {
         bool far = AreSidesFar(input);
@@ -240,8 +245,8 @@ internal sealed unsafe class ContactWork : IStageWork
     private static bool AreSidesFar(in ContactUpdateInput input) => Prefetch.IsUseful && input.Shapes.PieceIds.End > MostNear;
 
     /// <summary>
-    /// The sides of the pieces of a bundle, or of two side by side, are asked for. Poses and boxes are read a little later, by instructions that can wait for them: to ask for these too
-    /// took longer than it saved.
+    /// The sides of the pieces of a bundle, or of two side by side, are asked for. Poses and boxes are read a little later, by instructions
+    /// that can wait for them: to ask for these too took longer than it saved.
     /// </summary>
     private static void AskForSides(in ContactUpdateInput input, ContactBundle* bundle, int lanes)
     {

@@ -1,0 +1,87 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using Microsoft.CodeAnalysis.CSharp.Syntax;
+using Xunit;
+
+namespace Farseer.Rules.Tests;
+
+/// <summary>How large a type may be, and how long a line.</summary>
+public sealed class BudgetTests
+{
+    private const int MostLines = 1000;
+    private const int MostFiles = 3;
+    private const int MostColumns = 140;
+
+    private static readonly string[] _places = ["src", "tests", "samples", "benchmarks"];
+
+    // Types that are larger, with the lines and files that they have at most. Those of the facades are the interfaces of the originals, with
+    // a comment for each member. An entry may only shrink.
+    private static readonly Dictionary<string, (int Lines, int Files)> _larger = new()
+    {
+        ["TreeLanes"] = (2350, 6),
+        ["ChainSolver"] = (1540, 4),
+        ["PhysicsSimulator"] = (3300, 17),
+        ["Body"] = (1510, 6),
+        ["b2World"] = (1300, 7),
+        ["Geom"] = (1210, 6),
+        ["Vertices"] = (1010, 5),
+        ["b2Body"] = (810, 4),
+        ["GeomFactory"] = (720, 6),
+    };
+
+    [Fact]
+    public void Type_HasAtMost1000LinesInThreeFiles()
+    {
+        var types = Repository.Files("src", "*.cs")
+            .Select(f => (Text: File.ReadAllText(f), File: f))
+            .Select(f => (Type: NameOf(f.Text), Lines: f.Text.Count(c => c == '\n'), Project: Repository.Relative(f.File).Split('/')[1]))
+            .Where(f => f.Type is not null)
+            .GroupBy(f => (f.Project, f.Type))
+            .Select(g => (Type: g.Key.Type!, Lines: g.Sum(f => f.Lines), Files: g.Count()))
+            .ToList();
+
+        Assert.True(types.Count > 500, "only " + types.Count + " types were found");
+        Assert.Empty(types.Where(t => IsOver(t.Type, t.Lines, t.Files)).Select(t => $"{t.Type}: {t.Lines} lines in {t.Files} files"));
+    }
+
+    [Fact]
+    public void Line_HasAtMost140Columns()
+    {
+        IEnumerable<string> longer =
+            from place in _places
+            from file in Repository.Files(place, "*.cs")
+            from line in File.ReadLines(file).Select((text, number) => (Text: text, Number: number + 1))
+            where line.Text.Length > MostColumns
+            select $"{Repository.Relative(file)}({line.Number}): {line.Text.Length}";
+
+        Assert.Empty(longer);
+    }
+
+    [Fact]
+    public void EngineTypes_ShareNoName()
+    {
+        IEnumerable<string> twice = Repository.Files("src/Farseer.Engine", "*.cs")
+            .SelectMany(f => CSharpSyntaxTree.ParseText(File.ReadAllText(f)).GetRoot().DescendantNodes(n => n is not TypeDeclarationSyntax))
+            .OfType<TypeDeclarationSyntax>()
+            .Where(t => !t.Modifiers.Any(SyntaxKind.PartialKeyword))
+            .GroupBy(t => t.Identifier.Text + "`" + t.Arity)
+            .Where(g => g.Count() > 1)
+            .Select(g => g.Key);
+
+        Assert.Empty(twice);
+    }
+
+    private static bool IsOver(string type, int lines, int files) =>
+        _larger.TryGetValue(type, out (int Lines, int Files) most)
+            ? lines > most.Lines || files > most.Files
+            : lines > MostLines || files > MostFiles;
+
+    // The first type of a file gives it its name.
+    private static string? NameOf(string text) =>
+        CSharpSyntaxTree.ParseText(text).GetRoot().DescendantNodes(n => n is not BaseTypeDeclarationSyntax)
+            .OfType<BaseTypeDeclarationSyntax>().FirstOrDefault()?.Identifier.Text;
+}
