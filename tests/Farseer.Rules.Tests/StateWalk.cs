@@ -26,6 +26,7 @@ internal sealed class StateWalk
     private readonly HashSet<(Type? Owner, string Name)> _set = [];
     private readonly HashSet<(Type? Owner, string Name)> _read = [];
     private readonly HashSet<(Type? Owner, string Name)> _given = [];
+    private readonly HashSet<(Type? Owner, string Name)> _shared = [];
     private readonly HashSet<Type> _seen = [];
     private readonly List<(Type Type, string Name)> _others = [];
 
@@ -155,6 +156,11 @@ internal sealed class StateWalk
             return;
         }
 
+        if (!isVisited && field.IsInitOnly && _shared.Contains(Key(field)))
+        {
+            return;
+        }
+
         if (!isVisited && field.IsInitOnly && _given.Contains(Key(field)))
         {
             _others.Add((type, name));
@@ -211,11 +217,11 @@ internal sealed class StateWalk
         List<(OpCode Code, MemberInfo? Member)> il = [.. Read(constructor)];
         for (int i = 1; i < il.Count; i++)
         {
-            // As it was given, or read from a property of what was given.
-            int from = i > 1 && il[i - 1].Member is MethodBase called && IsProperty(called) ? i - 2 : i - 1;
-            if (il[i].Code == OpCodes.Stfld && il[from].Code.Name!.StartsWith("ldarg", StringComparison.Ordinal))
+            // As it was given, or read from a property of what was given, which is looked at there.
+            bool isRead = i > 1 && il[i - 1].Member is MethodInfo called && IsProperty(called);
+            if (il[i].Code == OpCodes.Stfld && il[isRead ? i - 2 : i - 1].Code.Name!.StartsWith("ldarg", StringComparison.Ordinal))
             {
-                _given.Add(Key((FieldInfo)il[i].Member!));
+                (isRead ? _shared : _given).Add(Key((FieldInfo)il[i].Member!));
             }
         }
     }

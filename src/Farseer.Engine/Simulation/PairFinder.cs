@@ -33,6 +33,7 @@ internal sealed class PairFinder
     private readonly WorldSettings _settings;
     private readonly SleepStage _sleep;
     private readonly Removals _removals;
+    [NotState(Why.Elsewhere)]
     private readonly SurfaceStage _surfaces;
     private readonly PairBuffer _pairs = new PairBuffer();
     private readonly PairWork _pairWork = new PairWork();

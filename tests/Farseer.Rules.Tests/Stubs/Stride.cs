@@ -42,7 +42,8 @@ namespace Stride.Graphics
     public class SpriteBatch
     {
         public void Draw(
-            Texture texture, RectangleF destinationRectangle, RectangleF? sourceRectangle, Color4 color, float rotation, Vector2 origin, SpriteEffects effects = SpriteEffects.None)
+            Texture texture, RectangleF destinationRectangle, RectangleF? sourceRectangle, Color4 color, float rotation,
+            Vector2 origin, SpriteEffects effects = SpriteEffects.None)
         {
         }
     }

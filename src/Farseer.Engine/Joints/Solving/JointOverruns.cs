@@ -14,6 +14,7 @@ namespace Farseer.Engine.Joints.Solving;
 /// put 2.4 beyond a slider's end at up to 144 a second. So the limit stands where it was found, and goes back to its place by
 /// displacements.
 /// </summary>
+[NotState(Why.Fixed)]
 internal sealed unsafe partial class JointOverruns
 {
     private readonly JointSolver _solver;

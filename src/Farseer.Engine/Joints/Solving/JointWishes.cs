@@ -14,6 +14,7 @@ namespace Farseer.Engine.Joints.Solving;
 /// F·h²/m in each substep, and its velocity read 0. Joints of trees are solved together with their contacts; and a limit is no wish: it
 /// holds as hard as a surface does, and comes after the contacts as before.
 /// </summary>
+[NotState(Why.Fixed)]
 internal sealed unsafe class JointWishes
 {
     /// <summary>

@@ -13,6 +13,7 @@ namespace Farseer.Engine.Joints.Solving;
 /// The solution of the trees, and which of their limits hold: an active set, found by the signs of the multipliers. A limit that
 /// holds is one more row of its block; no iteration is as stiff.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe partial class TreeLimits
 {
     public const int LimitRounds = 6;

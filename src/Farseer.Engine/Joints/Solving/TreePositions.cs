@@ -15,6 +15,7 @@ namespace Farseer.Engine.Joints.Solving;
 /// holds together but costs energy. Loops and surfaces that press on each other take part: without them the correction undoes
 /// what they had found, and a load sinks four times as deep.
 /// </summary>
+[NotState(Why.Fixed)]
 internal sealed unsafe partial class TreePositions
 {
     public const int Corrections = 4;

@@ -9,6 +9,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Solving;
 
 /// <summary>Trees whose correction went astray: taken back, and projected onto their joints.</summary>
+[NotState(Why.Fixed)]
 internal sealed unsafe class TreeProjection
 {
     /// <summary>

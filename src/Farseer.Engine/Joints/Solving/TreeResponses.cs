@@ -6,6 +6,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Solving;
 
 /// <summary>How a tree as a whole answers to forces: for springs, which pull at its bodies before the joints act.</summary>
+[NotState(Why.Fixed)]
 internal sealed unsafe class TreeResponses
 {
     private readonly JointSolver _solver;

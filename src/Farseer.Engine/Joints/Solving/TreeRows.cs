@@ -29,6 +29,7 @@ internal enum TargetKind
 }
 
 /// <summary>Rows and targets.</summary>
+[NotState(Why.Fixed)]
 internal sealed unsafe partial class TreeRows
 {
     public const double Small = 0.02;

@@ -7,6 +7,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Solving;
 
 /// <summary>The passes over the trees of a substep: trees exactly, then the rows that are iterated, in their order.</summary>
+[NotState(Why.Fixed)]
 internal sealed unsafe class TreeSweeps
 {
     private readonly JointSolver _solver;
