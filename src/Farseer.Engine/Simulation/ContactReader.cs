@@ -33,13 +33,10 @@ internal sealed class ContactReader
     private readonly ContactStage _contactStage;
     private readonly PushReport _pushes;
 
-    [NotState(Why.OfOneStep)]
     private readonly Column<ulong> _visitKeys = new Column<ulong>();
 
-    [NotState(Why.OfOneStep)]
     private readonly Column<int> _visitContacts = new Column<int>();
 
-    [NotState(Why.OfOneStep)]
     private readonly Column<ContactPoint> _visitPoints = new Column<ContactPoint>();
 
     public ContactReader(WorldStores stores, Removals removals, ContactStage contactStage, PushReport pushes)

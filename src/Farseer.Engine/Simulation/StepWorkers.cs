@@ -1,6 +1,5 @@
 using System;
 using Farseer.Engine.Stepping;
-using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
@@ -14,13 +13,10 @@ internal sealed class StepWorkers : IDisposable
     private const double JointSubstepCost = 30;
 
     private StageRunner _runner = new StageRunner(1, null);
-    [NotState(Why.Running)]
     private int _workers = 1;
 
-    [NotState(Why.Running)]
     private Action<int, Action>? _scheduler;
 
-    [NotState(Why.Calm)]
     private bool _isDisposed;
 
     public StageRunner Runner => _runner;
