@@ -3,6 +3,15 @@ using System.Collections.Generic;
 namespace FarseerGames.FarseerPhysics;
 
 /// <summary>What an <see cref="AccuracyAdvisor"/> found. (An addition to the original.)</summary>
+/// <example>
+/// <code>
+/// AccuracyAdvice advice = AccuracyAdvisor.Advise(MakeScene, seconds: 5, maximumError: 0.001f);
+/// if (advice.Cheapest is AccuracyPoint setting)
+/// {
+///     simulator.Iterations = setting.Iterations;
+/// }
+/// </code>
+/// </example>
 public sealed class AccuracyAdvice
 {
     internal AccuracyAdvice(float maximumError, double referenceError, List<AccuracyPoint> curve)

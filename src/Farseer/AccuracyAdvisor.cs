@@ -17,6 +17,12 @@ namespace FarseerGames.FarseerPhysics;
 /// reference run with 80 iterations at 480 updates a second. A scene that small differences decide, as they do a double pendulum after
 /// some seconds, has no motion that could be known; then no setting is named (<see cref="AccuracyAdvice.ReferenceError"/>).
 /// </remarks>
+/// <example>
+/// <code>
+/// AccuracyAdvice advice = AccuracyAdvisor.Advise(MakeScene, seconds: 5, maximumError: 0.001f);
+/// Console.WriteLine(advice.Cheapest);
+/// </code>
+/// </example>
 public static class AccuracyAdvisor
 {
     /// <summary>Bodies are compared so often in a second.</summary>

@@ -3,6 +3,14 @@ using System;
 namespace FarseerGames.FarseerPhysics;
 
 /// <summary>One setting that an <see cref="AccuracyAdvisor"/> tried. (An addition to the original.)</summary>
+/// <example>
+/// <code>
+/// foreach (AccuracyPoint point in AccuracyAdvisor.Advise(MakeScene, seconds: 5, maximumError: 0.001f).Curve)
+/// {
+///     Console.WriteLine($"{point.Iterations} iterations at {1 / point.Dt} Hz: off by {point.RmsError}");
+/// }
+/// </code>
+/// </example>
 public readonly struct AccuracyPoint
 {
     /// <summary>Finding pairs and contacts costs about as much as this many iterations.</summary>

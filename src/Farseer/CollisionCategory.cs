@@ -11,6 +11,12 @@ namespace FarseerGames.FarseerPhysics;
 /// category stands for is up to the game. A geom's collision categories and the categories it collides with are both
 /// <see cref="All"/> unless set.
 /// </remarks>
+/// <example>
+/// <code>
+/// geom.CollisionCategories = CollisionCategory.Cat2;
+/// geom.CollidesWith = CollisionCategory.All &amp; ~CollisionCategory.Cat2;
+/// </code>
+/// </example>
 [Flags]
 public enum CollisionCategory
 {

@@ -1,6 +1,11 @@
 namespace FarseerGames.FarseerPhysics;
 
 /// <summary>How a curve goes on before its first and after its last key.</summary>
+/// <example>
+/// <code>
+/// var wave = new Curve { PreLoop = CurveLoopType.Oscillate, PostLoop = CurveLoopType.Oscillate };
+/// </code>
+/// </example>
 public enum CurveLoopType
 {
     /// <summary>With the value of that key.</summary>

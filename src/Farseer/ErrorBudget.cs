@@ -11,6 +11,13 @@ namespace FarseerGames.FarseerPhysics;
 /// The bound on the work is a number of iterations: the same scene then gives the same bits on every machine. A bound on the time can be
 /// added (<see cref="WithTimeLimit"/>) and costs that: a clock has a say, and two runs of one scene may differ.
 /// </remarks>
+/// <example>
+/// <code>
+/// simulator.ErrorBudget = ErrorBudget.OfLength(0.001f, mostIterations: 40);
+/// simulator.Update(1f / 60);
+/// bool kept = simulator.Report.IsWithinBudget;
+/// </code>
+/// </example>
 [StructLayout(LayoutKind.Sequential, Pack = 4)]
 public readonly struct ErrorBudget
 {

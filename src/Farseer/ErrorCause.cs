@@ -3,6 +3,16 @@ namespace FarseerGames.FarseerPhysics;
 /// <summary>
 /// What the largest error of an update is an error of; see <see cref="StepReport.Cause"/>. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.EnableReport = true;
+/// simulator.Update(1f / 60);
+/// if (simulator.Report.Cause == ErrorCause.Separation)
+/// {
+///     Console.WriteLine("A joint is open by " + simulator.Report.LargestSeparation);
+/// }
+/// </code>
+/// </example>
 public enum ErrorCause
 {
     /// <summary>There was no error.</summary>

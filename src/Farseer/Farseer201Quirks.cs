@@ -7,6 +7,11 @@ namespace FarseerGames.FarseerPhysics;
 /// thing; a game that was tuned to one of these asks for it with <see cref="PhysicsSimulator.Quirks"/>. Set the quirks before
 /// anything is added: what a factory or a pair in contact has already worked out is not worked out again.
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Quirks = Farseer201Quirks.All;
+/// </code>
+/// </example>
 [Flags]
 public enum Farseer201Quirks
 {

@@ -1,6 +1,11 @@
 namespace FarseerGames.FarseerPhysics;
 
 /// <summary>How the friction coefficients of two touching geoms are combined into the one of the pair.</summary>
+/// <example>
+/// <code>
+/// simulator.FrictionType = FrictionType.GeometricMean;
+/// </code>
+/// </example>
 public enum FrictionType
 {
     /// <summary>The mean of the two coefficients. The default.</summary>

@@ -12,6 +12,14 @@ namespace FarseerGames.FarseerPhysics;
 /// where clearing the list of a simulator left everything in it.)
 /// </summary>
 /// <typeparam name="T">The kind of item.</typeparam>
+/// <example>
+/// <code>
+/// foreach (Body item in simulator.BodyList)
+/// {
+///     item.ApplyForce(new Vector2(0, -1));
+/// }
+/// </code>
+/// </example>
 public abstract class ItemList<T> : List<T>
     where T : class
 {

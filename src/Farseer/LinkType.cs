@@ -1,6 +1,12 @@
 namespace FarseerGames.FarseerPhysics;
 
 /// <summary>What holds two neighbouring links of a <see cref="Dynamics.Path"/> together.</summary>
+/// <example>
+/// <code>
+/// Path rope = ComplexFactory.Instance.CreateChain(
+///     simulator, new Vector2(0, 0), new Vector2(10, 0), 20, 0.2f, 1, 1, LinkType.RevoluteJoint);
+/// </code>
+/// </example>
 public enum LinkType
 {
     /// <summary>

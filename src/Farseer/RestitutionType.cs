@@ -4,6 +4,11 @@ namespace FarseerGames.FarseerPhysics;
 /// How the restitution coefficients of two touching geoms are combined into the one of the pair. (An addition to the original, which takes
 /// the mean.)
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.RestitutionType = RestitutionType.Maximum;
+/// </code>
+/// </example>
 public enum RestitutionType
 {
     /// <summary>The mean of the two coefficients. The default.</summary>

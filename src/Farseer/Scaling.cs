@@ -10,6 +10,11 @@ namespace FarseerGames.FarseerPhysics;
 /// updates: it grows by a quarter of the preferred interval at each update that took longer than it, up to
 /// <see cref="MaximumUpdateInterval"/>, and shrinks by an eighth at each that took less, down to the preferred interval.
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Scaling = new Scaling(preferredUpdateInterval: 1f / 120, maximumUpdateInterval: 1f / 30) { Enabled = true };
+/// </code>
+/// </example>
 public class Scaling
 {
     private readonly float _preferredUpdateInterval;

@@ -5,6 +5,11 @@ namespace FarseerGames.FarseerPhysics;
 /// <summary>
 /// Kinds of events that a simulator records: see <see cref="PhysicsSimulator.RecordedEvents"/>. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.RecordedEvents = StepEventKinds.Hits | StepEventKinds.Sensors;
+/// </code>
+/// </example>
 [Flags]
 public enum StepEventKinds
 {

@@ -14,6 +14,14 @@ namespace FarseerGames.FarseerPhysics;
 /// Each work is the energy that its cause gave to the bodies in the update, negative where it took some away. The works and
 /// <see cref="EnergyError"/> together are the change of the kinetic energy, to rounding.
 /// </remarks>
+/// <example>
+/// <code>
+/// simulator.EnableReport = true;
+/// simulator.Update(1f / 60);
+/// StepReport report = simulator.Report;
+/// Console.WriteLine($"overlap {report.LargestPenetration}, joints open by {report.LargestSeparation}");
+/// </code>
+/// </example>
 public readonly struct StepReport
 {
     private readonly StepMeasures _measures;

@@ -4,6 +4,12 @@ namespace Box2D.Collision;
 /// The parts of a contact id, a byte each. The engine numbers features its own way, so the parts tell ids apart but do not count
 /// edges as those of the original do.
 /// </summary>
+/// <example>
+/// <code>
+/// Features sides = point.id.features;
+/// int edge = sides.referenceEdge;
+/// </code>
+/// </example>
 public class Features
 {
     private readonly b2ContactID _id;

@@ -3,6 +3,14 @@ using Box2D.Common.Math;
 namespace Box2D.Collision;
 
 /// <summary>A box whose sides are parallel to the axes.</summary>
+/// <example>
+/// <code>
+/// var area = new b2AABB();
+/// area.lowerBound.Set(-100, -100);
+/// area.upperBound.Set(100, 100);
+/// world = new b2World(area, new b2Vec2(0, 10), true);
+/// </code>
+/// </example>
 public class b2AABB
 {
     /// <summary>The corner with the lesser coordinates, metres. Default (0, 0).</summary>

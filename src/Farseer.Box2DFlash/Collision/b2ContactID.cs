@@ -1,6 +1,12 @@
 namespace Box2D.Collision;
 
 /// <summary>Names the features of two shapes that make a contact point; the same from step to step as long as they do.</summary>
+/// <example>
+/// <code>
+/// b2ContactID id = point.id.Copy();
+/// bool same = id.key == point.id.key;
+/// </code>
+/// </example>
 public class b2ContactID
 {
     /// <summary>Makes an id of 0.</summary>

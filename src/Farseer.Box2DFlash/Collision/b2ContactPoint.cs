@@ -4,6 +4,14 @@ using Box2D.Common.Math;
 namespace Box2D.Collision;
 
 /// <summary>A contact point as a listener gets it, before the solver. The object is used again: copy what is to be kept.</summary>
+/// <example>
+/// <code>
+/// public class Sounds : b2ContactListener
+/// {
+///     public override void Add(b2ContactPoint point) =&gt; Console.WriteLine("touched at " + point.position.x);
+/// }
+/// </code>
+/// </example>
 public class b2ContactPoint
 {
     /// <summary>First shape.</summary>

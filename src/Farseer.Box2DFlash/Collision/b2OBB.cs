@@ -3,6 +3,12 @@ using Box2D.Common.Math;
 namespace Box2D.Collision;
 
 /// <summary>A box that may be turned.</summary>
+/// <example>
+/// <code>
+/// b2OBB box = ((b2PolygonShape)shape).GetOBB();
+/// float half = box.extents.x;
+/// </code>
+/// </example>
 public class b2OBB
 {
     /// <summary>The rotation against the body. Default none.</summary>

@@ -4,6 +4,13 @@ using Box2D.Common.Math;
 namespace Box2D.Collision;
 
 /// <summary>A line from one point to another.</summary>
+/// <example>
+/// <code>
+/// var ray = new b2Segment { p1 = new b2Vec2(-5, 0), p2 = new b2Vec2(5, 0) };
+/// var lambda = new float[1];
+/// bool hit = shape.TestSegment(body.GetXForm(), lambda, new b2Vec2(), ray, 1);
+/// </code>
+/// </example>
 public class b2Segment
 {
     /// <summary>Where it starts, metres. Default (0, 0).</summary>

@@ -3,6 +3,11 @@ using System;
 namespace Box2D.Common;
 
 /// <summary>A colour for debug drawing, of three parts from 0 to 1.</summary>
+/// <example>
+/// <code>
+/// draw.DrawSegment(new b2Vec2(0, 0), new b2Vec2(1, 0), new b2Color(1, 0, 0));
+/// </code>
+/// </example>
 public class b2Color
 {
     private byte _r;

@@ -6,6 +6,11 @@ namespace Box2D.Common;
 /// The constants of version 2.0.2. They are what the original's solver was tuned by; here those with a meaning for this engine
 /// act (named below), the others are kept so that code which reads them compiles.
 /// </summary>
+/// <example>
+/// <code>
+/// int corners = b2Settings.b2_maxPolygonVertices;
+/// </code>
+/// </example>
 public static class b2Settings
 {
     /// <summary>Largest unsigned number of 16 bits: the original's mark for "none".</summary>

@@ -6,6 +6,11 @@ namespace Box2D.Dynamics;
 /// Behaviour of version 2.0.2 that is plainly wrong or in the way, each to be had again by a flag of
 /// <see cref="b2World.Quirks"/>. By default the right behaviour holds.
 /// </summary>
+/// <example>
+/// <code>
+/// world.Quirks = Box2DFlash202Quirks.SpeedLimits | Box2DFlash202Quirks.MouseJointStiffness;
+/// </code>
+/// </example>
 [Flags]
 public enum Box2DFlash202Quirks
 {

@@ -12,6 +12,17 @@ namespace Box2D.Dynamics;
 /// A rigid body, made by <see cref="b2World.CreateBody"/>. Its origin is what shapes and joints are given by; its velocity is that of
 /// the centre of mass. A body without mass is static.
 /// </summary>
+/// <example>
+/// <code>
+/// var def = new b2BodyDef();
+/// def.position.Set(0, -5);
+/// b2Body crate = world.CreateBody(def);
+/// var box = new b2PolygonDef { density = 1 };
+/// box.SetAsBox(0.5f, 0.5f);
+/// crate.CreateShape(box);
+/// crate.SetMassFromShapes();
+/// </code>
+/// </example>
 public partial class b2Body
 {
     /// <summary>Flag of frozen bodies in the original; for code that names it.</summary>

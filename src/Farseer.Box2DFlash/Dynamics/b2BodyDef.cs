@@ -4,6 +4,13 @@ using Box2D.Common.Math;
 namespace Box2D.Dynamics;
 
 /// <summary>What a body is made from. It can be used again: a body keeps a copy of all but <see cref="userData"/>.</summary>
+/// <example>
+/// <code>
+/// var def = new b2BodyDef { angle = 0.3f, isBullet = true };
+/// def.position.Set(0, -5);
+/// b2Body bullet = world.CreateBody(def);
+/// </code>
+/// </example>
 public class b2BodyDef
 {
     /// <summary>Makes a definition of a body at the origin, without mass: static.</summary>

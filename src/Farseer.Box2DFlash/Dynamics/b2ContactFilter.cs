@@ -7,6 +7,15 @@ namespace Box2D.Dynamics;
 /// Decides which shapes collide. Derive from it for rules of your own. It is asked once when the boxes around two shapes begin to
 /// overlap; the answer holds until they part, or until <see cref="b2World.Refilter"/>.
 /// </summary>
+/// <example>
+/// <code>
+/// public class Teams : b2ContactFilter
+/// {
+///     public override bool ShouldCollide(b2Shape shape1, b2Shape shape2) =&gt;
+///         !Equals(shape1.GetUserData(), shape2.GetUserData()) &amp;&amp; base.ShouldCollide(shape1, shape2);
+/// }
+/// </code>
+/// </example>
 public class b2ContactFilter
 {
     /// <summary>The rule that a new world has.</summary>

@@ -7,6 +7,20 @@ namespace Box2D.Dynamics;
 /// Hears of contact points. Derive from it and hand it to <see cref="b2World.SetContactListener"/>. The objects handed over are
 /// used again, and the world must not be changed within these calls: keep what you need and act after the step.
 /// </summary>
+/// <example>
+/// <code>
+/// public class Damage : b2ContactListener
+/// {
+///     public override void Result(b2ContactResult point)
+///     {
+///         if (point.normalImpulse &gt; 5)
+///         {
+///             point.shape1.GetBody().WakeUp();
+///         }
+///     }
+/// }
+/// </code>
+/// </example>
 public class b2ContactListener
 {
     /// <summary>A point was made.</summary>

@@ -9,6 +9,13 @@ namespace Box2D.Dynamics;
 /// Draws a world at the end of each <see cref="b2World.Step(float, int)"/>: set <see cref="m_drawFlags"/>, and <see cref="m_sprite"/> or
 /// override the drawing methods. Nothing is drawn without flags.
 /// </summary>
+/// <example>
+/// <code>
+/// draw.SetFlags(b2DebugDraw.e_shapeBit | b2DebugDraw.e_jointBit);
+/// world.SetDebugDraw(draw);
+/// world.Step(1f / 60, 10);
+/// </code>
+/// </example>
 public class b2DebugDraw
 {
     /// <summary>Shapes.</summary>

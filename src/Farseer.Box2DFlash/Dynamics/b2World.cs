@@ -12,6 +12,15 @@ using Farseer.Engine.Storage;
 namespace Box2D.Dynamics;
 
 /// <summary>Bodies, shapes and joints, and the step that moves them. There may be several worlds.</summary>
+/// <example>
+/// <code>
+/// var area = new b2AABB();
+/// area.lowerBound.Set(-100, -100);
+/// area.upperBound.Set(100, 100);
+/// var made = new b2World(area, new b2Vec2(0, 10), doSleep: true);
+/// made.Step(1f / 60, 10);
+/// </code>
+/// </example>
 public partial class b2World
 {
     private readonly Vector2 _lower;

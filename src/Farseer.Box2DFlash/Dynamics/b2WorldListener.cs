@@ -6,7 +6,7 @@ namespace Box2D.Dynamics;
 /// <summary>A name that the manual uses once for <see cref="b2DestructionListener"/>.</summary>
 /// <example>
 /// <code>
-/// class MyListener : b2WorldListener
+/// public class MyListener : b2WorldListener
 /// {
 ///     public override void SayGoodbyeJoint(b2Joint joint) => Console.WriteLine("a joint goes");
 /// }

@@ -4,6 +4,14 @@ using System.Numerics;
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>The geom that is nearest to a point. (An addition to the original.)</summary>
+/// <example>
+/// <code>
+/// if (simulator.ClosestPoint(new Vector2(1, 2), 10, out ClosestPointHit hit))
+/// {
+///     Console.WriteLine($"{hit.Geom} is {hit.Distance} away at {hit.Point}");
+/// }
+/// </code>
+/// </example>
 public readonly struct ClosestPointHit : IEquatable<ClosestPointHit>
 {
     internal ClosestPointHit(Geom geom, Vector2 point, float distance)

@@ -5,6 +5,12 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>Where lines meet lines, boxes, outlines and geoms.</summary>
 /// <remarks>The ends of a segment belong to it. Lines that are parallel, also those that lie on each other, do not meet.</remarks>
+/// <example>
+/// <code>
+/// bool cross = CollisionHelper.LineIntersect(
+///     new Vector2(-1, 0), new Vector2(1, 0), new Vector2(0, -1), new Vector2(0, 1), true, true, 1e-6f, out Vector2 point);
+/// </code>
+/// </example>
 public static class CollisionHelper
 {
     /// <summary>Tells whether two numbers differ by no more than a tolerance.</summary>

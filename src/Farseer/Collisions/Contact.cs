@@ -9,6 +9,17 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// contacts are equal when their <see cref="ContactId"/> is: a contact of this step equals the one it continues from the step
 /// before, although it has moved.
 /// </remarks>
+/// <example>
+/// <code>
+/// foreach (Arbiter pair in simulator.ArbiterList)
+/// {
+///     foreach (Contact contact in pair.ContactList)
+///     {
+///         Console.WriteLine($"{contact.Position}: overlap {-contact.Separation}, impulse {contact.NormalImpulse}");
+///     }
+/// }
+/// </code>
+/// </example>
 public struct Contact : IEquatable<Contact>
 {
     /// <summary>

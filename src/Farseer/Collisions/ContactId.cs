@@ -5,6 +5,12 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// <summary>
 /// Names a contact by the two geoms and the vertex that made it, so that the same contact can be recognised in the next step.
 /// </summary>
+/// <example>
+/// <code>
+/// var id = new ContactId(1, 0, 2);
+/// bool same = id == new ContactId(1, 0, 2);
+/// </code>
+/// </example>
 public struct ContactId : IEquatable<ContactId>
 {
     /// <summary>Makes the name of a contact.</summary>

@@ -4,6 +4,15 @@ using System.Collections.Generic;
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>The contacts between two geoms (manual: "Narrow phase").</summary>
+/// <example>
+/// <code>
+/// geom.OnCollision += (own, met, contacts) =&gt;
+/// {
+///     Console.WriteLine(contacts.Count + " points");
+///     return true;
+/// };
+/// </code>
+/// </example>
 public class ContactList : List<Contact>
 {
     /// <summary>Makes an empty list.</summary>

@@ -6,6 +6,15 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// The answer to "how far is this point from the geom?": the point asked about, the distance and the direction to the surface
 /// (manual: "Grid").
 /// </summary>
+/// <example>
+/// <code>
+/// var point = new Vector2(0.2f, 0.1f);
+/// if (geom.Intersect(ref point, out Feature surface))
+/// {
+///     Console.WriteLine($"{-surface.Distance} inside, nearest at {surface.Position}");
+/// }
+/// </code>
+/// </example>
 public struct Feature
 {
     /// <summary>The distance to the surface, in world units: negative inside the geom. Default 0.</summary>

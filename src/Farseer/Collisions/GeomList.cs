@@ -6,6 +6,11 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// A list of geoms that tells of additions and removals. That of a simulator is a view of what it simulates:
 /// <see cref="Add"/> and <see cref="Remove"/> then stand for those of the simulator, which take effect at the next update.
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.GeomList.Removed += gone =&gt; Console.WriteLine(gone + " left");
+/// </code>
+/// </example>
 public class GeomList : ItemList<Geom>
 {
     /// <summary>Handles a change of the list.</summary>

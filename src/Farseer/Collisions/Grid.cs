@@ -21,6 +21,14 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// asked for.
 /// </para>
 /// </remarks>
+/// <example>
+/// <code>
+/// var grid = new Grid();
+/// grid.ComputeGrid(geom, 0.1f);
+/// var point = new Vector2(0.2f, 0.1f);
+/// bool inside = grid.Intersect(ref point, out Feature nearest);
+/// </code>
+/// </example>
 [NotState(Why.Users)]
 public sealed partial class Grid
 {

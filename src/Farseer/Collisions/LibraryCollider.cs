@@ -9,6 +9,13 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// A collider of the library: the engine finds the pairs within <see cref="PhysicsSimulator.Update(float)"/>, and what the interface has
 /// for colliders written by users does nothing.
 /// </summary>
+/// <example>
+/// <code>
+/// LibraryCollider search = new GridCollider(simulator);
+/// search.OnBroadPhaseCollision += (one, two) =&gt; one.Tag != two.Tag;
+/// simulator.BroadPhaseCollider = search;
+/// </code>
+/// </example>
 public abstract class LibraryCollider : IBroadPhaseCollider
 {
     private protected LibraryCollider(PhysicsSimulator physicsSimulator, IBroadPhase engine) =>

@@ -6,4 +6,15 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// <param name="geometry1">The geom created first.</param>
 /// <param name="geometry2">The other geom.</param>
 /// <param name="material">What the coefficients and the rules say; change what is to be otherwise.</param>
+/// <example>
+/// <code>
+/// simulator.MixMaterials = (Geom one, Geom two, ref SurfaceMaterial mixed) =&gt;
+/// {
+///     if (one.Tag is "ice" || two.Tag is "ice")
+///     {
+///         mixed.Friction = 0.02f;
+///     }
+/// };
+/// </code>
+/// </example>
 public delegate void MaterialMixer(Geom geometry1, Geom geometry2, ref SurfaceMaterial material);

@@ -1,6 +1,15 @@
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>What can be wrong with the outline of a shape; the answers of <see cref="Vertices.CheckPolygon"/>.</summary>
+/// <example>
+/// <code>
+/// var outline = new Vertices { new Vector2(0, 0), new Vector2(2, 2), new Vector2(2, 0), new Vector2(0, 2) };
+/// if (outline.CheckPolygon() == PolygonFault.SelfIntersecting)
+/// {
+///     Console.WriteLine("Its edges cross.");
+/// }
+/// </code>
+/// </example>
 public enum PolygonFault
 {
     /// <summary>Nothing: a proper outline.</summary>

@@ -4,6 +4,16 @@ using FarseerGames.FarseerPhysics.Bridge;
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>What two geoms gave each other in an update: see <see cref="StepEvents.Pushes"/>. (An addition to the original.)</summary>
+/// <example>
+/// <code>
+/// simulator.RecordedEvents = StepEventKinds.Pushes;
+/// simulator.Update(1f / 60);
+/// foreach (PushEvent push in simulator.Events.Pushes)
+/// {
+///     Console.WriteLine($"{push.GeomA} gave {push.GeomB} {push.Impulse}");
+/// }
+/// </code>
+/// </example>
 public readonly struct PushEvent : IPairEvent
 {
     internal PushEvent(Geom a, Geom b, Vector2 impulse)

@@ -6,6 +6,11 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// What a surface is like, or a pair of them: see <see cref="Geom.SetSegmentMaterial"/> and <see cref="PhysicsSimulator.MixMaterials"/>.
 /// (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// geom.SetSegmentMaterial(0, new SurfaceMaterial { Friction = 0.9f, Restitution = 0, Speed = 2 });
+/// </code>
+/// </example>
 public struct SurfaceMaterial : IEquatable<SurfaceMaterial>
 {
     private float _friction;

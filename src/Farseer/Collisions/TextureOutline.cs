@@ -3,6 +3,14 @@ using System.Collections.Generic;
 namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>An island of a bitmap; see <see cref="Vertices.CreateOutlines"/>. (An addition to the original.)</summary>
+/// <example>
+/// <code>
+/// foreach (TextureOutline part in Vertices.CreateOutlines(pixels, 64, 64, Vector2.Zero, 20, 1.5f))
+/// {
+///     Console.WriteLine($"{part.Outline.Count} corners, {part.Holes.Count} holes");
+/// }
+/// </code>
+/// </example>
 public sealed class TextureOutline
 {
     internal TextureOutline(List<Vertices> contours)

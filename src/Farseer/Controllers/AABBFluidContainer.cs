@@ -8,6 +8,13 @@ using FarseerGames.FarseerPhysics.Interfaces;
 namespace FarseerGames.FarseerPhysics.Controllers;
 
 /// <summary>A fluid at rest in a box.</summary>
+/// <example>
+/// <code>
+/// var water = new AABBFluidContainer(new AABB(new Vector2(-10, -4), new Vector2(10, 0)));
+/// var buoyancy = new FluidDragController();
+/// buoyancy.Initialize(water, 1, 0.5f, 0.2f, simulator.Gravity);
+/// </code>
+/// </example>
 public class AABBFluidContainer : IFluidContainer, IStraightFluid
 {
     private AABB? _aabb;

@@ -9,6 +9,12 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// Base of the controllers that act on bodies one by one: on all of the simulator, or on those that <see cref="Filter"/> lets pass.
 /// Disabled and static bodies are left out. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// var wind = new WindController(new Vector2(3, 0), 0.5f) { Filter = b =&gt; b.Mass &lt; 10 };
+/// simulator.Add(wind);
+/// </code>
+/// </example>
 public abstract class BodyController : Controller
 {
     /// <summary>Makes a controller for all bodies.</summary>

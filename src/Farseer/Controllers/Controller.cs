@@ -8,6 +8,13 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// Acts on the simulation once per update, at the moment at which forces act and before the springs. Derive from this class to
 /// write your own: override <see cref="Update"/> and <see cref="Validate"/>.
 /// </summary>
+/// <example>
+/// <code>
+/// Controller wind = new WindController(new Vector2(3, 0), 0.5f);
+/// simulator.Add(wind);
+/// wind.Enabled = false;
+/// </code>
+/// </example>
 public abstract class Controller : IDisposable, IItem
 {
     private StateMark _mark;

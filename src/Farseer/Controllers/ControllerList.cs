@@ -6,6 +6,11 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// A list of controllers that tells of additions and removals. That of a simulator is a view of what it simulates:
 /// <see cref="Add"/> and <see cref="Remove"/> then stand for those of the simulator, which take effect at the next update.
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.ControllerList.Added += controller =&gt; Console.WriteLine(controller + " acts from now on");
+/// </code>
+/// </example>
 public class ControllerList : ItemList<Controller>
 {
     /// <summary>Handles a change of the list.</summary>

@@ -16,6 +16,14 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// a container of your own only points can be asked for: the outline is looked at in four parts a side and eight a quarter turn, and where
 /// it passes the surface is found between them. Chains count as the outline of their points; what has no area does not float.
 /// </summary>
+/// <example>
+/// <code>
+/// var water = new FluidDragController();
+/// water.Initialize(new AABBFluidContainer(new AABB(new Vector2(-10, -4), new Vector2(10, 0))), 1, 0.5f, 0.2f, simulator.Gravity);
+/// water.AddGeom(geom);
+/// simulator.Add(water);
+/// </code>
+/// </example>
 public class FluidDragController : Controller
 {
     /// <summary>Share of its area below which what is in the fluid counts for nothing.</summary>

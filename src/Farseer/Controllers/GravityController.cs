@@ -10,6 +10,11 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// Pulls bodies towards a point with the acceleration strength / distance², as a planet does, or away from it if the strength is
 /// negative. Bodies that ignore gravity ignore it. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new GravityController(center: Vector2.Zero, strength: 50, minRadius: 1) { MaxRadius = 20 });
+/// </code>
+/// </example>
 public class GravityController : BodyController
 {
     private Vector2 _center;

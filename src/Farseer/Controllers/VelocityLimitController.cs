@@ -9,6 +9,11 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// Keeps bodies from becoming faster than a limit: what is above it when an update's forces act is cut off. (An addition to the
 /// original; the library itself limits nothing.)
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new VelocityLimitController(maxLinearVelocity: 30, maxAngularVelocity: 10));
+/// </code>
+/// </example>
 public class VelocityLimitController : BodyController
 {
     private float _maxLinearVelocity;

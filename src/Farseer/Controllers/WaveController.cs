@@ -12,6 +12,14 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// The surface of water as a row of nodes whose heights run along as waves, with a generator of waves at its right end. It is a
 /// container for a <see cref="FluidDragController"/>. y points down: the water is below <see cref="Position"/> and the surface.
 /// </summary>
+/// <example>
+/// <code>
+/// var sea = new WaveController { Position = new Vector2(-10, 0), Width = 20, Height = 4, NodeCount = 40 };
+/// sea.Initialize();
+/// simulator.Add(sea);
+/// sea.Disturb(20, 0.5f);
+/// </code>
+/// </example>
 public class WaveController : Controller, IFluidContainer, IStraightFluid
 {
     private float[] _currentWave = Array.Empty<float>();

@@ -12,6 +12,12 @@ namespace FarseerGames.FarseerPhysics.Controllers;
 /// A wind that carries bodies along: the force is coefficient · (wind − velocity of the body). Any coefficient is stable: a body
 /// reaches the speed of the wind and never passes it. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// var gust = new WindController(velocity: new Vector2(12, 0), coefficient: 0.3f);
+/// simulator.Add(gust);
+/// </code>
+/// </example>
 public class WindController : BodyController
 {
     private Vector2 _velocity;

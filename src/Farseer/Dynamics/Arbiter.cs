@@ -7,6 +7,14 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 /// A pair of geoms and its contacts. The arbiters in <see cref="PhysicsSimulator.ArbiterList"/> come from a pool and are used
 /// again; a user's own broad phase makes them to name its pairs.
 /// </summary>
+/// <example>
+/// <code>
+/// foreach (Arbiter pair in simulator.ArbiterList)
+/// {
+///     Console.WriteLine($"{pair.GeomA} touches {pair.GeomB} at {pair.ContactList.Count} points");
+/// }
+/// </code>
+/// </example>
 public class Arbiter : IEquatable<Arbiter>
 {
     /// <summary>Makes an arbiter without geoms.</summary>

@@ -8,6 +8,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 /// Pairs of geoms. That of a simulator holds the pairs in contact after the last update; changing it does not change the
 /// simulation, except from the <c>Update</c> of a user's own broad phase.
 /// </summary>
+/// <example>
+/// <code>
+/// int touching = simulator.ArbiterList.Count;
+/// </code>
+/// </example>
 public class ArbiterList : List<Arbiter>
 {
     /// <summary>Makes an empty list.</summary>

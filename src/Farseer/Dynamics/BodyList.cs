@@ -6,6 +6,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 /// A list of bodies that tells of additions and removals. That of a simulator is a view of what it simulates:
 /// <see cref="Add"/> and <see cref="Remove"/> then stand for those of the simulator, which take effect at the next update.
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.BodyList.Added += born =&gt; born.LinearDragCoefficient = 0;
+/// </code>
+/// </example>
 public class BodyList : ItemList<Body>
 {
     /// <summary>Handles a change of the list.</summary>

@@ -7,6 +7,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 /// <summary>
 /// Tells which body the simulator took out because its state was no longer one of numbers. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.BodyQuarantined += (sender, lost) =&gt; Console.WriteLine(lost.Body + " left the range of numbers");
+/// </code>
+/// </example>
 [NotState(Why.Fixed)]
 public sealed class BodyQuarantinedEventArgs : EventArgs
 {

@@ -3,6 +3,14 @@ using System;
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
 /// <summary>A function of one number that goes through keys, smoothly (cubic Hermite) or in steps.</summary>
+/// <example>
+/// <code>
+/// var path = new Curve();
+/// path.Keys.Add(new CurveKey(0, 0));
+/// path.Keys.Add(new CurveKey(2, 5));
+/// float height = path.Evaluate(1);
+/// </code>
+/// </example>
 public class Curve
 {
     private CurveLoopType _preLoop;

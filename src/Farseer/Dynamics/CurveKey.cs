@@ -3,6 +3,11 @@ using System;
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
 /// <summary>A point of a <see cref="Curve"/> with the tangents in which the curve comes and goes.</summary>
+/// <example>
+/// <code>
+/// var key = new CurveKey(position: 1, value: 4) { TangentIn = 0, TangentOut = 2 };
+/// </code>
+/// </example>
 public class CurveKey : IComparable<CurveKey>, IEquatable<CurveKey>
 {
     private float _value;

@@ -5,6 +5,13 @@ using System.Collections.Generic;
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
 /// <summary>The keys of a <see cref="Curve"/>, always in the order of their positions.</summary>
+/// <example>
+/// <code>
+/// var curve = new Curve();
+/// curve.Keys.Add(new CurveKey(1, 4));
+/// int first = curve.Keys.IndexOf(curve.Keys[0]);
+/// </code>
+/// </example>
 public class CurveKeyCollection : ICollection<CurveKey>
 {
     private readonly List<CurveKey> _keys = new List<CurveKey>();

@@ -3,6 +3,11 @@ using System;
 namespace FarseerGames.FarseerPhysics.Dynamics;
 
 /// <summary>Ways in which a body may not move: see <see cref="Body.MotionLocks"/>. (An addition to the original.)</summary>
+/// <example>
+/// <code>
+/// body.MotionLocks = MotionLocks.X | MotionLocks.Rotation;
+/// </code>
+/// </example>
 [Flags]
 public enum MotionLocks
 {

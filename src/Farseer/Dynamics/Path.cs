@@ -18,6 +18,17 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 /// <see cref="AddToPhysicsSimulator"/>. <see cref="ComplexFactory"/> does all of that in one call. Joints make a stiff path, springs a
 /// soft one. Everything is plain bodies, geoms, joints and springs in lists of the path, for you to change.
 /// </summary>
+/// <example>
+/// <code>
+/// var track = new Path(width: 0.4f, height: 0.2f, mass: 1, endless: true);
+/// track.Add(new Vector2(-4, 0));
+/// track.Add(new Vector2(0, 3));
+/// track.Add(new Vector2(4, 0));
+/// track.Update();
+/// track.LinkBodies(LinkType.RevoluteJoint, 0, 0, 0, 0);
+/// track.AddToPhysicsSimulator(simulator);
+/// </code>
+/// </example>
 public partial class Path
 {
     /// <summary>Most links of one path.</summary>

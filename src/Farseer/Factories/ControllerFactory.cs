@@ -6,6 +6,12 @@ using FarseerGames.FarseerPhysics.Dynamics.Springs;
 namespace FarseerGames.FarseerPhysics.Factories;
 
 /// <summary>The springs of <see cref="SpringFactory"/> under the name that the original also gave them.</summary>
+/// <example>
+/// <code>
+/// LinearSpring spring = ControllerFactory.Instance.CreateLinearSpring(
+///     simulator, body, Vector2.Zero, second, Vector2.Zero, springConstant: 50, dampningConstant: 2);
+/// </code>
+/// </example>
 public class ControllerFactory
 {
     private ControllerFactory()

@@ -7,6 +7,12 @@ namespace FarseerGames.FarseerPhysics.Mathematics;
 /// <remarks>
 /// Value 1 belongs to the corner (min X, min Y), 2 to (min X, max Y), 3 to (max X, max Y) and 4 to (max X, min Y).
 /// </remarks>
+/// <example>
+/// <code>
+/// var height = new BilinearInterpolator(Vector2.Zero, Vector2.One, 0, 1, 1, 2, 0, 2);
+/// float middle = height.GetValue(0.5f, 0.5f);
+/// </code>
+/// </example>
 public class BilinearInterpolator
 {
     private readonly float _value1;

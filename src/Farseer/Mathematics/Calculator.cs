@@ -9,6 +9,12 @@ namespace FarseerGames.FarseerPhysics.Mathematics;
 /// Angles are in radians; a positive angle turns the x axis towards the y axis. The functions of angles give the same bits on
 /// every machine.
 /// </remarks>
+/// <example>
+/// <code>
+/// float turned = Calculator.VectorToRadians(new Vector2(0, 1));
+/// float held = Calculator.Clamp(5, 0, 1);
+/// </code>
+/// </example>
 public static partial class Calculator
 {
     /// <summary>Degrees in a radian, 180 / pi: multiply RADIANS by it to get degrees, whatever the name says.</summary>

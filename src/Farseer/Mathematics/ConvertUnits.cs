@@ -7,6 +7,13 @@ namespace FarseerGames.FarseerPhysics.Mathematics;
 /// The simulation itself knows no units and never uses this class. The ratio is shared by the whole program; set it once at
 /// the start, before other threads read it.
 /// </remarks>
+/// <example>
+/// <code>
+/// ConvertUnits.SetDisplayUnitToSimUnitRatio(64);
+/// Vector2 onScreen = ConvertUnits.ToDisplayUnits(body.Position);
+/// Vector2 inWorld = ConvertUnits.ToSimUnits(onScreen);
+/// </code>
+/// </example>
 public static class ConvertUnits
 {
     private static float _displayUnitsPerSimUnit = 50f;

@@ -3,6 +3,11 @@ using System;
 namespace FarseerGames.FarseerPhysics.Views;
 
 /// <summary>A colour of the debug view, 0 to 255 each.</summary>
+/// <example>
+/// <code>
+/// var view = new PhysicsSimulatorView(simulator, draw) { SensorColor = new DebugColor(255, 0, 0) };
+/// </code>
+/// </example>
 public readonly struct DebugColor : IEquatable<DebugColor>
 {
     /// <summary>Makes a colour.</summary>

@@ -7,6 +7,12 @@ namespace FarseerGames.FarseerPhysics.Views;
 /// What a <see cref="PhysicsSimulatorView"/> draws with: implement it over the graphics of your game. All points are in the world; later
 /// calls cover earlier ones.
 /// </summary>
+/// <example>
+/// <code>
+/// var view = new PhysicsSimulatorView(simulator, draw);
+/// view.Draw();
+/// </code>
+/// </example>
 public interface IDebugDraw
 {
     /// <summary>Draws a line.</summary>

@@ -3,6 +3,13 @@ using Box2D.Common.Math;
 namespace Box2D.Collision.Shapes;
 
 /// <summary>What a circle is made from.</summary>
+/// <example>
+/// <code>
+/// var ball = new b2CircleDef { radius = 0.5f, density = 1, friction = 0.3f, restitution = 0.5f };
+/// body.CreateShape(ball);
+/// body.SetMassFromShapes();
+/// </code>
+/// </example>
 public class b2CircleDef : b2ShapeDef
 {
     /// <summary>Makes a definition of a circle of radius 1 about the origin of the body.</summary>

@@ -9,6 +9,12 @@ using Farseer.Engine.Shapes;
 namespace Box2D.Collision.Shapes;
 
 /// <summary>A circle of a body.</summary>
+/// <example>
+/// <code>
+/// var ball = (b2CircleShape)body.CreateShape(new b2CircleDef { radius = 0.5f, density = 1 });
+/// float radius = ball.GetRadius();
+/// </code>
+/// </example>
 public class b2CircleShape : b2Shape
 {
     private readonly float _radius;

@@ -3,6 +3,13 @@ using Farseer.Engine.Storage;
 namespace Box2D.Collision.Shapes;
 
 /// <summary>Which shapes a shape collides with.</summary>
+/// <example>
+/// <code>
+/// var ghost = new b2CircleDef { radius = 0.5f };
+/// ghost.filter.categoryBits = 2;
+/// ghost.filter.maskBits = 1;
+/// </code>
+/// </example>
 public class b2FilterData
 {
     /// <summary>Categories of the shape, one bit each. Default 1. The original supports 16; here all bits count.</summary>

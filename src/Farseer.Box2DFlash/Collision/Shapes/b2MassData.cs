@@ -3,6 +3,11 @@ using Box2D.Common.Math;
 namespace Box2D.Collision.Shapes;
 
 /// <summary>Mass, centre of mass and inertia of a shape or a body.</summary>
+/// <example>
+/// <code>
+/// body.SetMass(new b2MassData { mass = 2, I = 0.5f });
+/// </code>
+/// </example>
 public class b2MassData
 {
     /// <summary>Mass, kg; 0 or more. Default 0.</summary>

@@ -6,6 +6,14 @@ using Farseer.Engine.Numerics;
 namespace Box2D.Collision.Shapes;
 
 /// <summary>What a convex polygon is made from.</summary>
+/// <example>
+/// <code>
+/// var crate = new b2PolygonDef { density = 1, friction = 0.4f };
+/// crate.SetAsBox(0.5f, 0.5f);
+/// body.CreateShape(crate);
+/// body.SetMassFromShapes();
+/// </code>
+/// </example>
 public class b2PolygonDef : b2ShapeDef
 {
     /// <summary>Makes a definition without vertices.</summary>

@@ -11,6 +11,14 @@ using Farseer.Engine.Storage;
 namespace Box2D.Collision.Shapes;
 
 /// <summary>A convex polygon of a body. What it hands out are copies.</summary>
+/// <example>
+/// <code>
+/// foreach (b2Vec2 corner in ((b2PolygonShape)shape).GetVertices())
+/// {
+///     Console.WriteLine($"{corner.x}, {corner.y}");
+/// }
+/// </code>
+/// </example>
 public class b2PolygonShape : b2Shape
 {
     [NotState(Why.Fixed)]

@@ -11,6 +11,14 @@ namespace Box2D.Collision.Shapes;
 /// Collision geometry of a body, with friction and restitution. Shapes are made by <see cref="b2Body.CreateShape"/> and go with
 /// their body or by <see cref="b2Body.DestroyShape"/>.
 /// </summary>
+/// <example>
+/// <code>
+/// for (b2Shape s = body.GetShapeList(); s != null; s = s.GetNext())
+/// {
+///     s.SetFriction(0.2f);
+/// }
+/// </code>
+/// </example>
 public abstract partial class b2Shape
 {
     /// <summary>No kind of shape.</summary>

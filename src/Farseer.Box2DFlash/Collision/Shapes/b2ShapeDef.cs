@@ -4,6 +4,12 @@ namespace Box2D.Collision.Shapes;
 /// What a shape is made from: see <see cref="b2CircleDef"/> and <see cref="b2PolygonDef"/>. It can be used again: a shape keeps a
 /// copy of all but <see cref="userData"/>.
 /// </summary>
+/// <example>
+/// <code>
+/// b2ShapeDef sensor = new b2CircleDef { radius = 2, isSensor = true };
+/// body.CreateShape(sensor);
+/// </code>
+/// </example>
 public abstract class b2ShapeDef
 {
     internal b2ShapeDef(int kind) => type = kind;

@@ -3,6 +3,12 @@ using Farseer.Engine.Numerics;
 namespace Box2D.Common.Math;
 
 /// <summary>A matrix of two columns; as a rotation by θ they are (cos θ, sin θ) and (−sin θ, cos θ).</summary>
+/// <example>
+/// <code>
+/// var turn = new b2Mat22(0.5f);
+/// b2Vec2 turned = b2Math.b2MulMV(turn, new b2Vec2(1, 0));
+/// </code>
+/// </example>
 public class b2Mat22
 {
     /// <summary>Makes the rotation by an angle, or a matrix of two columns, whose components are copied.</summary>

@@ -3,6 +3,12 @@ using System;
 namespace Box2D.Common.Math;
 
 /// <summary>Vector and matrix arithmetic as functions; each returns a new object.</summary>
+/// <example>
+/// <code>
+/// b2Vec2 way = b2Math.SubtractVV(second.GetPosition(), body.GetPosition());
+/// float along = b2Math.b2Dot(way, new b2Vec2(1, 0));
+/// </code>
+/// </example>
 public static class b2Math
 {
     private static readonly Random _random = new Random(20080);

@@ -7,6 +7,13 @@ namespace Box2D.Common.Math;
 /// <see cref="Box2D.Dynamics.b2Body.GetLinearVelocity"/> returns is the velocity itself, and setting its <see cref="x"/> sets that
 /// of the body. <see cref="Copy"/> makes a vector of one's own.
 /// </summary>
+/// <example>
+/// <code>
+/// var speed = new b2Vec2(3, -4);
+/// body.SetLinearVelocity(speed);
+/// float length = speed.Length();
+/// </code>
+/// </example>
 public class b2Vec2
 {
     private float _x;

@@ -1,6 +1,12 @@
 namespace Box2D.Common.Math;
 
 /// <summary>A place and a rotation: what turns points of a body into points of the world.</summary>
+/// <example>
+/// <code>
+/// b2XForm pose = body.GetXForm();
+/// b2Vec2 inWorld = b2Math.b2MulX(pose, new b2Vec2(0.5f, 0));
+/// </code>
+/// </example>
 public class b2XForm
 {
     /// <summary>Makes the identity, or a transform of a place and a rotation, whose numbers are copied.</summary>

@@ -10,6 +10,14 @@ namespace Box2D.Dynamics.Contacts;
 /// Two shapes whose boxes overlap, whether or not they touch. The engine makes and ends it; see <see cref="b2World.GetContactList"/>. Once
 /// ended the object is used for another contact: nothing is to be kept of it from one step to the next.
 /// </summary>
+/// <example>
+/// <code>
+/// for (b2Contact c = world.GetContactList(); c != null; c = c.GetNext())
+/// {
+///     Console.WriteLine(c.GetShape1() + " and " + c.GetShape2());
+/// }
+/// </code>
+/// </example>
 public class b2Contact
 {
     internal b2Contact(b2Shape shape1, b2Shape shape2)

@@ -5,6 +5,14 @@ using Box2D.Common.Math;
 namespace Box2D.Dynamics.Contacts;
 
 /// <summary>What the solver did at a contact point. The object is used again: copy what is to be kept.</summary>
+/// <example>
+/// <code>
+/// public class Hits : b2ContactListener
+/// {
+///     public override void Result(b2ContactResult point) =&gt; Console.WriteLine(point.normalImpulse);
+/// }
+/// </code>
+/// </example>
 public class b2ContactResult
 {
     /// <summary>First shape.</summary>

@@ -8,6 +8,13 @@ using Farseer.Engine.Storage;
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>Keeps two points of two bodies at one distance, as a rod or as a spring.</summary>
+/// <example>
+/// <code>
+/// var def = new b2DistanceJointDef { frequencyHz = 4, dampingRatio = 0.5f };
+/// def.Initialize(body, second, body.GetWorldCenter(), second.GetWorldCenter());
+/// var spring = (b2DistanceJoint)world.CreateJoint(def);
+/// </code>
+/// </example>
 public class b2DistanceJoint : b2Joint
 {
     private readonly b2Vec2 _local1;

@@ -4,6 +4,13 @@ using Box2D.Common.Math;
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>What a distance joint is made from.</summary>
+/// <example>
+/// <code>
+/// var def = new b2DistanceJointDef();
+/// def.Initialize(body, second, body.GetWorldCenter(), second.GetWorldCenter());
+/// world.CreateJoint(def);
+/// </code>
+/// </example>
 public class b2DistanceJointDef : b2JointDef
 {
     /// <summary>Makes a definition of a rod of length 1 between the origins of two bodies.</summary>

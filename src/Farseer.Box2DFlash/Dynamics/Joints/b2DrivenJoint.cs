@@ -11,6 +11,13 @@ namespace Box2D.Dynamics.Joints;
 /// A joint that leaves one coordinate free, the angle of a hinge or the translation of a slider, and may limit it and drive it with a
 /// motor. Version 2.0.2 writes these members out in both joints; old code finds them there as before.
 /// </summary>
+/// <example>
+/// <code>
+/// b2DrivenJoint motor = hinge;
+/// motor.EnableMotor(true);
+/// motor.SetMotorSpeed(2);
+/// </code>
+/// </example>
 public abstract class b2DrivenJoint : b2Joint
 {
     private protected b2DrivenJoint(b2JointDef def, b2World world, JointKind kind, b2Vec2 local1, b2Vec2 local2)

@@ -10,6 +10,14 @@ namespace Box2D.Dynamics.Joints;
 /// Ties two joints, hinges or sliders: coordinate1 + ratio·coordinate2 is constant, where a coordinate is a hinge's angle or a
 /// slider's translation. The ratio has the unit that this asks for. A gear goes with either of its joints.
 /// </summary>
+/// <example>
+/// <code>
+/// var gear = (b2GearJoint)world.CreateJoint(new b2GearJointDef
+/// {
+///     body1 = body, body2 = second, joint1 = hinge, joint2 = slide, ratio = 2,
+/// });
+/// </code>
+/// </example>
 public class b2GearJoint : b2Joint
 {
     [NotState(Why.Fixed)]

@@ -4,6 +4,11 @@ using Box2D.Bridge;
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>What a gear is made from.</summary>
+/// <example>
+/// <code>
+/// var def = new b2GearJointDef { body1 = body, body2 = second, joint1 = hinge, joint2 = slide, ratio = 2 };
+/// </code>
+/// </example>
 public class b2GearJointDef : b2JointDef
 {
     /// <summary>Makes a definition of a gear of ratio 1.</summary>

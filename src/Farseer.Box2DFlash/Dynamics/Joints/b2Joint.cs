@@ -6,6 +6,14 @@ using Farseer.Engine.Storage;
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>Holds two bodies together. Joints are made by <see cref="b2World.CreateJoint"/> and go with their bodies.</summary>
+/// <example>
+/// <code>
+/// for (b2Joint j = world.GetJointList(); j != null; j = j.GetNext())
+/// {
+///     Console.WriteLine(j.GetReactionForce().Length());
+/// }
+/// </code>
+/// </example>
 public abstract partial class b2Joint
 {
     /// <summary>No kind of joint.</summary>

@@ -5,6 +5,11 @@ using Box2D.Common.Math;
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>What a joint is made from. It can be used again; a joint keeps copies of its values.</summary>
+/// <example>
+/// <code>
+/// b2JointDef def = new b2RevoluteJointDef { collideConnected = true, userData = "elbow" };
+/// </code>
+/// </example>
 public abstract class b2JointDef
 {
     internal b2JointDef(int kind) => type = kind;

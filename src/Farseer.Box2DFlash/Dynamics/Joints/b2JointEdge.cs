@@ -3,6 +3,14 @@ using Farseer.Engine.Storage;
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>A joint as a body sees it: one item of <see cref="b2Body.GetJointList"/>.</summary>
+/// <example>
+/// <code>
+/// for (b2JointEdge edge = body.GetJointList(); edge != null; edge = edge.next)
+/// {
+///     Console.WriteLine(edge.other.GetUserData());
+/// }
+/// </code>
+/// </example>
 public class b2JointEdge
 {
     internal b2JointEdge(b2Joint joint, b2Body other)

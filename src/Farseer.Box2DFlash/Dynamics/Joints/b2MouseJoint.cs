@@ -8,6 +8,14 @@ using Farseer.Engine.Storage;
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>Draws a point of the second body towards a target, by a spring with a largest force.</summary>
+/// <example>
+/// <code>
+/// var def = new b2MouseJointDef { body1 = world.GetGroundBody(), body2 = body, maxForce = 1000 };
+/// def.target.SetV(body.GetWorldCenter());
+/// var grip = (b2MouseJoint)world.CreateJoint(def);
+/// grip.SetTarget(new b2Vec2(3, -2));
+/// </code>
+/// </example>
 public class b2MouseJoint : b2Joint
 {
     private readonly b2Vec2 _local;

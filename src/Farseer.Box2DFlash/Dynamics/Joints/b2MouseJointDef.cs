@@ -4,6 +4,13 @@ using Box2D.Common.Math;
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>What a mouse joint is made from.</summary>
+/// <example>
+/// <code>
+/// var def = new b2MouseJointDef { body1 = world.GetGroundBody(), body2 = body, maxForce = 1000 };
+/// def.target.SetV(body.GetWorldCenter());
+/// world.CreateJoint(def);
+/// </code>
+/// </example>
 public class b2MouseJointDef : b2JointDef
 {
     /// <summary>Makes a definition of a spring of 5 Hz without force.</summary>

@@ -7,6 +7,14 @@ using Farseer.Engine.Joints;
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>A slider: the second body moves along an axis of the first and does not turn against it.</summary>
+/// <example>
+/// <code>
+/// var def = new b2PrismaticJointDef { enableMotor = true, motorSpeed = 1, maxMotorForce = 500 };
+/// def.Initialize(world.GetGroundBody(), body, body.GetWorldCenter(), new b2Vec2(0, -1));
+/// var lift = (b2PrismaticJoint)world.CreateJoint(def);
+/// float way = lift.GetJointTranslation();
+/// </code>
+/// </example>
 public class b2PrismaticJoint : b2DrivenJoint
 {
     internal b2PrismaticJoint(b2PrismaticJointDef def, b2World world)

@@ -5,6 +5,13 @@ using Box2D.Common.Math;
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>What a slider is made from.</summary>
+/// <example>
+/// <code>
+/// var def = new b2PrismaticJointDef { enableLimit = true, lowerTranslation = 0, upperTranslation = 3 };
+/// def.Initialize(world.GetGroundBody(), body, body.GetWorldCenter(), new b2Vec2(1, 0));
+/// world.CreateJoint(def);
+/// </code>
+/// </example>
 public class b2PrismaticJointDef : b2JointDef
 {
     /// <summary>Makes a definition of a slider along the x axis of the first body.</summary>

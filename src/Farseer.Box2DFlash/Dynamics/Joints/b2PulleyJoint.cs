@@ -9,6 +9,14 @@ namespace Box2D.Dynamics.Joints;
 /// <summary>
 /// A rope over two points of the world that holds two bodies: length1 + ratio·length2 does not grow. It pulls and does not push.
 /// </summary>
+/// <example>
+/// <code>
+/// var def = new b2PulleyJointDef();
+/// def.Initialize(body, second, new b2Vec2(-2, -8), new b2Vec2(2, -8), body.GetWorldCenter(), second.GetWorldCenter(), 1);
+/// var pulley = (b2PulleyJoint)world.CreateJoint(def);
+/// float rope = pulley.GetLength1();
+/// </code>
+/// </example>
 public class b2PulleyJoint : b2Joint
 {
     /// <summary>Shortest side that the greatest lengths leave, metres.</summary>

@@ -4,6 +4,13 @@ using Box2D.Common.Math;
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>What a pulley is made from.</summary>
+/// <example>
+/// <code>
+/// var def = new b2PulleyJointDef();
+/// def.Initialize(body, second, new b2Vec2(-2, -8), new b2Vec2(2, -8), body.GetWorldCenter(), second.GetWorldCenter(), 1);
+/// world.CreateJoint(def);
+/// </code>
+/// </example>
 public class b2PulleyJointDef : b2JointDef
 {
     /// <summary>Makes a definition whose bodies collide with each other.</summary>

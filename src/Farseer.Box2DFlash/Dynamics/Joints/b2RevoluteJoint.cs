@@ -10,6 +10,14 @@ namespace Box2D.Dynamics.Joints;
 /// A hinge: two bodies share a point about which they turn. The joint angle grows when the second body turns counter-clockwise. It
 /// may have limits and a motor; a motor of speed 0 is a friction.
 /// </summary>
+/// <example>
+/// <code>
+/// var def = new b2RevoluteJointDef { enableMotor = true, motorSpeed = 3, maxMotorTorque = 20 };
+/// def.Initialize(body, second, body.GetWorldCenter());
+/// var wheel = (b2RevoluteJoint)world.CreateJoint(def);
+/// float angle = wheel.GetJointAngle();
+/// </code>
+/// </example>
 public class b2RevoluteJoint : b2DrivenJoint
 {
     private readonly double _reference;

@@ -6,6 +6,13 @@ using Box2D.Common.Math;
 namespace Box2D.Dynamics.Joints;
 
 /// <summary>What a hinge is made from.</summary>
+/// <example>
+/// <code>
+/// var def = new b2RevoluteJointDef { enableLimit = true, lowerAngle = -1, upperAngle = 1 };
+/// def.Initialize(body, second, body.GetWorldCenter());
+/// world.CreateJoint(def);
+/// </code>
+/// </example>
 public class b2RevoluteJointDef : b2JointDef
 {
     /// <summary>Makes a definition of a hinge at the origins of two bodies.</summary>

@@ -6,6 +6,13 @@ using Farseer.Engine.Storage;
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 /// <summary>A joint of the library between a point of one body and a point of another.</summary>
+/// <example>
+/// <code>
+/// AnchoredJoint rope = new RopeJoint(body, Vector2.Zero, second, Vector2.Zero, maxLength: 4);
+/// simulator.Add(rope);
+/// Console.WriteLine($"from {rope.WorldAnchor1} to {rope.WorldAnchor2}");
+/// </code>
+/// </example>
 public abstract class AnchoredJoint : PairJoint
 {
     private Vector2 _anchor1;

@@ -10,6 +10,14 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A joint of the library that lets a point of its second body move along an axis of the first only. <see cref="Joint.JointError"/> is the
 /// distance of that point from the axis. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// AxisJoint slide = new PrismaticJoint(body, second, body.Position, Vector2.UnitX);
+/// simulator.Add(slide);
+/// simulator.Update(1f / 60);
+/// float way = slide.Travel;
+/// </code>
+/// </example>
 public abstract class AxisJoint : DrivenPairJoint
 {
     [NotState(Why.Fixed)]

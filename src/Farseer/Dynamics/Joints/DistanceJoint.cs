@@ -10,6 +10,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// Keeps two anchors at a distance, rigidly or, with a <see cref="Frequency"/>, as a damped spring that is stable at any stiffness.
 /// <see cref="Joint.JointError"/> is the distance less the wanted one. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new DistanceJoint(body, Vector2.Zero, second, Vector2.Zero) { Frequency = 4, DampingRatio = 0.5f });
+/// </code>
+/// </example>
 public class DistanceJoint : AnchoredJoint
 {
     private float _distance;

@@ -9,6 +9,12 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A joint of the library that leaves its second body one way to move against the first, which limits can bound and a motor can
 /// drive: the turn of a hinge, the travel of a slide or of a wheel's hub. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// DrivenPairJoint motor = new RevoluteJoint(body, second, body.Position) { IsMotorEnabled = true, MotorSpeed = 3 };
+/// simulator.Add(motor);
+/// </code>
+/// </example>
 public abstract class DrivenPairJoint : PairJoint
 {
     private JointDrive _drive;

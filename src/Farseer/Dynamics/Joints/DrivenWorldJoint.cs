@@ -9,6 +9,15 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A joint of the library that leaves a body one way to move in the world, which limits can bound and a motor can drive: the turn about
 /// a nail, the travel on a line. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// DrivenWorldJoint lift = new FixedPrismaticJoint(body, body.Position, Vector2.UnitY)
+/// {
+///     IsMotorEnabled = true, MotorSpeed = 1, AreLimitsEnabled = true, LowerLimit = 0, UpperLimit = 5,
+/// };
+/// simulator.Add(lift);
+/// </code>
+/// </example>
 public abstract class DrivenWorldJoint : WorldJoint
 {
     private JointDrive _drive;

@@ -10,6 +10,12 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A slide in the world: the body moves along a line and cannot turn. <see cref="Joint.JointError"/> is its distance from the line. (An
 /// addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// var lift = new FixedPrismaticJoint(body, body.Position, Vector2.UnitY) { IsMotorEnabled = true, MotorSpeed = 1, MaxMotorForce = 500 };
+/// simulator.Add(lift);
+/// </code>
+/// </example>
 public class FixedPrismaticJoint : DrivenWorldJoint
 {
     [NotState(Why.Fixed)]

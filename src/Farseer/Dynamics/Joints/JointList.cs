@@ -6,6 +6,14 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A list of joints that tells of additions and removals. That of a simulator is a view of what it simulates:
 /// <see cref="Add"/> and <see cref="Remove"/> then stand for those of the simulator, which take effect at the next update.
 /// </summary>
+/// <example>
+/// <code>
+/// foreach (Joint joint in simulator.JointList)
+/// {
+///     Console.WriteLine(joint);
+/// }
+/// </code>
+/// </example>
 public class JointList : ItemList<Joint>
 {
     /// <summary>Handles a change of the list.</summary>

@@ -11,6 +11,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// and yet pushes no harder than it can. Each update takes away the share <see cref="Joint.BiasFactor"/> of what is missing.
 /// <see cref="Joint.JointError"/> is the distance that is missing. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new MotorJoint(body, second) { Offset = new Vector2(2, 0), TargetAngle = 0, MaxForce = 100, MaxTorque = 50 });
+/// </code>
+/// </example>
 public class MotorJoint : PairJoint
 {
     private Vector2 _offset;

@@ -6,6 +6,13 @@ using FarseerGames.FarseerPhysics.Bridge;
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 /// <summary>A joint of the library between two bodies.</summary>
+/// <example>
+/// <code>
+/// PairJoint weld = new WeldJoint(body, second, body.Position);
+/// simulator.Add(weld);
+/// Console.WriteLine($"{weld.Body1} holds {weld.Body2}");
+/// </code>
+/// </example>
 public abstract class PairJoint : Joint
 {
     private Body? _body1;

@@ -10,6 +10,15 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A slide: the second body moves along an axis of the first and cannot turn against it. <see cref="Joint.JointError"/> is its distance
 /// from the axis. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// var drawer = new PrismaticJoint(body, second, body.Position, Vector2.UnitX)
+/// {
+///     AreLimitsEnabled = true, LowerLimit = 0, UpperLimit = 1.5f,
+/// };
+/// simulator.Add(drawer);
+/// </code>
+/// </example>
 public class PrismaticJoint : AxisJoint
 {
     [NotState(Why.Fixed)]

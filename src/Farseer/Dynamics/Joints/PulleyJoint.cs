@@ -11,6 +11,12 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// was when the joint was made. A rope pulls and does not push. <see cref="Joint.JointError"/> is how much too long it is. (An addition to
 /// the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new PulleyJoint(
+///     body, Vector2.Zero, new Vector2(-2, 8), second, Vector2.Zero, new Vector2(2, 8), ratio: 1));
+/// </code>
+/// </example>
 public class PulleyJoint : AnchoredJoint
 {
     [NotState(Why.Fixed)]

@@ -9,6 +9,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A rope: two anchors are never further apart than <see cref="MaxLength"/>. <see cref="Joint.JointError"/> is how much further they are.
 /// (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new RopeJoint(body, Vector2.Zero, second, Vector2.Zero, maxLength: 4));
+/// </code>
+/// </example>
 public class RopeJoint : AnchoredJoint
 {
     private float _maxLength;

@@ -10,6 +10,13 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// Draws a point of a body to a point of the world by a spring with a largest force: what a mouse that picks up a body needs.
 /// <see cref="Joint.JointError"/> is the distance of the two. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// var grip = new TargetJoint(body, body.Position) { MaxForce = 1000 };
+/// simulator.Add(grip);
+/// grip.Target = new Vector2(3, 4);
+/// </code>
+/// </example>
 public class TargetJoint : WorldJoint
 {
     [NotState(Why.Fixed)]

@@ -10,6 +10,11 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// Holds two bodies together as one; with a <see cref="Frequency"/> they may bend against each other as on a damped spring.
 /// <see cref="Joint.JointError"/> is the distance of the two anchors. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// simulator.Add(new WeldJoint(body, second, body.Position));
+/// </code>
+/// </example>
 public class WeldJoint : PairJoint
 {
     [NotState(Why.Fixed)]

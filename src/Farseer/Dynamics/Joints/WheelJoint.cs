@@ -10,6 +10,15 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 /// A wheel on a car: the second body turns freely about a point that moves, sprung, along an axis of the first.
 /// <see cref="Joint.JointError"/> is its distance from the axis. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// var axle = new WheelJoint(body, second, second.Position, Vector2.UnitY)
+/// {
+///     Frequency = 4, DampingRatio = 0.7f, IsMotorEnabled = true, MotorSpeed = -20, MaxMotorTorque = 30,
+/// };
+/// simulator.Add(axle);
+/// </code>
+/// </example>
 public class WheelJoint : AxisJoint
 {
     private JointSpring _spring = new JointSpring { Frequency = 2, DampingRatio = 0.7f };

@@ -5,6 +5,13 @@ using FarseerGames.FarseerPhysics.Bridge;
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 /// <summary>A joint of the library between a body and the world: the fixed version of a joint.</summary>
+/// <example>
+/// <code>
+/// WorldJoint nail = new FixedRevoluteJoint(body, body.Position);
+/// simulator.Add(nail);
+/// Console.WriteLine(nail.Body + " turns about " + body.Position);
+/// </code>
+/// </example>
 public abstract class WorldJoint : Joint
 {
     private Body? _body;

@@ -6,6 +6,14 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Springs;
 /// A list of springs that tells of additions and removals. That of a simulator is a view of what it simulates:
 /// <see cref="Add"/> and <see cref="Remove"/> then stand for those of the simulator, which take effect at the next update.
 /// </summary>
+/// <example>
+/// <code>
+/// foreach (Spring item in simulator.SpringList)
+/// {
+///     Console.WriteLine(item);
+/// }
+/// </code>
+/// </example>
 public class SpringList : ItemList<Spring>
 {
     /// <summary>Handles a change of the list.</summary>
