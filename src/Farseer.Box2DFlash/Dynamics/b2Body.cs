@@ -225,7 +225,7 @@ public partial class b2Body
         if (!Fits(mass) || !Fits(inertia))
         {
             throw new InvalidOperationException(FormattableString.Invariant(
-                $"The shapes and their density give a mass of {mass} and an inertia of {inertia}, beyond what a float can hold and divide by."));
+                $"The density of the shapes makes a mass of {mass}, an inertia of {inertia}: beyond what a float can hold and divide by."));
         }
 
         ApplyMass((float)mass, (float)inertia, x, y);
