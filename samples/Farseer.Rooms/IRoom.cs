@@ -33,7 +33,7 @@ public interface IRoom : IGrainWithIntegerKey
 /// <summary>A room as it is now.</summary>
 /// <param name="Silo">Where it is.</param>
 /// <param name="Steps">Steps since it was built.</param>
-/// <param name="Hash">The state hash of its world.</param>
+/// <param name="Hash">The hash of the motion of its world.</param>
 /// <param name="BallX">Where the ball is, m.</param>
 /// <param name="BallY">Where the ball is, m.</param>
 /// <param name="SavedBytes">Length of the snapshot that it was loaded from; 0: it was built here.</param>

@@ -37,7 +37,7 @@ internal sealed class RoomWorld
 
     public long Steps { get; private set; }
 
-    public ulong Hash => _simulator.StateHash();
+    public ulong Hash => _simulator.MotionHash();
 
     public Vector2 BallPosition => _ball.Position;
 
