@@ -62,9 +62,9 @@ internal static partial class Program
         return s_step;
     }
 
-    /// <summary>The state hash as 16 digits: a number of JavaScript does not hold 64 bits.</summary>
+    /// <summary>The hash of the motion as 16 digits: a number of JavaScript does not hold 64 bits.</summary>
     [JSExport]
-    internal static string Hash() => Simulator.StateHash().ToString("x16", CultureInfo.InvariantCulture);
+    internal static string Hash() => Simulator.MotionHash().ToString("x16", CultureInfo.InvariantCulture);
 
     /// <summary>What is to be drawn; see <see cref="CanvasDraw"/>. Holds until the next call.</summary>
     [JSExport]

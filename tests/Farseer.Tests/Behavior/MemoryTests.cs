@@ -68,16 +68,27 @@ public class MemoryTests
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static double KeptABody()
     {
-        GC.Collect();
-        GC.WaitForPendingFinalizers();
-        long before = GC.GetTotalMemory(forceFullCollection: true);
+        long before = Held();
         using PhysicsSimulator simulator = Pyramid();
         for (int i = 0; i < 20; i++)
         {
             simulator.Update(1f / 60f);
         }
 
-        return (GC.GetTotalMemory(forceFullCollection: true) - before) / (double)simulator.BodyList.Count;
+        return (Held() - before) / (double)simulator.BodyList.Count;
+    }
+
+    /// <summary>
+    /// Bytes of what is alive. Columns of the net standard asset are pinned among other objects, and what is free between them is counted
+    /// by <see cref="GC.GetTotalMemory"/>: up to four times what a world keeps, after two thousand tests.
+    /// </summary>
+    private static long Held()
+    {
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        GC.Collect(GC.MaxGeneration, GCCollectionMode.Forced, blocking: true, compacting: true);
+        GCMemoryInfo info = GC.GetGCMemoryInfo(GCKind.FullBlocking);
+        return info.HeapSizeBytes - info.FragmentedBytes;
     }
 
     private static PhysicsSimulator Pyramid()
