@@ -26,7 +26,7 @@ public sealed class RoomTests : IClassFixture<TwoSilos>
         {
             SiloAddress target = _silos.OtherThan(view.Silo);
 
-            await _silos.Room(1).MoveTo(target);
+            await _silos.Move(1, target);
 
             RoomView moved = await _silos.Room(1).Look();
             Assert.Equal(target, moved.Silo);
@@ -114,7 +114,7 @@ public sealed class RoomTests : IClassFixture<TwoSilos>
         await room.Run(true);
         RoomView before = await Until(room, 5);
 
-        await room.MoveTo(_silos.OtherThan(before.Silo));
+        await _silos.Move(5, _silos.OtherThan(before.Silo));
 
         RoomView after = await room.Look();
         Assert.NotEqual(before.Silo, after.Silo);

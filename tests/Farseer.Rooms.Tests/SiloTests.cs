@@ -22,8 +22,7 @@ public sealed class SiloTests
             await Task.WhenAll(_rooms.Select(n => silos.Play(n, 0, 2)));
             foreach (long number in _rooms)
             {
-                await silos.Room(number).MoveTo(silos.Second);
-                Assert.Equal(silos.Second, (await silos.Room(number).Look()).Silo);
+                await silos.Move(number, silos.Second);
             }
 
             SiloAddress first = silos.First;

@@ -51,6 +51,20 @@ public sealed class TwoSilos : IAsyncLifetime
 
     public SiloAddress OtherThan(SiloAddress silo) => new[] { First, Second }.Single(s => !s.Equals(silo));
 
+    /// <summary>Moves a room. Where it is to go is a hint, which is not heard while a server has only just joined the others.</summary>
+    public async Task Move(long number, SiloAddress silo)
+    {
+        const int MostTries = 100;
+        IRoom room = Room(number);
+        for (int tries = 0; tries < MostTries && !(await room.Look()).Silo.Equals(silo); tries++)
+        {
+            await room.MoveTo(silo);
+            await Task.Delay(50);
+        }
+
+        Assert.Equal(silo, (await room.Look()).Silo);
+    }
+
     /// <summary>Plays turns of the script.</summary>
     public async Task<RoomView> Play(long number, int first, int count)
     {
